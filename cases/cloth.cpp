@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "odeum/scene/mass_spring.hpp"
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// A square cloth of n x n particles in the unit square, each joined to its neighbours one and two
+/// away along rows, columns and diagonals, the column j = n - 1 fixed, the middle thrown.
+scene::Scene make_cloth(std::size_t n, double stiffness, bool tension_only) {
+  scene::Scene scene;
+  scene.gravity = {0, -9.8, 0};
+  const double total_mass = 3, damping = 0.05, throw_speed = 7.5;
+  const auto edge = static_cast<double>(n - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      scene::Particle particle;
+      particle.position = {static_cast<double>(i) / edge, static_cast<double>(j) / edge, 0};
+      particle.mass = total_mass / static_cast<double>(n * n);
+      particle.fixed = j == n - 1;
+      if (i >= 3 && i + 4 <= n && j >= 3 && j + 4 <= n)
+        particle.velocity = {throw_speed, throw_speed, throw_speed};
+      scene.particles.push_back(particle);
+    }
+  }
+  const auto join = [&](std::size_t i, std::size_t j, std::ptrdiff_t di, std::ptrdiff_t dj) {
+    const auto k = static_cast<std::ptrdiff_t>(i) + di, l = static_cast<std::ptrdiff_t>(j) + dj;
+    const auto size = static_cast<std::ptrdiff_t>(n);
+    if (k < 0 || l < 0 || k >= size || l >= size) return;
+    const std::size_t a = i * n + j, b = static_cast<std::size_t>(k * size + l);
+    const auto &pa = scene.particles[a].position, &pb = scene.particles[b].position;
+    scene.springs.push_back({.a = a,
+                             .b = b,
+                             .stiffness = stiffness,
+                             .damping = damping,
+                             .rest_length = std::hypot(pb[0] - pa[0], pb[1] - pa[1]),
+                             .tension_only = tension_only});
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (const std::ptrdiff_t reach : {1, 2}) {  // half of the neighbours: each pair once
+        join(i, j, 0, reach);
+        join(i, j, reach, -reach);
+        join(i, j, reach, 0);
+        join(i, j, reach, reach);
+      }
+  return scene;
+}
+
+struct Variant {
+  const char* reference;
+  const char* title;
+  double stiffness;
+  bool tension_only;
+  double digits_floor;  ///< of the reference, as its index states the digits
+  std::uint64_t coarsest_steps;
+};
+
+Case make_variant(const Variant& variant) {
+  constexpr std::size_t n = 11;
+  const auto scene =
+      std::make_shared<const scene::Scene>(make_cloth(n, variant.stiffness, variant.tension_only));
+  Case c;
+  c.id = variant.reference;
+  c.title = variant.title;
+  c.equation = "m x_a'' = sum of k (l - L) u + d (v_b - v_a) over springs, + m g; 11 x 11 particles, k = " +
+               std::to_string(static_cast<int>(variant.stiffness)) + ", d = 0.05";
+  c.source = "mass-spring cloth with structural, shear and bend springs, Provot 1995";
+  c.tags = {"nonlinear", "autonomous", "second_order", "mechanical", "cloth"};
+  c.tags.emplace_back(variant.tension_only ? "kinked" : "smooth");
+  for (const scene::Particle& particle : scene->particles)
+    c.y0.insert(c.y0.end(), particle.position.begin(), particle.position.end());
+  for (const scene::Particle& particle : scene->particles)
+    c.y0.insert(c.y0.end(), particle.velocity.begin(), particle.velocity.end());
+  for (std::size_t i = 0; i < 3 * n * n; ++i) c.measured.push_back(i);  // positions
+  c.stops = {0.25, 0.5, 1, 2};
+  c.steps_multiple = 8;
+  c.coarsest_steps = variant.coarsest_steps;
+  c.finest_steps = 128 * variant.coarsest_steps;
+  c.truth = reference_truth(variant.reference, variant.digits_floor);
+  set_stage(c, scene::MassSpring(*scene), scene);
+  return c;
+}
+
+}  // namespace
+
+/// A cloth hung along one edge with its middle thrown: two-way springs, tension-only springs (a
+/// kinked force), and a hundred times stiffer.
+std::vector<Case> cloth() {
+  return {make_variant({"cloth11_two_way", "Cloth", 10, false, 1e-12, 160}),
+          make_variant({"cloth11_tension_only", "Cloth of tension-only springs", 10, true, 1e-6, 160}),
+          make_variant({"cloth11_two_way_k1e3", "Stiff cloth", 1000, false, 1e-11, 1600})};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <complex>
+
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// y' = lambda y, lambda real.
+struct DahlquistReal {
+  static constexpr std::size_t dimension = 1;
+  double lambda = -1;
+
+  void rhs(double, const double* y, double* dydt) const { dydt[0] = lambda * y[0]; }
+  void jacobian(double, const double*, double* j) const { j[0] = lambda; }
+};
+
+/// y' = lambda y, lambda = re + i im complex, as the real 2 x 2 block on (Re y, Im y).
+struct DahlquistComplex {
+  static constexpr std::size_t dimension = 2;
+  double re = -1, im = 0;
+
+  void rhs(double, const double* y, double* dydt) const {
+    dydt[0] = re * y[0] - im * y[1];
+    dydt[1] = im * y[0] + re * y[1];
+  }
+  void jacobian(double, const double*, double* j) const {
+    j[0] = j[3] = re;
+    j[1] = -im;
+    j[2] = im;
+  }
+};
+
+/// For physics engines: a particle in a medium that answers its velocity with the force
+/// m B v; y is the velocity, one component for real lambda, two for complex.
+scene::Scene as_scene(std::complex<double> lambda, bool complex) {
+  scene::Scene scene;
+  scene.particles = {{.velocity = {1, 0, 0}, .mass = 1}};
+  scene.velocity_matrix = {lambda.real(), -lambda.imag(), 0, lambda.imag(), complex ? lambda.real() : 0, 0};
+  scene.select = {3};
+  if (complex) scene.select.push_back(4);
+  return scene;
+}
+
+Case describe(const char* id, const char* title, const char* equation, std::complex<double> lambda) {
+  Case c;
+  c.id = std::string("dahlquist_") + id;
+  c.title = title;
+  c.equation = equation;
+  c.source = "Dahlquist, BIT 3 (1963) 27-43";
+  c.tags = {"linear", "autonomous", "smooth"};
+  c.stops = {1, 2, 3, 4};
+  c.steps_multiple = 4;
+  c.coarsest_steps = 16;
+  c.finest_steps = 16384;
+  c.truth.source = "closed form";
+  c.truth.at = [lambda](double t, double* y) {
+    const std::complex<double> exact = std::exp(lambda * t);
+    y[0] = exact.real();
+    if (lambda.imag() != 0) y[1] = exact.imag();
+    return true;
+  };
+  return c;
+}
+
+Case real_case(const char* id, const char* title, const char* equation, double lambda) {
+  Case c = describe(id, title, equation, lambda);
+  c.y0 = {1};
+  set_stage(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
+  return c;
+}
+
+Case complex_case(const char* id, const char* title, const char* equation, std::complex<double> lambda) {
+  Case c = describe(id, title, equation, lambda);
+  c.y0 = {1, 0};
+  set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
+            std::make_shared<scene::Scene>(as_scene(lambda, true)));
+  return c;
+}
+
+Probe lambda_probe() {
+  return make_probe(DahlquistComplex{}, {1, 0}, as_scene({-1, 1}, true),
+                    [](DahlquistComplex& problem, scene::Scene& scene, double re, double im) {
+                      problem.re = re;
+                      problem.im = im;
+                      scene.velocity_matrix = {re, -im, 0, im, re, 0};
+                    });
+}
+
+}  // namespace
+
+/// Dahlquist's test equation: decay, a damped and a pure rotation.
+std::vector<Case> dahlquist() {
+  Case complex = complex_case("complex", "Dahlquist's equation, damped rotation",
+                              "y' = (-0.5 + 2i) y, y(0) = 1", {-0.5, 2});
+  complex.plane = "lambda";
+  complex.probe = lambda_probe;
+  return {real_case("real", "Dahlquist's equation, decay", "y' = -y, y(0) = 1", -1), complex,
+          complex_case("imaginary", "Dahlquist's equation, rotation", "y' = 2i y, y(0) = 1", {0, 2})};
+}
+
+}  // namespace odeum::cases

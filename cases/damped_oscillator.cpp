@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/problem/damped_oscillator.hpp"
+
+#include <cmath>
+
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// m y'' + d y' + k (y - rest) = 0. Damping that is absent is not in the type either, so that
+/// methods for separable systems fit the undamped one.
+template <bool Damped>
+struct Oscillator {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = Damped;
+  double m = 1, d = 0, k = 5, rest = 0;
+
+  void acceleration(double, const double* q, const double* v, double* a) const {
+    a[0] = -k / m * (q[0] - rest);
+    if constexpr (Damped) a[0] -= d / m * v[0];
+  }
+  void rhs(double t, const double* y, double* dydt) const { second_order_rhs(*this, 1, t, y, dydt); }
+  void jacobian(double, const double*, double* j) const {
+    j[0] = 0;
+    j[1] = 1;
+    j[2] = -k / m;
+    j[3] = -d / m;
+  }
+  double energy(const double* y) const {
+    return m * y[1] * y[1] / 2 + k * (y[0] - rest) * (y[0] - rest) / 2;
+  }
+};
+
+/// The oscillator as a particle on a spring along x. The anchor stands `length` before the
+/// equilibrium, far enough that the spring never turns over: then its force is linear in x.
+scene::Scene as_scene(double m, double d, double k, double rest, double y0, double length) {
+  scene::Scene scene;
+  scene.particles = {{.position = {rest - length, 0, 0}, .fixed = true},
+                     {.position = {y0, 0, 0}, .mass = m}};
+  scene.springs = {{.a = 0, .b = 1, .stiffness = k, .damping = d, .rest_length = length}};
+  scene.select = {3, 9};
+  return scene;
+}
+
+struct Variant {
+  const char* id;
+  const char* title;
+  const char* equation;
+  double d, rest, y0, length;
+};
+
+template <bool Damped>
+Case make_variant(const Variant& variant) {
+  const Oscillator<Damped> problem{.m = 1, .d = variant.d, .k = 5, .rest = variant.rest};
+  Case c;
+  c.id = std::string("damped_oscillator_") + variant.id;
+  c.title = variant.title;
+  c.equation = variant.equation;
+  c.source = "harmonic oscillator with viscous damping, any mechanics text";
+  c.tags = {"linear", "autonomous", "second_order", "mechanical", "smooth"};
+  if (!Damped) c.tags.emplace_back("separable");
+  c.y0 = {variant.y0, 0};
+  c.stops = {2.5, 5, 7.5, 10};
+  c.steps_multiple = 4;
+  c.coarsest_steps = 40;
+  c.finest_steps = 40960;
+  c.truth.source = "closed form";
+  c.truth.at = [problem, y0 = variant.y0](double t, double* y) {
+    damped_oscillator_solution(problem.m, problem.d, problem.k, y0 - problem.rest, 0, t, y);
+    y[0] += problem.rest;
+    return true;
+  };
+  set_stage(c, problem,
+            std::make_shared<scene::Scene>(as_scene(problem.m, problem.d, problem.k, problem.rest,
+                                                    variant.y0, variant.length)));
+  return c;
+}
+
+/// q'' = -2 zeta w q' - w^2 q with movable w and zeta, for the stability study.
+template <bool Damped>
+Probe probe() {
+  return make_probe(Oscillator<Damped>{}, {1, 0}, as_scene(1, 0, 1, 0, 1, 1e3),
+                    [](Oscillator<Damped>& problem, scene::Scene& scene, double w, double zeta) {
+                      problem.k = scene.springs[0].stiffness = w * w;
+                      problem.d = scene.springs[0].damping = 2 * zeta * w;
+                    });
+}
+
+}  // namespace
+
+/// A mass on a spring in four kinds of damping, and one with a rest length in a viscous fluid.
+std::vector<Case> damped_oscillator() {
+  Case undamped = make_variant<false>(
+      {"undamped", "Undamped oscillator", "y'' + 5 y = 0, y(0) = -5, y'(0) = 0", 0, 0, -5, 10});
+  undamped.plane = "undamped";
+  undamped.probe = probe<false>;
+  Case under = make_variant<true>({"underdamped", "Underdamped oscillator",
+                                   "y'' + 0.5 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 0.5, 0, -5, 10});
+  under.plane = "oscillator";
+  under.probe = probe<true>;
+  return {undamped, under,
+          make_variant<true>({"critical", "Critically damped oscillator",
+                              "y'' + 2 sqrt(5) y' + 5 y = 0, y(0) = -5, y'(0) = 0", 2 * std::sqrt(5.0), 0, -5, 10}),
+          make_variant<true>({"overdamped", "Overdamped oscillator",
+                              "y'' + 6 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 6, 0, -5, 10}),
+          make_variant<true>({"rest_length", "Spring with a rest length in a viscous fluid",
+                              "x'' = 5 (2 - x) - 0.5 x', x(0) = 3, x'(0) = 0", 0.5, 2, 3, 2})};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// x' = a x - b x y,  y' = -c y + d x y.
+struct LotkaVolterra {
+  static constexpr std::size_t dimension = 2;
+  static constexpr double a = 1.5, b = 1, c = 3, d = 1;
+
+  void rhs(double, const double* y, double* dydt) const {
+    dydt[0] = (a - b * y[1]) * y[0];
+    dydt[1] = (d * y[0] - c) * y[1];
+  }
+  void jacobian(double, const double* y, double* j) const {
+    j[0] = a - b * y[1];
+    j[1] = -b * y[0];
+    j[2] = d * y[1];
+    j[3] = d * y[0] - c;
+  }
+};
+
+}  // namespace
+
+/// Predator and prey: nonlinear and coupled, a closed orbit.
+std::vector<Case> lotka_volterra() {
+  Case c;
+  c.id = "lotka_volterra";
+  c.title = "Predator and prey";
+  c.equation = "x' = 1.5 x - x y, y' = -3 y + x y, x(0) = y(0) = 1";
+  c.source = "Lotka 1925; Volterra 1926";
+  c.tags = {"nonlinear", "autonomous", "smooth"};
+  c.y0 = {1, 1};
+  c.stops = {1, 2, 5, 10};
+  c.steps_multiple = 10;
+  c.coarsest_steps = 40;
+  c.finest_steps = 40960;
+  c.truth = reference_truth("lotka_volterra", 1e-16);
+  set_stage(c, LotkaVolterra{});
+  return {c};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "odeum/harness/case.hpp"
+#include "odeum/harness/own_solvers.hpp"
+#include "odeum_adapters.hpp"  // generated: odeum::enroll_adapters, every library that is built in
+
+namespace odeum::cases {
+
+/// Every solver, own and of each library, enrolled on a problem.
+template <Ode P>
+std::vector<Entrant> enroll(const Contest<P>& contest) {
+  std::vector<Entrant> entrants;
+  enroll_own(contest, entrants);
+  enroll_adapters(contest, entrants);
+  return entrants;
+}
+
+/// Puts a problem, and the scene it has for physics engines, on the stage that `c` describes.
+template <Ode P>
+void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = nullptr) {
+  Contest<P> contest;
+  contest.problem = std::make_shared<const P>(std::move(problem));
+  contest.t0 = c.t0;
+  contest.y0 = std::make_shared<const std::vector<double>>(c.y0);
+  contest.scene = std::move(scene);
+  c.entrants = enroll(contest);
+  if constexpr (WithEnergy<P>)
+    c.energy = [p = contest.problem](const double* y) { return p->energy(y); };
+}
+
+/// A probe over a problem with a movable parameter: `place(problem, scene, first, second)` sets it.
+template <Ode P, class Place>
+Probe make_probe(P problem, std::vector<double> y0, scene::Scene scene, Place place) {
+  auto movable = std::make_shared<P>(std::move(problem));
+  auto movable_scene = std::make_shared<scene::Scene>(std::move(scene));
+  Contest<P> contest;
+  contest.problem = movable;
+  contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
+  contest.scene = movable_scene;
+  return {enroll(contest), [=](double first, double second) {
+            place(*movable, *movable_scene, first, second);
+          }};
+}
+
+}  // namespace odeum::cases

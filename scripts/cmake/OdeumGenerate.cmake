@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The lists that let a method, a case and a library be one file (one folder) each. Globs are
+# watched (CONFIGURE_DEPENDS): a new file is picked up by the next build. Headers are written only
+# when their text changes, so an unrelated re-configure rebuilds nothing.
+
+set(ODEUM_GENERATED ${PROJECT_BINARY_DIR}/generated)
+
+function(odeum_write path text)
+  file(CONFIGURE OUTPUT ${path} CONTENT "${text}" @ONLY)
+endfunction()
+
+# odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id.
+function(odeum_generate_methods)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/methods/*.hpp)
+  set(includes "")
+  set(types "")
+  foreach(file IN LISTS files)
+    get_filename_component(stem ${file} NAME_WE)
+    string(APPEND includes "#include \"odeum/methods/${stem}.hpp\"\n")
+    list(APPEND types ${stem})
+  endforeach()
+  list(JOIN types ",\n                       " types)
+  odeum_write(${ODEUM_GENERATED}/odeum_methods.hpp
+"#pragma once
+#include \"odeum/kernel/method_list.hpp\"
+${includes}
+namespace odeum::methods {
+using All = MethodList<${types}>;
+}
+")
+endfunction()
+
+# odeum_cases.cpp: all_cases() from every file in cases/, its stem the function that makes it.
+function(odeum_generate_cases)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS files)
+    get_filename_component(stem ${file} NAME_WE)
+    string(APPEND declarations "std::vector<Case> ${stem}();\n")
+    string(APPEND calls "    add(cases::${stem}());\n")
+  endforeach()
+  odeum_write(${ODEUM_GENERATED}/odeum_cases.cpp
+"#include <iterator>
+#include <utility>
+
+#include \"odeum/harness/case.hpp\"
+
+namespace odeum {
+namespace cases {
+${declarations}}
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> all = [] {
+    std::vector<Case> list;
+    const auto add = [&](std::vector<Case> more) {
+      std::move(more.begin(), more.end(), std::back_inserter(list));
+    };
+${calls}    return list;
+  }();
+  return all;
+}
+}
+")
+  set(ODEUM_CASE_FILES ${files} ${ODEUM_GENERATED}/odeum_cases.cpp PARENT_SCOPE)
+endfunction()
+
+# odeum_reference.hpp/.cpp: the text of every file in cases/reference, so that the program needs
+# no file beside it.
+function(odeum_generate_reference)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/reference/*.csv)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  set(body "")
+  foreach(file IN LISTS files)
+    get_filename_component(stem ${file} NAME_WLE)
+    file(READ ${file} text)
+    string(APPEND body "  if (name == \"${stem}\") return R\"csv(${text})csv\";\n")
+  endforeach()
+  odeum_write(${ODEUM_GENERATED}/odeum_reference.hpp
+"#pragma once
+#include <string_view>
+namespace odeum::cases {
+/// The text of cases/reference/<name>.csv; throws std::runtime_error where there is none.
+std::string_view reference_text(std::string_view name);
+}
+")
+  odeum_write(${ODEUM_GENERATED}/odeum_reference.cpp
+"#include \"odeum_reference.hpp\"
+
+#include <stdexcept>
+#include <string>
+
+namespace odeum::cases {
+std::string_view reference_text(std::string_view name) {
+${body}  throw std::runtime_error(\"no reference \" + std::string(name));
+}
+}
+")
+endfunction()
+
+# odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, and all_libraries().
+# A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and an enroll.hpp that declares
+#   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);
+macro(odeum_add_adapters)
+  set(ODEUM_ADAPTERS_BUILT "")
+  set(ODEUM_LIBRARY_ROWS "")
+  file(GLOB odeum_adapter_folders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/adapters/*/CMakeLists.txt)
+  foreach(odeum_folder IN LISTS odeum_adapter_folders)
+    get_filename_component(odeum_folder ${odeum_folder} DIRECTORY)
+    add_subdirectory(${odeum_folder})
+  endforeach()
+  set(odeum_includes "")
+  set(odeum_calls "")
+  foreach(odeum_name IN LISTS ODEUM_ADAPTERS_BUILT)
+    string(APPEND odeum_includes "#include \"${odeum_name}/enroll.hpp\"\n")
+    string(APPEND odeum_calls "  adapters::${odeum_name}::enroll(contest, entrants);\n")
+  endforeach()
+  odeum_write(${ODEUM_GENERATED}/odeum_adapters.hpp
+"#pragma once
+#include <vector>
+
+#include \"odeum/harness/solver.hpp\"
+${odeum_includes}
+namespace odeum {
+template <Ode P>
+void enroll_adapters([[maybe_unused]] const Contest<P>& contest,
+                     [[maybe_unused]] std::vector<Entrant>& entrants) {
+${odeum_calls}}
+}
+")
+  odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
+"#include \"odeum/harness/case.hpp\"
+
+namespace odeum {
+const std::vector<LibraryInfo>& all_libraries() {
+  static const std::vector<LibraryInfo> all{
+${ODEUM_LIBRARY_ROWS}  };
+  return all;
+}
+}
+")
+endmacro()
+
+# odeum_adapter(NAME <folder> OPTION <ODEUM_WITH_X> FOUND <bool> VERSION <text>
+#               LIBRARIES <solver id prefixes>... SOURCES <files>... LINK <targets>...
+#               INCLUDE <folders>... DEFINE <definitions>...)
+# Declares the option (on where the library was found) and, where it is on, the library target
+# odeum_adapter_<folder>. Sets odeum_adapter_enabled in the caller.
+function(odeum_adapter)
+  cmake_parse_arguments(A "" "NAME;OPTION;FOUND;VERSION" "LIBRARIES;SOURCES;LINK;INCLUDE;DEFINE" ${ARGN})
+  if(A_FOUND)
+    set(default ON)
+  else()
+    set(default OFF)
+  endif()
+  option(${A_OPTION} "Build the ${A_NAME} adapter" ${default})
+  if(${A_OPTION} AND NOT A_FOUND)
+    message(FATAL_ERROR "${A_OPTION} is ON, but the library was not found")
+  endif()
+  list(TRANSFORM A_LIBRARIES REPLACE "(.+)" "\"\\1\"" OUTPUT_VARIABLE quoted)
+  list(JOIN quoted ", " quoted)
+  if(${A_OPTION})
+    add_library(odeum_adapter_${A_NAME} STATIC ${A_SOURCES})
+    target_link_libraries(odeum_adapter_${A_NAME} PUBLIC odeum_core PRIVATE odeum_options)
+    # A peer's headers are not ours to warn about.
+    target_link_libraries(odeum_adapter_${A_NAME} PUBLIC ${A_LINK})
+    target_include_directories(odeum_adapter_${A_NAME} SYSTEM PUBLIC ${A_INCLUDE})
+    target_include_directories(odeum_adapter_${A_NAME} PUBLIC ${PROJECT_SOURCE_DIR}/adapters)
+    target_compile_definitions(odeum_adapter_${A_NAME} PUBLIC ${A_DEFINE})
+    set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", true, \"${A_VERSION}\"},\n")
+    set(ODEUM_ADAPTERS_BUILT ${ODEUM_ADAPTERS_BUILT} ${A_NAME} PARENT_SCOPE)
+  else()
+    set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", false, \"\"},\n")
+  endif()
+  set(ODEUM_LIBRARY_ROWS "${ODEUM_LIBRARY_ROWS}${row}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/harness/guard.hpp"
+
+#include <fmt/format.h>
+
+namespace odeum {
+
+bool Guard::exhaust(const char* what) {
+  tripped_ = true;
+  status_ = Status::over_budget;
+  detail_ = what[0] == 'e'
+                ? fmt::format("more than {} evaluations of the right-hand side", budget_.evaluations)
+                : fmt::format("more than {} s", budget_.seconds);
+  return false;
+}
+
+bool Guard::latch(double t, const double* values, std::size_t n) {
+  tripped_ = true;
+  status_ = Status::non_finite;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isfinite(values[i])) continue;
+    detail_ = fmt::format("right-hand side component {} is {} at t = {}", i, values[i], t);
+    break;
+  }
+  return false;
+}
+
+void Guard::conclude(const Request& request, Outcome& outcome) const {
+  outcome.counters.rhs_evaluations = rhs_evaluations_;
+  outcome.counters.jacobian_evaluations = jacobian_evaluations_;
+  if (tripped_) {
+    outcome.status = status_;
+    outcome.detail = detail_;
+    return;
+  }
+  if (outcome.status != Status::ok) return;
+  for (std::size_t i = 0; i < outcome.states.size(); ++i) {
+    if (std::isfinite(outcome.states[i])) continue;
+    outcome.status = Status::non_finite;
+    outcome.detail = fmt::format("success was reported, but component {} of the state is {}",
+                                 i % dimension_, outcome.states[i]);
+    return;
+  }
+  if (outcome.states.size() != request.stops.size() * dimension_ ||
+      outcome.t != request.stops.back()) {
+    outcome.status = Status::refused;
+    outcome.detail = fmt::format("success was reported at t = {}, short of the end t = {}",
+                                 outcome.t, request.stops.back());
+  }
+}
+
+}  // namespace odeum

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/harness/guard.hpp"
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum {
+
+/// A problem that offers what P offers, each evaluation watched by a guard. Once the guard has
+/// tripped the right-hand side reads zero; whoever steps asks `tripped()` after each step.
+template <Ode P>
+class Guarded {
+ public:
+  static constexpr std::size_t dimension = P::dimension;
+
+  Guarded(const P& problem, Guard& guard) : problem_(problem), guard_(guard) {}
+
+  std::size_t size() const { return size_of(problem_); }
+
+  void rhs(double t, const double* y, double* dydt) const {
+    if (guard_.admit()) {
+      problem_.rhs(t, y, dydt);
+      guard_.inspect(t, dydt);
+    } else {
+      for (std::size_t i = 0; i < size(); ++i) dydt[i] = 0;
+    }
+  }
+  void jacobian(double t, const double* y, double* j) const
+    requires WithJacobian<P>
+  {
+    guard_.count_jacobian();
+    problem_.jacobian(t, y, j);
+  }
+  void time_derivative(double t, const double* y, double* dfdt) const
+    requires NonAutonomous<P>
+  {
+    problem_.time_derivative(t, y, dfdt);
+  }
+  static constexpr bool velocity_dependent = [] {
+    if constexpr (SecondOrder<P>) return P::velocity_dependent;
+    return true;
+  }();
+  void acceleration(double t, const double* q, const double* v, double* a) const
+    requires SecondOrder<P>
+  {
+    if (guard_.admit()) {
+      problem_.acceleration(t, q, v, a);
+      guard_.inspect(t, a, size() / 2);
+    } else {
+      for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
+    }
+  }
+  auto shifted_solver() const
+    requires WithShiftedSolver<P>
+  {
+    return problem_.shifted_solver();
+  }
+
+  bool tripped() const { return guard_.tripped(); }
+  Guard& guard() const { return guard_; }
+
+ private:
+  const P& problem_;
+  Guard& guard_;
+};
+
+}  // namespace odeum

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "odeum/control/embedded_pair.hpp"
+#include "odeum/control/fixed_step.hpp"
+#include "odeum/control/step_doubling.hpp"
+#include "odeum/harness/guarded.hpp"
+#include "odeum/harness/solver.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum_methods.hpp"  // generated: odeum::methods::All, a MethodList of every file in methods/
+
+namespace odeum {
+
+/// What a method's file says about it, as any library's solver says it.
+template <class M>
+SolverInfo info_of_own() {
+  SolverInfo info;
+  info.library = "odeum";
+  info.method = M::info.id;
+  info.family = M::info.family;
+  info.order = M::info.order;
+  info.adaptive = M::info.one_step;
+  if (M::info.one_step) info.controller = M::info.order_embedded ? "embedded pair" : "step doubling";
+  info.needs = M::needs;
+  info.source = M::info.source;
+  if constexpr (requires { M::amplification(0.0, 0.0); }) {
+    info.amplification = M::amplification;
+    info.oscillator_amplification = [](double w) { return M::amplification(0, w); };
+  }
+  if constexpr (requires { M::oscillator_map(0.0); })
+    info.oscillator_amplification = [](double w) { return spectral_radius(M::oscillator_map(w)); };
+  return info;
+}
+
+/// Solves with method M; the type of the problem is known down to the innermost loop.
+template <class M, Ode P>
+Outcome solve_own(const Contest<P>& contest, const Request& request) {
+  using Stepper = typename M::template Stepper<Guarded<P>>;
+  Guard guard(size_of(*contest.problem), request.budget);
+  const Guarded<P> problem(*contest.problem, guard);
+  State<P> y0 = make_state(*contest.problem);
+  std::copy(contest.y0->begin(), contest.y0->end(), y0.begin());
+  Outcome outcome;
+  if (request.mode == Mode::fixed) {
+    outcome = run_fixed<Stepper>(problem, contest.t0, y0, request);
+  } else if constexpr (M::info.order_embedded != 0) {
+    outcome = run_embedded_pair<Stepper>(problem, contest.t0, y0, request, M::info.order_embedded);
+  } else if constexpr (M::info.one_step) {
+    outcome = run_step_doubling<Stepper>(problem, contest.t0, y0, request, M::info.order);
+  } else {
+    outcome.status = Status::refused;
+    outcome.detail = "runs at a fixed step only";
+  }
+  guard.conclude(request, outcome);
+  return outcome;
+}
+
+/// Enrols every own method: those that fit can solve, the others say what they need.
+template <Ode P>
+void enroll_own(const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  methods::All::for_each([&]<class M>() {
+    Entrant entrant{.info = info_of_own<M>(), .unfit = {}, .solve = {}};
+    if constexpr (M::template fits<P>)
+      entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
+    else
+      entrant.unfit = "needs " + std::string(M::needs);
+    entrants.push_back(std::move(entrant));
+  });
+}
+
+}  // namespace odeum

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace odeum::linear {
+
+/// LU factorisation with partial pivoting of a small dense row-major matrix, in place.
+class DenseLu {
+ public:
+  explicit DenseLu(std::size_t n) : n_(n), lu_(n * n), row_(n), scratch_(n) {}
+
+  std::size_t size() const { return n_; }
+  /// The n x n entries: fill them, then call factorise().
+  double* data() { return lu_.data(); }
+
+  /// False where the matrix is singular or has an entry that is not finite.
+  bool factorise() {
+    for (std::size_t i = 0; i < n_; ++i) row_[i] = i;
+    for (std::size_t k = 0; k < n_; ++k) {
+      std::size_t pivot = k;
+      for (std::size_t i = k + 1; i < n_; ++i)
+        if (std::abs(at(i, k)) > std::abs(at(pivot, k))) pivot = i;
+      if (!(std::abs(at(pivot, k)) > 0) || !std::isfinite(at(pivot, k))) return false;
+      if (pivot != k) {
+        for (std::size_t j = 0; j < n_; ++j) std::swap(at(k, j), at(pivot, j));
+        std::swap(row_[k], row_[pivot]);
+      }
+      for (std::size_t i = k + 1; i < n_; ++i) {
+        const double factor = at(i, k) /= at(k, k);
+        if (factor == 0) continue;
+        for (std::size_t j = k + 1; j < n_; ++j) at(i, j) -= factor * at(k, j);
+      }
+    }
+    return true;
+  }
+
+  /// Overwrites x (n entries) by the solution.
+  void solve(double* x) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      double sum = x[row_[i]];
+      for (std::size_t j = 0; j < i; ++j) sum -= at(i, j) * scratch_[j];
+      scratch_[i] = sum;
+    }
+    for (std::size_t i = n_; i-- > 0;) {
+      double sum = scratch_[i];
+      for (std::size_t j = i + 1; j < n_; ++j) sum -= at(i, j) * x[j];
+      x[i] = sum / at(i, i);
+    }
+  }
+
+ private:
+  double& at(std::size_t i, std::size_t j) { return lu_[i * n_ + j]; }
+  std::size_t n_;
+  std::vector<double> lu_;
+  std::vector<std::size_t> row_;
+  std::vector<double> scratch_;
+};
+
+}  // namespace odeum::linear

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/methods/cash_karp54.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/tableau/order_conditions.hpp"
+
+namespace odeum::methods {
+
+/// The row of order 2 of Cash and Karp's six stages, on its own.
+inline constexpr Tableau<6> cash_karp54_order2_tableau =
+    cash_karp54_tableau.with_row({-3. / 2, 5. / 2, 0, 0, 0, 0}, 2);
+static_assert(proven(cash_karp54_order2_tableau));
+
+struct cash_karp54_order2 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order2_tableau> {
+  static constexpr MethodInfo info{
+      .id = "cash_karp54_order2",
+      .family = "explicit_rk",
+      .order = cash_karp54_order2_tableau.order,
+      .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"};
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/tableau/order_conditions.hpp"
+
+namespace odeum::methods {
+
+/// Explicit (forward) Euler: the tangent at the start of the step.
+inline constexpr Tableau<1> explicit_euler_tableau{
+    .a = {{{0}}},
+    .b = {1},
+    .order = 1,
+};
+static_assert(proven(explicit_euler_tableau));
+
+struct explicit_euler : ForAnyProblem, ExplicitRungeKuttaMethod<explicit_euler_tableau> {
+  static constexpr MethodInfo info{
+      .id = "explicit_euler",
+      .family = "explicit_rk",
+      .order = explicit_euler_tableau.order,
+      .source = "Euler 1768; Hairer, Norsett, Wanner, Solving ODEs I, (I.7.3)"};
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/tableau/order_conditions.hpp"
+
+namespace odeum::methods {
+
+/// Heun's method, the explicit trapezoidal rule: the mean of the slopes at both ends.
+inline constexpr Tableau<2> heun_tableau{
+    .a = {{{0, 0},
+           {1, 0}}},
+    .b = {1. / 2, 1. / 2},
+    .order = 2,
+};
+static_assert(proven(heun_tableau));
+
+struct heun : ForAnyProblem, ExplicitRungeKuttaMethod<heun_tableau> {
+  static constexpr MethodInfo info{
+      .id = "heun",
+      .family = "explicit_rk",
+      .order = heun_tableau.order,
+      .source = "Heun 1900; Runge 1895; Butcher, Numerical Methods for ODEs, table 232(I)"};
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/tableau/order_conditions.hpp"
+
+namespace odeum::methods {
+
+/// The classical Runge-Kutta method.
+inline constexpr Tableau<4> rk4_tableau{
+    .a = {{{0, 0, 0, 0},
+           {1. / 2, 0, 0, 0},
+           {0, 1. / 2, 0, 0},
+           {0, 0, 1, 0}}},
+    .b = {1. / 6, 1. / 3, 1. / 3, 1. / 6},
+    .order = 4,
+};
+static_assert(proven(rk4_tableau));
+
+struct rk4 : ForAnyProblem, ExplicitRungeKuttaMethod<rk4_tableau> {
+  static constexpr MethodInfo info{
+      .id = "rk4",
+      .family = "explicit_rk",
+      .order = rk4_tableau.order,
+      .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"};
+};
+
+}  // namespace odeum::methods

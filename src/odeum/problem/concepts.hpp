@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "odeum/problem/ode_view.hpp"
+
+/// What a problem is: a small struct with a right-hand side, and whatever else it can offer.
+///
+///     struct Decay {
+///       static constexpr std::size_t dimension = 1;       // or odeum::dynamic, with a size()
+///       double lambda;
+///       void rhs(double t, const double* y, double* dydt) const { dydt[0] = lambda * y[0]; }
+///       void jacobian(double t, const double* y, double* j) const { j[0] = lambda; }
+///     };
+///
+/// All times, states and parameters are in the units of the problem's own equation.
+namespace odeum {
+
+/// Marks a problem whose dimension is known at run time only; it then has a `size()`.
+inline constexpr std::size_t dynamic = static_cast<std::size_t>(-1);
+
+namespace detail {
+template <std::size_t N>
+struct StateOf {
+  using type = std::array<double, N>;
+};
+template <>
+struct StateOf<dynamic> {
+  using type = std::vector<double>;
+};
+}  // namespace detail
+
+/// The state of a problem: std::array for a static dimension, std::vector for a dynamic one.
+template <class P>
+using State = typename detail::StateOf<P::dimension>::type;
+
+/// y' = f(t, y): `rhs` fills dydt from y, both of `dimension` doubles, never overlapping.
+template <class P>
+concept Ode = requires(const P& p, double t, const double* y, double* dydt) {
+  { P::dimension } -> std::convertible_to<std::size_t>;
+  p.rhs(t, y, dydt);
+};
+
+/// Offers df/dy, dense and row-major.
+template <class P>
+concept WithJacobian =
+    Ode<P> && requires(const P& p, double t, const double* y, double* j) { p.jacobian(t, y, j); };
+
+/// Offers the product of df/dy with a vector.
+template <class P>
+concept WithJacobianTimes =
+    Ode<P> && requires(const P& p, double t, const double* y, const double* x, double* product) {
+      p.jacobian_times(t, y, x, product);
+    };
+
+/// Offers df/dt. A problem without it is taken as autonomous.
+template <class P>
+concept NonAutonomous =
+    Ode<P> && requires(const P& p, double t, const double* y, double* d) { p.time_derivative(t, y, d); };
+
+/// q'' = a(t, q, v) with y = [q, v]: all positions, then all velocities.
+template <class P>
+concept SecondOrder =
+    Ode<P> && requires(const P& p, double t, const double* q, const double* v, double* a) {
+      { P::velocity_dependent } -> std::convertible_to<bool>;
+      p.acceleration(t, q, v, a);
+    };
+
+/// q'' = a(t, q): the acceleration does not look at the velocity.
+template <class P>
+concept Separable = SecondOrder<P> && !P::velocity_dependent;
+
+/// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp.
+template <class P>
+concept WithShiftedSolver = Ode<P> && requires(const P& p) { p.shifted_solver(); };
+
+/// Offers an energy, in the problem's units.
+template <class P>
+concept WithEnergy = Ode<P> && requires(const P& p, const double* y) {
+  { p.energy(y) } -> std::convertible_to<double>;
+};
+
+template <Ode P>
+constexpr std::size_t size_of(const P& problem) {
+  if constexpr (P::dimension == dynamic)
+    return problem.size();
+  else
+    return P::dimension;
+}
+
+/// A zero state of the right size.
+template <Ode P>
+State<P> make_state(const P& problem) {
+  State<P> y{};
+  if constexpr (P::dimension == dynamic) y.assign(problem.size(), 0.0);
+  return y;
+}
+
+/// The right-hand side of q'' = a(t, q, v) as a first-order system: dydt = [v, a].
+template <class P>
+void second_order_rhs(const P& problem, std::size_t degrees, double t, const double* y,
+                      double* dydt) {
+  for (std::size_t i = 0; i < degrees; ++i) dydt[i] = y[degrees + i];
+  problem.acceleration(t, y, y + degrees, dydt + degrees);
+}
+
+/// The problem behind function pointers; it must outlive the view.
+template <Ode P>
+OdeView view_of(const P& problem) {
+  OdeView view;
+  view.problem = &problem;
+  view.dimension = size_of(problem);
+  view.rhs = [](const void* p, double t, const double* y, double* dydt) {
+    static_cast<const P*>(p)->rhs(t, y, dydt);
+  };
+  if constexpr (WithJacobian<P>)
+    view.jacobian = [](const void* p, double t, const double* y, double* j) {
+      static_cast<const P*>(p)->jacobian(t, y, j);
+    };
+  if constexpr (WithJacobianTimes<P>)
+    view.jacobian_times = [](const void* p, double t, const double* y, const double* x,
+                             double* product) {
+      static_cast<const P*>(p)->jacobian_times(t, y, x, product);
+    };
+  if constexpr (NonAutonomous<P>)
+    view.time_derivative = [](const void* p, double t, const double* y, double* dfdt) {
+      static_cast<const P*>(p)->time_derivative(t, y, dfdt);
+    };
+  if constexpr (SecondOrder<P>) {
+    view.degrees_of_freedom = view.dimension / 2;
+    view.velocity_dependent = P::velocity_dependent;
+    view.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
+      static_cast<const P*>(p)->acceleration(t, q, v, a);
+    };
+  }
+  return view;
+}
+
+}  // namespace odeum

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Plain C++17: the adapter parts that need an older standard (uBLAS) include this header too.
+#include <cstddef>
+
+namespace odeum {
+
+/// A problem behind function pointers, for libraries whose own interface asks for them.
+/// Arrays are `dimension` doubles; `jacobian` fills a dense row-major dimension x dimension matrix.
+/// A null pointer means that the problem does not offer it. The problem must outlive the view.
+struct OdeView {
+  const void* problem = nullptr;
+  std::size_t dimension = 0;
+  void (*rhs)(const void* problem, double t, const double* y, double* dydt) = nullptr;
+  void (*jacobian)(const void* problem, double t, const double* y, double* jacobian) = nullptr;
+  /// Product of the Jacobian with a vector, for matrix-free (Krylov) solvers.
+  void (*jacobian_times)(const void* problem, double t, const double* y, const double* x,
+                         double* product) = nullptr;
+  /// df/dt; null for autonomous problems, where it is zero.
+  void (*time_derivative)(const void* problem, double t, const double* y, double* dfdt) = nullptr;
+
+  /// Second-order problems q'' = a(t, q, q') have y = [q, q'] and degrees_of_freedom = dimension/2.
+  std::size_t degrees_of_freedom = 0;
+  bool velocity_dependent = false;  ///< whether a depends on q'
+  void (*acceleration)(const void* problem, double t, const double* q, const double* v,
+                       double* a) = nullptr;
+
+  bool second_order() const { return degrees_of_freedom != 0; }
+};
+
+}  // namespace odeum

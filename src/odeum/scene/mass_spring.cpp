@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/mass_spring.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace odeum::scene {
+
+MassSpring::MassSpring(const Scene& scene)
+    : particles_(scene.size()), springs_(scene.springs), gravity_(scene.gravity) {
+  for (const Particle& particle : scene.particles) {
+    if (!particle.fixed && !(particle.mass > 0))
+      throw std::invalid_argument("a free particle needs a positive mass");
+    mass_.push_back(particle.mass);
+    inverse_mass_.push_back(particle.fixed ? 0 : 1 / particle.mass);
+  }
+  for (const Spring& spring : springs_)
+    if (spring.a >= particles_ || spring.b >= particles_ || spring.a == spring.b)
+      throw std::invalid_argument("spring between particles " + std::to_string(spring.a) + " and " +
+                                  std::to_string(spring.b) + " of " + std::to_string(particles_));
+}
+
+void MassSpring::acceleration(double, const double* q, const double* v, double* a) const {
+  for (std::size_t i = 0; i < 3 * particles_; ++i) a[i] = 0;
+  for (const Spring& spring : springs_) {
+    const double *qa = q + 3 * spring.a, *qb = q + 3 * spring.b;
+    const double *va = v + 3 * spring.a, *vb = v + 3 * spring.b;
+    double *fa = a + 3 * spring.a, *fb = a + 3 * spring.b;
+    const double x = qb[0] - qa[0], y = qb[1] - qa[1], z = qb[2] - qa[2];
+    const double length = std::sqrt(x * x + y * y + z * z);
+    const bool slack = (spring.tension_only && length <= spring.rest_length) || length == 0;
+    const double s = slack ? 0 : spring.stiffness * (1 - spring.rest_length / length);
+    const double fx = s * x + spring.damping * (vb[0] - va[0]);
+    const double fy = s * y + spring.damping * (vb[1] - va[1]);
+    const double fz = s * z + spring.damping * (vb[2] - va[2]);
+    fa[0] += fx, fa[1] += fy, fa[2] += fz;
+    fb[0] -= fx, fb[1] -= fy, fb[2] -= fz;
+  }
+  for (std::size_t i = 0; i < particles_; ++i) {
+    const double free = inverse_mass_[i] != 0 ? 1 : 0;
+    for (std::size_t d = 0; d < 3; ++d)
+      a[3 * i + d] = a[3 * i + d] * inverse_mass_[i] + free * gravity_[d];
+  }
+}
+
+std::array<double, 9> spring_stiffness_block(const Spring& spring, const double* q) {
+  const double *qa = q + 3 * spring.a, *qb = q + 3 * spring.b;
+  double u[3];
+  for (int d = 0; d < 3; ++d) u[d] = qb[d] - qa[d];
+  const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+  std::array<double, 9> block{};
+  if (length == 0 || (spring.tension_only && length <= spring.rest_length)) return block;
+  for (double& component : u) component /= length;
+  const double across = spring.stiffness * (1 - spring.rest_length / length);
+  const double along = spring.stiffness - across;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) block[3 * i + j] = along * u[i] * u[j] + (i == j ? across : 0);
+  return block;
+}
+
+void MassSpring::jacobian_times(double, const double* y, const double* x, double* product) const {
+  const std::size_t n = 3 * particles_;
+  const double *dq = x, *dv = x + n;
+  double* da = product + n;
+  for (std::size_t i = 0; i < n; ++i) {
+    product[i] = dv[i];
+    da[i] = 0;
+  }
+  for (const Spring& spring : springs_) {
+    const auto block = spring_stiffness_block(spring, y);
+    double* const fa = da + 3 * spring.a;
+    double* const fb = da + 3 * spring.b;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double f = spring.damping * (dv[3 * spring.b + i] - dv[3 * spring.a + i]);
+      for (std::size_t j = 0; j < 3; ++j)
+        f += block[3 * i + j] * (dq[3 * spring.b + j] - dq[3 * spring.a + j]);
+      fa[i] += f;
+      fb[i] -= f;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3];
+}
+
+double MassSpring::energy(const double* y) const {
+  const double *q = y, *v = y + 3 * particles_;
+  double sum = 0;
+  for (std::size_t i = 0; i < particles_; ++i) {
+    if (inverse_mass_[i] == 0) continue;
+    for (std::size_t d = 0; d < 3; ++d)
+      sum += mass_[i] * (v[3 * i + d] * v[3 * i + d] / 2 - gravity_[d] * q[3 * i + d]);
+  }
+  for (const Spring& spring : springs_) {
+    double squared = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double difference = q[3 * spring.b + d] - q[3 * spring.a + d];
+      squared += difference * difference;
+    }
+    const double stretch = std::sqrt(squared) - spring.rest_length;
+    if (stretch > 0 || !spring.tension_only) sum += spring.stiffness * stretch * stretch / 2;
+  }
+  return sum;
+}
+
+}  // namespace odeum::scene

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <complex>
+#include <cstddef>
+
+/// Runge-Kutta coefficients as data. Everything that follows from A and b is derived: the nodes c
+/// (row sums), explicit or not, first-same-as-last, the stability function.
+namespace odeum {
+
+/// A Runge-Kutta method of S stages, with an embedded row where `b_hat` is not all zero.
+template <std::size_t S>
+struct Tableau {
+  static constexpr std::size_t stages = S;
+  std::array<std::array<double, S>, S> a{};  ///< a[i][j]: weight of stage j in the argument of stage i
+  std::array<double, S> b{};
+  int order = 0;
+  std::array<double, S> b_hat{};  ///< the embedded row, the one whose difference estimates the error
+  int order_hat = 0;
+
+  constexpr double c(std::size_t i) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < S; ++j) sum += a[i][j];
+    return sum;
+  }
+  constexpr bool embedded() const { return order_hat != 0; }
+  constexpr bool is_explicit() const {
+    for (std::size_t i = 0; i < S; ++i)
+      for (std::size_t j = i; j < S; ++j)
+        if (a[i][j] != 0) return false;
+    return true;
+  }
+  /// The last stage is the first of the next step: its argument is the new state.
+  constexpr bool first_same_as_last() const {
+    if (a[0][0] != 0) return false;
+    for (std::size_t j = 0; j < S; ++j)
+      if (a[S - 1][j] != b[j]) return false;
+    return is_explicit();
+  }
+  /// The same stages with another row of weights.
+  constexpr Tableau with_row(const std::array<double, S>& row, int row_order) const {
+    Tableau t = *this;
+    t.b = row;
+    t.order = row_order;
+    t.b_hat = {};
+    t.order_hat = 0;
+    return t;
+  }
+};
+
+/// R(z) = 1 + z b^T (I - z A)^{-1} 1, by Gaussian elimination with partial pivoting.
+template <std::size_t S>
+std::complex<double> stability_function(const Tableau<S>& tableau, std::complex<double> z) {
+  using Complex = std::complex<double>;
+  std::array<std::array<Complex, S + 1>, S> m{};
+  for (std::size_t i = 0; i < S; ++i) {
+    for (std::size_t j = 0; j < S; ++j) m[i][j] = (i == j ? 1.0 : 0.0) - z * tableau.a[i][j];
+    m[i][S] = 1.0;
+  }
+  for (std::size_t k = 0; k < S; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < S; ++i)
+      if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+    std::swap(m[k], m[pivot]);
+    for (std::size_t i = k + 1; i < S; ++i) {
+      const Complex factor = m[i][k] / m[k][k];
+      for (std::size_t j = k; j <= S; ++j) m[i][j] -= factor * m[k][j];
+    }
+  }
+  Complex result = 1.0;
+  std::array<Complex, S> x{};
+  for (std::size_t i = S; i-- > 0;) {
+    Complex sum = m[i][S];
+    for (std::size_t j = i + 1; j < S; ++j) sum -= m[i][j] * x[j];
+    x[i] = sum / m[i][i];
+    result += z * tableau.b[i] * x[i];
+  }
+  return result;
+}
+
+}  // namespace odeum
