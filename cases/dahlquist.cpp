@@ -37,13 +37,15 @@ struct DahlquistComplex {
 scene::Scene as_scene(std::complex<double> lambda, bool complex) {
   scene::Scene scene;
   scene.particles = {{.velocity = {1, 0, 0}, .mass = 1}};
-  scene.velocity_matrix = {lambda.real(), -lambda.imag(), 0, lambda.imag(), complex ? lambda.real() : 0, 0};
+  scene.velocity_matrix = {
+      lambda.real(), -lambda.imag(), 0, lambda.imag(), complex ? lambda.real() : 0, 0};
   scene.select = {3};
   if (complex) scene.select.push_back(4);
   return scene;
 }
 
-Case describe(const char* id, const char* title, const char* equation, std::complex<double> lambda) {
+Case describe(const char* id, const char* title, const char* equation,
+              std::complex<double> lambda) {
   Case c;
   c.id = std::string("dahlquist_") + id;
   c.title = title;
@@ -71,7 +73,8 @@ Case real_case(const char* id, const char* title, const char* equation, double l
   return c;
 }
 
-Case complex_case(const char* id, const char* title, const char* equation, std::complex<double> lambda) {
+Case complex_case(const char* id, const char* title, const char* equation,
+                  std::complex<double> lambda) {
   Case c = describe(id, title, equation, lambda);
   c.y0 = {1, 0};
   set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
@@ -96,8 +99,9 @@ std::vector<Case> dahlquist() {
                               "y' = (-0.5 + 2i) y, y(0) = 1", {-0.5, 2});
   complex.plane = "lambda";
   complex.probe = lambda_probe;
-  return {real_case("real", "Dahlquist's equation, decay", "y' = -y, y(0) = 1", -1), complex,
-          complex_case("imaginary", "Dahlquist's equation, rotation", "y' = 2i y, y(0) = 1", {0, 2})};
+  return {
+      real_case("real", "Dahlquist's equation, decay", "y' = -y, y(0) = 1", -1), complex,
+      complex_case("imaginary", "Dahlquist's equation, rotation", "y' = 2i y, y(0) = 1", {0, 2})};
 }
 
 }  // namespace odeum::cases

@@ -20,7 +20,9 @@ struct Oscillator {
     a[0] = -k / m * (q[0] - rest);
     if constexpr (Damped) a[0] -= d / m * v[0];
   }
-  void rhs(double t, const double* y, double* dydt) const { second_order_rhs(*this, 1, t, y, dydt); }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
   void jacobian(double, const double*, double* j) const {
     j[0] = 0;
     j[1] = 1;
@@ -101,7 +103,8 @@ std::vector<Case> damped_oscillator() {
   under.probe = probe<true>;
   return {undamped, under,
           make_variant<true>({"critical", "Critically damped oscillator",
-                              "y'' + 2 sqrt(5) y' + 5 y = 0, y(0) = -5, y'(0) = 0", 2 * std::sqrt(5.0), 0, -5, 10}),
+                              "y'' + 2 sqrt(5) y' + 5 y = 0, y(0) = -5, y'(0) = 0",
+                              2 * std::sqrt(5.0), 0, -5, 10}),
           make_variant<true>({"overdamped", "Overdamped oscillator",
                               "y'' + 6 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 6, 0, -5, 10}),
           make_variant<true>({"rest_length", "Spring with a rest length in a viscous fluid",

@@ -11,7 +11,9 @@ struct FreeFall {
   static constexpr double g = -9.81;  // m/s^2
 
   void acceleration(double, const double*, const double*, double* a) const { a[0] = g; }
-  void rhs(double t, const double* y, double* dydt) const { second_order_rhs(*this, 1, t, y, dydt); }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
   void jacobian(double, const double*, double* j) const {
     j[0] = 0;
     j[1] = 1;

@@ -31,7 +31,8 @@ std::map<double, std::vector<double>> parse(std::string_view text, const std::st
     const std::size_t first = line.find(','), second = line.rfind(',');
     if (first == second) throw std::runtime_error("reference " + name + ": not three columns");
     auto& state = way_points[number(line.substr(0, first), name)];
-    if (number(line.substr(first + 1, second - first - 1), name) != static_cast<double>(state.size()))
+    if (number(line.substr(first + 1, second - first - 1), name) !=
+        static_cast<double>(state.size()))
       throw std::runtime_error("reference " + name + ": components out of order");
     state.push_back(number(line.substr(second + 1), name));
   }
@@ -41,8 +42,8 @@ std::map<double, std::vector<double>> parse(std::string_view text, const std::st
 }  // namespace
 
 Truth reference_truth(const std::string& name, double floor) {
-  const auto way_points =
-      std::make_shared<const std::map<double, std::vector<double>>>(parse(reference_text(name), name));
+  const auto way_points = std::make_shared<const std::map<double, std::vector<double>>>(
+      parse(reference_text(name), name));
   Truth truth;
   truth.floor = floor;
   truth.source = "cases/reference/" + name + ".csv";

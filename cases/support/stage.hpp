@@ -41,9 +41,8 @@ Probe make_probe(P problem, std::vector<double> y0, scene::Scene scene, Place pl
   contest.problem = movable;
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
   contest.scene = movable_scene;
-  return {enroll(contest), [=](double first, double second) {
-            place(*movable, *movable_scene, first, second);
-          }};
+  return {enroll(contest),
+          [=](double first, double second) { place(*movable, *movable_scene, first, second); }};
 }
 
 }  // namespace odeum::cases

@@ -25,8 +25,8 @@ double scaled_error_norm(const S& error, const S& y, const S& y_new, double tole
 
 /// A first step for a method of the given order (Solving ODEs I, II.4, "Starting step size").
 template <Ode P>
-double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, double horizon, int order,
-                    double tolerance) {
+double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, double horizon,
+                    int order, double tolerance) {
   State<P> f0 = make_state(problem), y1 = f0, f1 = f0;
   problem.rhs(t0, y0.data(), f0.data());
   const double d0 = scaled_error_norm(y0, y0, y0, tolerance);
@@ -37,8 +37,8 @@ double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, do
   for (std::size_t i = 0; i < y0.size(); ++i) f1[i] -= f0[i];
   const double d2 = scaled_error_norm(f1, y0, y0, tolerance) / h0;
   const double steepest = std::max(d1, d2);
-  const double h1 = steepest <= 1e-15 ? std::max(1e-6, h0 * 1e-3)
-                                      : std::pow(0.01 / steepest, 1.0 / (order + 1));
+  const double h1 =
+      steepest <= 1e-15 ? std::max(1e-6, h0 * 1e-3) : std::pow(0.01 / steepest, 1.0 / (order + 1));
   return std::min({100 * h0, h1, horizon - t0});
 }
 
@@ -53,14 +53,15 @@ struct Decision {
 /// shortened to end exactly on a stop. Accepting and choosing are the controller's; walking is
 /// the loop's.
 template <Ode P, class Trial, class Decide>
-Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0, const Request& request,
-                     double first_step, Trial&& trial, Decide&& decide) {
+Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
+                     const Request& request, double first_step, Trial&& trial, Decide&& decide) {
   Outcome outcome;
   State<P> y = y0, y_new = y0;
   double t = t0, h = first_step;
   for (const double stop : request.stops) {
     while (t < stop) {
-      const double smallest = 16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
+      const double smallest =
+          16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
       const bool last = t + h >= stop - smallest;
       const double h_used = last ? stop - t : h;
       outcome.t = t;

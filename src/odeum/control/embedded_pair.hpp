@@ -18,10 +18,12 @@ Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& 
     return status;
   };
   const auto decide = [&](double h, double norm) {
-    const double factor = std::clamp(0.9 * std::pow(std::max(norm, 1e-10), -1.0 / (lower_order + 1)), 0.2, 5.0);
+    const double factor =
+        std::clamp(0.9 * std::pow(std::max(norm, 1e-10), -1.0 / (lower_order + 1)), 0.2, 5.0);
     return Decision{norm <= 1, h * factor};
   };
-  const double first = initial_step(problem, t0, y0, request.stops.back(), lower_order, request.tolerance);
+  const double first =
+      initial_step(problem, t0, y0, request.stops.back(), lower_order, request.tolerance);
   return run_adaptive(problem, t0, y0, request, first, trial, decide);
 }
 

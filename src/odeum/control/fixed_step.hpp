@@ -9,7 +9,8 @@ namespace odeum {
 
 /// Runs a stepper over t_i = t0 + i h, recording the state at every stop.
 template <class Stepper, Ode P>
-Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0, const Request& request) {
+Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
+                  const Request& request) {
   Outcome outcome;
   Stepper stepper(problem);
   State<P> y = y0;

@@ -35,7 +35,8 @@ Outcome run_step_doubling(const Guarded<P>& problem, double t0, const State<P>& 
     if (norm > upper) return Decision{false, h / 2};
     return Decision{true, norm < lower ? 2 * h : h};
   };
-  const double first = initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
+  const double first =
+      initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
   return run_adaptive(problem, t0, y0, request, first, trial, decide);
 }
 

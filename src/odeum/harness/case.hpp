@@ -31,7 +31,7 @@ struct Case {
   std::string id;
   std::string title;
   std::string equation;
-  std::string source;  ///< where the equation and its parameters come from
+  std::string source;             ///< where the equation and its parameters come from
   std::vector<std::string> tags;  ///< linear, nonlinear, non_autonomous, second_order, smooth, ...
 
   double t0 = 0;
@@ -43,9 +43,9 @@ struct Case {
   std::vector<std::size_t> measured;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
 
-  std::uint64_t steps_multiple = 1;   ///< every fixed-step count is a multiple of it (stops)
-  std::uint64_t coarsest_steps = 16;  ///< where a study of convergence begins
-  std::uint64_t finest_steps = 16384; ///< and where it ends at most
+  std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
+  std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins
+  std::uint64_t finest_steps = 16384;  ///< and where it ends at most
 
   std::vector<Entrant> entrants;
   /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe
@@ -65,9 +65,9 @@ const std::vector<Case>& all_cases();
 
 /// A library that Odeum has an adapter for, and whether this build has it.
 struct LibraryInfo {
-  std::string name;     ///< folder under adapters/
+  std::string name;                    ///< folder under adapters/
   std::vector<std::string> libraries;  ///< the first parts of its solver ids
-  std::string option;   ///< the CMake option
+  std::string option;                  ///< the CMake option
   bool built = false;
   std::string version;  ///< empty where not built
 };

@@ -8,9 +8,9 @@ namespace odeum {
 bool Guard::exhaust(const char* what) {
   tripped_ = true;
   status_ = Status::over_budget;
-  detail_ = what[0] == 'e'
-                ? fmt::format("more than {} evaluations of the right-hand side", budget_.evaluations)
-                : fmt::format("more than {} s", budget_.seconds);
+  detail_ = what[0] == 'e' ? fmt::format("more than {} evaluations of the right-hand side",
+                                         budget_.evaluations)
+                           : fmt::format("more than {} s", budget_.seconds);
   return false;
 }
 

@@ -22,7 +22,8 @@ class Guard {
     if (tripped_) return false;
     if (rhs_evaluations_ >= budget_.evaluations) return exhaust("evaluations");
     // Looking at the clock costs more than a small right-hand side: do it rarely.
-    if ((rhs_evaluations_ & 0x3ff) == 0x3ff && seconds() > budget_.seconds) return exhaust("seconds");
+    if ((rhs_evaluations_ & 0x3ff) == 0x3ff && seconds() > budget_.seconds)
+      return exhaust("seconds");
     ++rhs_evaluations_;
     return true;
   }
@@ -66,7 +67,8 @@ class Guard {
 /// A guarded problem for C interfaces. The functions return 0, or 1 when the guard tripped.
 class GuardedView {
  public:
-  GuardedView(const OdeView& view, const Budget& budget) : view_(view), guard_(view.dimension, budget) {}
+  GuardedView(const OdeView& view, const Budget& budget)
+      : view_(view), guard_(view.dimension, budget) {}
 
   int rhs(double t, const double* y, double* dydt) {
     if (!guard_.admit()) return 1;

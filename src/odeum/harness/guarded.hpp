@@ -24,24 +24,19 @@ class Guarded {
       for (std::size_t i = 0; i < size(); ++i) dydt[i] = 0;
     }
   }
-  void jacobian(double t, const double* y, double* j) const
-    requires WithJacobian<P>
-  {
+  void jacobian(double t, const double* y, double* j) const requires WithJacobian<P> {
     guard_.count_jacobian();
     problem_.jacobian(t, y, j);
   }
-  void time_derivative(double t, const double* y, double* dfdt) const
-    requires NonAutonomous<P>
-  {
+  void time_derivative(double t, const double* y, double* dfdt) const requires NonAutonomous<P> {
     problem_.time_derivative(t, y, dfdt);
   }
   static constexpr bool velocity_dependent = [] {
     if constexpr (SecondOrder<P>) return P::velocity_dependent;
     return true;
   }();
-  void acceleration(double t, const double* q, const double* v, double* a) const
-    requires SecondOrder<P>
-  {
+  void acceleration(double t, const double* q, const double* v,
+                    double* a) const requires SecondOrder<P> {
     if (guard_.admit()) {
       problem_.acceleration(t, q, v, a);
       guard_.inspect(t, a, size() / 2);
@@ -49,11 +44,7 @@ class Guarded {
       for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
     }
   }
-  auto shifted_solver() const
-    requires WithShiftedSolver<P>
-  {
-    return problem_.shifted_solver();
-  }
+  auto shifted_solver() const requires WithShiftedSolver<P> { return problem_.shifted_solver(); }
 
   bool tripped() const { return guard_.tripped(); }
   Guard& guard() const { return guard_; }

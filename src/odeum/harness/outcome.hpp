@@ -14,12 +14,18 @@ enum class Status { ok, step_too_small, newton_failed, non_finite, over_budget, 
 
 inline const char* to_string(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::step_too_small: return "step_too_small";
-    case Status::newton_failed: return "newton_failed";
-    case Status::non_finite: return "non_finite";
-    case Status::over_budget: return "over_budget";
-    case Status::refused: return "refused";
+    case Status::ok:
+      return "ok";
+    case Status::step_too_small:
+      return "step_too_small";
+    case Status::newton_failed:
+      return "newton_failed";
+    case Status::non_finite:
+      return "non_finite";
+    case Status::over_budget:
+      return "over_budget";
+    case Status::refused:
+      return "refused";
   }
   return "refused";
 }
@@ -39,14 +45,14 @@ inline const char* to_string(Mode mode) { return mode == Mode::fixed ? "fixed" :
 /// What a solver is asked to do: go from t0 to the last stop and record the state at every stop.
 struct Request {
   Mode mode = Mode::fixed;
-  std::uint64_t steps = 0;      ///< fixed: the number of equal steps from t0 to the last stop
-  double tolerance = 0;         ///< adaptive: relative and absolute tolerance, the same number
-  std::vector<double> stops;    ///< strictly increasing times, the last one is the horizon
+  std::uint64_t steps = 0;    ///< fixed: the number of equal steps from t0 to the last stop
+  double tolerance = 0;       ///< adaptive: relative and absolute tolerance, the same number
+  std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   Budget budget = {};
 };
 
 struct Counters {
-  std::uint64_t steps = 0;           ///< accepted steps
+  std::uint64_t steps = 0;  ///< accepted steps
   std::uint64_t rejected_steps = 0;
   std::uint64_t rhs_evaluations = 0;  ///< counted by Odeum's guard, not by the library
   std::uint64_t jacobian_evaluations = 0;
@@ -55,7 +61,7 @@ struct Counters {
 /// What came out. `states` holds the state at each stop reached, one after the other.
 struct Outcome {
   Status status = Status::ok;
-  std::string detail;  ///< a sentence where the status is not ok
+  std::string detail;                                   ///< a sentence where the status is not ok
   double t = std::numeric_limits<double>::quiet_NaN();  ///< time reached
   std::vector<double> states;
   Counters counters;
@@ -72,7 +78,9 @@ struct Outcome {
 class FixedGrid {
  public:
   FixedGrid(double t0, const Request& request)
-      : t0_(t0), request_(request), h_((request.stops.back() - t0) / static_cast<double>(request.steps)) {}
+      : t0_(t0),
+        request_(request),
+        h_((request.stops.back() - t0) / static_cast<double>(request.steps)) {}
 
   double h() const { return h_; }
   std::uint64_t steps() const { return request_.steps; }

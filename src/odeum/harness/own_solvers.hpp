@@ -23,7 +23,8 @@ SolverInfo info_of_own() {
   info.family = M::info.family;
   info.order = M::info.order;
   info.adaptive = M::info.one_step;
-  if (M::info.one_step) info.controller = M::info.order_embedded ? "embedded pair" : "step doubling";
+  if (M::info.one_step)
+    info.controller = M::info.order_embedded ? "embedded pair" : "step doubling";
   info.needs = M::needs;
   info.source = M::info.source;
   if constexpr (requires { M::amplification(0.0, 0.0); }) {

@@ -24,11 +24,11 @@ struct SolverInfo {
   std::string family;   ///< explicit_rk, implicit_rk, multistep, symplectic, extrapolation, ...
   /// The order that the library's documentation claims; NaN where it varies during a run.
   double order = std::numeric_limits<double>::quiet_NaN();
-  bool fixed = true;        ///< can be run at a fixed step
-  bool adaptive = false;    ///< can be run to a tolerance
-  std::string controller;   ///< adaptive: who chooses the step, in a few words
-  std::string needs;        ///< what a problem must offer, in a few words; empty: a right-hand side
-  std::string source;       ///< paper and table, or the library's documentation
+  bool fixed = true;       ///< can be run at a fixed step
+  bool adaptive = false;   ///< can be run to a tolerance
+  std::string controller;  ///< adaptive: who chooses the step, in a few words
+  std::string needs;       ///< what a problem must offer, in a few words; empty: a right-hand side
+  std::string source;      ///< paper and table, or the library's documentation
   StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
   /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
   std::function<double(double omega_h)> oscillator_amplification;

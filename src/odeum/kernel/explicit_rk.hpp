@@ -21,7 +21,8 @@ class ExplicitRungeKutta {
   static_assert(T.is_explicit());
   static constexpr std::size_t stages = T.stages;
 
-  explicit ExplicitRungeKutta(const P& problem) : problem_(problem), argument_(make_state(problem)) {
+  explicit ExplicitRungeKutta(const P& problem)
+      : problem_(problem), argument_(make_state(problem)) {
     k_.fill(make_state(problem));
   }
 
@@ -32,9 +33,7 @@ class ExplicitRungeKutta {
   }
 
   /// The same step; `error` becomes h sum_i (b_i - b_hat_i) k_i.
-  Status step(double t, double h, State<P>& y, State<P>& error)
-    requires(T.embedded())
-  {
+  Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
     evaluate_stages(t, h, y, std::make_index_sequence<stages>{});
     for (auto& e : error) e = 0;
     add_weighted<Row::difference>(h, error, error, std::make_index_sequence<stages>{});
@@ -91,7 +90,9 @@ struct ExplicitRungeKuttaMethod {
   static_assert(T.is_explicit());
   template <class P>
   using Stepper = ExplicitRungeKutta<T, P>;
-  static double amplification(double re, double im) { return std::abs(stability_function(T, {re, im})); }
+  static double amplification(double re, double im) {
+    return std::abs(stability_function(T, {re, im}));
+  }
 };
 
 }  // namespace odeum

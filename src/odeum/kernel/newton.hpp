@@ -30,7 +30,10 @@ template <Ode P>
 class Newton {
  public:
   explicit Newton(const P& problem)
-      : problem_(problem), shifted_(make_shifted_solver(problem)), f_(make_state(problem)), correction_(f_) {}
+      : problem_(problem),
+        shifted_(make_shifted_solver(problem)),
+        f_(make_state(problem)),
+        correction_(f_) {}
 
   /// On entry y is the guess, on return the solution. newton_failed after `max_iterations`.
   Status solve(double t, double gamma_h, const State<P>& base, State<P>& y) {

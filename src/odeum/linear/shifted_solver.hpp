@@ -27,7 +27,12 @@ template <Ode P>
 class DenseShiftedSolver {
  public:
   explicit DenseShiftedSolver(const P& problem)
-      : problem_(problem), n_(size_of(problem)), lu_(n_), f_(make_state(problem)), y_(f_), f_moved_(f_) {}
+      : problem_(problem),
+        n_(size_of(problem)),
+        lu_(n_),
+        f_(make_state(problem)),
+        y_(f_),
+        f_moved_(f_) {}
 
   bool factorise(double t, const double* y, double gamma_h) {
     double* const m = lu_.data();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/methods/cash_karp54.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/methods/cash_karp54.hpp"
 #include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
-/// The row of order 1: explicit Euler with five evaluations to spare of Cash and Karp's six stages, on its own.
+/// The row of order 1: explicit Euler with five evaluations to spare of Cash and Karp's six stages,
+/// on its own.
 inline constexpr Tableau<6> cash_karp54_order1_tableau =
     cash_karp54_tableau.with_row({1, 0, 0, 0, 0, 0}, 1);
 static_assert(proven(cash_karp54_order1_tableau));

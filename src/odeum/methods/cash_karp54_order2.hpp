@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/methods/cash_karp54.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/methods/cash_karp54.hpp"
 #include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {

@@ -8,8 +8,7 @@ namespace odeum::methods {
 
 /// Heun's method, the explicit trapezoidal rule: the mean of the slopes at both ends.
 inline constexpr Tableau<2> heun_tableau{
-    .a = {{{0, 0},
-           {1, 0}}},
+    .a = {{{0, 0}, {1, 0}}},
     .b = {1. / 2, 1. / 2},
     .order = 2,
 };

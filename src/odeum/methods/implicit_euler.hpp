@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/kernel/newton.hpp"
 #include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
-/// Implicit (backward) Euler: the tangent at the end of the step, y_{n+1} = y_n + h f(t_{n+1}, y_{n+1}).
+/// Implicit (backward) Euler: the tangent at the end of the step, y_{n+1} = y_n + h f(t_{n+1},
+/// y_{n+1}).
 inline constexpr Tableau<1> implicit_euler_tableau{
     .a = {{{1}}},
     .b = {1},
@@ -19,7 +20,8 @@ struct implicit_euler : ForAnyProblem {
       .id = "implicit_euler",
       .family = "implicit_rk",
       .order = implicit_euler_tableau.order,
-      .source = "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"};
+      .source =
+          "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"};
 
   template <class P>
   class Stepper {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/kernel/newton.hpp"
 
 namespace odeum::methods {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/linear/shifted_solver.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/linear/shifted_solver.hpp"
 
 namespace odeum::methods {
 

@@ -8,8 +8,7 @@ namespace odeum::methods {
 
 /// The explicit midpoint rule: the slope in the middle, reached by an Euler half step.
 inline constexpr Tableau<2> midpoint_tableau{
-    .a = {{{0, 0},
-           {1. / 2, 0}}},
+    .a = {{{0, 0}, {1. / 2, 0}}},
     .b = {0, 1},
     .order = 2,
 };

@@ -8,10 +8,7 @@ namespace odeum::methods {
 
 /// The classical Runge-Kutta method.
 inline constexpr Tableau<4> rk4_tableau{
-    .a = {{{0, 0, 0, 0},
-           {1. / 2, 0, 0, 0},
-           {0, 1. / 2, 0, 0},
-           {0, 0, 1, 0}}},
+    .a = {{{0, 0, 0, 0}, {1. / 2, 0, 0, 0}, {0, 1. / 2, 0, 0}, {0, 0, 1, 0}}},
     .b = {1. / 6, 1. / 3, 1. / 3, 1. / 6},
     .order = 4,
 };

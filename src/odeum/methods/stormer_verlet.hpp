@@ -12,12 +12,13 @@ namespace odeum::methods {
 /// The velocity shown is the central difference (q_{n+1} - q_{n-1}) / 2h. Its rounding grows like
 /// epsilon |q| / h^2 over a run: the scheme adds h^2 a to numbers of the size of q.
 struct stormer_verlet : ForSeparable {
-  static constexpr MethodInfo info{
-      .id = "stormer_verlet",
-      .family = "symplectic",
-      .order = 2,
-      .one_step = false,
-      .source = "Verlet, Phys. Rev. 159 (1967) 98, (4); Hairer, Lubich, Wanner, Acta Numerica 12 (2003) 399"};
+  static constexpr MethodInfo info{.id = "stormer_verlet",
+                                   .family = "symplectic",
+                                   .order = 2,
+                                   .one_step = false,
+                                   .source =
+                                       "Verlet, Phys. Rev. 159 (1967) 98, (4); Hairer, Lubich, "
+                                       "Wanner, Acta Numerica 12 (2003) 399"};
 
   template <class P>
   class Stepper {

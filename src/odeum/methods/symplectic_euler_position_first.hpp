@@ -13,7 +13,8 @@ struct symplectic_euler_position_first : ForSecondOrder {
       .id = "symplectic_euler_position_first",
       .family = "symplectic",
       .order = 1,
-      .source = "de Vogelaere 1956; Hairer, Lubich, Wanner, Geometric Numerical Integration, (I.1.9)"};
+      .source =
+          "de Vogelaere 1956; Hairer, Lubich, Wanner, Geometric Numerical Integration, (I.1.9)"};
 
   template <class P>
   class Stepper {

@@ -47,28 +47,30 @@ concept Ode = requires(const P& p, double t, const double* y, double* dydt) {
 
 /// Offers df/dy, dense and row-major.
 template <class P>
-concept WithJacobian =
-    Ode<P> && requires(const P& p, double t, const double* y, double* j) { p.jacobian(t, y, j); };
+concept WithJacobian = Ode<P> && requires(const P& p, double t, const double* y, double* j) {
+  p.jacobian(t, y, j);
+};
 
 /// Offers the product of df/dy with a vector.
 template <class P>
-concept WithJacobianTimes =
-    Ode<P> && requires(const P& p, double t, const double* y, const double* x, double* product) {
-      p.jacobian_times(t, y, x, product);
-    };
+concept WithJacobianTimes = Ode<P> &&
+    requires(const P& p, double t, const double* y, const double* x, double* product) {
+  p.jacobian_times(t, y, x, product);
+};
 
 /// Offers df/dt. A problem without it is taken as autonomous.
 template <class P>
-concept NonAutonomous =
-    Ode<P> && requires(const P& p, double t, const double* y, double* d) { p.time_derivative(t, y, d); };
+concept NonAutonomous = Ode<P> && requires(const P& p, double t, const double* y, double* d) {
+  p.time_derivative(t, y, d);
+};
 
 /// q'' = a(t, q, v) with y = [q, v]: all positions, then all velocities.
 template <class P>
-concept SecondOrder =
-    Ode<P> && requires(const P& p, double t, const double* q, const double* v, double* a) {
-      { P::velocity_dependent } -> std::convertible_to<bool>;
-      p.acceleration(t, q, v, a);
-    };
+concept SecondOrder = Ode<P> &&
+    requires(const P& p, double t, const double* q, const double* v, double* a) {
+  { P::velocity_dependent } -> std::convertible_to<bool>;
+  p.acceleration(t, q, v, a);
+};
 
 /// q'' = a(t, q): the acceleration does not look at the velocity.
 template <class P>
@@ -76,7 +78,9 @@ concept Separable = SecondOrder<P> && !P::velocity_dependent;
 
 /// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp.
 template <class P>
-concept WithShiftedSolver = Ode<P> && requires(const P& p) { p.shifted_solver(); };
+concept WithShiftedSolver = Ode<P> && requires(const P& p) {
+  p.shifted_solver();
+};
 
 /// Offers an energy, in the problem's units.
 template <class P>

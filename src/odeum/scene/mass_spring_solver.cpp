@@ -37,11 +37,13 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
 
   bool factorise(double, const double* y, double gamma_h) override {
     gamma_h_ = gamma_h;
-    for (std::size_t i = 0; i < problem_.particles(); ++i) preconditioner_[i] = Block::Identity() * mass(i);
+    for (std::size_t i = 0; i < problem_.particles(); ++i)
+      preconditioner_[i] = Block::Identity() * mass(i);
     for (std::size_t s = 0; s < a_blocks_.size(); ++s) {
       const Spring& spring = problem_.springs()[s];
       stiffness_[s] = BlockMap(spring_stiffness_block(spring, y).data());
-      a_blocks_[s] = gamma_h * gamma_h * stiffness_[s] + gamma_h * spring.damping * Block::Identity();
+      a_blocks_[s] =
+          gamma_h * gamma_h * stiffness_[s] + gamma_h * spring.damping * Block::Identity();
       preconditioner_[spring.a] += a_blocks_[s];
       preconditioner_[spring.b] += a_blocks_[s];
     }
@@ -106,7 +108,8 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
       if (!free(row) || !free(column)) return;
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          entries.emplace_back(static_cast<int>(3 * row) + i, static_cast<int>(3 * column) + j, block(i, j));
+          entries.emplace_back(static_cast<int>(3 * row) + i, static_cast<int>(3 * column) + j,
+                               block(i, j));
     };
     for (std::size_t i = 0; i < n_; ++i)
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i), mass(i / 3));
@@ -122,7 +125,8 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
     matrix.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
     if (factors.info() != Eigen::Success) return false;
-    Eigen::Map<Eigen::VectorXd>(xv, n) = factors.solve(Eigen::Map<const Eigen::VectorXd>(right_side_.data(), n));
+    Eigen::Map<Eigen::VectorXd>(xv, n) =
+        factors.solve(Eigen::Map<const Eigen::VectorXd>(right_side_.data(), n));
     return true;
   }
 

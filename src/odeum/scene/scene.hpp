@@ -20,9 +20,9 @@ struct Particle {
 /// Force stiffness * (length - rest_length) along the spring, and damping * (relative velocity).
 struct Spring {
   std::size_t a = 0, b = 0;
-  double stiffness = 0;    ///< N/m
-  double damping = 0;      ///< N s/m, on the whole relative velocity
-  double rest_length = 0;  ///< m
+  double stiffness = 0;       ///< N/m
+  double damping = 0;         ///< N s/m, on the whole relative velocity
+  double rest_length = 0;     ///< m
   bool tension_only = false;  ///< the elastic force acts only while stretched; damping always acts
 };
 

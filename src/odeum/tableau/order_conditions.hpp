@@ -81,18 +81,27 @@ constexpr double order_residual(const Tableau<S>& tableau, const std::array<doub
 /// Whether the row meets every condition up to `order` (at most 8) and fails one of the next.
 /// The tolerance is a hundred roundings of coefficients of size one to ten.
 template <std::size_t S>
-constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<double, S>& row, int order) {
+constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<double, S>& row,
+                                 int order) {
   constexpr double rounding = 1e-13;
   const auto residual = [&](int p) {
     switch (p) {
-      case 1: return order_residual<1>(tableau, row);
-      case 2: return order_residual<2>(tableau, row);
-      case 3: return order_residual<3>(tableau, row);
-      case 4: return order_residual<4>(tableau, row);
-      case 5: return order_residual<5>(tableau, row);
-      case 6: return order_residual<6>(tableau, row);
-      case 7: return order_residual<7>(tableau, row);
-      default: return order_residual<8>(tableau, row);
+      case 1:
+        return order_residual<1>(tableau, row);
+      case 2:
+        return order_residual<2>(tableau, row);
+      case 3:
+        return order_residual<3>(tableau, row);
+      case 4:
+        return order_residual<4>(tableau, row);
+      case 5:
+        return order_residual<5>(tableau, row);
+      case 6:
+        return order_residual<6>(tableau, row);
+      case 7:
+        return order_residual<7>(tableau, row);
+      default:
+        return order_residual<8>(tableau, row);
     }
   };
   return residual(order) < rounding && (order == 8 || residual(order + 1) > rounding);

@@ -12,10 +12,12 @@ namespace odeum {
 template <std::size_t S>
 struct Tableau {
   static constexpr std::size_t stages = S;
-  std::array<std::array<double, S>, S> a{};  ///< a[i][j]: weight of stage j in the argument of stage i
+  std::array<std::array<double, S>, S>
+      a{};  ///< a[i][j]: weight of stage j in the argument of stage i
   std::array<double, S> b{};
   int order = 0;
-  std::array<double, S> b_hat{};  ///< the embedded row, the one whose difference estimates the error
+  std::array<double, S>
+      b_hat{};  ///< the embedded row, the one whose difference estimates the error
   int order_hat = 0;
 
   constexpr double c(std::size_t i) const {
