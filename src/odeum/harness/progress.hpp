@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <string>
+
+namespace odeum {
+
+/// A line on stderr that tells how far long work is and when it will end; silent unless stderr is
+/// a terminal. Safe to call from several threads.
+class Progress {
+ public:
+  /// `total` is in any unit of work, the same as advance() takes.
+  Progress(std::string what, double total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void advance(double amount = 1);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw(double elapsed);
+
+  std::string what_;
+  double total_, done_ = 0;
+  bool visible_;
+  Clock::time_point start_ = Clock::now(), drawn_ = start_;
+  std::mutex mutex_;
+};
+
+}  // namespace odeum
