@@ -60,9 +60,8 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  std::filesystem::remove(path_ / ".lock", ignored);
-  ::close(lock_);
+  // The file stays: removing it would let a run that has just opened it lock a name that is gone.
+  if (::ftruncate(lock_, 0) == 0) ::close(lock_);
 }
 
 void OutputFolder::write(std::string_view name, std::string_view text) const {
@@ -77,7 +76,7 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
     throw FileError(
         fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
   auto temporary = target;
-  temporary += fmt::format(".{}.tmp", ::getpid());
+  temporary += ".tmp";  // one run a folder, so a leftover of a killed one is simply replaced
   ::unlink(temporary.c_str());
   const int file =
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);

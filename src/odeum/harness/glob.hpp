@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace odeum {
+
+/// Whether a shell pattern (* any run of characters, ? any one) matches the whole text.
+bool glob_matches(std::string_view pattern, std::string_view text);
+
+/// Whether one of the patterns matches; no pattern at all matches everything.
+bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view text);
+
+/// The candidate nearest to a word that was not found (edit distance, at most a third of its
+/// length away), for "did you mean"; empty where none is near.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace odeum

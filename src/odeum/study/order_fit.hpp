@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace odeum::study {
+
+/// What a measured order says of a claimed one.
+enum class Verdict { confirmed, higher, lower, floors, undetermined, failed, not_applicable };
+
+const char* to_string(Verdict verdict);
+
+/// An error measured at a step size.
+struct ErrorPoint {
+  double step = 0;
+  double error = 0;     ///< NaN where the solve failed
+  double rounding = 0;  ///< error that rounding or the truth may account for at this step
+};
+
+/// A measured order: the slope of log error against log step over the asymptotic window.
+struct OrderFit {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Verdict verdict = Verdict::undetermined;
+  std::string reason;            ///< a sentence, never empty unless confirmed
+  double order = nan;            ///< the slope
+  double low = nan, high = nan;  ///< its interval, 95 %
+  std::size_t points = 0;        ///< in the window
+  double step_coarsest = nan, step_finest = nan;
+  double floor = nan;  ///< smallest error seen where convergence stops; NaN where it does not
+};
+
+/// Fits the order of points sorted from coarse to fine. The window is found, never chosen by hand:
+/// its fine end is where errors meet `rounding` or stop falling, its coarse end where the local
+/// slopes settle. A verdict of confirmed needs at least four points in the window and the claimed
+/// order within `tolerance` of the slope. A claimed order of NaN gives not_applicable with the
+/// measured slope.
+OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
+                   double tolerance = 0.15);
+
+}  // namespace odeum::study
