@@ -140,6 +140,7 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
                                 e.error_max, e.error_rms, e.energy, e.energy_error});
       point.error = row.error_max;
       point.rounding = judge.rounding(row.steps);
+      point.steps = static_cast<double>(row.steps);
       at_floor = point.error <= point.rounding ? at_floor + 1 : 0;
     }
     points.push_back(point);
@@ -147,10 +148,9 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
     // Rounding alone is left to see: eight settings are on record, finer ones would only repeat it.
     if (at_floor >= 3 && result.rows.size() >= 8) break;
   }
-  // Adaptive steps vary along a run, so that the mean step is a looser yardstick.
-  constexpr double fixed_tolerance = 0.15, adaptive_tolerance = 0.5;
-  result.order.fit = fit_order(points, pair.entrant->info.order,
-                               pair.mode == Mode::fixed ? fixed_tolerance : adaptive_tolerance);
+  result.order.fit =
+      fit_order(points, pair.entrant->info.order,
+                pair.mode == Mode::fixed ? fixed_step_tolerance : adaptive_tolerance);
   if (result.order.fit.verdict == Verdict::failed)
     result.order.fit.reason += ": " + result.rows.back().status + ", " + result.rows.back().detail;
   return result;

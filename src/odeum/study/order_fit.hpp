@@ -17,6 +17,7 @@ struct ErrorPoint {
   double step = 0;
   double error = 0;     ///< NaN where the solve failed
   double rounding = 0;  ///< error that rounding or the truth may account for at this step
+  double steps = 0;     ///< how many steps were taken
 };
 
 /// A measured order: the slope of log error against log step over the asymptotic window.
@@ -31,12 +32,23 @@ struct OrderFit {
   double floor = nan;  ///< smallest error seen where convergence stops; NaN where it does not
 };
 
+/// How far from the claim a slope may lie to confirm it, and how far the local slopes of a window
+/// may stray from each other.
+struct FitTolerance {
+  double order;
+  double settled;
+};
+/// Fixed steps: two neighbouring orders are told apart with room to spare.
+inline constexpr FitTolerance fixed_step_tolerance{.order = 0.15, .settled = 0.1};
+/// Adaptive runs: the steps vary along the run and with the tolerance, so that the mean step is a
+/// loose yardstick; whole orders are still told apart.
+inline constexpr FitTolerance adaptive_tolerance{.order = 0.5, .settled = 1.5};
+
 /// Fits the order of points sorted from coarse to fine. The window is found, never chosen by hand:
 /// its fine end is where errors meet `rounding` or stop falling, its coarse end where the local
-/// slopes settle. A verdict of confirmed needs at least four points in the window and the claimed
-/// order within `tolerance` of the slope. A claimed order of NaN gives not_applicable with the
-/// measured slope.
+/// slopes settle. A verdict of confirmed needs at least four points in the window. A claimed order
+/// of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
-                   double tolerance = 0.15);
+                   const FitTolerance& tolerance = fixed_step_tolerance);
 
 }  // namespace odeum::study
