@@ -86,6 +86,10 @@ OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
 
 }  // namespace
 
+double ErrorPoint::typical_rounding() const {
+  return rounding_unit * (8 + std::sqrt(steps)) + floor;
+}
+
 const char* to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::confirmed:
@@ -117,7 +121,7 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   // A method that is exact on the case shows rounding only, which may grow with every step, and
   // for recurrences of second differences with its square.
   const auto rounding_only = [](const ErrorPoint& p) {
-    return p.error <= p.rounding * std::max(1.0, p.steps);
+    return p.error <= p.rounding_bound() * std::max(1.0, p.steps);
   };
   if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), rounding_only)) {
     double largest = 0;
@@ -129,7 +133,8 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   // The fine end: points that rounding may have a part in, then points that no longer fall. An
   // error that stops falling well above rounding is a finding, not an end of the window.
   std::vector<ErrorPoint> usable = solved;
-  while (!usable.empty() && usable.back().error <= clear_of_rounding * usable.back().rounding)
+  while (!usable.empty() &&
+         usable.back().error <= clear_of_rounding * usable.back().typical_rounding())
     usable.pop_back();
   const auto stagnates = [&] {
     const std::size_t n = usable.size();
@@ -174,7 +179,7 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                     fmt::format("local slopes do not settle: {:.2f} at the finest steps",
                                 local_slope(usable[usable.size() - 2], usable.back())));
   }
-  if (std::abs(fit.order - claimed_order) <= tolerance)
+  if (std::abs(fit.order - claimed_order) <= tolerance.order)
     return conclude(fit, Verdict::confirmed, "");
   return conclude(
       fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,
