@@ -56,12 +56,12 @@ struct Case {
   std::string plane;
   std::function<Probe()> probe;
 
-  /// The budget of one solve by a solver. With many unknowns an implicit step is paid in linear
-  /// algebra, not in evaluations: about twenty times the price.
+  /// The budget of one solve by a solver. With many unknowns a step that solves linear systems is
+  /// paid in them, not in evaluations: about twenty times the price.
   Budget budget_for(const SolverInfo& info) const {
-    const bool implicit = info.family.find("implicit") != std::string::npos;
-    return {.evaluations =
-                evaluation_budget / (implicit && y0.size() > dense_dimension_limit ? 20 : 1)};
+    const bool solves_systems = info.family == "implicit_rk" || info.family == "linearly_implicit";
+    const bool dear = solves_systems && y0.size() > dense_dimension_limit;
+    return {.evaluations = evaluation_budget / (dear ? 20 : 1)};
   }
 
   bool has_tag(const std::string& tag) const {
