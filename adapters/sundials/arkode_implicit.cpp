@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <arkode/arkode_arkstep.h>
 
-#include "sundials/arkode_tables.hpp"
+#include <utility>
+
+#include "sundials/arkode.hpp"
 #include "sundials/newton.hpp"
 #include "sundials/session.hpp"
 
@@ -22,12 +24,8 @@ void solve_stages_exactly(Session& session) {
 }
 
 void build(Session& session, ARKODE_DIRKTableID id) {
-  session.adopt(ARKStepCreate(nullptr, Session::rhs, session.t0(), session.y(), session.context()));
-  void* const arkstep = session.integrator();
-  // Every stop is a step's end, so nothing is interpolated; this interpolant needs no evaluations.
-  check(ARKStepSetInterpolantType(arkstep, ARK_INTERP_LAGRANGE), "setting the interpolant");
-  check(ARKStepSetInterpolantDegree(arkstep, 1), "setting the interpolant's degree");
-  check(ARKStepSetTableNum(arkstep, id, ARKODE_ERK_NONE), "setting the table");
+  create_arkstep(session, nullptr, Session::rhs);
+  check(ARKStepSetTableNum(session.integrator(), id, ARKODE_ERK_NONE), "setting the table");
   attach_linear_solver(session);
   if (session.fixed_step()) solve_stages_exactly(session);
 }
@@ -42,6 +40,25 @@ std::vector<Method> arkode_implicit_methods() {
                         "ARKODE ARKStep, implicit, built-in table ARKODE_" + table.name +
                             "; Newton iteration"),
          &arkstep_module, [id = table.id](Session& session) { build(session, id); }});
+
+  // The library's default tables of orders 2 to 5 once more, with the one setting that keeps its
+  // error control working on linear problems (reports/findings/sundials.md).
+  for (const int id : {ARKSTEP_DEFAULT_DIRK_2, ARKSTEP_DEFAULT_DIRK_3, ARKSTEP_DEFAULT_DIRK_4,
+                       ARKSTEP_DEFAULT_DIRK_5}) {
+    for (std::size_t i = 0; i < implicit_tables().size(); ++i) {
+      if (implicit_tables()[i].id != id) continue;
+      Method method = list[i];
+      method.info.method += "_matrix_each_stage";
+      method.info.fixed = false;
+      method.info.source += ", its matrix made anew at each stage (ARKStepSetLSetupFrequency(-1))";
+      method.build = [build_default = method.build](Session& session) {
+        build_default(session);
+        check(ARKStepSetLSetupFrequency(session.integrator(), -1),
+              "setting the frequency of linear solver setups");
+      };
+      list.push_back(std::move(method));
+    }
+  }
   return list;
 }
 

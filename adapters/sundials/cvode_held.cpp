@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cvode/cvode.h>
+#include <cvode/cvode_ls.h>
 
 #include <utility>
 
@@ -24,8 +25,8 @@ void hold(Session& session) {
   check(CVodeSetMaxNonlinIters(cvode, max_exact_iterations), "setting the limit of iterations");
   check(CVodeSetInitStep(cvode, h), "setting the first step");
   check(CVodeSetMaxStep(cvode, h), "setting the largest step");
-  // A hair less than h, so that the rounding of the last step to the stop time is allowed.
-  check(CVodeSetMinStep(cvode, h * (1 - 1e-9)), "setting the least step");
+  // A hair less than h: CVODE compares the two by way of 1 / h.
+  check(CVodeSetMinStep(cvode, h * (1 - 1e-12)), "setting the least step");
   check(CVodeSetMaxOrd(cvode, 1), "setting the order");
 }
 
@@ -39,15 +40,17 @@ std::vector<Method> cvode_held_methods() {
     info.family = "multistep";
     info.order = 1;
     info.source = std::string(
-                      "CVODE held by Odeum, which it has no mode for: init = min = max step, error "
-                      "test in effect disabled, order 1 (backward Euler), ") +
+                      "CVODE with a held step, which it has no mode for: init = min = max "
+                      "step, error test in effect disabled, order 1 (backward Euler), ") +
                   solves;
     return Method{std::move(info), &cvode_module, [family](Session& session) {
                     create_cvode(session, family);
                     hold(session);
-                    if (family == CV_BDF)  // a matrix of this step's own, whatever the last was
-                      check(CVodeSetLSetupFrequency(session.integrator(), 1),
-                            "setting the frequency of linear solver setups");
+                    if (family == CV_ADAMS) return;
+                    // A matrix of each step's own.
+                    void* const cvode = session.integrator();
+                    check(CVodeSetLSetupFrequency(cvode, 1), "setting the frequency of setups");
+                    check(CVodeSetJacEvalFrequency(cvode, 1), "setting the frequency of Jacobians");
                   }};
   };
   return {method(CV_ADAMS, "adams_held_1", "fixed-point iteration"),

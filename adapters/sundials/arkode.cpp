@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sundials/arkode_tables.hpp"
+#include "sundials/arkode.hpp"
+
+#include <arkode/arkode_arkstep.h>
 
 #include <cctype>
 #include <utility>
@@ -72,6 +74,16 @@ const std::vector<ImplicitTable>& implicit_tables() {
                                      ODEUM_TABLE(ESDIRK547L2SA2_7_4_5)},
            ARKodeButcherTable_LoadDIRK);
   return tables;
+}
+
+void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part) {
+  session.adopt(
+      ARKStepCreate(explicit_part, implicit_part, session.t0(), session.y(), session.context()));
+  // Every stop is a step's end, so nothing is interpolated: this interpolant, of the lowest degree,
+  // spares the evaluation a step that the default one would take.
+  void* const arkstep = session.integrator();
+  check(ARKStepSetInterpolantType(arkstep, ARK_INTERP_LAGRANGE), "setting the interpolant");
+  check(ARKStepSetInterpolantDegree(arkstep, 1), "setting the interpolant's degree");
 }
 
 SolverInfo describe_table(std::string method, const char* family, int order, int order_embedded,

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdio>  // the library's header of tables uses FILE without it
 
+#include <arkode/arkode.h>
 #include <arkode/arkode_butcher.h>
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
@@ -10,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
 #include "odeum/tableau/tableau.hpp"
 #include "sundials/handles.hpp"
+#include "sundials/session.hpp"
 
 namespace odeum::adapters::sundials {
 
@@ -33,6 +34,9 @@ using ImplicitTable = BuiltInTable<ARKODE_DIRKTableID>;
 /// Every built-in table, in the order of the library's enumerations.
 const std::vector<ExplicitTable>& explicit_tables();
 const std::vector<ImplicitTable>& implicit_tables();
+
+/// Creates ARKStep in a session for y' = explicit_part + implicit_part, one of which is null.
+void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part);
 
 /// What a solver with a given table says of itself; it can be adaptive where the table has an
 /// embedded row.
