@@ -30,6 +30,7 @@ struct Module {
   int (*set_stop_time)(void*, double t);
   int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed step
   int (*evolve)(void*, double t_out, N_Vector y, double* t, int task);
+  int (*current_time)(void*, double* t);
   int (*steps)(void*, long*);
   int (*error_test_failures)(void*, long*);
   int (*solve_failures)(void*, long*);  ///< null: there is nothing to be solved

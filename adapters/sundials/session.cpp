@@ -109,7 +109,8 @@ void Session::run_adaptive(Outcome& outcome) {
   }
 }
 
-void Session::explain(const Failure& failure, Outcome& outcome) const {
+void Session::explain(const Failure& failure, Outcome& outcome) {
+  if (integrator_) module_.current_time(integrator_, &t_);  // not every failure returns it
   outcome.status = status_of(failure.flag);
   outcome.t = t_;
   outcome.detail =

@@ -40,7 +40,7 @@ class Session {
   /// From t0 to the last stop, as the request says; throws Failure.
   void run(Outcome& outcome);
   /// What happened, as an outcome's status and sentence.
-  void explain(const Failure& failure, Outcome& outcome) const;
+  void explain(const Failure& failure, Outcome& outcome);
 
   /// The right-hand side as the library calls it; `data` is the session. Fails for good once the
   /// guard has tripped: no smaller step can help.
