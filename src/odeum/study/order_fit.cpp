@@ -121,7 +121,7 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   // A method that is exact on the case shows rounding only, which may grow with every step, and
   // for recurrences of second differences with its square.
   const auto rounding_only = [](const ErrorPoint& p) {
-    return p.error <= p.rounding_bound() * std::max(1.0, p.steps);
+    return p.error <= p.rounding_unit * (8 + p.steps) * std::max(1.0, p.steps);
   };
   if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), rounding_only)) {
     double largest = 0;

@@ -20,9 +20,7 @@ struct ErrorPoint {
   double rounding_unit = 0;  ///< half a unit in the last place of the largest number measured
   double floor = 0;          ///< error that the truth itself leaves open
 
-  /// What rounding comes to if every step rounds the same way.
-  double rounding_bound() const { return rounding_unit * (8 + steps) + floor; }
-  /// What it comes to if they round at random.
+  /// What rounding comes to if steps round at random, and what the truth leaves open.
   double typical_rounding() const;
 };
 
