@@ -65,8 +65,8 @@ void benchmark_raster(benchmark::State& state) {
     benchmark::DoNotOptimize(raster.squared.data());
     benchmark::ClobberMemory();
   }
-  state.counters["ns/step"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * side * side * steps * 1e-9,
+  state.counters["per_step"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * side * side * steps,
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
@@ -82,7 +82,8 @@ double disagreement() {
   return worst;
 }
 
-/// Keeps the real time of each repetition, to set the two against each other.
+/// Keeps the CPU time of each repetition (the machine may be shared, and both run in one thread),
+/// to set the two against each other.
 class Ratio : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -90,7 +91,7 @@ class Ratio : public benchmark::ConsoleReporter {
     for (const Run& run : runs)
       if (run.run_type == Run::RT_Iteration)
         (run.benchmark_name().starts_with("odeint") ? odeint_ : own_)
-            .push_back(run.GetAdjustedRealTime());
+            .push_back(run.GetAdjustedCPUTime());
   }
   void summarise() {
     if (own_.empty() || odeint_.empty()) return;
@@ -114,7 +115,6 @@ int main(int argc, char** argv) {
                                   std::pair{"odeint/rk4", &benchmark_raster<run_odeint>}})
     benchmark::RegisterBenchmark(name, run)
         ->Unit(benchmark::kMillisecond)
-        ->UseRealTime()
         ->Repetitions(9)
         ->ReportAggregatesOnly(false);
   // Both compute the same to the rounding of 200 evaluations, or the times mean nothing. Relative
