@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <array>
+#include <concepts>
 #include <utility>
 
 #include "odeum/harness/outcome.hpp"
@@ -88,11 +89,19 @@ class ExplicitRungeKutta {
 template <const auto& T>
 struct ExplicitRungeKuttaMethod {
   static_assert(T.is_explicit());
+  static constexpr const auto& tableau = T;
   template <class P>
   using Stepper = ExplicitRungeKutta<T, P>;
   static double amplification(double re, double im) {
     return std::abs(stability_function(T, {re, im}));
   }
+};
+
+/// A method that is an explicit tableau and nothing else.
+template <class M>
+concept ExplicitTableauMethod = requires {
+  M::tableau;
+  requires std::derived_from<M, ExplicitRungeKuttaMethod<M::tableau>>;
 };
 
 }  // namespace odeum

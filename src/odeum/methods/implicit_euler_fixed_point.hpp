@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <complex>
+#include <limits>
+
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
 
@@ -10,6 +13,10 @@ namespace odeum::methods {
 /// step limit. Gives up after `max_iterations`.
 struct implicit_euler_fixed_point : ForAnyProblem {
   static constexpr int max_iterations = 200;
+  /// The size that a correction must fall under, relative to the state. A correction is a
+  /// difference of states and carries their rounding, which must stay far below it (here 1e-5 of
+  /// it): the step at which the iteration gives up is to follow from the method, not from rounding.
+  static constexpr double correction_tolerance = 1e-11;
   static constexpr MethodInfo info{
       .id = "implicit_euler_fixed_point",
       .family = "functional_iteration",
@@ -33,7 +40,7 @@ struct implicit_euler_fixed_point : ForAnyProblem {
           y_next_[i] = next;
         }
         if (!std::isfinite(change)) return Status::newton_failed;
-        if (change <= iteration_tolerance * std::max(max_norm(y), max_norm(y_next_))) {
+        if (change <= correction_tolerance * std::max(max_norm(y), max_norm(y_next_))) {
           y = y_next_;
           return Status::ok;
         }
@@ -45,6 +52,20 @@ struct implicit_euler_fixed_point : ForAnyProblem {
     const P& problem_;
     State<P> f_, y_next_;
   };
+
+  /// |R(z)| of the iteration as it is stopped; NaN where it gives up. On y' = z y the correction
+  /// number k is z^k y_n, and what has been reached by then the geometric sum 1 + z + ... + z^k.
+  static double amplification(double re, double im) {
+    const std::complex<double> z(re, im);
+    std::complex<double> power = 1, sum = 1;
+    for (int k = 1; k <= max_iterations; ++k) {
+      power *= z;
+      sum += power;
+      if (std::abs(power) <= correction_tolerance * std::max(1.0, std::abs(sum)))
+        return std::abs(sum);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 };
 
 }  // namespace odeum::methods

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "odeum/harness/case.hpp"
@@ -8,22 +10,32 @@
 
 namespace odeum::study {
 
+/// What "bounded" means here: a solver steps at h = 1 on y' = z y from y = 1, or on the oscillator
+/// q'' = -2 zeta w q' - w^2 q from q = 1, q' = 0, and its growth a step is read off the states that
+/// come out (growth_meter.hpp); bounded where that is at most 1 to within what the states resolve.
+
 /// A limit of stability along an axis: a line of stability_limits.csv. `limit` is measured on the
-/// running code, `theory` comes from the method's own stability function (NaN: none).
+/// running code, `theory` comes from the method's own stability function by the same search (NaN:
+/// none).
 struct StabilityLimit {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string library, solver;
   std::string axis;  ///< real, imaginary, oscillator
-  double limit = 0, theory = 0, difference = 0;
-  std::string status;  ///< a Status, or not_applicable
+  double limit = nan, theory = nan;
+  double difference = nan;  ///< |limit - theory|, 0 where both are infinite
+  std::string status;       ///< a Status, or not_applicable
   std::string detail;
 };
 
 /// Growth per step measured on a grid of a parameter plane, row by row from the lowest second
-/// coordinate up; NaN where the solver failed.
+/// coordinate up, each row from the lowest first coordinate up; both edges of the plane are on the
+/// grid. NaN where the solver failed, infinity where numbers overflowed. On the lambda plane only
+/// the upper half is solved and mirrored, since a method with real coefficients answers the
+/// conjugate of z with the conjugate of y.
 struct StabilityRegion {
   std::string library, solver;
-  std::string plane;  ///< lambda or oscillator
-  std::string status, detail;
+  std::string plane;           ///< lambda or oscillator
+  std::string status, detail;  ///< a Status or not_applicable; then there is no growth
   int columns = 0, rows = 0;
   double first_low = 0, first_high = 0;    ///< real part, or omega h
   double second_low = 0, second_high = 0;  ///< imaginary part, or zeta
@@ -38,8 +50,8 @@ struct StabilityResult {
 struct StabilityOptions {
   std::vector<std::string> solvers;  ///< globs on library/method; empty: all
   std::string plane;                 ///< lambda, oscillator, or empty: both
-  int own_grid = 0;                  ///< points along an axis, own methods; 0: the default
-  int peer_grid = 0;                 ///< and other libraries' solvers
+  int own_grid = 0;   ///< points along an axis, own methods; 0: 257 in lanes, 129 one at a time
+  int peer_grid = 0;  ///< and other libraries' solvers; 0: 65
   unsigned jobs = 1;
 };
 
@@ -47,7 +59,17 @@ struct StabilityOptions {
 StabilityResult measure_stability(const StabilityOptions& options,
                                   report::Journal* journal = nullptr);
 
-/// stability_limits.csv, and stability/<library>_<solver>_<plane>.csv a region.
+/// Writes
+/// - stability_limits.csv: a row for every solver and axis;
+/// - stability_regions.csv: a row for every solver and plane, with the file that holds its data;
+/// - stability/<library>_<solver>_<plane>.csv: a header and a line with schema, plane, columns,
+///   rows, first_low, first_high, second_low, second_high; then `rows` lines of `columns` growths
+///   per step to 4 digits, in the order of StabilityRegion.
 void write_csv(const StabilityResult& result, const report::OutputFolder& folder);
+
+/// The lines of growths of a region as its file holds them, and back (columns and rows must be set;
+/// throws std::runtime_error where the text has not as many numbers).
+std::string growth_text(const StabilityRegion& region);
+std::vector<float> read_growth(std::string_view text, const StabilityRegion& region);
 
 }  // namespace odeum::study
