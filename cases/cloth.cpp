@@ -83,6 +83,7 @@ Case make_variant(const Variant& variant) {
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
   c.finest_steps = 128 * variant.coarsest_steps;
+  c.evaluation_budget = 400'000;  // about two seconds
   c.truth = reference_truth(variant.reference, variant.digits_floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

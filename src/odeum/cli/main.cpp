@@ -1,51 +1,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <cstdio>
-#include "odeum/harness/case.hpp"
-using namespace odeum;
-int main() {
-  for (const Case& c : all_cases()) {
-    std::printf("%s\n", c.id.c_str());
-    for (const Entrant& e : c.entrants) {
-      std::printf("  %-34s ", e.info.id().c_str());
-      if (!e.unfit.empty()) {
-        std::printf("%s\n", e.unfit.c_str());
-        continue;
-      }
-      std::vector<double> y(c.y0.size());
-      double last = 0;
-      for (std::uint64_t n = c.coarsest_steps * 8; n <= c.coarsest_steps * 32; n *= 2) {
-        Request r;
-        r.steps = n;
-        r.stops = c.stops;
-        Outcome o = e.solve(r);
-        if (o.status != Status::ok) {
-          std::printf(" [%s %s]", to_string(o.status), o.detail.c_str());
-          continue;
-        }
-        double err = 0;
-        c.truth.at(c.stops.back(), y.data());
-        const double* s = o.states.data() + (c.stops.size() - 1) * y.size();
-        for (std::size_t i = 0; i < (c.measured.empty() ? y.size() : c.measured.size()); ++i)
-          err = std::fmax(err, std::fabs(s[i] - y[i]));
-        std::printf(" %9.2e (%5.2f)", err, std::log2(last / err));
-        last = err;
-      }
-      if (e.info.adaptive) {
-        Request r;
-        r.mode = Mode::adaptive;
-        r.tolerance = 1e-6;
-        r.stops = c.stops;
-        Outcome o = e.solve(r);
-        const double* s = o.states.data() + (c.stops.size() - 1) * y.size();
-        double err = 0;
-        if (o.status == Status::ok)
-          for (std::size_t i = 0; i < (c.measured.empty() ? y.size() : c.measured.size()); ++i)
-            err = std::fmax(err, std::fabs(s[i] - y[i]));
-        std::printf(" | tol 1e-6: %s %9.2e %lu+%lu", to_string(o.status), err, o.counters.steps,
-                    o.counters.rejected_steps);
-      }
-      std::printf("\n");
-    }
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <new>
+
+#include "odeum/cli/session.hpp"
+#include "odeum/harness/parallel.hpp"
+#include "odeum/report/output_folder.hpp"
+
+namespace {
+
+using namespace odeum::cli;
+
+// The first signal lets work under way end and flush; the second ends at once.
+void on_signal(int) {
+  if (odeum::interrupted.exchange(true)) std::_Exit(interrupted_code);
+}
+
+constexpr const char* introduction =
+    "Odeum compares time integrators honestly: its own and those of SUNDIALS, GSL, Boost.odeint "
+    "and\n"
+    "Bullet, on the same cases, against an independent truth.\n"
+    "\n"
+    "  odeum run damped_oscillator_undamped --solver rk4 --step 0.01\n"
+    "  odeum converge --case 'lotka*' --solver 'odeum/*' --out /tmp/odeum\n"
+    "  odeum list solvers\n"
+    "\n"
+    "odeum --help lists every command.\n";
+
+int run(int argc, char** argv) {
+  CLI::App app{"Odeum: a laboratory in which time integrators are compared honestly", "odeum"};
+  app.set_version_flag("--version", std::string("odeum ") + ODEUM_VERSION);
+  app.require_subcommand(0, 1);
+  int result = success;
+  add_list(app, result);
+  add_run(app, result);
+  add_converge(app, result);
+  add_doctor(app, result);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help, --version
+    return app.exit(help) == 0 ? success : usage;
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "odeum: {}\n", error.what());
+    const CLI::App* at = &app;
+    if (!app.get_subcommands().empty()) at = app.get_subcommands().front();
+    fmt::print(stderr, "{} --help tells more\n", at == &app ? "odeum" : "odeum " + at->get_name());
+    return usage;
+  }
+  if (app.get_subcommands().empty()) print(introduction);
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "odeum: {}\n", error.what());
+    return usage;
+  } catch (const odeum::report::FileError& error) {
+    fmt::print(stderr, "odeum: {}\n", error.what());
+    return file_failed;
+  } catch (const odeum::Interrupted&) {
+    fmt::print(stderr, "odeum: interrupted; the same command with --resume goes on from here\n");
+    return interrupted_code;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "odeum: out of memory\n");
+    return solver_failed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "odeum: {}\n", error.what());
+    return solver_failed;
   }
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "odeum/cli/session.hpp"
+
+namespace odeum::cli {
+
+void add_doctor(CLI::App& app, int&) {
+  app.add_subcommand("doctor", "libraries found, versions, compiler, flags")->callback([] {
+    std::string text = fmt::format("odeum      {}\ncompiler   {}\nflags      {}\n", ODEUM_VERSION,
+                                   ODEUM_COMPILER, ODEUM_FLAGS);
+    for (const LibraryInfo& info : all_libraries())
+      text += fmt::format("{:<10} {}\n", info.name,
+                          info.built
+                              ? info.version
+                              : fmt::format("not built in; configure with -D{}=ON", info.option));
+    std::size_t solvers = all_cases().front().entrants.size();
+    text += fmt::format("cases      {}\nsolvers    {}\n", all_cases().size(), solvers);
+    print(text);
+  });
+}
+
+}  // namespace odeum::cli

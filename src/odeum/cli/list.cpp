@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "odeum/cli/session.hpp"
+#include "odeum/report/csv.hpp"
+
+namespace odeum::cli {
+namespace {
+
+/// A table of text in three formats.
+struct Listing {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+Listing list_cases() {
+  Listing listing{{"id", "title", "equation", "dimension", "horizon", "tags", "truth"}, {}};
+  for (const Case& c : all_cases())
+    listing.rows.push_back({c.id, c.title, c.equation, std::to_string(c.y0.size()),
+                            report::format_number(c.stops.back()),
+                            fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source});
+  return listing;
+}
+
+std::string modes(const SolverInfo& info) {
+  std::string text = info.fixed ? "step" : "";
+  if (info.adaptive)
+    text += (text.empty() ? "tol" : ", tol") + fmt::format(" ({})", info.controller);
+  return text;
+}
+
+Listing list_solvers() {
+  Listing listing{{"id", "family", "order", "settings", "needs", "source"}, {}};
+  for (const Entrant& entrant : all_cases().front().entrants) {
+    const SolverInfo& info = entrant.info;
+    listing.rows.push_back({info.id(), info.family,
+                            std::isnan(info.order) ? "varies" : report::format_number(info.order),
+                            modes(info), info.needs.empty() ? "a right-hand side" : info.needs,
+                            info.source});
+  }
+  return listing;
+}
+
+std::string as_table(const Listing& listing, std::size_t columns) {
+  std::vector<std::size_t> widths(columns);
+  for (std::size_t k = 0; k < columns; ++k) {
+    widths[k] = listing.columns[k].size();
+    for (const auto& row : listing.rows) widths[k] = std::max(widths[k], row[k].size());
+  }
+  std::string text;
+  const auto line = [&](const std::vector<std::string>& row) {
+    for (std::size_t k = 0; k + 1 < columns; ++k)
+      text += fmt::format("{:<{}}  ", row[k], widths[k]);
+    text += row[columns - 1] + "\n";
+  };
+  line(listing.columns);
+  for (const auto& row : listing.rows) line(row);
+  return text;
+}
+
+std::string as_csv(const Listing& listing) {
+  report::CsvTable table(fmt::format("{}", fmt::join(listing.columns, ",")));
+  for (const auto& fields : listing.rows) {
+    report::CsvRow row;
+    for (const std::string& field : fields) row.text(field);
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string as_json(const Listing& listing) {
+  nlohmann::ordered_json array = nlohmann::ordered_json::array();
+  for (const auto& row : listing.rows) {
+    nlohmann::ordered_json object;
+    for (std::size_t k = 0; k < row.size(); ++k) object[listing.columns[k]] = row[k];
+    array.push_back(std::move(object));
+  }
+  return array.dump(2) + "\n";
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, int&) {
+  struct Options {
+    std::string what = "cases";
+    std::string format = "table";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("list", "the cases, or the solvers");
+  command->add_option("what", options->what, "cases or solvers")
+      ->check(CLI::IsMember({"cases", "solvers"}));
+  command->add_option("--format", options->format, "table, csv or json")
+      ->check(CLI::IsMember({"table", "csv", "json"}));
+  command->callback([options] {
+    const bool cases = options->what == "cases";
+    const Listing listing = cases ? list_cases() : list_solvers();
+    // A table for people leaves the long columns to the other formats.
+    print(options->format == "csv"    ? as_csv(listing)
+          : options->format == "json" ? as_json(listing)
+                                      : as_table(listing, cases ? 3 : 5));
+  });
+}
+
+}  // namespace odeum::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/session.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "odeum/harness/glob.hpp"
+#include "odeum/report/output_folder.hpp"
+
+namespace odeum::cli {
+namespace {
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
+}
+
+std::vector<std::string> case_ids() {
+  std::vector<std::string> ids;
+  for (const Case& c : all_cases()) ids.push_back(c.id);
+  return ids;
+}
+
+// Every case has every solver enrolled, so the first one knows them all.
+std::vector<std::string> solver_ids() {
+  std::vector<std::string> ids;
+  for (const Entrant& entrant : all_cases().front().entrants) ids.push_back(entrant.info.id());
+  return ids;
+}
+
+// Where the word names a library that this build lacks: how to get it.
+std::string missing_library(const std::string& word) {
+  for (const LibraryInfo& info : all_libraries())
+    for (const std::string& name : info.libraries)
+      if (!info.built && word.starts_with(name + "/"))
+        return fmt::format("{} was not built in; configure with -D{}=ON", name, info.option);
+  return "";
+}
+
+void check_globs(const char* what, const std::vector<std::string>& globs,
+                 const std::vector<std::string>& ids) {
+  for (const std::string& glob : globs) {
+    bool found = false;
+    for (const std::string& id : ids) found = found || glob_matches(glob, id);
+    if (found) continue;
+    if (const std::string missing = missing_library(glob); !missing.empty())
+      throw UsageError(missing);
+    throw UsageError(fmt::format("no {} matches '{}'{}", what, glob, did_you_mean(glob, ids)));
+  }
+}
+
+}  // namespace
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) == 0) return;
+  if (errno == EPIPE) std::_Exit(success);
+  throw report::FileError(
+      fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+}
+
+void remark(const std::string& text) { fmt::print(stderr, "{}\n", text); }
+
+void check_case_globs(const std::vector<std::string>& globs) {
+  check_globs("case", globs, case_ids());
+}
+void check_solver_globs(const std::vector<std::string>& globs) {
+  check_globs("solver", globs, solver_ids());
+}
+
+const Case& find_case(const std::string& id) {
+  for (const Case& c : all_cases())
+    if (c.id == id) return c;
+  throw UsageError(fmt::format("unknown case '{}'{}", id, did_you_mean(id, case_ids())));
+}
+
+const Entrant& find_entrant(const Case& c, const std::string& id) {
+  const std::string full = id.find('/') == std::string::npos ? "odeum/" + id : id;
+  for (const Entrant& entrant : c.entrants) {
+    if (entrant.info.id() != full) continue;
+    if (!entrant.unfit.empty())
+      throw UsageError(fmt::format("{} does not fit {}: {}", full, c.id, entrant.unfit));
+    return entrant;
+  }
+  if (const std::string missing = missing_library(full); !missing.empty())
+    throw UsageError(missing);
+  throw UsageError(fmt::format("unknown solver '{}'{}", id, did_you_mean(full, solver_ids())));
+}
+
+unsigned StudyOptions::jobs_or_cores() const {
+  return jobs ? jobs : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers) {
+  if (with_solvers)
+    command.add_option("--solver", options.solvers, "solvers, as library/method with * and ?")
+        ->type_name("GLOB");
+  command.add_option("--out", options.out, "folder for the files")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "solves at a time; default: the number of cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--resume", options.resume, "go on with a run that was interrupted");
+}
+
+}  // namespace odeum::cli

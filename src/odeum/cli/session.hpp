@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "odeum/harness/case.hpp"
+
+namespace odeum::cli {
+
+/// The exit codes of the command-line contract.
+enum ExitCode {
+  success = 0,
+  check_failed = 1,
+  usage = 2,
+  solver_failed = 3,
+  file_failed = 4,
+  interrupted_code = 130
+};
+
+/// Bad input: the sentence is printed and the exit code is 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Prints data to stdout. A closed pipe ends the program's talk quietly; a full disk is a
+/// FileError.
+void print(const std::string& text);
+/// Prints a remark for people to stderr.
+void remark(const std::string& text);
+
+/// Throws UsageError where a glob matches no case (no solver), with the nearest name, and for
+/// solvers of a library that is not built in with the option that would build it.
+void check_case_globs(const std::vector<std::string>& globs);
+void check_solver_globs(const std::vector<std::string>& globs);
+
+/// The case (the solver on a case) of that name. A solver id without a library is Odeum's own.
+/// Throws UsageError.
+const Case& find_case(const std::string& id);
+const Entrant& find_entrant(const Case& c, const std::string& id);
+
+/// The options that every study has.
+struct StudyOptions {
+  std::vector<std::string> solvers;
+  std::string out = "reports/out";
+  unsigned jobs = 0;  ///< 0: as many as the machine has cores
+  bool resume = false;
+  unsigned jobs_or_cores() const;
+};
+void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers = true);
+
+/// Each adds its subcommand; `result` receives the exit code when it runs.
+void add_list(CLI::App& app, int& result);
+void add_run(CLI::App& app, int& result);
+void add_converge(CLI::App& app, int& result);
+void add_stability(CLI::App& app, int& result);
+void add_report(CLI::App& app, int& result);
+void add_doctor(CLI::App& app, int& result);
+
+}  // namespace odeum::cli

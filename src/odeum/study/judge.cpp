@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/study/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace odeum::study {
+
+Judge::Judge(const Case& c, std::vector<double> stops)
+    : case_(c), stops_(std::move(stops)), truth_(stops_.size()), measured_(c.measured) {
+  if (measured_.empty()) {
+    measured_.resize(c.y0.size());
+    std::iota(measured_.begin(), measured_.end(), 0);
+  }
+  for (const std::size_t i : measured_) scale_ = std::max(scale_, std::abs(c.y0[i]));
+  for (std::size_t k = 0; k < stops_.size(); ++k) {
+    std::vector<double> exact(c.y0.size());
+    if (!c.truth.at(stops_[k], exact.data())) continue;
+    for (const std::size_t i : measured_) scale_ = std::max(scale_, std::abs(exact[i]));
+    if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
+    truth_[k] = std::move(exact);
+  }
+}
+
+std::vector<StopError> Judge::errors(const Outcome& outcome) const {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<StopError> errors;
+  for (std::size_t k = 0; k < stops_.size(); ++k) {
+    const double* const y = outcome.states.data() + k * case_.y0.size();
+    StopError error{.time = stops_[k], .energy = case_.energy ? case_.energy(y) : nan};
+    if (truth_[k].empty()) {
+      error.error_max = error.error_rms = error.energy_error = nan;
+    } else {
+      double squares = 0;
+      for (const std::size_t i : measured_) {
+        const double difference = std::abs(y[i] - truth_[k][i]);
+        error.error_max = std::max(error.error_max, difference);
+        squares += difference * difference;
+      }
+      error.error_rms = std::sqrt(squares / static_cast<double>(measured_.size()));
+      error.energy_error =
+          case_.energy ? std::abs(error.energy - case_.energy(truth_[k].data())) / energy_scale_
+                       : nan;
+    }
+    errors.push_back(error);
+  }
+  return errors;
+}
+
+double Judge::rounding(std::uint64_t steps) const {
+  return std::numeric_limits<double>::epsilon() / 2 * scale_ * (8 + static_cast<double>(steps)) +
+         case_.truth.floor;
+}
+
+}  // namespace odeum::study

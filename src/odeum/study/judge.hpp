@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/harness/case.hpp"
+
+namespace odeum::study {
+
+/// The error of a solve at one stop.
+struct StopError {
+  double time = 0;
+  double error_max = 0;     ///< largest |error| of a measured component
+  double error_rms = 0;     ///< root mean square over the measured components
+  double energy = 0;        ///< NaN where the case has none
+  double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
+};
+
+/// Holds solves on one case against its truth, which is evaluated once.
+class Judge {
+ public:
+  /// `stops`: as given to the solver. Stops at which the truth knows nothing give NaN errors.
+  Judge(const Case& c, std::vector<double> stops);
+
+  /// One entry a stop; the outcome must have reached all of them.
+  std::vector<StopError> errors(const Outcome& outcome) const;
+
+  /// What rounding may do to an error over that many steps (half a unit a step, all in one
+  /// direction, on numbers of the size of the largest measured component), and what the truth
+  /// leaves open.
+  double rounding(std::uint64_t steps) const;
+
+ private:
+  const Case& case_;
+  std::vector<double> stops_;
+  std::vector<std::vector<double>> truth_;  ///< by stop; empty where nothing is known
+  std::vector<std::size_t> measured_;
+  double scale_ = 0;
+  double energy_scale_ = 0;
+};
+
+}  // namespace odeum::study

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/study/order_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace odeum::study {
+namespace {
+
+constexpr std::size_t fewest_points = 4;
+constexpr double clear_of_rounding = 30;  // rounding then bends a local slope by 0.05 at most
+
+/// A straight line through (log step, log error), by least squares.
+struct Line {
+  double slope = 0;
+  double half_width = 0;  ///< of the slope's 95 % interval
+};
+
+// Student's t, 97.5 %, for 1, 2, ... degrees of freedom; 1.96 for many.
+double student_t(std::size_t freedom) {
+  constexpr std::array<double, 14> table{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
+                                         2.306,  2.262, 2.228, 2.201, 2.179, 2.160, 2.145};
+  return freedom <= table.size() ? table[freedom - 1] : 2.1;
+}
+
+Line fit_line(const ErrorPoint* points, std::size_t n) {
+  double mean_x = 0, mean_y = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    mean_x += std::log(points[i].step) / static_cast<double>(n);
+    mean_y += std::log(points[i].error) / static_cast<double>(n);
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = std::log(points[i].step) - mean_x, y = std::log(points[i].error) - mean_y;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  Line line;
+  line.slope = xy / xx;
+  const double residual = std::max(0.0, yy - line.slope * xy);
+  if (n > 2)
+    line.half_width = student_t(n - 2) * std::sqrt(residual / static_cast<double>(n - 2) / xx);
+  return line;
+}
+
+double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
+  return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
+}
+
+/// The asymptotic window within usable points: it ends as fine as can be and reaches as far to the
+/// coarse side as every local slope stays within `settled` of their mean.
+struct Window {
+  std::size_t first = 0, count = 0;
+};
+
+Window find_window(const std::vector<ErrorPoint>& points, double settled) {
+  for (std::size_t end = points.size(); end >= fewest_points; --end) {
+    Window best;
+    double sum = 0, low = 1e300, high = -1e300;
+    for (std::size_t first = end - 1; first-- > 0;) {
+      const double slope = local_slope(points[first], points[first + 1]);
+      sum += slope;
+      low = std::min(low, slope);
+      high = std::max(high, slope);
+      const std::size_t count = end - first;
+      const double mean = sum / static_cast<double>(count - 1);
+      if (high - mean > settled || mean - low > settled) break;
+      if (count >= fewest_points) best = {first, count};
+    }
+    if (best.count) return best;
+  }
+  return {};
+}
+
+OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
+  fit.verdict = verdict;
+  fit.reason = std::move(reason);
+  return fit;
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::confirmed:
+      return "confirmed";
+    case Verdict::higher:
+      return "higher";
+    case Verdict::lower:
+      return "lower";
+    case Verdict::floors:
+      return "floors";
+    case Verdict::undetermined:
+      return "undetermined";
+    case Verdict::failed:
+      return "failed";
+    case Verdict::not_applicable:
+      return "not_applicable";
+  }
+  return "undetermined";
+}
+
+OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order, double tolerance) {
+  OrderFit fit;
+  std::vector<ErrorPoint> solved;
+  for (const ErrorPoint& point : points)
+    if (std::isfinite(point.error)) solved.push_back(point);
+  if (solved.empty()) return conclude(fit, Verdict::failed, "no step size could be solved");
+
+  const auto at_rounding = [](const ErrorPoint& p) { return p.error <= p.rounding; };
+  if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), at_rounding)) {
+    double largest = 0;
+    for (const ErrorPoint& p : solved) largest = std::max(largest, p.error);
+    return conclude(fit, Verdict::higher,
+                    fmt::format("exact to rounding at every step: errors up to {:.1e}", largest));
+  }
+
+  // The fine end: points that rounding may have a part in, then points that no longer fall. An
+  // error that stops falling well above rounding is a finding, not an end of the window.
+  std::vector<ErrorPoint> usable = solved;
+  while (!usable.empty() && usable.back().error <= clear_of_rounding * usable.back().rounding)
+    usable.pop_back();
+  const auto stagnates = [&] {
+    const std::size_t n = usable.size();
+    return n >= 2 &&
+           local_slope(usable[n - 2], usable[n - 1]) < 0.25 * std::min(1.0, claimed_order);
+  };
+  std::size_t stagnant = 0;
+  for (; stagnates(); ++stagnant) {
+    fit.floor =
+        std::isnan(fit.floor) ? usable.back().error : std::min(fit.floor, usable.back().error);
+    usable.pop_back();
+  }
+
+  // Local slopes of high orders move more before they settle.
+  const double settled = 0.05 * std::max(2.0, std::isnan(claimed_order) ? 2.0 : claimed_order);
+  const Window window = find_window(usable, settled);
+  if (window.count) {
+    const ErrorPoint* const first = usable.data() + window.first;
+    const Line line = fit_line(first, window.count);
+    fit.order = line.slope;
+    fit.low = line.slope - line.half_width;
+    fit.high = line.slope + line.half_width;
+    fit.points = window.count;
+    fit.step_coarsest = first[0].step;
+    fit.step_finest = first[window.count - 1].step;
+  }
+
+  if (std::isnan(claimed_order))
+    return conclude(fit, Verdict::not_applicable,
+                    "the order varies during a run, so none is claimed");
+  // Two stagnant steps may be noise near rounding; three are a floor.
+  if (stagnant >= 3)
+    return conclude(fit, Verdict::floors,
+                    fmt::format("stops converging at an error of {:.1e}", fit.floor));
+  if (!window.count) {
+    if (usable.size() < fewest_points)
+      return conclude(
+          fit, Verdict::undetermined,
+          fmt::format("{} of {} steps give an error that is solved, converging and clear of "
+                      "rounding; {} are needed",
+                      usable.size(), points.size(), fewest_points));
+    return conclude(fit, Verdict::undetermined,
+                    fmt::format("local slopes do not settle: {:.2f} at the finest steps",
+                                local_slope(usable[usable.size() - 2], usable.back())));
+  }
+  if (std::abs(fit.order - claimed_order) <= tolerance)
+    return conclude(fit, Verdict::confirmed, "");
+  return conclude(
+      fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,
+      fmt::format("converges with order {:.2f} where {:g} is claimed", fit.order, claimed_order));
+}
+
+}  // namespace odeum::study
