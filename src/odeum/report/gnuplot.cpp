@@ -12,8 +12,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <span>
 #include <sstream>
 
+#include "odeum/harness/parallel.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/output_folder.hpp"
 
@@ -61,27 +64,24 @@ void write_file(const fs::path& path, const char* bytes, std::size_t size) {
   if (!out) throw FileError(fmt::format("cannot write {}", path.string()));
 }
 
-std::string image_name(std::size_t i) { return fmt::format("picture{}", i); }
-
-std::string script_of(const std::vector<Picture>& pictures, std::size_t first, std::size_t stride,
-                      const TemporaryFolder& folder) {
-  std::string script =
-      "set print 'version'\nprint sprintf('%.1f.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n"
-      "set print\n";
-  for (std::size_t i = first; i < pictures.size(); i += stride) {
+// The script that draws the pictures of these numbers; it prints a line for each when it is done.
+std::string script_of(const std::vector<Picture>& pictures, std::span<const std::size_t> numbers,
+                      const std::string& progress, const TemporaryFolder& folder) {
+  std::string script = fmt::format(
+      "set print '{}'\nprint sprintf('%.1f.%s', GPVAL_VERSION, GPVAL_PATCHLEVEL)\n", progress);
+  for (const std::size_t i : numbers) {
     const Picture& picture = pictures[i];
-    const bool svg = picture.kind == Picture::Kind::svg;
-    script += fmt::format(
-        "reset\nset terminal {} size {},{} {}\nset output '{}'\n", svg ? "svg" : "pngcairo",
-        picture.width, picture.height,
-        svg ? "enhanced font 'sans,11'" : "transparent font 'sans,12'", image_name(i));
+    script += fmt::format("reset\nset terminal {} size {},{}\nset output 'picture{}'\n",
+                          picture.kind == Picture::Kind::svg ? "svg enhanced font 'sans,11'"
+                                                             : "pngcairo transparent font 'sans,9'",
+                          picture.width, picture.height, i);
     if (!picture.matrix.empty()) {
       const std::string name = fmt::format("matrix{}", i);
       write_file(folder / name, reinterpret_cast<const char*>(picture.matrix.data()),
                  picture.matrix.size() * sizeof(float));
       script += fmt::format("matrix = '{}'\n", name);
     }
-    script += picture.commands + "\nunset output\n";
+    script += picture.commands + "\nunset output\nprint 'done'\n";
   }
   return script;
 }
@@ -94,7 +94,7 @@ pid_t start_gnuplot(const TemporaryFolder& folder, const std::string& script,
   posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 2, log.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   // -d: no settings of the user's own.
   std::string name = "gnuplot", defaults = "-d", file = script;
   char* const arguments[] = {name.data(), defaults.data(), file.data(), nullptr};
@@ -119,32 +119,55 @@ std::string first_line(const std::string& text) {
   return "no message";
 }
 
+// What one run of gnuplot came to: how many pictures it finished, and why it ended before the last.
+struct Run {
+  std::size_t finished = 0;
+  std::string version, problem;
+};
+
+Run run_gnuplot(const std::vector<Picture>& pictures, std::span<const std::size_t> numbers,
+                std::size_t worker, const TemporaryFolder& folder) {
+  const std::string name = fmt::format("script{}", worker), log = fmt::format("log{}", worker);
+  const std::string progress = fmt::format("progress{}", worker);
+  const std::string script = script_of(pictures, numbers, progress, folder);
+  write_file(folder / name, script.data(), script.size());
+  const pid_t process = start_gnuplot(folder, name, log);
+  Run run;
+  if (process < 0) {
+    run.problem = fmt::format("gnuplot could not be run ({})", std::strerror(errno));
+    return run;
+  }
+  if (!ended_well(process)) run.problem = "gnuplot failed: " + first_line(read_file(folder / log));
+  std::istringstream lines(read_file(folder / progress));
+  std::getline(lines, run.version);
+  for (std::string line; std::getline(lines, line);) ++run.finished;
+  return run;
+}
+
 }  // namespace
 
 Rendering render(const std::vector<Picture>& pictures, unsigned processes) {
   Rendering rendering;
   rendering.images.resize(pictures.size());
   const TemporaryFolder folder;
-  const std::size_t stride = std::clamp<std::size_t>(processes, 1, std::max<std::size_t>(1, pictures.size()));
-  std::vector<std::pair<pid_t, std::string>> running;
-  for (std::size_t k = 0; k < stride; ++k) {
-    const std::string script = script_of(pictures, k, stride, folder);
-    const std::string name = fmt::format("script{}", k), log = fmt::format("log{}", k);
-    write_file(folder / name, script.data(), script.size());
-    const pid_t process = start_gnuplot(folder, name, log);
-    if (process < 0) {
-      rendering.problem = fmt::format("gnuplot could not be run: {}", std::strerror(errno));
-      break;
+  const auto workers =
+      std::clamp<std::size_t>(processes, 1, std::max<std::size_t>(1, pictures.size()));
+  std::mutex mutex;
+  parallel_for(workers, static_cast<unsigned>(workers), [&](std::size_t worker) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = worker; i < pictures.size(); i += workers) numbers.push_back(i);
+    // A picture that gnuplot fails on ends its script: go on behind it.
+    for (std::span<const std::size_t> left = numbers; !left.empty();) {
+      const Run run = run_gnuplot(pictures, left, worker, folder);
+      for (const std::size_t i : left.first(run.finished))
+        rendering.images[i] = read_file(folder / fmt::format("picture{}", i));
+      const std::lock_guard lock(mutex);
+      if (!run.version.empty()) rendering.version = run.version;
+      if (!run.problem.empty()) rendering.problem = run.problem;
+      if (run.version.empty()) break;  // it does not even start
+      left = left.subspan(std::min(left.size(), run.finished + 1));
     }
-    running.emplace_back(process, log);
-  }
-  for (const auto& [process, log] : running)
-    if (!ended_well(process) && rendering.problem.empty())
-      rendering.problem = "gnuplot failed: " + first_line(read_file(folder / log));
-  for (std::size_t i = 0; i < pictures.size(); ++i)
-    rendering.images[i] = read_file(folder / image_name(i));
-  rendering.version = read_file(folder / "version");
-  if (rendering.version.ends_with('\n')) rendering.version.pop_back();
+  });
   return rendering;
 }
 

@@ -12,9 +12,9 @@ struct Picture {
   enum class Kind { svg, png };
   Kind kind = Kind::svg;
   int width = 0, height = 0;  ///< pixels
-  std::string commands;       ///< everything after terminal and output are set
+  std::string commands = {};  ///< everything after terminal and output are set
   /// In gnuplot's binary matrix format; the commands find it in the file named by `matrix`.
-  std::vector<float> matrix;
+  std::vector<float> matrix = {};
 };
 
 struct Rendering {
@@ -23,8 +23,9 @@ struct Rendering {
   std::string problem;              ///< a sentence where a picture is missing; else empty
 };
 
-/// Draws the pictures with gnuplot as found on the PATH, in `processes` processes at once. A missing
-/// or failing gnuplot is told in `problem`; throws FileError where the temporary folder fails.
+/// Draws the pictures with gnuplot as found on the PATH, in `processes` processes at once. A
+/// missing or failing gnuplot is told in `problem`; throws FileError where the temporary folder
+/// fails.
 Rendering render(const std::vector<Picture>& pictures, unsigned processes);
 
 }  // namespace odeum::report

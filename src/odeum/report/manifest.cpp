@@ -41,9 +41,8 @@ ordered_json skipped_json(const ReportData& data) {
 ordered_json verdicts_json(const ReportData& data) {
   ordered_json list = ordered_json::array();
   for (const LibrarySummary& summary : summarise(data)) {
-    ordered_json entry{{"library", summary.library},
-                       {"solvers", summary.solvers},
-                       {"pairs", summary.pairs}};
+    ordered_json entry{
+        {"library", summary.library}, {"solvers", summary.solvers}, {"pairs", summary.pairs}};
     for (const VerdictStyle& style : verdict_styles)
       entry[study::to_string(style.verdict)] = summary.count(style.verdict);
     list.push_back(entry);
@@ -61,8 +60,7 @@ std::string manifest_json(const ReportData& data, const std::string& plots) {
       {"command_line", data.command_line},
       {"options", {{"quick", data.quick}}},
       {"seconds", data.seconds},
-      {"build",
-       {{"compiler", build::compiler}, {"type", build::type}, {"flags", build::flags}}},
+      {"build", {{"compiler", build::compiler}, {"type", build::type}, {"flags", build::flags}}},
       {"cpu", cpu_model()},
       {"libraries", libraries_json(data)},
       {"plots", plots},

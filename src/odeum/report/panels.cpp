@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace odeum::report {
 namespace {
 
+using Solvers = std::vector<const SolverInfo*>;
+
 // Orders for sorting: a varying one comes last.
 double sortable(double order) { return std::isnan(order) ? 1e9 : order; }
 
-bool same_kind(const SolverInfo& a, const SolverInfo& b) {
-  return a.family == b.family && sortable(a.order) == sortable(b.order);
-}
-
-std::string describe_orders(const std::vector<const SolverInfo*>& solvers) {
+std::string describe_orders(const Solvers& solvers) {
   std::set<double> orders;
   bool varies = false;
   for (const SolverInfo* solver : solvers)
@@ -32,7 +32,7 @@ std::string describe_orders(const std::vector<const SolverInfo*>& solvers) {
   return varies ? text + " and variable" : text;
 }
 
-std::string describe_contents(const std::vector<const SolverInfo*>& solvers) {
+std::string describe_contents(const Solvers& solvers) {
   std::string families;
   std::set<std::string> named;
   for (const SolverInfo* solver : solvers)
@@ -42,10 +42,50 @@ std::string describe_contents(const std::vector<const SolverInfo*>& solvers) {
   return families + "; " + describe_orders(solvers);
 }
 
+// Where a run of solvers that agree in `key` ends.
+template <class Key>
+Solvers::const_iterator run_end(Solvers::const_iterator begin, Solvers::const_iterator end,
+                                Key key) {
+  return std::find_if(begin, end, [&](const SolverInfo* s) { return key(s) != key(*begin); });
+}
+
+// Cuts one family into groups that fit a panel, of about equal size, between orders where it can.
+std::vector<Solvers> cut_family(Solvers::const_iterator begin, Solvers::const_iterator end) {
+  const auto total = static_cast<std::size_t>(end - begin);
+  const std::size_t groups = (total + curves_per_panel - 1) / curves_per_panel;
+  std::vector<Solvers> list(1);
+  while (begin != end) {
+    const auto order_end = run_end(begin, end, [](const auto* s) { return sortable(s->order); });
+    const auto count = static_cast<std::size_t>(order_end - begin);
+    const std::size_t pieces = (count + curves_per_panel - 1) / curves_per_panel;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      const std::size_t size = count * (piece + 1) / pieces - count * piece / pieces;
+      const std::size_t held = list.back().size();
+      if (held + size > curves_per_panel || held * groups >= total) list.emplace_back();
+      list.back().insert(list.back().end(), begin, begin + static_cast<std::ptrdiff_t>(size));
+      begin += static_cast<std::ptrdiff_t>(size);
+    }
+  }
+  return list;
+}
+
+// Says which part it is where neighbours would read the same.
+void number_parts(std::vector<Panel>& panels) {
+  for (std::size_t first = 0; first < panels.size();) {
+    std::size_t last = first + 1;
+    while (last < panels.size() && panels[last].library == panels[first].library &&
+           panels[last].contents == panels[first].contents)
+      ++last;
+    for (std::size_t i = first; last - first > 1 && i < last; ++i)
+      panels[i].contents += fmt::format(" ({} of {})", i - first + 1, last - first);
+    first = last;
+  }
+}
+
 }  // namespace
 
 std::vector<Panel> make_panels(const std::vector<SolverInfo>& solvers) {
-  std::vector<const SolverInfo*> sorted;
+  Solvers sorted;
   std::vector<std::string> libraries;
   for (const SolverInfo& solver : solvers) {
     sorted.push_back(&solver);
@@ -60,26 +100,24 @@ std::vector<Panel> make_panels(const std::vector<SolverInfo>& solvers) {
                    [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
 
   std::vector<Panel> panels;
-  for (auto next = sorted.begin(); next != sorted.end();) {
-    const SolverInfo& head = **next;
-    const auto kind_end = std::find_if(next, sorted.end(), [&](const SolverInfo* s) {
-      return s->library != head.library || !same_kind(*s, head);
-    });
-    const auto count = static_cast<std::size_t>(kind_end - next);
-    if (panels.empty() || panels.back().library != head.library ||
-        panels.back().solvers.size() + count > curves_per_panel)
-      panels.push_back({.library = head.library});
-    // A kind too large for one panel is cut into pieces of like size.
-    const std::size_t pieces = (count + curves_per_panel - 1) / curves_per_panel;
-    for (std::size_t piece = 0; piece < pieces; ++piece) {
-      if (piece > 0) panels.push_back({.library = head.library});
-      const std::size_t size = (count * (piece + 1)) / pieces - count * piece / pieces;
-      panels.back().solvers.insert(panels.back().solvers.end(), next,
-                                   next + static_cast<std::ptrdiff_t>(size));
-      next += static_cast<std::ptrdiff_t>(size);
+  bool may_join = false;  // whole small families of a library share a panel
+  for (auto next = sorted.cbegin(); next != sorted.cend();) {
+    const auto end = run_end(next, sorted.cend(),
+                             [](const auto* s) { return std::pair(s->library, s->family); });
+    const std::vector<Solvers> groups = cut_family(next, end);
+    const bool whole = groups.size() == 1;
+    if (whole && may_join && panels.back().library == (*next)->library &&
+        panels.back().solvers.size() + groups[0].size() <= curves_per_panel) {
+      panels.back().solvers.insert(panels.back().solvers.end(), next, end);
+    } else {
+      for (const Solvers& group : groups)
+        panels.push_back({.library = (*next)->library, .solvers = group});
     }
+    may_join = whole;
+    next = end;
   }
   for (Panel& panel : panels) panel.contents = describe_contents(panel.solvers);
+  number_parts(panels);
   return panels;
 }
 

@@ -13,8 +13,8 @@ inline constexpr std::size_t curves_per_panel = 8;
 /// Solvers of one library that are drawn together; the n-th has the n-th colour and marker.
 struct Panel {
   std::string library;
-  std::string contents;  ///< families and orders, in words
-  std::vector<const SolverInfo*> solvers;
+  std::string contents = {};  ///< families and orders, in words
+  std::vector<const SolverInfo*> solvers = {};
 };
 
 /// Every solver in one panel each: by library, and within it by family and order, so that what

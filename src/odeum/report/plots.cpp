@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/report/html.hpp"
+#include "odeum/report/panels.hpp"
+
 namespace odeum::report {
 namespace {
 
@@ -23,7 +26,8 @@ std::string log_axis(const char* axis, const LogRange& range, const char* label)
   if (!short_axis)
     return text + fmt::format("set {0}tics 1e{1} format \"10^{{%L}}\"\n", axis, every);
   std::string ticks;
-  for (int k = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10, k) < range.high; ++k)
+  for (int k = static_cast<int>(std::floor(std::log10(range.low))); std::pow(10, k) < range.high;
+       ++k)
     for (const int m : {1, 2, 5}) ticks += fmt::format("{}{}e{}", ticks.empty() ? "" : ",", m, k);
   return text + fmt::format("set {}tics ({}) format \"%g\"\n", axis, ticks);
 }
@@ -43,9 +47,9 @@ Reference slope_lines(const LogPlot& plot) {
     const double x = through_left ? left : x_far * std::pow(bottom / top, 1.0 / slope);
     const double y = through_left ? at_left : bottom;
     reference.lines += fmt::format("{} {}\n{} {}\n\n", x_far, top, x, y);
-    reference.labels +=
-        fmt::format("set label '{}' at {},{} {} textcolor rgb '{}' font ',9' front\n", slope, x, y,
-                    through_left ? "left offset 0,0.5" : "right offset -0.5,0.3", code_of(guide_code));
+    reference.labels += fmt::format(
+        "set label '{}' at {},{} {} textcolor rgb '{}' font ',9' front\n", slope, x, y,
+        through_left ? "left offset 0,0.5" : "right offset -0.5,0.3", code_of(guide_code));
   }
   return reference;
 }
@@ -55,7 +59,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
   std::string replaced;
   replaced.reserve(text.size());
   std::size_t begin = 0;
-  for (std::size_t at; (at = text.find(from, begin)) != std::string::npos; begin = at + from.size()) {
+  for (std::size_t at; (at = text.find(from, begin)) != std::string::npos;
+       begin = at + from.size()) {
     replaced.append(text, begin, at - begin);
     replaced += to;
   }
@@ -71,21 +76,29 @@ void cut_all(std::string& text, std::string_view open, std::string_view close) {
   }
 }
 
-// A marker of gnuplot, shifted and scaled, as a use of a symbol of the page.
-void shorten_markers(std::string& text) {
+// A curve's markers are drawn by the page (marker-mid and its like), so gnuplot's go; only where
+// there is no line, for a single point, is its marker kept, as a use of a symbol of the page.
+void drop_markers(std::string& text) {
   constexpr std::string_view open = "<use xlink:href='#gpPt", shift = "' transform='translate(";
-  std::string shortened;
+  const std::string_view all = text;
+  std::string kept;
   std::size_t begin = 0;
-  for (std::size_t at; (at = text.find(open, begin)) != std::string::npos;) {
-    const auto number = at + open.size(), moved = text.find(shift, number);
-    const auto x = moved + shift.size(), y = text.find(',', x) + 1, end = text.find(')', y);
-    const auto color = text.find("color='", end);
-    shortened.append(text, begin, at - begin);
-    shortened += fmt::format("<use href=\"#m{}\" x=\"{}\" y=\"{}\" ", text.substr(number, moved - number),
-                             text.substr(x, y - 1 - x), text.substr(y, end - y));
-    begin = color;
+  bool on_line = false;
+  for (std::size_t at; (at = all.find(open, begin)) != std::string::npos;) {
+    const std::string_view between = all.substr(begin, at - begin);
+    if (between.find('<') != std::string::npos)
+      on_line = between.rfind("<path") > between.rfind("<g");
+    kept += between;
+    const auto number = at + open.size(), moved = all.find(shift, number);
+    const auto x = moved + shift.size(), y = all.find(',', x) + 1, end = all.find(')', y);
+    if (!on_line)
+      kept +=
+          fmt::format("<use href=\"#m{}\" x=\"{}\" y=\"{}\"/>", all.substr(number, moved - number),
+                      all.substr(x, y - 1 - x), all.substr(y, end - y));
+    begin = all.find("/>", end) + 2;
   }
-  text = shortened.append(text, begin);
+  kept += all.substr(begin);
+  text = std::move(kept);
 }
 
 }  // namespace
@@ -97,11 +110,12 @@ void LogRange::include(double value) {
 }
 
 Picture draw(const LogPlot& plot) {
-  Picture picture{.kind = Picture::Kind::svg, .width = 320, .height = 240};
+  Picture picture{.kind = Picture::Kind::svg, .width = 290, .height = 215};
   std::string& text = picture.commands;
-  text = "set logscale xy\nset border 3\nset tics nomirror scale 0.6\nunset mxtics\nunset mytics\n"
-         "unset key\nset lmargin 8\nset rmargin 1.5\nset tmargin 0.6\nset bmargin 3.2\n"
-         "set xlabel offset 0,0.4\nset ylabel offset 0.8,0\n";
+  text =
+      "set logscale xy\nset border 3\nset tics nomirror scale 0.6\nunset mxtics\nunset mytics\n"
+      "unset key\nset lmargin 8\nset rmargin 1.5\nset tmargin 0.6\nset bmargin 3.2\n"
+      "set xlabel offset 0,0.4\nset ylabel offset 0.8,0\n";
   text += log_axis("x", plot.x, plot.x_label) + log_axis("y", plot.y, plot.y_label);
   const Reference reference = slope_lines(plot);
   text += reference.labels;
@@ -109,7 +123,8 @@ Picture draw(const LogPlot& plot) {
   if (plot.floor > plot.y.low)
     text += fmt::format(
         "set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '{1}' dt 3\n"
-        "set label 'truth' at graph 1, first {0} right offset 0,0.5 textcolor rgb '{1}' font ',9'\n",
+        "set label 'truth' at graph 1, first {0} right offset 0,0.5 textcolor rgb '{1}' font "
+        "',9'\n",
         plot.floor, guide);
   std::string curves, data;
   if (!plot.slopes.empty()) {
@@ -127,45 +142,60 @@ Picture draw(const LogPlot& plot) {
   return picture;
 }
 
-std::string tidy_svg(const std::string& gnuplot_svg) {
+std::string tidy_svg(const std::string& gnuplot_svg, const std::string& description) {
   const auto begin = gnuplot_svg.find("</defs>");
   const auto end = gnuplot_svg.rfind("</g>");
   if (begin == std::string::npos || end == std::string::npos || end < begin) return {};
   std::string text = gnuplot_svg.substr(begin + 7, end - begin - 7);
   cut_all(text, "<title>", "</title>");
   cut_all(text, " id=\"gnuplot_plot", "\"");
-  shorten_markers(text);
-  for (std::size_t i = 0; i < 8; ++i)
-    replace_all(text, fmt::format("rgb(  1,   1, {:3})", i), fmt::format("var(--s{})", i));
-  replace_all(text, fmt::format("rgb(  1,   1, {:3})", guide_code), "var(--guide)");
-  for (const auto& [from, to] : {std::pair{" font-family=\"sans\"", ""},
-                                 {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""},
-                                 {" stroke='black'", ""},
-                                 {"\"black\"", "\"currentColor\""},
-                                 {" color=\"currentColor\"", ""},
-                                 {"<tspan >", "<tspan>"},
-                                 {"\n", " "},
-                                 {"\t", " "},
-                                 {"  ", " "},
-                                 {"> <", "><"}})
+  drop_markers(text);
+  for (std::size_t i = 0; i < curves_per_panel; ++i)
+    replace_all(text, fmt::format("stroke='rgb(  1,   1, {:3})'", i),
+                fmt::format("class=\"c{}\"", i));
+  replace_all(text, fmt::format("stroke='rgb(  1,   1, {})'", guide_code), "class=\"guide\"");
+  replace_all(text, fmt::format("\"rgb(1,1,{})\"", guide_code), "\"var(--guide)\"");
+  for (const auto& [from, to] :
+       {std::pair{"\n", " "},
+        {"\t", " "},
+        {"  ", " "},
+        {"> <", "><"},
+        {" '/>", "'/>"},
+        {" font-family=\"sans\"", ""},
+        {" stroke-linecap=\"butt\" stroke-linejoin=\"miter\"", ""},
+        {" stroke='black'", ""},
+        {" color=\"white\"", ""},
+        {"\"black\"", "\"currentColor\""},
+        {" color=\"currentColor\"", ""},
+        {" font-size=\"11.00\"", ""},
+        {"<tspan font-size=\"11.0\" dy=\"5.50\"></tspan>", ""},
+        {"<tspan >", "<tspan>"},
+        // What most groups say is said once, by the style sheet.
+        {"<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.00\">", "<g>"},
+        {"<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.20\">", "<g>"},
+        {"<g >", "<g>"},
+        {"<g></g>", ""}})
     replace_all(text, from, to);
-  replace_all(text, "<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.00\"></g>", "");
-  return "<svg class=\"plot\" viewBox=\"0 0 320 240\" role=\"img\">" + text + "</svg>";
+  return "<svg class=\"plot\" viewBox=\"0 0 290 215\" role=\"img\" aria-label=\"" +
+         escape(description) + "\">" + text + "</svg>";
 }
 
 std::string marker_symbols() {
   constexpr const char* shapes[] = {
-      R"(<circle r="2.4" fill="currentColor"/>)",
-      R"(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="currentColor"/>)",
-      R"(<path d="M0-3 2.8 2H-2.8z" fill="currentColor"/>)",
-      R"(<path d="M0-3.2 3.2 0 0 3.2-3.2 0z" fill="currentColor"/>)",
-      R"(<circle r="2.4" fill="var(--paper)" stroke="currentColor"/>)",
-      R"(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="var(--paper)" stroke="currentColor"/>)",
-      R"(<path d="M0 3 2.8-2H-2.8z" fill="currentColor"/>)",
-      R"(<path d="M-2.4-2.4 2.4 2.4M-2.4 2.4 2.4-2.4" stroke="currentColor" stroke-width="1.3"/>)"};
+      R"svg(<circle r="2.4" fill="currentColor"/>)svg",
+      R"svg(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="currentColor"/>)svg",
+      R"svg(<path d="M0-3 2.8 2H-2.8z" fill="currentColor"/>)svg",
+      R"svg(<path d="M0-3.2 3.2 0 0 3.2-3.2 0z" fill="currentColor"/>)svg",
+      R"svg(<circle r="2.4" fill="var(--paper)" stroke="currentColor"/>)svg",
+      R"svg(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="var(--paper)" stroke="currentColor"/>)svg",
+      R"svg(<path d="M0 3 2.8-2H-2.8z" fill="currentColor"/>)svg",
+      R"svg(<path d="M-2.4-2.4 2.4 2.4M-2.4 2.4 2.4-2.4" stroke="currentColor" stroke-width="1.3"/>)svg"};
   std::string text = "<svg width=\"0\" height=\"0\" class=\"symbols\" aria-hidden=\"true\"><defs>";
   for (std::size_t i = 0; i < std::size(shapes); ++i)
-    text += fmt::format("<g id=\"m{}\">{}</g>", i, shapes[i]);
+    text += fmt::format(
+        "<g id=\"m{0}\">{1}</g><marker id=\"k{0}\" style=\"color:var(--s{0})\" "
+        "markerUnits=\"userSpaceOnUse\" overflow=\"visible\"><use href=\"#m{0}\"/></marker>",
+        i, shapes[i]);
   return text + "</defs></svg>\n";
 }
 

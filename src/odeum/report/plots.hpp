@@ -39,12 +39,13 @@ struct LogPlot {
 
 Picture draw(const LogPlot& plot);
 
-/// What gnuplot wrote as an <svg> for the page: without its own definitions and identifiers,
-/// colours named by the style sheet (--s0 to --s7, --guide, currentColor), markers by the page's
-/// symbols #m0 to #m7 (marker_symbols).
-std::string tidy_svg(const std::string& gnuplot_svg);
+/// What gnuplot wrote as an <svg> for the page: a tenth of its size, without its own definitions
+/// and identifiers. Curves get the classes c0 to c7 and guide, which the style sheet colours and
+/// gives the markers of marker_symbols. `description` is what a screen reader says.
+std::string tidy_svg(const std::string& gnuplot_svg, const std::string& description);
 
-/// A hidden <svg> that defines the markers; once a page.
+/// A hidden <svg> that defines the markers: symbols #m0 to #m7, line markers #k0 to #k7; once a
+/// page.
 std::string marker_symbols();
 
 /// A region of stability: growth of at most 1 shaded, its boundary, some levels around it.

@@ -42,7 +42,8 @@ void describe(ReportData& data, const std::vector<Case>& cases,
 /// The names of the libraries whose solvers take part, in the order of the solvers.
 std::vector<std::string> library_names(const ReportData& data);
 
-/// The version of the library that solvers named `library/...` come from; empty: not known, or ours.
+/// The version of the library that solvers named `library/...` come from; empty: not known, or
+/// ours.
 std::string library_version(const ReportData& data, const std::string& library);
 
 }  // namespace odeum::report

@@ -60,8 +60,8 @@ std::string summary_table(const ReportData& data, const OutputFolder& folder) {
     text += fmt::format("  {}", study::to_string(style.verdict));
   text += '\n';
   for (const LibrarySummary& entry : list) {
-    text += fmt::format("{:<{}} {:>8} {:>6}", plain(entry.library), width, entry.solvers,
-                        entry.pairs);
+    text +=
+        fmt::format("{:<{}} {:>8} {:>6}", plain(entry.library), width, entry.solvers, entry.pairs);
     for (const VerdictStyle& style : verdict_styles) {
       const std::string name = study::to_string(style.verdict);
       text += fmt::format("  {:>{}}", entry.count(style.verdict), name.size());

@@ -23,8 +23,8 @@ inline constexpr std::array<VerdictStyle, 7> verdict_styles{{
     {study::Verdict::higher, "▲", "errors fall faster than claimed"},
     {study::Verdict::lower, "▼", "errors fall more slowly than claimed"},
     {study::Verdict::floors, "⊥", "errors stop falling at a level that is printed"},
-    {study::Verdict::undetermined, "?", "too few points, or no settled slope, or no claim"},
-    {study::Verdict::failed, "✗", "no setting, or hardly any, gave a result"},
+    {study::Verdict::undetermined, "?", "too few points, or no settled slope"},
+    {study::Verdict::failed, "✗", "no run gave a result"},
     {study::Verdict::not_applicable, "·", "the solver does not fit the case, or there is no claim"},
 }};
 
