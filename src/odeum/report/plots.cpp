@@ -86,8 +86,8 @@ void drop_markers(std::string& text) {
   bool on_line = false;
   for (std::size_t at; (at = all.find(open, begin)) != std::string::npos;) {
     const std::string_view between = all.substr(begin, at - begin);
-    if (between.find('<') != std::string::npos)
-      on_line = between.rfind("<path") > between.rfind("<g");
+    if (const auto tag = between.rfind('<'); tag != std::string::npos)
+      on_line = between.substr(tag).starts_with("<path");
     kept += between;
     const auto number = at + open.size(), moved = all.find(shift, number);
     const auto x = moved + shift.size(), y = all.find(',', x) + 1, end = all.find(')', y);
