@@ -82,8 +82,8 @@ Case make_variant(const Variant& variant) {
   c.stops = {0.25, 0.5, 1, 2};
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
-  c.finest_steps = 128 * variant.coarsest_steps;
-  c.evaluation_budget = 400'000;  // about two seconds
+  c.finest_steps = 32 * variant.coarsest_steps;
+  c.evaluation_budget = variant.stiffness > 100 ? 300'000 : 150'000;  // one or two seconds
   c.truth = reference_truth(variant.reference, variant.digits_floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

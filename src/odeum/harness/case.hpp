@@ -48,7 +48,7 @@ struct Case {
   std::uint64_t finest_steps = 16384;  ///< and where it ends at most
 
   /// What one solve may cost, in evaluations of the right-hand side.
-  std::uint64_t evaluation_budget = 20'000'000;
+  std::uint64_t evaluation_budget = 4'000'000;
 
   std::vector<Entrant> entrants;
   /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe
@@ -56,13 +56,12 @@ struct Case {
   std::string plane;
   std::function<Probe()> probe;
 
-  /// The budget of one solve by a solver. With many unknowns an implicit step is paid in linear
-  /// algebra, not in evaluations: about twenty times the price.
+  /// The budget of one solve by a solver. With many unknowns a step that solves linear systems is
+  /// paid in them, not in evaluations: about twenty times the price.
   Budget budget_for(const SolverInfo& info) const {
-    const bool linear_algebra =
-        y0.size() > dense_dimension_limit && info.family.starts_with("implicit");
-    const bool linearised = y0.size() > dense_dimension_limit && info.family == "linearly_implicit";
-    return {.evaluations = evaluation_budget / (linear_algebra || linearised ? 20 : 1)};
+    const bool solves_systems = info.family == "implicit_rk" || info.family == "linearly_implicit";
+    const bool dear = solves_systems && y0.size() > dense_dimension_limit;
+    return {.evaluations = evaluation_budget / (dear ? 20 : 1)};
   }
 
   bool has_tag(const std::string& tag) const {

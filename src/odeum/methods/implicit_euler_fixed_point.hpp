@@ -12,7 +12,7 @@ struct implicit_euler_fixed_point : ForAnyProblem {
   static constexpr int max_iterations = 200;
   static constexpr MethodInfo info{
       .id = "implicit_euler_fixed_point",
-      .family = "implicit_rk",
+      .family = "functional_iteration",
       .order = 1,
       .source = "Hairer, Norsett, Wanner, Solving ODEs I, (II.7.5); Solving ODEs II, IV.8"};
 

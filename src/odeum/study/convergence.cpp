@@ -34,7 +34,7 @@ struct PairResult {
 std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
-  const int count = p <= 2 ? 11 : 15;
+  const int count = p <= 2 ? 11 : p <= 4 ? 16 : 20;
   const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : 2);
   std::vector<std::uint64_t> ladder;
   for (int k = 0; k < count; ++k) {
@@ -139,18 +139,20 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
         result.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
                                 e.error_max, e.error_rms, e.energy, e.energy_error});
       point.error = row.error_max;
-      point.rounding = judge.rounding(row.steps);
-      at_floor = point.error <= point.rounding ? at_floor + 1 : 0;
+      point.rounding_unit = judge.rounding_unit();
+      point.floor = pair.c->truth.floor;
+      point.steps = static_cast<double>(row.steps);
+      at_floor = point.error <= point.typical_rounding() ? at_floor + 1 : 0;
     }
     points.push_back(point);
     result.rows.push_back(std::move(row));
     // Rounding alone is left to see: eight settings are on record, finer ones would only repeat it.
     if (at_floor >= 3 && result.rows.size() >= 8) break;
   }
-  // Adaptive steps vary along a run, so that the mean step is a looser yardstick.
-  constexpr double fixed_tolerance = 0.15, adaptive_tolerance = 0.5;
-  result.order.fit = fit_order(points, pair.entrant->info.order,
-                               pair.mode == Mode::fixed ? fixed_tolerance : adaptive_tolerance);
+  const double claimed = pair.entrant->info.order;
+  result.order.fit =
+      fit_order(points, claimed,
+                pair.mode == Mode::fixed ? fixed_step_tolerance : adaptive_tolerance(claimed));
   if (result.order.fit.verdict == Verdict::failed)
     result.order.fit.reason += ": " + result.rows.back().status + ", " + result.rows.back().detail;
   return result;
@@ -245,8 +247,12 @@ std::vector<Pair> select_pairs(const ConvergenceOptions& options) {
     if (!any_glob_matches(options.cases, c.id)) continue;
     for (const Entrant& entrant : c.entrants) {
       if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
-      if (entrant.info.fixed) pairs.push_back({&c, &entrant, Mode::fixed});
-      if (entrant.info.adaptive) pairs.push_back({&c, &entrant, Mode::adaptive});
+      for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
+        const bool offered = mode == Mode::fixed ? entrant.info.fixed : entrant.info.adaptive;
+        const bool wanted =
+            options.modes.empty() || std::count(options.modes.begin(), options.modes.end(), mode);
+        if (offered && wanted) pairs.push_back({&c, &entrant, mode});
+      }
     }
   }
   return pairs;

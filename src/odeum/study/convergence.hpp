@@ -51,6 +51,7 @@ struct ConvergenceResult {
 struct ConvergenceOptions {
   std::vector<std::string> cases;    ///< globs on case ids; empty: all
   std::vector<std::string> solvers;  ///< globs on library/method; empty: all
+  std::vector<Mode> modes;           ///< empty: both
   bool quick = false;                ///< fewer step sizes
   unsigned jobs = 1;
 };

@@ -49,9 +49,6 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
   return errors;
 }
 
-double Judge::rounding(std::uint64_t steps) const {
-  return std::numeric_limits<double>::epsilon() / 2 * scale_ * (8 + static_cast<double>(steps)) +
-         case_.truth.floor;
-}
+double Judge::rounding_unit() const { return std::numeric_limits<double>::epsilon() / 2 * scale_; }
 
 }  // namespace odeum::study

@@ -24,10 +24,8 @@ class Judge {
   /// One entry a stop; the outcome must have reached all of them.
   std::vector<StopError> errors(const Outcome& outcome) const;
 
-  /// What rounding may do to an error over that many steps (half a unit a step, all in one
-  /// direction, on numbers of the size of the largest measured component), and what the truth
-  /// leaves open.
-  double rounding(std::uint64_t steps) const;
+  /// Half a unit in the last place of the largest component measured.
+  double rounding_unit() const;
 
  private:
   const Case& case_;

@@ -51,27 +51,29 @@ double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
   return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
 }
 
-/// The asymptotic window within usable points: it ends as fine as can be and reaches as far to the
-/// coarse side as every local slope stays within `settled` of their mean.
+/// The asymptotic window within usable points.
 struct Window {
   std::size_t first = 0, count = 0;
 };
 
-Window find_window(const std::vector<ErrorPoint>& points, double settled) {
+// The four finest points whose local slopes agree, then coarser ones as long as their slopes agree
+// with those four. High orders settle later, so their slopes may differ by more among the four.
+Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
+  const double among_finest = settled * std::max(1.0, claimed_order / 2);
   for (std::size_t end = points.size(); end >= fewest_points; --end) {
-    Window best;
+    std::size_t first = end - fewest_points;
     double sum = 0, low = 1e300, high = -1e300;
-    for (std::size_t first = end - 1; first-- > 0;) {
-      const double slope = local_slope(points[first], points[first + 1]);
+    for (std::size_t i = first; i + 1 < end; ++i) {
+      const double slope = local_slope(points[i], points[i + 1]);
       sum += slope;
       low = std::min(low, slope);
       high = std::max(high, slope);
-      const std::size_t count = end - first;
-      const double mean = sum / static_cast<double>(count - 1);
-      if (high - mean > settled || mean - low > settled) break;
-      if (count >= fewest_points) best = {first, count};
     }
-    if (best.count) return best;
+    const double mean = sum / static_cast<double>(fewest_points - 1);
+    if (high - mean > among_finest || mean - low > among_finest) continue;
+    while (first > 0 && std::abs(local_slope(points[first - 1], points[first]) - mean) <= settled)
+      --first;
+    return {first, end - first};
   }
   return {};
 }
@@ -83,6 +85,10 @@ OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
 }
 
 }  // namespace
+
+double ErrorPoint::typical_rounding() const {
+  return rounding_unit * (8 + std::sqrt(steps)) + floor;
+}
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {
@@ -104,25 +110,31 @@ const char* to_string(Verdict verdict) {
   return "undetermined";
 }
 
-OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order, double tolerance) {
+OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
+                   const FitTolerance& tolerance) {
   OrderFit fit;
   std::vector<ErrorPoint> solved;
   for (const ErrorPoint& point : points)
     if (std::isfinite(point.error)) solved.push_back(point);
   if (solved.empty()) return conclude(fit, Verdict::failed, "no step size could be solved");
 
-  const auto at_rounding = [](const ErrorPoint& p) { return p.error <= p.rounding; };
-  if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), at_rounding)) {
+  // A method that is exact on the case shows rounding only, which may grow with every step, and
+  // for recurrences of second differences with its square.
+  const auto rounding_only = [](const ErrorPoint& p) {
+    return p.error <= p.rounding_bound() * std::max(1.0, p.steps);
+  };
+  if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), rounding_only)) {
     double largest = 0;
     for (const ErrorPoint& p : solved) largest = std::max(largest, p.error);
     return conclude(fit, Verdict::higher,
-                    fmt::format("exact to rounding at every step: errors up to {:.1e}", largest));
+                    fmt::format("exact but for rounding: errors up to {:.1e}", largest));
   }
 
   // The fine end: points that rounding may have a part in, then points that no longer fall. An
   // error that stops falling well above rounding is a finding, not an end of the window.
   std::vector<ErrorPoint> usable = solved;
-  while (!usable.empty() && usable.back().error <= clear_of_rounding * usable.back().rounding)
+  while (!usable.empty() &&
+         usable.back().error <= clear_of_rounding * usable.back().typical_rounding())
     usable.pop_back();
   const auto stagnates = [&] {
     const std::size_t n = usable.size();
@@ -136,9 +148,8 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order, 
     usable.pop_back();
   }
 
-  // Local slopes of high orders move more before they settle.
-  const double settled = 0.05 * std::max(2.0, std::isnan(claimed_order) ? 2.0 : claimed_order);
-  const Window window = find_window(usable, settled);
+  const Window window =
+      find_window(usable, std::isnan(claimed_order) ? 1 : claimed_order, tolerance.settled);
   if (window.count) {
     const ErrorPoint* const first = usable.data() + window.first;
     const Line line = fit_line(first, window.count);
@@ -168,7 +179,7 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order, 
                     fmt::format("local slopes do not settle: {:.2f} at the finest steps",
                                 local_slope(usable[usable.size() - 2], usable.back())));
   }
-  if (std::abs(fit.order - claimed_order) <= tolerance)
+  if (std::abs(fit.order - claimed_order) <= tolerance.order)
     return conclude(fit, Verdict::confirmed, "");
   return conclude(
       fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,

@@ -15,8 +15,15 @@ const char* to_string(Verdict verdict);
 /// An error measured at a step size.
 struct ErrorPoint {
   double step = 0;
-  double error = 0;     ///< NaN where the solve failed
-  double rounding = 0;  ///< error that rounding or the truth may account for at this step
+  double error = 0;          ///< NaN where the solve failed
+  double steps = 0;          ///< how many steps were taken
+  double rounding_unit = 0;  ///< half a unit in the last place of the largest number measured
+  double floor = 0;          ///< error that the truth itself leaves open
+
+  /// What rounding comes to if every step rounds the same way.
+  double rounding_bound() const { return rounding_unit * (8 + steps) + floor; }
+  /// What it comes to if they round at random.
+  double typical_rounding() const;
 };
 
 /// A measured order: the slope of log error against log step over the asymptotic window.
@@ -31,12 +38,25 @@ struct OrderFit {
   double floor = nan;  ///< smallest error seen where convergence stops; NaN where it does not
 };
 
+/// How far from the claim a slope may lie to confirm it, and how far the local slopes of a window
+/// may stray from each other.
+struct FitTolerance {
+  double order;
+  double settled;
+};
+/// Fixed steps: two neighbouring orders are told apart with room to spare.
+inline constexpr FitTolerance fixed_step_tolerance{.order = 0.15, .settled = 0.1};
+/// Adaptive runs: the steps vary along the run and with the tolerance, so that the mean step is a
+/// loose yardstick; whole orders are still told apart.
+inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
+  return {.order = claimed_order > 3 ? 0.15 * claimed_order : 0.5, .settled = 1.5};
+}
+
 /// Fits the order of points sorted from coarse to fine. The window is found, never chosen by hand:
-/// its fine end is where errors meet `rounding` or stop falling, its coarse end where the local
-/// slopes settle. A verdict of confirmed needs at least four points in the window and the claimed
-/// order within `tolerance` of the slope. A claimed order of NaN gives not_applicable with the
-/// measured slope.
+/// its fine end is where errors meet rounding or stop falling, its coarse end where the local
+/// slopes settle. A verdict of confirmed needs at least four points in the window. A claimed order
+/// of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
-                   double tolerance = 0.15);
+                   const FitTolerance& tolerance = fixed_step_tolerance);
 
 }  // namespace odeum::study

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sundials/arkode.hpp"
+
+#include <arkode/arkode_arkstep.h>
+
+#include <cctype>
+#include <utility>
+
+namespace odeum::adapters::sundials {
+namespace {
+
+template <class Id>
+using Names = std::vector<std::pair<Id, const char*>>;
+
+/// Reads the orders off the tables themselves.
+template <class Id>
+std::vector<BuiltInTable<Id>> load(const Names<Id>& names, ARKodeButcherTable (*load_table)(Id)) {
+  std::vector<BuiltInTable<Id>> tables;
+  for (const auto& [id, name] : names) {
+    const ButcherTable table(load_table(id));
+    if (!table) continue;
+    std::string method = name;
+    for (char& c : method) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    tables.push_back({id, name, method, table->q, table->d ? table->p : 0});
+  }
+  return tables;
+}
+
+#define ODEUM_TABLE(name) \
+  { ARKODE_##name, #name }
+
+}  // namespace
+
+// The library has no function from an id to its name, so the names are listed; a test compares the
+// lists with the ranges of the enumerations.
+const std::vector<ExplicitTable>& explicit_tables() {
+  static const std::vector<ExplicitTable> tables = load(
+      Names<ARKODE_ERKTableID>{ODEUM_TABLE(HEUN_EULER_2_1_2), ODEUM_TABLE(BOGACKI_SHAMPINE_4_2_3),
+                               ODEUM_TABLE(ARK324L2SA_ERK_4_2_3), ODEUM_TABLE(ZONNEVELD_5_3_4),
+                               ODEUM_TABLE(ARK436L2SA_ERK_6_3_4), ODEUM_TABLE(SAYFY_ABURUB_6_3_4),
+                               ODEUM_TABLE(CASH_KARP_6_4_5), ODEUM_TABLE(FEHLBERG_6_4_5),
+                               ODEUM_TABLE(DORMAND_PRINCE_7_4_5), ODEUM_TABLE(ARK548L2SA_ERK_8_4_5),
+                               ODEUM_TABLE(VERNER_8_5_6), ODEUM_TABLE(FEHLBERG_13_7_8),
+                               ODEUM_TABLE(KNOTH_WOLKE_3_3), ODEUM_TABLE(ARK437L2SA_ERK_7_3_4),
+                               ODEUM_TABLE(ARK548L2SAb_ERK_8_4_5)},
+      ARKodeButcherTable_LoadERK);
+  return tables;
+}
+
+const std::vector<ImplicitTable>& implicit_tables() {
+  static const std::vector<ImplicitTable> tables =
+      load(Names<ARKODE_DIRKTableID>{ODEUM_TABLE(SDIRK_2_1_2),
+                                     ODEUM_TABLE(BILLINGTON_3_3_2),
+                                     ODEUM_TABLE(TRBDF2_3_3_2),
+                                     ODEUM_TABLE(KVAERNO_4_2_3),
+                                     ODEUM_TABLE(ARK324L2SA_DIRK_4_2_3),
+                                     ODEUM_TABLE(CASH_5_2_4),
+                                     ODEUM_TABLE(CASH_5_3_4),
+                                     ODEUM_TABLE(SDIRK_5_3_4),
+                                     ODEUM_TABLE(KVAERNO_5_3_4),
+                                     ODEUM_TABLE(ARK436L2SA_DIRK_6_3_4),
+                                     ODEUM_TABLE(KVAERNO_7_4_5),
+                                     ODEUM_TABLE(ARK548L2SA_DIRK_8_4_5),
+                                     ODEUM_TABLE(ARK437L2SA_DIRK_7_3_4),
+                                     ODEUM_TABLE(ARK548L2SAb_DIRK_8_4_5),
+                                     ODEUM_TABLE(ESDIRK324L2SA_4_2_3),
+                                     ODEUM_TABLE(ESDIRK325L2SA_5_2_3),
+                                     ODEUM_TABLE(ESDIRK32I5L2SA_5_2_3),
+                                     ODEUM_TABLE(ESDIRK436L2SA_6_3_4),
+                                     ODEUM_TABLE(ESDIRK43I6L2SA_6_3_4),
+                                     ODEUM_TABLE(QESDIRK436L2SA_6_3_4),
+                                     ODEUM_TABLE(ESDIRK437L2SA_7_3_4),
+                                     ODEUM_TABLE(ESDIRK547L2SA_7_4_5),
+                                     ODEUM_TABLE(ESDIRK547L2SA2_7_4_5)},
+           ARKodeButcherTable_LoadDIRK);
+  return tables;
+}
+
+void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part) {
+  session.adopt(
+      ARKStepCreate(explicit_part, implicit_part, session.t0(), session.y(), session.context()));
+  // Every stop is a step's end, so nothing is interpolated: this interpolant, of the lowest degree,
+  // spares the evaluation a step that the default one would take.
+  void* const arkstep = session.integrator();
+  check(ARKStepSetInterpolantType(arkstep, ARK_INTERP_LAGRANGE), "setting the interpolant");
+  check(ARKStepSetInterpolantDegree(arkstep, 1), "setting the interpolant's degree");
+}
+
+SolverInfo describe_table(std::string method, const char* family, int order, int order_embedded,
+                          std::string source) {
+  SolverInfo info;
+  info.library = "arkode";
+  info.method = std::move(method);
+  info.family = family;
+  info.order = order;
+  info.adaptive = order_embedded != 0;
+  if (info.adaptive) info.controller = "embedded pair, the library's default (PID) controller";
+  info.source = std::move(source);
+  return info;
+}
+
+}  // namespace odeum::adapters::sundials

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cvode/cvode.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <utility>
+
+#include "sundials/cvode.hpp"
+#include "sundials/newton.hpp"
+
+namespace odeum::adapters::sundials {
+
+void create_cvode(Session& session, int family) {
+  session.adopt(CVodeCreate(family, session.context()));
+  check(CVodeInit(session.integrator(), Session::rhs, session.t0(), session.y()), "CVodeInit");
+  if (family == CV_BDF) {
+    attach_linear_solver(session);
+  } else {
+    NonlinearSolver solver(SUNNonlinSol_FixedPoint(session.y(), 0, session.context()));
+    if (!solver) throw Failure{CV_MEM_FAIL, "creating the fixed-point iteration"};
+    check(CVodeSetNonlinearSolver(session.integrator(), solver.get()),
+          "attaching the fixed-point iteration");
+    session.keep(std::move(solver));
+  }
+}
+
+std::vector<Method> cvode_methods() {
+  const auto method = [](int family, const char* name, const char* solves, const char* orders) {
+    SolverInfo info;
+    info.library = "cvode";
+    info.method = name;
+    info.family = "multistep";
+    info.fixed = false;
+    info.adaptive = true;
+    info.controller = "variable order and step, local error test";
+    info.source =
+        std::string("CVODE user guide, mathematical considerations: ") + orders + ", " + solves;
+    return Method{std::move(info), &cvode_module,
+                  [family](Session& session) { create_cvode(session, family); }};
+  };
+  return {method(CV_ADAMS, "adams", "fixed-point iteration", "Adams-Moulton of orders 1 to 12"),
+          method(CV_BDF, "bdf", "Newton iteration",
+                 "backward differentiation of orders 1 to 5, fixed leading coefficient")};
+}
+
+}  // namespace odeum::adapters::sundials

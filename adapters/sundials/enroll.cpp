@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sundials/enroll.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "sundials/session.hpp"
+
+namespace odeum::adapters::sundials {
+namespace {
+
+const std::vector<Method>& all_methods() {
+  static const std::vector<Method> all = [] {
+    std::vector<Method> list;
+    for (const auto part :
+         {cvode_methods, cvode_held_methods, arkode_explicit_methods, arkode_implicit_methods}) {
+      std::vector<Method> more = part();
+      std::move(more.begin(), more.end(), std::back_inserter(list));
+    }
+    return list;
+  }();
+  return all;
+}
+
+}  // namespace
+
+void enroll_erased(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+  for (const Method& method : all_methods())  // they live as long as the program
+    entrants.push_back(
+        {.info = method.info, .unfit = {}, .solve = [&method, contest](const Request& request) {
+           return solve(method, contest, request);
+         }});
+}
+
+}  // namespace odeum::adapters::sundials

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sundials/module.hpp"
+
+#include <arkode/arkode_arkstep.h>
+#include <arkode/arkode_erkstep.h>
+#include <cvode/cvode.h>
+#include <cvode/cvode_ls.h>
+
+#include <cstdlib>
+
+namespace odeum::adapters::sundials {
+
+const Module cvode_module{
+    .set_error_handler = CVodeSetErrHandlerFn,
+    .set_user_data = CVodeSetUserData,
+    .set_tolerances = CVodeSStolerances,
+    .set_max_steps = CVodeSetMaxNumSteps,
+    .set_min_step = CVodeSetMinStep,
+    .set_stop_time = CVodeSetStopTime,
+    .set_fixed_step = nullptr,
+    .evolve = CVode,
+    .current_time = CVodeGetCurrentTime,
+    .steps = CVodeGetNumSteps,
+    .error_test_failures = CVodeGetNumErrTestFails,
+    .solve_failures = CVodeGetNumStepSolveFails,
+    .flag_name = CVodeGetReturnFlagName,
+    .free = CVodeFree,
+    .set_nonlinear_solver = CVodeSetNonlinearSolver,
+    .set_linear_solver = CVodeSetLinearSolver,
+    .set_jacobian = CVodeSetJacFn,
+    .set_jacobian_times = CVodeSetJacTimes,
+    .set_convergence_coefficient = CVodeSetNonlinConvCoef,
+    .set_max_iterations = CVodeSetMaxNonlinIters,
+};
+
+const Module erkstep_module{
+    .set_error_handler = ERKStepSetErrHandlerFn,
+    .set_user_data = ERKStepSetUserData,
+    .set_tolerances = ERKStepSStolerances,
+    .set_max_steps = ERKStepSetMaxNumSteps,
+    .set_min_step = ERKStepSetMinStep,
+    .set_stop_time = ERKStepSetStopTime,
+    .set_fixed_step = ERKStepSetFixedStep,
+    .evolve = ERKStepEvolve,
+    .current_time = ERKStepGetCurrentTime,
+    .steps = ERKStepGetNumSteps,
+    .error_test_failures = ERKStepGetNumErrTestFails,
+    .solve_failures = nullptr,
+    .flag_name = ERKStepGetReturnFlagName,
+    .free = ERKStepFree,
+    .set_nonlinear_solver = nullptr,
+    .set_linear_solver = nullptr,
+    .set_jacobian = nullptr,
+    .set_jacobian_times = nullptr,
+    .set_convergence_coefficient = nullptr,
+    .set_max_iterations = nullptr,
+};
+
+const Module arkstep_module{
+    .set_error_handler = ARKStepSetErrHandlerFn,
+    .set_user_data = ARKStepSetUserData,
+    .set_tolerances = ARKStepSStolerances,
+    .set_max_steps = ARKStepSetMaxNumSteps,
+    .set_min_step = ARKStepSetMinStep,
+    .set_stop_time = ARKStepSetStopTime,
+    .set_fixed_step = ARKStepSetFixedStep,
+    .evolve = ARKStepEvolve,
+    .current_time = ARKStepGetCurrentTime,
+    .steps = ARKStepGetNumSteps,
+    .error_test_failures = ARKStepGetNumErrTestFails,
+    .solve_failures = ARKStepGetNumStepSolveFails,
+    .flag_name = ARKStepGetReturnFlagName,
+    .free = ARKStepFree,
+    .set_nonlinear_solver = ARKStepSetNonlinearSolver,
+    .set_linear_solver = ARKStepSetLinearSolver,
+    .set_jacobian = ARKStepSetJacFn,
+    .set_jacobian_times = ARKStepSetJacTimes,
+    .set_convergence_coefficient = ARKStepSetNonlinConvCoef,
+    .set_max_iterations = ARKStepSetMaxNonlinIters,
+};
+
+// CVODE and ARKODE agree on the flags down to -11; beyond, each uses numbers that the other does
+// not use for anything that can happen here (no mass matrix, no projection, no roots).
+Status status_of(int flag) {
+  switch (flag) {
+    case CV_TOO_MUCH_WORK:
+      return Status::over_budget;
+    case CV_ERR_FAILURE:
+      return Status::step_too_small;
+    case CV_CONV_FAILURE:
+    case CV_LINIT_FAIL:
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL:
+    case CV_NLS_INIT_FAIL:
+    case CV_NLS_SETUP_FAIL:
+    case CV_NLS_FAIL:
+    case ARK_NLS_INIT_FAIL:
+    case ARK_NLS_SETUP_FAIL:
+    case ARK_NLS_SETUP_RECVR:
+    case ARK_NLS_OP_ERR:
+      return Status::newton_failed;
+    case CV_RHSFUNC_FAIL:
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_UNREC_RHSFUNC_ERR:
+      return Status::non_finite;  // our right-hand side fails for that reason, or over budget
+    default:
+      return Status::refused;
+  }
+}
+
+std::string name_of(const Module& module, int flag) {
+  char* text = module.flag_name(flag);
+  if (text == nullptr) return "flag " + std::to_string(flag);
+  std::string name = text;
+  std::free(text);
+  return name;
+}
+
+}  // namespace odeum::adapters::sundials

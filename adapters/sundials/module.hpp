@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
+#include <sundials/sundials_nvector.h>
+
+#include <string>
+
+#include "odeum/harness/outcome.hpp"
+
+/// CVODE, ERKStep and ARKStep have one interface under three prefixes. A Module is that interface
+/// as a table, so that everything which does not differ is written once.
+namespace odeum::adapters::sundials {
+
+struct Module {
+  using ErrorHandler = void (*)(int code, const char* module, const char* function, char* message,
+                                void* data);
+  using Jacobian = int (*)(double t, N_Vector y, N_Vector f, SUNMatrix jacobian, void* data,
+                           N_Vector, N_Vector, N_Vector);
+  using JacobianTimesSetup = int (*)(double t, N_Vector y, N_Vector f, void* data);
+  using JacobianTimes = int (*)(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector f,
+                                void* data, N_Vector);
+
+  int (*set_error_handler)(void*, ErrorHandler, void* data);
+  int (*set_user_data)(void*, void* data);
+  int (*set_tolerances)(void*, double relative, double absolute);
+  int (*set_max_steps)(void*, long steps);
+  int (*set_min_step)(void*, double h);
+  int (*set_stop_time)(void*, double t);
+  int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed step
+  int (*evolve)(void*, double t_out, N_Vector y, double* t, int task);
+  int (*current_time)(void*, double* t);
+  int (*steps)(void*, long*);
+  int (*error_test_failures)(void*, long*);
+  int (*solve_failures)(void*, long*);  ///< null: there is nothing to be solved
+  char* (*flag_name)(long flag);
+  void (*free)(void**);
+
+  // Null where there is nothing to be solved.
+  int (*set_nonlinear_solver)(void*, SUNNonlinearSolver);
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
+  int (*set_jacobian)(void*, Jacobian);
+  int (*set_jacobian_times)(void*, JacobianTimesSetup, JacobianTimes);
+  int (*set_convergence_coefficient)(void*, double);
+  int (*set_max_iterations)(void*, int);
+};
+
+extern const Module cvode_module, erkstep_module, arkstep_module;
+
+/// A call of the library that did not succeed; never leaves the adapter.
+struct Failure {
+  int flag;
+  const char* what;  ///< what was being done
+};
+
+/// Throws Failure where the flag says that a set-up call did not succeed.
+inline void check(int flag, const char* what) {
+  if (flag < 0) throw Failure{flag, what};
+}
+
+/// The outcome's status for a failure flag of any of the modules.
+Status status_of(int flag);
+
+/// The library's own name of a flag, such as CV_ERR_FAILURE.
+std::string name_of(const Module& module, int flag);
+
+}  // namespace odeum::adapters::sundials

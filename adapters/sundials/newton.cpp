@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sundials/newton.hpp"
+
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <utility>
+
+namespace odeum::adapters::sundials {
+namespace {
+
+// The problem's Jacobian is row-major, the library's matrix column-major.
+int dense_jacobian(double t, N_Vector y, N_Vector, SUNMatrix jacobian, void* data, N_Vector,
+                   N_Vector, N_Vector) {
+  auto& session = *static_cast<Session*>(data);
+  const std::size_t n = session.dimension();
+  double* const columns = SUNDenseMatrix_Data(jacobian);
+  if (session.problem().jacobian(t, NV_DATA_S(y), columns) != 0) return -1;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) std::swap(columns[i * n + j], columns[j * n + i]);
+  return 0;
+}
+
+int jacobian_times(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector, void* data,
+                   N_Vector) {
+  auto& session = *static_cast<Session*>(data);
+  return -session.problem().jacobian_times(t, NV_DATA_S(y), NV_DATA_S(x), NV_DATA_S(product));
+}
+
+bool dense(const Session& session) { return session.dimension() <= dense_dimension_limit; }
+
+}  // namespace
+
+void attach_linear_solver(Session& session) {
+  const Module& module = session.module();
+  const OdeView& view = session.problem().view();
+  Matrix matrix;
+  LinearSolver solver;
+  if (dense(session)) {
+    const auto n = static_cast<sunindextype>(session.dimension());
+    matrix.reset(SUNDenseMatrix(n, n, session.context()));
+    solver.reset(SUNLinSol_Dense(session.y(), matrix.get(), session.context()));
+  } else {
+    // Room for 60 directions: the default, 5, is meant for use with a preconditioner.
+    constexpr int directions = 60, restarts = 2;
+    solver.reset(SUNLinSol_SPGMR(session.y(), SUN_PREC_NONE, directions, session.context()));
+    if (solver) SUNLinSol_SPGMRSetMaxRestarts(solver.get(), restarts);
+  }
+  if (!solver) throw Failure{CV_MEM_FAIL, "creating the linear solver"};
+  void* const integrator = session.integrator();
+  check(module.set_linear_solver(integrator, solver.get(), matrix.get()),
+        "attaching the linear solver");
+  if (dense(session) && view.jacobian)
+    check(module.set_jacobian(integrator, dense_jacobian), "setting the Jacobian");
+  if (!dense(session) && view.jacobian_times)
+    check(module.set_jacobian_times(integrator, nullptr, jacobian_times),
+          "setting the Jacobian-vector product");
+  session.keep(std::move(solver), std::move(matrix));
+}
+
+double exact_solve_tolerance(const Session& session) {
+  // Fifty units of rounding for the dense solver. An iterative one is asked for residuals another
+  // two hundred times smaller than this, which must stay above rounding.
+  return dense(session) ? 1e-14 : 1e-11;
+}
+
+}  // namespace odeum::adapters::sundials

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sundials/session.hpp"
+
+#include <cvode/cvode.h>
+#include <fmt/format.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace odeum::adapters::sundials {
+namespace {
+
+// One context a thread: the library allows no sharing between threads, and making one for each
+// solve would cost as much as a short solve does.
+SUNContext context_of_this_thread() {
+  struct Context {
+    SUNContext handle = nullptr;
+    Context() { check(SUNContext_Create(nullptr, &handle), "creating the context"); }
+    ~Context() { SUNContext_Free(&handle); }
+  };
+  thread_local Context context;
+  return context.handle;
+}
+
+}  // namespace
+
+Session::Session(const Module& module, const ErasedContest& contest, const Request& request)
+    : module_(module),
+      request_(request),
+      t0_(contest.t0),
+      t_(contest.t0),
+      problem_(contest.view, request.budget),
+      state_(*contest.y0),
+      context_(context_of_this_thread()),
+      y_(N_VMake_Serial(static_cast<sunindextype>(state_.size()), state_.data(), context_)) {
+  if (!y_) throw Failure{CV_MEM_FAIL, "making the state vector"};
+}
+
+Session::~Session() {
+  if (integrator_) module_.free(&integrator_);
+}
+
+void Session::adopt(void* integrator) {
+  if (!integrator) throw Failure{CV_MEM_FAIL, "creating the integrator"};
+  integrator_ = integrator;
+  check(module_.set_error_handler(integrator_, hear, this), "setting the error handler");
+  check(module_.set_user_data(integrator_, this), "setting the user data");
+}
+
+void Session::keep(LinearSolver solver, Matrix matrix) {
+  linear_solver_ = std::move(solver);
+  matrix_ = std::move(matrix);
+}
+
+void Session::keep(NonlinearSolver solver) { nonlinear_solver_ = std::move(solver); }
+
+int Session::rhs(double t, N_Vector y, N_Vector dydt, void* data) {
+  auto& session = *static_cast<Session*>(data);
+  return -session.problem_.rhs(t, NV_DATA_S(y), NV_DATA_S(dydt));
+}
+
+void Session::hear(int code, const char*, const char*, char* message, void* data) {
+  if (code < 0) static_cast<Session*>(data)->message_ = message;
+}
+
+void Session::run(Outcome& outcome) {
+  // Steps are bounded by the guard's budget; the library's own limit (500) is switched off.
+  check(module_.set_max_steps(integrator_, -1), "lifting the limit of steps");
+  if (fixed_step())
+    run_fixed(outcome);
+  else
+    run_adaptive(outcome);
+}
+
+void Session::run_fixed(Outcome& outcome) {
+  const FixedGrid grid(t0_, request_);
+  if (module_.set_fixed_step)
+    check(module_.set_fixed_step(integrator_, grid.h()), "setting the fixed step");
+  // Beyond the end by half a step, so that the last step is one like the others: a step that ends
+  // at the stop time is shortened by rounding, and its state comes from an interpolant, which at
+  // order 1 is not the step's (reports/findings/sundials.md).
+  const double stop_time = t_end() + grid.h() / 2;
+  check(module_.set_stop_time(integrator_, stop_time), "setting the stop time");
+  std::uint64_t i = 0;
+  for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
+    for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
+      check(module_.evolve(integrator_, stop_time, y_.get(), &t_, CV_ONE_STEP), "stepping");
+      // The library adds up its own time, with rounding errors; any other step is not ours.
+      if (std::abs(t_ - grid.t(i + 1)) > 1e-3 * grid.h())
+        throw Failure{CV_ILL_INPUT, "stepping, which did not end on the grid"};
+    }
+    outcome.record(request_.stops[stop], state_.data(), state_.size());
+  }
+}
+
+void Session::run_adaptive(Outcome& outcome) {
+  check(module_.set_tolerances(integrator_, request_.tolerance, request_.tolerance),
+        "setting the tolerances");
+  // Where t + h rounds to t the library only warns, and goes on; a least step makes that an error.
+  const double t_largest = std::max(std::abs(t0_), std::abs(t_end()));
+  check(module_.set_min_step(integrator_, 4 * std::numeric_limits<double>::epsilon() * t_largest),
+        "setting the least step");
+  for (const double stop : request_.stops) {
+    check(module_.set_stop_time(integrator_, stop), "setting the stop time");
+    check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
+    outcome.record(t_, state_.data(), state_.size());
+  }
+}
+
+void Session::explain(const Failure& failure, Outcome& outcome) {
+  if (integrator_) module_.current_time(integrator_, &t_);  // not every failure returns it
+  outcome.status = status_of(failure.flag);
+  outcome.t = t_;
+  outcome.detail =
+      fmt::format("{} when {} (t = {})", name_of(module_, failure.flag), failure.what, t_);
+  if (!message_.empty()) outcome.detail += ": " + message_;
+}
+
+Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
+  Outcome outcome;
+  if (request.mode == Mode::fixed ? !method.info.fixed : !method.info.adaptive) {
+    outcome.status = Status::refused;
+    outcome.detail = request.mode == Mode::fixed ? "chooses its own steps: runs to a tolerance only"
+                                                 : "runs at a fixed step only";
+    return outcome;
+  }
+  try {
+    Session session(*method.module, contest, request);
+    try {
+      method.build(session);
+      session.run(outcome);
+    } catch (const Failure& failure) {
+      session.explain(failure, outcome);
+    }
+    if (session.integrator()) {
+      long steps = 0, error_failures = 0, solve_failures = 0;
+      method.module->steps(session.integrator(), &steps);
+      method.module->error_test_failures(session.integrator(), &error_failures);
+      if (method.module->solve_failures)
+        method.module->solve_failures(session.integrator(), &solve_failures);
+      outcome.counters.steps = static_cast<std::uint64_t>(steps);
+      outcome.counters.rejected_steps = static_cast<std::uint64_t>(error_failures + solve_failures);
+    }
+    session.problem().guard().conclude(request, outcome);
+  } catch (const Failure& failure) {  // not even a session
+    outcome.status = status_of(failure.flag);
+    outcome.detail = fmt::format("{} when {}", name_of(*method.module, failure.flag), failure.what);
+  }
+  return outcome;
+}
+
+}  // namespace odeum::adapters::sundials

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/harness/guard.hpp"
+#include "odeum/harness/solver.hpp"
+#include "sundials/handles.hpp"
+#include "sundials/module.hpp"
+
+namespace odeum::adapters::sundials {
+
+/// One solve: the guarded problem, its state as a vector of the library, and the integrator with
+/// all that it points to.
+class Session {
+ public:
+  Session(const Module& module, const ErasedContest& contest, const Request& request);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Takes over a new integrator; throws Failure where it is null.
+  void adopt(void* integrator);
+  /// Keeps a linear solver, and a matrix where it has one, alive as long as the integrator.
+  void keep(LinearSolver solver, Matrix matrix);
+  void keep(NonlinearSolver solver);
+
+  const Module& module() const { return module_; }
+  const Request& request() const { return request_; }
+  bool fixed_step() const { return request_.mode == Mode::fixed; }
+  double t0() const { return t0_; }
+  double t_end() const { return request_.stops.back(); }
+  N_Vector y() const { return y_.get(); }
+  SUNContext context() const { return context_; }
+  void* integrator() const { return integrator_; }
+  GuardedView& problem() { return problem_; }
+  std::size_t dimension() const { return state_.size(); }
+
+  /// From t0 to the last stop, as the request says; throws Failure.
+  void run(Outcome& outcome);
+  /// What happened, as an outcome's status and sentence.
+  void explain(const Failure& failure, Outcome& outcome);
+
+  /// The right-hand side as the library calls it; `data` is the session. Fails for good once the
+  /// guard has tripped: no smaller step can help.
+  static int rhs(double t, N_Vector y, N_Vector dydt, void* data);
+
+ private:
+  static void hear(int code, const char* module, const char* function, char* message, void* data);
+  void run_fixed(Outcome& outcome);
+  void run_adaptive(Outcome& outcome);
+
+  const Module& module_;
+  const Request& request_;
+  double t0_;
+  double t_;
+  GuardedView problem_;
+  std::vector<double> state_;
+  SUNContext context_;
+  Vector y_;
+  Matrix matrix_;
+  LinearSolver linear_solver_;
+  NonlinearSolver nonlinear_solver_;
+  void* integrator_ = nullptr;
+  std::string message_;  ///< the library's last error message, which would else go to stderr
+};
+
+/// A solver of the library.
+struct Method {
+  SolverInfo info;
+  const Module* module;
+  /// Creates the integrator of a session and sets it up; tolerances, steps and stop times of the
+  /// request are set afterwards. Throws Failure.
+  std::function<void(Session&)> build;
+};
+
+Outcome solve(const Method& method, const ErasedContest& contest, const Request& request);
+
+/// The solvers, by file.
+std::vector<Method> cvode_methods();
+std::vector<Method> cvode_held_methods();
+std::vector<Method> arkode_explicit_methods();
+std::vector<Method> arkode_implicit_methods();
+
+}  // namespace odeum::adapters::sundials
