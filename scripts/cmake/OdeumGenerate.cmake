@@ -97,6 +97,62 @@ ${body}  throw std::runtime_error(\"no reference \" + std::string(name));
 ")
 endfunction()
 
+# Writes a text as it is, only when it changes. (odeum_write would replace @...@ within it.)
+function(odeum_write_verbatim path text)
+  set(old "")
+  if(EXISTS ${path})
+    file(READ ${path} old)
+  endif()
+  if(NOT old STREQUAL text)
+    file(WRITE ${path} "${text}")
+  endif()
+endfunction()
+
+# odeum_texts.cpp: what the report page is made of besides data (its style sheet, the findings:
+# reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
+function(odeum_generate_texts)
+  file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/findings/*.md)
+  list(PREPEND findings ${PROJECT_SOURCE_DIR}/reports/findings.md)
+  set(style ${PROJECT_SOURCE_DIR}/reports/viewer/page.css)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${findings} ${style})
+  set(body "#include \"odeum/report/texts.hpp\"\n\nnamespace odeum::report {\n")
+  file(READ ${style} text)
+  string(APPEND body "std::string_view page_style() { return R\"odeum-text(${text})odeum-text\"; }\n")
+  set(all "")
+  foreach(file IN LISTS findings)
+    file(READ ${file} text)
+    string(APPEND all "${text}\n")
+  endforeach()
+  string(APPEND body "std::string_view findings() { return R\"odeum-text(${all})odeum-text\"; }\n}\n")
+  odeum_write_verbatim(${ODEUM_GENERATED}/odeum_texts.cpp "${body}")
+endfunction()
+
+# odeum_build_info.hpp: what this build is made with. The revision is the one at configure time.
+function(odeum_generate_build_info)
+  set(revision "")
+  find_package(Git QUIET)
+  if(GIT_FOUND)
+    execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --dirty --abbrev=12
+                    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                    OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  endif()
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  get_directory_property(options COMPILE_OPTIONS)
+  list(JOIN options " " options)
+  string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
+  odeum_write_verbatim(${ODEUM_GENERATED}/odeum_build_info.hpp
+"#pragma once
+#include <string_view>
+namespace odeum::build {
+inline constexpr std::string_view version = \"${PROJECT_VERSION}\";
+inline constexpr std::string_view revision = \"${revision}\";  // empty: not known
+inline constexpr std::string_view compiler = \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";
+inline constexpr std::string_view type = \"${CMAKE_BUILD_TYPE}\";
+inline constexpr std::string_view flags = R\"(${flags})\";
+}
+")
+endfunction()
+
 # odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, and all_libraries().
 # A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and an enroll.hpp that declares
 #   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "odeum/report/html.hpp"
+#include "odeum/report/page_sections.hpp"
+#include "odeum/report/summary.hpp"
+
+namespace odeum::report {
+namespace {
+
+using study::ConvergenceRow;
+
+/// What all plots of a case share, so that they can be compared by eye.
+struct CaseAxes {
+  LogRange step, evaluations, error;
+};
+
+// Beyond a hundred times the initial state an error tells nothing but that the run went astray.
+bool worth_drawing(const CaseFacts& c, double error) {
+  return std::isfinite(error) && error > 0 && error <= 100 * c.scale;
+}
+
+CaseAxes axes_of(const ReportData& data, const CaseFacts& c) {
+  CaseAxes axes;
+  for (const ConvergenceRow& row : data.convergence.rows) {
+    if (row.case_id != c.id || !worth_drawing(c, row.error_max)) continue;
+    axes.error.include(row.error_max);
+    if (row.mode == Mode::fixed) axes.step.include(row.step);
+    axes.evaluations.include(static_cast<double>(row.counters.rhs_evaluations));
+  }
+  return axes;
+}
+
+using Abscissa = double (*)(const ConvergenceRow&);
+
+Curve curve_of(const PageContext& page, const CaseFacts& c, const Panel& panel, std::size_t style,
+               Mode mode, Abscissa abscissa) {
+  Curve curve{.style = style, .dashed = mode == Mode::adaptive, .points = {}};
+  for (const ConvergenceRow* row : page.lookup.rows(c.id, *panel.solvers[style], mode))
+    if (const double x = abscissa(*row); x > 0 && worth_drawing(c, row->error_max))
+      curve.points.emplace_back(x, row->error_max);
+  return curve;
+}
+
+std::vector<int> orders_in(const Panel& panel) {
+  std::set<int> orders;
+  for (const SolverInfo* solver : panel.solvers)
+    if (!std::isnan(solver->order)) orders.insert(static_cast<int>(std::lround(solver->order)));
+  return {orders.begin(), orders.end()};
+}
+
+std::string panel_figure(PageContext& page, const CaseFacts& c, const CaseAxes& axes,
+                         const Panel& panel) {
+  // Time is in seconds where there is mechanics; elsewhere in whatever the equation has.
+  const bool seconds = c.has_tag("mechanical");
+  LogPlot by_step{.x = axes.step.widened(1.2),
+                  .y = axes.error.widened(3),
+                  .x_label = seconds ? "step h [s]" : "step h [unit of t]",
+                  .y_label = "largest error",
+                  .curves = {},
+                  .slopes = orders_in(panel),
+                  .floor = c.truth_floor};
+  LogPlot by_cost{.x = axes.evaluations.widened(1.5),
+                  .y = by_step.y,
+                  .x_label = "evaluations of f",
+                  .y_label = "largest error",
+                  .curves = {},
+                  .slopes = {},
+                  .floor = c.truth_floor};
+  std::vector<bool> shown(panel.solvers.size());
+  for (std::size_t i = 0; i < panel.solvers.size(); ++i) {
+    const auto add = [&](LogPlot& plot, Mode mode, Abscissa abscissa) {
+      Curve curve = curve_of(page, c, panel, i, mode, abscissa);
+      if (curve.points.empty()) return;
+      plot.curves.push_back(std::move(curve));
+      shown[i] = true;
+    };
+    constexpr Abscissa step = [](const ConvergenceRow& row) { return row.step; };
+    constexpr Abscissa evaluations = [](const ConvergenceRow& row) {
+      return static_cast<double>(row.counters.rhs_evaluations);
+    };
+    add(by_step, Mode::fixed, step);
+    add(by_cost, Mode::fixed, evaluations);
+    add(by_cost, Mode::adaptive, evaluations);
+  }
+  if (by_step.curves.empty() && by_cost.curves.empty()) return {};
+  std::string plots;
+  for (const LogPlot* plot : {&by_step, &by_cost})
+    if (!plot->curves.empty())
+      plots += page.pictures.add(draw(*plot), fmt::format("{} against {}, {}", plot->y_label,
+                                                          plot->x_label, panel.library));
+  return fmt::format(
+      "<figure class=\"panel\"><figcaption><strong>{}</strong> {}</figcaption>"
+      "<div class=\"plots\">{}</div>{}</figure>\n",
+      escape(panel.library), escape(panel.contents), plots, legend(panel, shown));
+}
+
+std::string verdict_bar(const std::array<std::size_t, verdict_styles.size()>& counts) {
+  std::string bar, words;
+  for (const VerdictStyle& style : verdict_styles) {
+    const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
+    if (count == 0 || style.verdict == study::Verdict::not_applicable) continue;
+    const char* name = study::to_string(style.verdict);
+    bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", name, count);
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, name);
+  }
+  return fmt::format(
+      "<span class=\"bar\" aria-hidden=\"true\">{}</span><span class=\"dim\">{}</span>", bar,
+      words.empty() ? "not run" : words);
+}
+
+std::string order_row(const study::OrderRow& row) {
+  const study::OrderFit& fit = row.fit;
+  const auto fixed = [](double value) {
+    return std::isnan(value) ? std::string("–") : fmt::format("{:.2f}", value);
+  };
+  return fmt::format(
+      "<tr><th>{}/{}</th><td>{}</td><td>{}</td><td>{}</td><td>{} … {}</td><td>{} … "
+      "{}</td><td>{}</td>"
+      "<td>{}</td><td>{}</td><td class=\"reason\">{}</td></tr>\n",
+      escape(row.library), escape(row.solver), to_string(row.mode), show_number(row.claimed_order),
+      fixed(fit.order), fixed(fit.low), fixed(fit.high), show_number(fit.step_coarsest),
+      show_number(fit.step_finest), fit.points, show_number(fit.floor), verdict_chip(fit.verdict),
+      escape(fit.reason));
+}
+
+std::string case_details(PageContext& page, std::size_t index) {
+  const CaseFacts& c = page.data.cases[index];
+  std::array<std::size_t, verdict_styles.size()> counts{};
+  std::string orders;
+  for (const study::OrderRow& row : page.data.convergence.orders) {
+    if (row.case_id != c.id) continue;
+    ++counts[static_cast<std::size_t>(row.fit.verdict)];
+    if (row.fit.verdict != study::Verdict::not_applicable || !std::isnan(row.fit.order))
+      orders += order_row(row);
+  }
+  std::string figures;
+  const CaseAxes axes = axes_of(page.data, c);
+  if (!axes.error.empty())
+    for (const Panel& panel : page.panels) figures += panel_figure(page, c, axes, panel);
+  const std::string floor =
+      c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
+  return fmt::format(
+      "<details class=\"case\" id=\"{}\"{}><summary><strong>{}</strong> "
+      "<code>{}</code>{}</summary>\n"
+      "<dl class=\"facts\"><dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
+      "<dt>Truth</dt><dd>{}{}</dd></dl>\n<div class=\"panels\">\n{}</div>\n"
+      "<details><summary>Orders</summary><div class=\"wide\"><table class=\"numbers "
+      "orders\"><thead>"
+      "<tr><th>solver</th><th>mode</th><th>claimed</th><th>measured</th><th>95 % interval</th>"
+      "<th>window, h</th><th>points</th><th>floor</th><th>verdict</th><th>reason</th></tr></thead>"
+      "<tbody>\n{}</tbody></table></div></details>\n</details>\n",
+      case_anchor(index), index == 0 ? " open" : "", escape(c.title), escape(c.id),
+      verdict_bar(counts), escape(c.equation), escape(c.source), escape(c.truth), floor, figures,
+      orders);
+}
+
+}  // namespace
+
+std::string cases_section(PageContext& page) {
+  std::string html =
+      "<section id=\"cases\">\n<h2>Cases</h2>\n<p>Open a case for its equation, its plots and its "
+      "orders. Errors are absolute, the largest over all components and stops; those beyond a "
+      "hundred times the initial state are not drawn. Axes are the same throughout a case. Thin "
+      "lines show the slopes of the orders claimed; dashed curves are runs to a tolerance, plain "
+      "ones runs at a fixed step.</p>\n";
+  for (std::size_t i = 0; i < page.data.cases.size(); ++i) html += case_details(page, i);
+  return html + "</section>\n";
+}
+
+}  // namespace odeum::report

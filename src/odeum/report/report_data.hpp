@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "odeum/harness/case.hpp"
+#include "odeum/study/convergence.hpp"
+#include "odeum/study/stability.hpp"
+
+namespace odeum::report {
+
+/// What the page says about a case, apart from any result.
+struct CaseFacts {
+  std::string id, title, equation, source, truth;
+  double truth_floor = 0;  ///< absolute error below which the truth says nothing
+  double scale = 1;        ///< size of the initial state; an error of it is one of 100 %
+  std::vector<std::string> tags;
+
+  bool has_tag(const std::string& tag) const;
+};
+
+/// Everything that a report tells. Plain data, so that a test can make one up.
+struct ReportData {
+  study::ConvergenceResult convergence;
+  study::StabilityResult stability;
+
+  std::vector<CaseFacts> cases;
+  std::vector<SolverInfo> solvers;  ///< each once, in the order of enrolment
+  std::vector<LibraryInfo> libraries;
+
+  bool quick = false;
+  std::string command_line;
+  double seconds = 0;  ///< how long the studies took
+  std::chrono::system_clock::time_point finished = std::chrono::system_clock::now();
+};
+
+/// Fills cases, solvers and libraries from the project's own lists.
+void describe(ReportData& data, const std::vector<Case>& cases,
+              const std::vector<LibraryInfo>& libraries);
+
+/// The names of the libraries whose solvers take part, in the order of the solvers.
+std::vector<std::string> library_names(const ReportData& data);
+
+/// The version of the library that solvers named `library/...` come from; empty: not known, or
+/// ours.
+std::string library_version(const ReportData& data, const std::string& library);
+
+}  // namespace odeum::report

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string_view>
+
+namespace odeum::report {
+
+/// The page's style sheet, reports/viewer/page.css; built in.
+std::string_view page_style();
+
+/// reports/findings.md and what lies under reports/findings/*.md, one after the other; built in.
+std::string_view findings();
+
+}  // namespace odeum::report
