@@ -3,6 +3,7 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/study/convergence.hpp"
+#include "odeum_build_info.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -40,7 +41,7 @@ void add_converge(CLI::App& app, int& result) {
     const report::OutputFolder folder(options->out);
     report::Journal journal(
         folder, "converge",
-        fmt::format("{} {} {} {}", ODEUM_VERSION, options->study.quick,
+        fmt::format("{} {} {} {}", build::version, options->study.quick,
                     fmt::join(options->study.cases, " "), fmt::join(options->solvers, " ")),
         options->resume);
     const study::ConvergenceResult measured = study::converge(options->study, &journal);

@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
+#include "odeum_build_info.hpp"
 
 namespace odeum::cli {
 
 void add_doctor(CLI::App& app, int&) {
   app.add_subcommand("doctor", "libraries found, versions, compiler, flags")->callback([] {
-    std::string text = fmt::format("odeum      {}\ncompiler   {}\nflags      {}\n", ODEUM_VERSION,
-                                   ODEUM_COMPILER, ODEUM_FLAGS);
+    std::string text = fmt::format("odeum      {}\ncompiler   {}\nflags      {}\n", build::version,
+                                   build::compiler, build::flags);
     for (const LibraryInfo& info : all_libraries())
       text += fmt::format("{:<10} {}\n", info.name,
                           info.built

@@ -8,6 +8,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/harness/parallel.hpp"
 #include "odeum/report/output_folder.hpp"
+#include "odeum_build_info.hpp"
 
 namespace {
 
@@ -31,12 +32,14 @@ constexpr const char* introduction =
 
 int run(int argc, char** argv) {
   CLI::App app{"Odeum: a laboratory in which time integrators are compared honestly", "odeum"};
-  app.set_version_flag("--version", std::string("odeum ") + ODEUM_VERSION);
+  app.set_version_flag("--version", fmt::format("odeum {}", odeum::build::version));
   app.require_subcommand(0, 1);
   int result = success;
   add_list(app, result);
   add_run(app, result);
   add_converge(app, result);
+  add_stability(app, result);
+  add_report(app, result);
   add_doctor(app, result);
   try {
     app.parse(argc, argv);
