@@ -12,8 +12,8 @@
 namespace odeum::adapters::sundials {
 namespace {
 
-// One context a thread: the library allows no sharing between threads, and making one for each
-// solve would cost as much as a short solve does.
+// One context a thread: the library allows no sharing between threads, and short solves need not
+// pay for one each.
 SUNContext context_of_this_thread() {
   struct Context {
     SUNContext handle = nullptr;
