@@ -20,7 +20,7 @@ class ClassicEngine : public Engine {
       : world_(&parts_.dispatcher, &parts_.broadphase, &solver_, &parts_.configuration) {
     btSoftBodyWorldInfo& info = world_.getWorldInfo();
     info.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
-    info.m_maxDisplacement = beyond_reach;
+    info.m_maxDisplacement = no_displacement_limit;
     body_ = make_body(info, scene, state);
     world_.addSoftBody(body_.get());
   }

@@ -49,7 +49,7 @@ class DeformableEngine final : public Engine {
     contacts_.setDeformableSolver(&solver_);
     world_.setImplicit(implicit);
     world_.setUseProjection(true);  // the implicit solver is not meant to run without it
-    world_.getWorldInfo().m_maxDisplacement = beyond_reach;
+    world_.getWorldInfo().m_maxDisplacement = no_displacement_limit;
     if (const double rate = *medium_damping(scene); rate != 0) {
       const WithDampers dampers = with_dampers(scene, state, rate);
       build(dampers.scene, dampers.state);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "enroll.hpp"
 
-#include <BulletSoftBody/btSoftBody.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <exception>
 
 #include "engine.hpp"
 #include "expressible.hpp"
+#include "soft_body.hpp"
 
 namespace odeum::adapters::bullet {
 namespace {
@@ -47,11 +48,17 @@ const Method methods[] = {
      1, false, objection_of_deformable, make_deformable_implicit},
 };
 
-Outcome refused(std::string detail) {
+Outcome failed(Status status, std::string detail) {
   Outcome outcome;
-  outcome.status = Status::refused;
+  outcome.status = status;
   outcome.detail = std::move(detail);
   return outcome;
+}
+Outcome refused(std::string detail) { return failed(Status::refused, std::move(detail)); }
+
+std::string objection_to(const scene::Scene& scene, const Method& method) {
+  auto objection = objection_of_bodies(scene);
+  return objection.empty() ? method.objection(scene) : objection;
 }
 
 /// Entry e of [all positions, all velocities] of the scene's n particles. The body may have nodes
@@ -76,12 +83,15 @@ std::vector<double> initial_state(const scene::Scene& scene, const std::vector<d
 }
 
 /// Bullet neither reports a number that is not finite nor stops at one (a NaN in the deformable
-/// solver's change of velocity is even set to zero), so every step is looked at.
-bool finite(const btSoftBody& body) {
-  double sum = 0;  // NaN when any is not finite
+/// solver's change of velocity is even set to zero), so every step of h is looked at. Below the
+/// reach no clamp has acted.
+bool in_reach(const btSoftBody& body, double h) {
   for (int i = 0; i < body.m_nodes.size(); ++i)
-    for (int d = 0; d < 3; ++d) sum += body.m_nodes[i].m_x[d] * 0.0 + body.m_nodes[i].m_v[d] * 0.0;
-  return sum == 0.0;
+    for (int d = 0; d < 3; ++d)
+      if (!(std::abs(body.m_nodes[i].m_x[d]) < beyond_reach &&
+            std::abs(body.m_nodes[i].m_v[d]) * h < beyond_reach))
+        return false;
+  return true;
 }
 
 Outcome run(const Method& method, const ErasedContest& contest, const Request& request,
@@ -89,7 +99,8 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
   if (request.mode == Mode::adaptive)
     return refused("runs at a fixed step only: btDynamicsWorld::stepSimulation has no tolerance");
   const scene::Scene& scene = *contest.scene;
-  if (auto objection = method.objection(scene); !objection.empty())
+  if (!finite(scene)) return failed(Status::non_finite, "a number of the scene is not finite");
+  if (auto objection = objection_to(scene, method); !objection.empty())
     return refused(std::move(objection));
   const FixedGrid grid(contest.t0, request);
   if (request.steps == 0 || !grid.fits())
@@ -110,12 +121,11 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
         outcome.detail = fmt::format("Bullet ignores steps below SIMD_EPSILON, h = {}", grid.h());
         return outcome;
       }
-      if (!finite(engine->body())) {
+      if (!in_reach(engine->body(), grid.h())) {
         outcome.status = Status::non_finite;
         outcome.detail = fmt::format(
-            "a node of the btSoftBody is not finite after the step from "
-            "t = {}",
-            outcome.t);
+            "a node of the btSoftBody is not finite or beyond {} m after the step from t = {}",
+            beyond_reach, outcome.t);
         return outcome;
       }
     }
@@ -146,7 +156,7 @@ std::string unfit(const Method& method, const ErasedContest& contest) {
   const scene::Scene& scene = *contest.scene;
   const std::size_t entries = scene.select.empty() ? 6 * scene.size() : scene.select.size();
   if (entries != contest.view.dimension) return "needs a scene whose state maps onto the case's";
-  return method.objection(scene);
+  return objection_to(scene, method);
 }
 
 SolverInfo info_of(const Method& method) {

@@ -2,6 +2,7 @@
 #include "expressible.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -78,6 +79,33 @@ std::optional<double> anchored_damping(const Scene& scene) {
   return common.value_or(0);
 }
 
+bool finite(const Scene& scene) {
+  double sum = 0;  // NaN when any is not finite
+  const auto look = [&sum](const auto& values) {
+    for (const double value : values) sum += value * 0.0;
+  };
+  look(scene.gravity);
+  look(scene.velocity_matrix);
+  for (const Particle& particle : scene.particles) {
+    look(particle.position);
+    look(particle.velocity);
+    look(std::array{particle.mass});
+  }
+  for (const Spring& spring : scene.springs)
+    look(std::array{spring.stiffness, spring.damping, spring.rest_length});
+  return sum == 0.0;
+}
+
+std::string objection_of_bodies(const Scene& scene) {
+  for (const Particle& particle : scene.particles)
+    if (!particle.fixed && !(particle.mass > 0))
+      return "needs positive masses: Bullet takes any other for a fixed node";
+  for (const Spring& spring : scene.springs)
+    if (spring.a >= scene.size() || spring.b >= scene.size() || spring.a == spring.b)
+      return "needs springs between two of the scene's particles";
+  return {};
+}
+
 std::string objection_of_forces(const Scene&) { return {}; }
 
 std::string objection_of_links(const Scene& scene) {
@@ -102,11 +130,14 @@ std::string objection_of_deformable(const Scene& scene) {
              "btDeformableMassSpringForce holds";
   const auto damping = medium_damping(scene);
   if (!damping) return medium_sentence;
-  if (*damping != 0)
-    for (const Particle& particle : scene.particles)
-      if (!particle.fixed && particle.mass != scene.particles[0].mass)
-        return "needs equal masses: a medium is set up as one damper per particle, and "
-               "btDeformableMassSpringForce holds one damping";
+  const double* mass = nullptr;
+  for (const Particle& particle : scene.particles) {
+    if (particle.fixed || *damping == 0) continue;
+    if (mass && *mass != particle.mass)
+      return "needs equal masses: a medium is set up as one damper per particle, and "
+             "btDeformableMassSpringForce holds one damping";
+    mass = &particle.mass;
+  }
   return {};
 }
 

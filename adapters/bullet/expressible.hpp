@@ -19,7 +19,12 @@ std::optional<double> medium_damping(const scene::Scene& scene);
 /// joins free particles, or the rates differ.
 std::optional<double> anchored_damping(const scene::Scene& scene);
 
+/// Whether every number of the scene is finite. Bullet does not ask: a NaN damping, for one, leaves
+/// a deformable body undamped.
+bool finite(const scene::Scene& scene);
+
 /// Each returns, in a sentence, what the model lacks for this scene; empty where it lacks nothing.
+std::string objection_of_bodies(const scene::Scene& scene);  ///< any body at all
 std::string objection_of_forces(const scene::Scene& scene);
 std::string objection_of_links(const scene::Scene& scene);
 std::string objection_of_stock_links(const scene::Scene& scene);

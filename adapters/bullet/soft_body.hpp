@@ -5,6 +5,7 @@
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -12,11 +13,14 @@
 
 namespace odeum::adapters::bullet {
 
-/// A length (m) that no run reaches, squares of which still fit a double. Bullet clamps speeds by
-/// two lengths: a world's maximal displacement a step (1000 m as it comes), and for explicit
-/// deformable bodies the bounding box, which the margin (0.25 m) widens. Both are moved out of the
-/// way, since a clamp that binds is a different equation.
-inline constexpr double beyond_reach = 1e30;
+/// Bullet clamps speeds, which makes another equation where it binds. A world's clamp (1000 m a
+/// step as it comes) is switched off by this.
+inline constexpr double no_displacement_limit = std::numeric_limits<double>::infinity();
+
+/// The clamp of explicit deformable bodies, the diagonal of the bounding box a step, cannot be
+/// switched off: the margin (0.25 m as it comes) widens the box. This one (m) still has a square,
+/// and a run that gets there has diverged.
+inline constexpr double beyond_reach = 1e100;
 
 /// What every Bullet world asks for. Nothing collides here, so the pools are kept small: as they
 /// come they take megabytes, which Bullet clears at each creation.
