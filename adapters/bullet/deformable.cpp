@@ -65,10 +65,9 @@ class DeformableEngine final : public Engine {
   void build(const scene::Scene& scene, const std::vector<double>& state) {
     body_ = make_body(world_.getWorldInfo(), scene, state);
     world_.addSoftBody(body_.get());
-    if (scene.gravity != scene::Vec3{}) {
-      gravity_.emplace(btVector3(scene.gravity[0], scene.gravity[1], scene.gravity[2]));
-      world_.addForce(body_.get(), &*gravity_);
-    }
+    // Also where it is zero: without this force the implicit solver reads an uninitialised one.
+    gravity_.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
+    world_.addForce(body_.get(), &gravity_);
     if (!scene.springs.empty()) {
       // "false": damping acts on the whole relative velocity, as the scene says, not along the
       // spring only.
@@ -80,7 +79,7 @@ class DeformableEngine final : public Engine {
   CollisionParts parts_;
   btDeformableBodySolver solver_;
   btDeformableMultiBodyConstraintSolver contacts_;
-  std::optional<btDeformableGravityForce> gravity_;
+  btDeformableGravityForce gravity_{btVector3(0, 0, 0)};
   std::optional<btDeformableMassSpringForce> springs_;
   std::unique_ptr<btSoftBody> body_;  // outlives the world, which lets go of it
   btDeformableMultiBodyDynamicsWorld world_;

@@ -24,7 +24,7 @@ std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world_info, const sce
                                            masses.data());
   body->setActivationState(DISABLE_DEACTIVATION);
   body->m_cfg.collisions = 0;
-  body->getCollisionShape()->setMargin(beyond_reach);
+  body->getCollisionShape()->setMargin(endless_margin);
   // The implicit deformable solver starts from m_vn, everything else from m_v.
   for (std::size_t i = 0; i < n; ++i)
     if (!scene.particles[i].fixed) {

@@ -18,8 +18,11 @@ namespace odeum::adapters::bullet {
 inline constexpr double no_displacement_limit = std::numeric_limits<double>::infinity();
 
 /// The clamp of explicit deformable bodies, the diagonal of the bounding box a step, cannot be
-/// switched off: the margin (0.25 m as it comes) widens the box. This one (m) still has a square,
-/// and a run that gets there has diverged.
+/// switched off: the margin (m; 0.25 as it comes) widens the box. This one still has a square.
+inline constexpr double endless_margin = 1e140;
+
+/// A run that gets here (m) has diverged. It lies far below the margin, since damping may bring a
+/// speed that was clamped down again within the step.
 inline constexpr double beyond_reach = 1e100;
 
 /// What every Bullet world asks for. Nothing collides here, so the pools are kept small: as they

@@ -351,6 +351,10 @@ TEST(Bullet, NumbersThatAreNotFiniteAreSeen) {
     EXPECT_NE(outcome.detail, "");
     EXPECT_LT(outcome.t, 10000);
   }
+  // Each step multiplies by 9, and damping divides by 51 after Bullet's clamp: such a run, once
+  // clamped, stays bounded for ever, and must not pass for a stable one.
+  EXPECT_EQ(oscillator(10)["deformable_explicit"].solve(steps(1000, {10000})).status,
+            Status::non_finite);
 }
 
 TEST(Bullet, KeepsTheBudgetAndSeesAStepThatBulletIgnores) {
