@@ -1,79 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What scheme each entry of the Bullet adapter is: its order, and its closed form where it has one.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <complex>
-#include <thread>
+#include <algorithm>
 
-#include "bullet/enroll.hpp"
+#include "adapter/bullet_stage.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
 #include "odeum/scene/mass_spring.hpp"
 
-namespace odeum {
+namespace odeum::bullet_tests {
 namespace {
-
-/// A case for engines: only the dimension of the problem is ever looked at.
-template <std::size_t N>
-struct Unseen {
-  static constexpr std::size_t dimension = N;
-  void rhs(double, const double*, double* dydt) const { dydt[0] = std::nan(""); }
-};
-
-/// The entries of the adapter on a scene that a test may move afterwards.
-struct Stage {
-  std::shared_ptr<scene::Scene> scene;
-  std::vector<Entrant> entrants;
-
-  const Entrant& operator[](const std::string& method) const {
-    for (const Entrant& entrant : entrants)
-      if (entrant.info.method == method) return entrant;
-    throw std::invalid_argument("no entry " + method);
-  }
-};
-
-template <std::size_t N>
-Stage stage(const scene::Scene& scene, const std::array<double, N>& y0) {
-  Stage result{std::make_shared<scene::Scene>(scene), {}};
-  Contest<Unseen<N>> contest;
-  contest.problem = std::make_shared<const Unseen<N>>();
-  contest.y0 = std::make_shared<const std::vector<double>>(y0.begin(), y0.end());
-  contest.scene = result.scene;
-  adapters::bullet::enroll(contest, result.entrants);
-  return result;
-}
-
-/// A spring of rest length 0 is linear at any stretch, for Bullet's links too.
-Stage oscillator(double damping = 0, double rest_length = 0) {
-  scene::Scene scene;
-  scene.particles = {{.fixed = true}, {.position = {1, 0, 0}, .mass = 2}};
-  scene.springs = {
-      {.a = 0, .b = 1, .stiffness = 10, .damping = damping, .rest_length = rest_length}};
-  scene.select = {3, 9};
-  return stage<2>(scene, {1, 0});
-}
-
-Stage free_fall() {
-  scene::Scene scene;
-  scene.particles = {{.mass = 0.5}};
-  scene.gravity = {-9.81, 0, 0};
-  scene.select = {0, 3};
-  return stage<2>(scene, {10, 3});
-}
-
-Stage medium(std::complex<double> lambda) {
-  scene::Scene scene;
-  scene.particles = {{.velocity = {1, 0, 0}, .mass = 3}};
-  scene.velocity_matrix = {lambda.real(), -lambda.imag(), 0, lambda.imag(), lambda.real()};
-  scene.select = {3, 4};
-  return stage<2>(scene, {1, 0});
-}
-
-Request steps(std::uint64_t count, std::vector<double> stops) {
-  Request request;
-  request.steps = count;
-  request.stops = std::move(stops);
-  return request;
-}
 
 struct Course {
   const char* name;
@@ -206,27 +142,6 @@ TEST(Bullet, ALinkHasALawOfItsOwn) {
   EXPECT_GT(std::abs(law + k / m * (l - rest)), 0.1);  // the spring's would have been 2.5
 }
 
-/// Unequal masses and lengths, damping between free particles, gravity, in three dimensions.
-scene::Scene chain() {
-  scene::Scene scene;
-  scene.gravity = {0, -9.8, 0};
-  scene.particles = {{.position = {0, 0, 0}, .mass = 1, .fixed = true},
-                     {.position = {1, 0, 0.5}, .velocity = {0, 1, 2}, .mass = 2},
-                     {.position = {2, 0.5, 0}, .velocity = {1, 0, 0}, .mass = 0.5}};
-  scene.springs = {{.a = 0, .b = 1, .stiffness = 30, .damping = 0.4, .rest_length = 1},
-                   {.a = 2, .b = 1, .stiffness = 30, .damping = 0.4, .rest_length = 0.8}};
-  return scene;
-}
-
-std::array<double, 18> state_of(const scene::Scene& scene) {
-  std::array<double, 18> y{};
-  for (std::size_t i = 0; i < 9; ++i) {
-    y[i] = scene.particles[i / 3].position[i % 3];
-    y[9 + i] = scene.particles[i / 3].velocity[i % 3];
-  }
-  return y;
-}
-
 TEST(Bullet, AChainDrivenByForcesIsSymplecticEuler) {
   const scene::Scene scene = chain();
   const scene::MassSpring problem(scene);
@@ -247,7 +162,7 @@ TEST(Bullet, AChainDrivenByForcesIsSymplecticEuler) {
 
 TEST(Bullet, DeformableChainsConvergeToTheSceneTheyWereGiven) {
   const scene::Scene scene = chain();
-  const Stage stage = odeum::stage<18>(scene, state_of(scene));
+  const Stage stage = bullet_tests::stage<18>(scene, state_of(scene));
   // Truth: the scene's own equation by the classical Runge-Kutta method, its error 1e-9 by the
   // factor 16 on halving the step.
   const scene::MassSpring problem(scene);
@@ -280,111 +195,5 @@ TEST(Bullet, DeformableChainsConvergeToTheSceneTheyWereGiven) {
   }
 }
 
-TEST(Bullet, RefusesInASentence) {
-  Request request = steps(10, {1});
-  request.mode = Mode::adaptive;
-  request.tolerance = 1e-6;
-  const Stage stage = oscillator();
-  for (const Entrant& entrant : stage.entrants) {
-    EXPECT_EQ(entrant.unfit, "") << entrant.info.id();
-    EXPECT_EQ(entrant.solve(request).status, Status::refused) << entrant.info.id();
-    EXPECT_NE(entrant.solve(request).detail, "");
-    EXPECT_EQ(entrant.solve(steps(10, {0.33, 1})).status, Status::refused) << "off the grid";
-    EXPECT_EQ(entrant.solve(steps(0, {1})).status, Status::refused);
-  }
-}
-
-TEST(Bullet, SaysWhatDoesNotFit) {
-  Contest<Unseen<2>> bare;
-  bare.problem = std::make_shared<const Unseen<2>>();
-  bare.y0 = std::make_shared<const std::vector<double>>(2);
-  std::vector<Entrant> entrants;
-  adapters::bullet::enroll(bare, entrants);
-  ASSERT_EQ(entrants.size(), 5u);
-  for (const Entrant& entrant : entrants) EXPECT_NE(entrant.unfit, "") << entrant.info.id();
-
-  const Stage rotation = medium({-0.5, 2});
-  scene::Scene slack = *oscillator().scene;
-  slack.springs[0].tension_only = true;
-  const Stage tension_only = stage<2>(slack, {1, 0});
-  for (const Stage* only_forces : {&rotation, &tension_only})
-    for (const Entrant& entrant : only_forces->entrants)
-      EXPECT_EQ(entrant.unfit.empty(), entrant.info.method == "soft_body_force")
-          << entrant.info.id();
-
-  scene::Scene two = chain();
-  two.springs[1].stiffness = 31;
-  const Stage unequal = stage<18>(two, state_of(two));
-  EXPECT_NE(unequal["deformable_implicit"].unfit, "");
-  EXPECT_EQ(unequal["soft_body_links"].unfit, "");
-}
-
-TEST(Bullet, ReadsTheSceneAnewAtEachSolve) {
-  const Stage stage = medium(-1);
-  const Entrant& entrant = stage["deformable_explicit"];
-  stage.scene->velocity_matrix = {-2, 0, 0, 0, -2};
-  EXPECT_NEAR(entrant.solve(steps(1, {1})).states[0], 1.0 / 3, 1e-15);  // 1/(1 + 2h), h = 1
-  stage.scene->velocity_matrix = {-2, -1, 0, 1, -2};
-  EXPECT_EQ(entrant.solve(steps(1, {1})).status, Status::refused) << "it turns now";
-  stage.scene->velocity_matrix = {2, 0, 0, 0, 2};
-  EXPECT_EQ(entrant.solve(steps(1, {1})).status, Status::refused) << "it drives now";
-}
-
-TEST(Bullet, NumbersThatAreNotFiniteAreSeen) {
-  const Stage poisoned = oscillator(1);
-  for (const Entrant& entrant : poisoned.entrants) {
-    for (double* number :
-         {&poisoned.scene->springs[0].damping, &poisoned.scene->springs[0].stiffness,
-          &poisoned.scene->gravity[2], &poisoned.scene->particles[1].velocity[1]}) {
-      const double sound = *number;
-      *number = std::nan("");
-      EXPECT_EQ(entrant.solve(steps(10, {1})).status, Status::non_finite) << entrant.info.id();
-      *number = sound;
-    }
-    EXPECT_EQ(entrant.solve(steps(10, {1})).status, Status::ok) << entrant.info.id();
-  }
-  // h w = 22 grows by 500 a step: past 1e100 within 40 steps, well before the end.
-  const Stage stiff = oscillator();
-  for (const char* method : {"soft_body_force", "deformable_explicit"}) {
-    const Outcome outcome = stiff[method].solve(steps(1000, {10000}));
-    EXPECT_EQ(outcome.status, Status::non_finite) << method;
-    EXPECT_NE(outcome.detail, "");
-    EXPECT_LT(outcome.t, 10000);
-  }
-  // Each step multiplies by 9, and damping divides by 51 after Bullet's clamp: such a run, once
-  // clamped, stays bounded for ever, and must not pass for a stable one.
-  EXPECT_EQ(oscillator(10)["deformable_explicit"].solve(steps(1000, {10000})).status,
-            Status::non_finite);
-}
-
-TEST(Bullet, KeepsTheBudgetAndSeesAStepThatBulletIgnores) {
-  const Stage stage = oscillator();
-  Request small = steps(100, {1});
-  small.budget.evaluations = 10;
-  for (const Entrant& entrant : stage.entrants) {
-    const Outcome outcome = entrant.solve(small);
-    EXPECT_EQ(outcome.status, Status::over_budget) << entrant.info.id();
-    EXPECT_EQ(outcome.counters.steps, 10u);
-    EXPECT_EQ(entrant.solve(steps(1, {1e-17})).status, Status::step_too_small) << entrant.info.id();
-  }
-}
-
-TEST(Bullet, ThreadsDoNotDisturbEachOther) {
-  const Stage first = oscillator(), second = oscillator(1, 0.5);
-  for (std::size_t e = 0; e < first.entrants.size(); ++e) {
-    const Request request = steps(2000, {1, 2});
-    const auto alone = std::array{first.entrants[e].solve(request).states,
-                                  second.entrants[e].solve(request).states};
-    std::array<std::vector<double>, 2> together;
-    const auto race = [&](std::size_t which, const Entrant& entrant) {
-      for (int i = 0; i < 5; ++i) together[which] = entrant.solve(request).states;
-    };
-    std::thread other(race, 1, std::cref(second.entrants[e]));
-    race(0, first.entrants[e]);
-    other.join();
-    EXPECT_EQ(together, alone) << first.entrants[e].info.id();
-  }
-}
-
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::bullet_tests
