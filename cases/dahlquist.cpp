@@ -83,7 +83,7 @@ Case complex_case(const char* id, const char* title, const char* equation,
 }
 
 Probe lambda_probe() {
-  return make_probe(DahlquistComplex{}, {1, 0}, as_scene({-1, 1}, true),
+  return make_probe(DahlquistComplex{}, {1, 0}, as_scene({-1, 0}, true),
                     [](DahlquistComplex& problem, scene::Scene& scene, double re, double im) {
                       problem.re = re;
                       problem.im = im;

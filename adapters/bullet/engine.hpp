@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "odeum/harness/guard.hpp"
+#include "odeum/scene/scene.hpp"
+
+class btSoftBody;
+
+namespace odeum::adapters::bullet {
+
+/// A Bullet world in which a scene has been built as one soft body, ready to step. Each solve has
+/// its own; Bullet keeps nothing that worlds share while they step (see the findings), so solves
+/// may run in several threads.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// Puts the forces on the nodes that are ours to compute. False: the guard tripped.
+  virtual bool exert(double /*t*/, Guard&) { return true; }
+  /// One step of h seconds. False: Bullet did not step, since h is below its SIMD_EPSILON.
+  virtual bool step(double h) = 0;
+  virtual const btSoftBody& body() const = 0;
+};
+
+/// Builds the world for a scene, a state (all positions, then all velocities) and a step h.
+using MakeEngine = std::unique_ptr<Engine> (*)(const scene::Scene& scene,
+                                               const std::vector<double>& state, double h);
+
+std::unique_ptr<Engine> make_soft_body_force(const scene::Scene&, const std::vector<double>&,
+                                             double h);
+std::unique_ptr<Engine> make_soft_body_links(const scene::Scene&, const std::vector<double>&,
+                                             double h);
+std::unique_ptr<Engine> make_soft_body_links_stock(const scene::Scene&, const std::vector<double>&,
+                                                   double h);
+std::unique_ptr<Engine> make_deformable_explicit(const scene::Scene&, const std::vector<double>&,
+                                                 double h);
+std::unique_ptr<Engine> make_deformable_implicit(const scene::Scene&, const std::vector<double>&,
+                                                 double h);
+
+}  // namespace odeum::adapters::bullet

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "enroll.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+
+#include "engine.hpp"
+#include "expressible.hpp"
+#include "soft_body.hpp"
+
+namespace odeum::adapters::bullet {
+namespace {
+
+struct Method {
+  const char* name;
+  const char* scheme;  ///< what it does a step, and where Bullet says so
+  double order;
+  bool our_forces;  ///< each step evaluates forces of ours; otherwise the engine's own
+  std::string (*objection)(const scene::Scene&);
+  MakeEngine make;
+};
+
+constexpr double no_claim = std::numeric_limits<double>::quiet_NaN();
+
+const Method methods[] = {
+    {"soft_body_force",
+     "btSoftBody::predictMotion: symplectic Euler (v += h f(x, v)/m, then x += h v), the step "
+     "rounded to float",
+     1, true, objection_of_forces, make_soft_body_force},
+    {"soft_body_links",
+     "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST set so that one link does backward "
+     "Euler at small strain; its spring law is k l (l^2 - L^2)/(l^2 + L^2), not k (l - L), and "
+     "damping between free particles is left out",
+     1, false, objection_of_links, make_soft_body_links},
+    {"soft_body_links_stock",
+     "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 as it comes: lengths are "
+     "projected to the rest lengths, whatever the stiffness",
+     no_claim, false, objection_of_stock_links, make_soft_body_links_stock},
+    {"deformable_explicit",
+     "btDeformableMultiBodyDynamicsWorld: v* = v + h f(x)/m, then backward Euler in the damping, "
+     "then x += h v",
+     1, false, objection_of_deformable, make_deformable_explicit},
+    {"deformable_implicit",
+     "btDeformableMultiBodyDynamicsWorld, setImplicit(true): one Newton step of backward Euler, "
+     "linearised at x + h v",
+     1, false, objection_of_deformable, make_deformable_implicit},
+};
+
+Outcome failed(Status status, std::string detail) {
+  Outcome outcome;
+  outcome.status = status;
+  outcome.detail = std::move(detail);
+  return outcome;
+}
+Outcome refused(std::string detail) { return failed(Status::refused, std::move(detail)); }
+
+std::string objection_to(const scene::Scene& scene, const Method& method) {
+  auto objection = objection_of_bodies(scene);
+  return objection.empty() ? method.objection(scene) : objection;
+}
+
+/// Entry e of [all positions, all velocities] of the scene's n particles. The body may have nodes
+/// of the adapter's own after them.
+double entry(const btSoftBody& body, std::size_t n, std::size_t e) {
+  const bool velocity = e >= 3 * n;
+  const std::size_t k = velocity ? e - 3 * n : e;
+  const btSoftBody::Node& node = body.m_nodes[static_cast<int>(k / 3)];
+  return (velocity ? node.m_v : node.m_x)[static_cast<int>(k % 3)];
+}
+
+/// The scene's own initial state, and the case's in the entries that the case has.
+std::vector<double> initial_state(const scene::Scene& scene, const std::vector<double>& y0) {
+  std::vector<double> state;
+  for (const scene::Particle& particle : scene.particles)
+    state.insert(state.end(), particle.position.begin(), particle.position.end());
+  for (const scene::Particle& particle : scene.particles)
+    state.insert(state.end(), particle.velocity.begin(), particle.velocity.end());
+  for (std::size_t i = 0; i < y0.size(); ++i)
+    state[scene.select.empty() ? i : scene.select[i]] = y0[i];
+  return state;
+}
+
+/// Bullet neither reports a number that is not finite nor stops at one (a NaN in the deformable
+/// solver's change of velocity is even set to zero), so every step of h is looked at. Below the
+/// reach no clamp has acted.
+bool in_reach(const btSoftBody& body, double h) {
+  for (int i = 0; i < body.m_nodes.size(); ++i)
+    for (int d = 0; d < 3; ++d)
+      if (!(std::abs(body.m_nodes[i].m_x[d]) < beyond_reach &&
+            std::abs(body.m_nodes[i].m_v[d]) * h < beyond_reach))
+        return false;
+  return true;
+}
+
+Outcome run(const Method& method, const ErasedContest& contest, const Request& request,
+            Guard& guard) {
+  if (request.mode == Mode::adaptive)
+    return refused("runs at a fixed step only: btDynamicsWorld::stepSimulation has no tolerance");
+  const scene::Scene& scene = *contest.scene;
+  if (!finite(scene)) return failed(Status::non_finite, "a number of the scene is not finite");
+  if (auto objection = objection_to(scene, method); !objection.empty())
+    return refused(std::move(objection));
+  const FixedGrid grid(contest.t0, request);
+  if (request.steps == 0 || !grid.fits())
+    return refused("needs every stop on a step of the fixed grid");
+
+  const auto engine = method.make(scene, initial_state(scene, *contest.y0), grid.h());
+  const std::size_t n = contest.view.dimension;
+  std::vector<double> y(n);
+  Outcome outcome;
+  outcome.states.reserve(n * grid.stop_count());
+  outcome.t = contest.t0;
+  for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
+    for (std::uint64_t& i = outcome.counters.steps; i < grid.index_of(stop); ++i) {
+      outcome.t = grid.t(i);
+      if (!guard.admit() || !engine->exert(outcome.t, guard)) return outcome;
+      if (!engine->step(grid.h())) {
+        outcome.status = Status::step_too_small;
+        outcome.detail = fmt::format("Bullet ignores steps below SIMD_EPSILON, h = {}", grid.h());
+        return outcome;
+      }
+      if (!in_reach(engine->body(), grid.h())) {
+        outcome.status = Status::non_finite;
+        outcome.detail = fmt::format(
+            "a node of the btSoftBody is not finite or beyond {} m after the step from t = {}",
+            beyond_reach, outcome.t);
+        return outcome;
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      y[i] = entry(engine->body(), scene.size(), scene.select.empty() ? i : scene.select[i]);
+    outcome.record(request.stops[stop], y.data(), n);
+  }
+  return outcome;
+}
+
+Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
+  Guard guard(contest.view.dimension, request.budget);
+  Outcome outcome;
+  try {
+    outcome = run(method, contest, request, guard);
+  } catch (const std::exception& error) {
+    outcome = refused(error.what());
+  }
+  guard.conclude(request, outcome);
+  // The guard's admissions bound the steps; the engine's own force evaluations are unknown.
+  if (!method.our_forces) outcome.counters.rhs_evaluations = 0;
+  return outcome;
+}
+
+std::string unfit(const Method& method, const ErasedContest& contest) {
+  if (!contest.scene)
+    return "needs a scene of particles and springs: a physics engine takes bodies";
+  const scene::Scene& scene = *contest.scene;
+  const std::size_t entries = scene.select.empty() ? 6 * scene.size() : scene.select.size();
+  if (entries != contest.view.dimension) return "needs a scene whose state maps onto the case's";
+  return objection_to(scene, method);
+}
+
+SolverInfo info_of(const Method& method) {
+  SolverInfo info;
+  info.library = "bullet";
+  info.method = method.name;
+  info.family = "physics_engine";
+  info.order = method.order;
+  info.needs = "a scene";
+  info.source = std::string("Bullet 3.24, ") + method.scheme;
+  return info;
+}
+
+}  // namespace
+
+void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+  for (const Method& method : methods) {
+    Entrant entrant{.info = info_of(method), .unfit = unfit(method, contest), .solve = {}};
+    if (entrant.unfit.empty())
+      entrant.solve = [&method, contest](const Request& request) {
+        return solve(method, contest, request);
+      };
+    entrants.push_back(std::move(entrant));
+  }
+}
+
+}  // namespace odeum::adapters::bullet

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/harness/solver.hpp"
+
+/// Bullet 3.24, double precision: a physics engine, so it is given the scene of a case (bodies and
+/// forces) and not its right-hand side. Fixed step only.
+namespace odeum::adapters::bullet {
+
+void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants);
+
+template <Ode P>
+void enroll(const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  enroll(erase(contest), entrants);
+}
+
+}  // namespace odeum::adapters::bullet

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "expressible.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace odeum::adapters::bullet {
+namespace {
+
+using scene::Particle;
+using scene::Scene;
+using scene::Spring;
+using scene::Vec3;
+
+bool zero(const Vec3& v) { return v == Vec3{}; }
+
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+bool has_medium(const Scene& scene) {
+  return std::any_of(scene.velocity_matrix.begin(), scene.velocity_matrix.end(),
+                     [](double entry) { return entry != 0; });
+}
+
+bool has_tension_only(const Scene& scene) {
+  return std::any_of(scene.springs.begin(), scene.springs.end(),
+                     [](const Spring& spring) { return spring.tension_only; });
+}
+
+/// The eigenvalue of the velocity matrix that belongs to the direction w, if w has one.
+std::optional<double> eigenvalue(const std::array<double, 9>& b, const Vec3& w) {
+  Vec3 image{};
+  for (std::size_t i = 0; i < 3; ++i)
+    image[i] = b[3 * i] * w[0] + b[3 * i + 1] * w[1] + b[3 * i + 2] * w[2];
+  const double value = dot(image, w) / dot(w, w);
+  const double rounding = 1e-14 * std::sqrt(dot(image, image));
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(std::abs(image[i] - value * w[i]) <= rounding)) return std::nullopt;
+  return value;
+}
+
+constexpr const char* medium_sentence =
+    "needs a force on the velocity that only slows it down; this one turns or drives the motion";
+
+}  // namespace
+
+std::optional<double> medium_damping(const Scene& scene) {
+  if (!has_medium(scene)) return 0;
+  if (!scene.springs.empty()) return std::nullopt;
+  std::vector<Vec3> directions{scene.gravity};
+  for (const Particle& particle : scene.particles)
+    if (!particle.fixed) directions.push_back(particle.velocity);
+  std::optional<double> common;
+  for (const Vec3& direction : directions) {
+    if (zero(direction)) continue;
+    const auto value = eigenvalue(scene.velocity_matrix, direction);
+    if (!value || *value > 0 || (common && *common != *value)) return std::nullopt;
+    common = value;
+  }
+  return -common.value_or(0);
+}
+
+std::optional<double> anchored_damping(const Scene& scene) {
+  std::vector<double> coefficient(scene.size(), 0);
+  for (const Spring& spring : scene.springs) {
+    if (spring.damping == 0) continue;
+    if (!scene.particles[spring.a].fixed && !scene.particles[spring.b].fixed) return std::nullopt;
+    coefficient[spring.a] += spring.damping;
+    coefficient[spring.b] += spring.damping;
+  }
+  std::optional<double> common;
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    if (scene.particles[i].fixed) continue;
+    const double rate = coefficient[i] / scene.particles[i].mass;
+    if (common && *common != rate) return std::nullopt;
+    common = rate;
+  }
+  return common.value_or(0);
+}
+
+bool finite(const Scene& scene) {
+  double sum = 0;  // NaN when any is not finite
+  const auto look = [&sum](const auto& values) {
+    for (const double value : values) sum += value * 0.0;
+  };
+  look(scene.gravity);
+  look(scene.velocity_matrix);
+  for (const Particle& particle : scene.particles) {
+    look(particle.position);
+    look(particle.velocity);
+    look(std::array{particle.mass});
+  }
+  for (const Spring& spring : scene.springs)
+    look(std::array{spring.stiffness, spring.damping, spring.rest_length});
+  return sum == 0.0;
+}
+
+std::string objection_of_bodies(const Scene& scene) {
+  for (const Particle& particle : scene.particles)
+    if (!particle.fixed && !(particle.mass > 0))
+      return "needs positive masses: Bullet takes any other for a fixed node";
+  for (const Spring& spring : scene.springs)
+    if (spring.a >= scene.size() || spring.b >= scene.size() || spring.a == spring.b)
+      return "needs springs between two of the scene's particles";
+  return {};
+}
+
+std::string objection_of_forces(const Scene&) { return {}; }
+
+std::string objection_of_links(const Scene& scene) {
+  if (has_tension_only(scene))
+    return "needs springs that pull and push: Bullet's links have no tension-only kind";
+  if (!medium_damping(scene)) return medium_sentence;
+  return {};
+}
+
+std::string objection_of_stock_links(const Scene& scene) {
+  if (scene.springs.empty()) return "needs springs: without links it is bullet/soft_body_links";
+  return objection_of_links(scene);
+}
+
+std::string objection_of_deformable(const Scene& scene) {
+  if (has_tension_only(scene))
+    return "needs springs that pull and push: btDeformableMassSpringForce has no tension-only kind";
+  for (const Spring& spring : scene.springs)
+    if (spring.stiffness != scene.springs[0].stiffness ||
+        spring.damping != scene.springs[0].damping)
+      return "needs one stiffness and one damping for all springs, which is all that "
+             "btDeformableMassSpringForce holds";
+  const auto damping = medium_damping(scene);
+  if (!damping) return medium_sentence;
+  const double* mass = nullptr;
+  for (const Particle& particle : scene.particles) {
+    if (particle.fixed || *damping == 0) continue;
+    if (mass && *mass != particle.mass)
+      return "needs equal masses: a medium is set up as one damper per particle, and "
+             "btDeformableMassSpringForce holds one damping";
+    mass = &particle.mass;
+  }
+  return {};
+}
+
+}  // namespace odeum::adapters::bullet

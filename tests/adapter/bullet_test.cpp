@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What scheme each entry of the Bullet adapter is: its order, and its closed form where it has one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "adapter/bullet_stage.hpp"
+#include "odeum/problem/damped_oscillator.hpp"
+#include "odeum/scene/mass_spring.hpp"
+
+namespace odeum::bullet_tests {
+namespace {
+
+struct Course {
+  const char* name;
+  Stage (*make)();
+  double horizon;
+  void (*truth)(double t, double* y);
+  std::vector<const char*> methods;
+};
+
+const Course courses[] = {
+    {"undamped",
+     [] { return oscillator(); },
+     2,
+     [](double t, double* y) { damped_oscillator_solution(2, 0, 10, 1, 0, t, y); },
+     {"soft_body_force", "soft_body_links", "deformable_explicit", "deformable_implicit"}},
+    {"damped",
+     [] { return oscillator(1); },
+     2,
+     [](double t, double* y) { damped_oscillator_solution(2, 1, 10, 1, 0, t, y); },
+     {"soft_body_force", "soft_body_links", "deformable_explicit", "deformable_implicit"}},
+    {"free_fall",
+     [] { return free_fall(); },
+     2,
+     [](double t, double* y) {
+       y[0] = 10 + t * (3 - 9.81 * t / 2);
+       y[1] = 3 - 9.81 * t;
+     },
+     {"soft_body_force", "soft_body_links", "deformable_explicit", "deformable_implicit"}},
+    {"decay",
+     [] { return medium(-1); },
+     2,
+     [](double t, double* y) {
+       y[0] = std::exp(-t);
+       y[1] = 0;
+     },
+     {"soft_body_force", "soft_body_links", "deformable_explicit", "deformable_implicit"}},
+    {"rotation",
+     [] {
+       return medium({-0.5, 2});
+     },
+     2,
+     [](double t, double* y) {
+       const auto exact = std::exp(std::complex<double>(-0.5, 2) * t);
+       y[0] = exact.real();
+       y[1] = exact.imag();
+     },
+     {"soft_body_force"}},
+};
+
+TEST(Bullet, EveryEntryIsOfOrderOne) {
+  for (const Course& course : courses) {
+    const Stage stage = course.make();
+    for (const char* method : course.methods) {
+      double last = 0;
+      for (std::uint64_t n = 640; n <= 10240; n *= 2) {
+        const Outcome outcome = stage[method].solve(steps(n, {course.horizon}));
+        ASSERT_EQ(outcome.status, Status::ok) << course.name << " " << method << outcome.detail;
+        EXPECT_EQ(outcome.counters.steps, n);
+        double y[2];
+        course.truth(course.horizon, y);
+        const double error = std::hypot(outcome.states[0] - y[0], outcome.states[1] - y[1]);
+        // At 640 steps and more the next term of the expansion in h is some hundredths of the
+        // first, and the error stays above 1e-5, far from the 1e-7 that the float step costs.
+        if (last > 0) {
+          EXPECT_NEAR(std::log2(last / error), 1, 0.06) << course.name << " " << method << " " << n;
+        }
+        last = error;
+      }
+    }
+  }
+}
+
+TEST(Bullet, FreeFallIsSymplecticEulerWithTheStepRoundedToFloat) {
+  const std::uint64_t n = 20;
+  const double h = 0.1, count = 20;
+  const auto closed_form = [&](double step) {
+    return 10 + count * step * 3 - 9.81 * step * step * count * (count + 1) / 2;
+  };
+  const Stage stage = free_fall();
+  const double rounded = closed_form(static_cast<double>(static_cast<float>(h)));
+  // Sums of 20 doubles near 10: 1e-13 holds a few roundings each.
+  const double rounding = 1e-13;
+  const Outcome force = stage["soft_body_force"].solve(steps(n, {2}));
+  EXPECT_NEAR(force.states[0], rounded, rounding);
+  EXPECT_GT(std::abs(rounded - closed_form(h)), 1e-8);  // so the two can be told apart
+  for (const char* method : {"deformable_explicit", "deformable_implicit"})
+    EXPECT_NEAR(stage[method].solve(steps(n, {2})).states[0], closed_form(h), rounding) << method;
+}
+
+TEST(Bullet, ForcesOnAMediumAreExplicitEuler) {
+  const std::complex<double> lambda(-0.5, 2);
+  const double h = static_cast<double>(static_cast<float>(0.1));
+  const auto exact = std::pow(1.0 + h * lambda, 10);
+  const Outcome outcome = medium(lambda)["soft_body_force"].solve(steps(10, {1}));
+  EXPECT_NEAR(outcome.states[0], exact.real(), 1e-14);  // ten products of doubles
+  EXPECT_NEAR(outcome.states[1], exact.imag(), 1e-14);
+  EXPECT_EQ(outcome.counters.rhs_evaluations, 10u);
+}
+
+TEST(Bullet, DampingIsBackwardEulerInEveryEntryWithItsOwn) {
+  const double exact = std::pow(1 / 1.1, 10);
+  const Stage stage = medium(-1);
+  // Links find the velocity as a difference of positions near 1 over h = 0.1: 1e-15 / 0.1 a step.
+  for (const char* method : {"soft_body_links", "deformable_explicit", "deformable_implicit"}) {
+    const Outcome outcome = stage[method].solve(steps(10, {1}));
+    EXPECT_NEAR(outcome.states[0], exact, 1e-13) << method;
+    EXPECT_EQ(outcome.counters.rhs_evaluations, 0u) << "the engine's own are not ours to count";
+  }
+}
+
+TEST(Bullet, ImplicitIsBackwardEulerOnALinearSpring) {
+  const double h = 0.1, k = 10, d = 1, m = 2;
+  double x = 1, v = 0;
+  for (int i = 0; i < 20; ++i) {
+    v = (m * v - h * k * x) / (m + h * d + h * h * k);
+    x += h * v;
+  }
+  const Outcome outcome = oscillator(d)["deformable_implicit"].solve(steps(20, {2}));
+  // One unknown: conjugate gradients are exact, to rounding of about 1e-16 a step.
+  EXPECT_NEAR(outcome.states[0], x, 1e-14);
+  EXPECT_NEAR(outcome.states[1], v, 1e-14);
+}
+
+TEST(Bullet, ALinkHasALawOfItsOwn) {
+  const double h = 1.0 / 4096, k = 10, m = 2, l = 1, rest = 0.5;
+  const Outcome outcome = oscillator(0, rest)["soft_body_links"].solve(steps(1, {h}));
+  const double law = -k / m * l * (l * l - rest * rest) / (l * l + rest * rest);
+  // Backward Euler's own error over one step from rest is a share h^2 k/m = 3e-7 of it.
+  EXPECT_NEAR(outcome.states[1] / h, law, 1e-6 * std::abs(law));
+  EXPECT_GT(std::abs(law + k / m * (l - rest)), 0.1);  // the spring's would have been 2.5
+}
+
+TEST(Bullet, AChainDrivenByForcesIsSymplecticEuler) {
+  const scene::Scene scene = chain();
+  const scene::MassSpring problem(scene);
+  const double h = static_cast<double>(static_cast<float>(0.01));
+  auto y = state_of(scene);
+  for (int i = 0; i < 100; ++i) {
+    double a[9];
+    problem.acceleration(0, y.data(), y.data() + 9, a);
+    for (std::size_t k = 0; k < 9; ++k) y[9 + k] += h * a[k];
+    for (std::size_t k = 0; k < 9; ++k) y[k] += h * y[9 + k];
+  }
+  const Outcome outcome =
+      stage<18>(scene, state_of(scene))["soft_body_force"].solve(steps(100, {0.25, 0.5, 1}));
+  ASSERT_EQ(outcome.states.size(), 54u);
+  // 100 steps of rounding errors of 1e-16, which this mild motion grows a little.
+  for (std::size_t k = 0; k < 18; ++k) EXPECT_NEAR(outcome.states[36 + k], y[k], 1e-12) << k;
+}
+
+TEST(Bullet, DeformableChainsConvergeToTheSceneTheyWereGiven) {
+  const scene::Scene scene = chain();
+  const Stage stage = bullet_tests::stage<18>(scene, state_of(scene));
+  // Truth: the scene's own equation by the classical Runge-Kutta method, its error 1e-9 by the
+  // factor 16 on halving the step.
+  const scene::MassSpring problem(scene);
+  auto y = state_of(scene);
+  const double h = 1.0 / 1000;
+  for (int i = 0; i < 1000; ++i) {
+    std::array<std::array<double, 18>, 4> k{};
+    auto at = y;
+    for (std::size_t s = 0; s < 4; ++s) {
+      problem.rhs(0, at.data(), k[s].data());
+      for (std::size_t j = 0; j < 18; ++j) at[j] = y[j] + (s == 2 ? h : h / 2) * k[s][j];
+    }
+    for (std::size_t j = 0; j < 18; ++j)
+      y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
+  }
+  for (const char* method : {"deformable_explicit", "deformable_implicit"}) {
+    double last = 0;
+    for (const std::uint64_t n : {4096, 8192, 16384}) {
+      const Outcome outcome = stage[method].solve(steps(n, {1}));
+      ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+      double error = 0;
+      for (std::size_t j = 0; j < 18; ++j)
+        error = std::max(error, std::abs(outcome.states[j] - y[j]));
+      // The second term of the error is a few hundredths of the first at these steps.
+      if (last > 0) {
+        EXPECT_NEAR(std::log2(last / error), 1, 0.06) << method << " " << n;
+      }
+      last = error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace odeum::bullet_tests
