@@ -137,14 +137,16 @@ void add_pair(ReportData& data, const report::CaseFacts& c, const SolverInfo& so
     row.counters.rhs_evaluations =
         row.steps * static_cast<std::uint64_t>(std::isnan(solver.order) ? 2 : solver.order);
     data.convergence.rows.push_back(row);
-    points.push_back({h, error, 4e-15 / h});
+    points.push_back({.step = h, .error = error, .steps = 10 / h, .rounding_unit = 4e-16});
     if (c.has_tag("cloth"))
       for (const double t : {0.25, 0.5, 1.0, 2.0})
         data.convergence.times.push_back({c.id, solver.library, solver.method, mode, h, t,
                                           error * t, error * t / 3, 1.0, error * t * t / 5});
   }
   study::OrderRow order{c.id, solver.library, solver.method, mode, solver.order, {}};
-  order.fit = study::fit_order(points, solver.order, mode == Mode::fixed ? 0.15 : 0.5);
+  order.fit = study::fit_order(
+      points, solver.order,
+      mode == Mode::fixed ? study::fixed_step_tolerance : study::adaptive_tolerance(solver.order));
   data.convergence.orders.push_back(order);
 }
 

@@ -133,7 +133,8 @@ class Converter {
       text_ = item;
     } else {
       if (!in_list()) open(Block::paragraph);  // within a list, it goes on with the item
-      text_ += (text_.empty() ? "" : " ") + std::string(bare);
+      if (!text_.empty()) text_ += ' ';
+      text_ += bare;
     }
   }
 
@@ -159,8 +160,10 @@ class Converter {
   }
   // Text is gathered until it is whole: a span may go over the end of a line.
   void flush_text() {
-    if (!text_.empty())
-      html_ += in_list() ? "<li>" + inline_html(text_) + "</li>\n" : inline_html(text_);
+    if (!text_.empty()) {
+      const std::string html = inline_html(text_);
+      html_ += in_list() ? fmt::format("<li>{}</li>\n", html) : html;
+    }
     text_.clear();
   }
   void close() {
