@@ -101,13 +101,14 @@ endfunction()
 # A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and an enroll.hpp that declares
 #   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);
 macro(odeum_add_adapters)
-  set(ODEUM_ADAPTERS_BUILT "")
-  set(ODEUM_LIBRARY_ROWS "")
   file(GLOB odeum_adapter_folders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/adapters/*/CMakeLists.txt)
   foreach(odeum_folder IN LISTS odeum_adapter_folders)
     get_filename_component(odeum_folder ${odeum_folder} DIRECTORY)
     add_subdirectory(${odeum_folder})
   endforeach()
+  # Set by odeum_adapter in the folders' own scopes, hence global properties.
+  get_property(ODEUM_ADAPTERS_BUILT GLOBAL PROPERTY ODEUM_ADAPTERS_BUILT)
+  get_property(ODEUM_LIBRARY_ROWS GLOBAL PROPERTY ODEUM_LIBRARY_ROWS)
   set(odeum_includes "")
   set(odeum_calls "")
   foreach(odeum_name IN LISTS ODEUM_ADAPTERS_BUILT)
@@ -144,7 +145,7 @@ endmacro()
 #               LIBRARIES <solver id prefixes>... SOURCES <files>... LINK <targets>...
 #               INCLUDE <folders>... DEFINE <definitions>...)
 # Declares the option (on where the library was found) and, where it is on, the library target
-# odeum_adapter_<folder>. Sets odeum_adapter_enabled in the caller.
+# odeum_adapter_<folder>.
 function(odeum_adapter)
   cmake_parse_arguments(A "" "NAME;OPTION;FOUND;VERSION" "LIBRARIES;SOURCES;LINK;INCLUDE;DEFINE" ${ARGN})
   if(A_FOUND)
@@ -167,9 +168,9 @@ function(odeum_adapter)
     target_include_directories(odeum_adapter_${A_NAME} PUBLIC ${PROJECT_SOURCE_DIR}/adapters)
     target_compile_definitions(odeum_adapter_${A_NAME} PUBLIC ${A_DEFINE})
     set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", true, \"${A_VERSION}\"},\n")
-    set(ODEUM_ADAPTERS_BUILT ${ODEUM_ADAPTERS_BUILT} ${A_NAME} PARENT_SCOPE)
+    set_property(GLOBAL APPEND PROPERTY ODEUM_ADAPTERS_BUILT ${A_NAME})
   else()
     set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", false, \"\"},\n")
   endif()
-  set(ODEUM_LIBRARY_ROWS "${ODEUM_LIBRARY_ROWS}${row}" PARENT_SCOPE)
+  set_property(GLOBAL APPEND_STRING PROPERTY ODEUM_LIBRARY_ROWS "${row}")
 endfunction()
