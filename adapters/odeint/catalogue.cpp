@@ -56,9 +56,9 @@ const Row rows[] = {
     {"adams_bashforth", "multistep", 0, fixed_only, "", needs_nothing,
      "order is the number of steps; starts itself by extrapolation_stepper, called out of place",
      8},
-    {"adams_bashforth_moulton", "multistep", 1, fixed_only, "", needs_nothing,
-     "header: order is the number of steps + 1 (its order() returns the number); starts itself by "
-     "extrapolation_stepper, called out of place",
+    {"adams_bashforth_moulton", "multistep", 0, fixed_only, "", needs_nothing,
+     "order() is the number of steps (the header's comment says one more); started as "
+     "adams_bashforth, called out of place",
      8},
     {"adaptive_adams_bashforth_moulton", "multistep", 1, fixed_only, "", needs_nothing,
      "stepper_order() is the number of steps + 1; the first step is as many sub-steps of "

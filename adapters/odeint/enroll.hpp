@@ -57,6 +57,22 @@ class Roster {
   std::vector<Entrant>& entrants_;
 };
 
+template <class Stepper, Ode P>
+constexpr Run<P> run_error_stepper = run_either<Stepper, run_plain<Stepper, P>, P>;
+
+template <unsigned short Order, Ode P>
+constexpr Run<P> run_extrapolation =
+    run_either<od::extrapolation_stepper<Order, State<P>>,
+               run_out_of_place<od::extrapolation_stepper<Order, State<P>>, P>, P>;
+
+/// adams_bashforth_moulton started as adams_bashforth is: its default, runge_kutta4, would hold it
+/// to order 5.
+template <std::size_t K, class Y>
+using AdamsBashforthMoulton = od::adams_bashforth_moulton<
+    K, Y, double, Y, double, typename od::algebra_dispatcher<Y>::algebra_type,
+    typename od::operations_dispatcher<Y>::operations_type, od::initially_resizer,
+    typename od::adams_bashforth<K, Y>::initializing_stepper_type>;
+
 template <Ode P>
 void enroll_one_step(Roster<P>& roster) {
   using Y = State<P>;
@@ -79,9 +95,9 @@ void enroll_one_step(Roster<P>& roster) {
 template <Ode P>
 void enroll_extrapolation(Roster<P>& roster) {
   using Y = State<P>;
-  roster.add("extrapolation_stepper_4", run_error_stepper<od::extrapolation_stepper<4, Y>, P>);
-  roster.add("extrapolation_stepper_6", run_error_stepper<od::extrapolation_stepper<6, Y>, P>);
-  roster.add("extrapolation_stepper_8", run_error_stepper<od::extrapolation_stepper<8, Y>, P>);
+  roster.add("extrapolation_stepper_4", run_extrapolation<4, P>);
+  roster.add("extrapolation_stepper_6", run_extrapolation<6, P>);
+  roster.add("extrapolation_stepper_8", run_extrapolation<8, P>);
   roster.add("bulirsch_stoer", run_controlled<od::bulirsch_stoer<Y>, P>);
   constexpr auto make_dense_bulirsch_stoer = [](double tolerance) {
     return od::bulirsch_stoer_dense_out<Y>(tolerance, tolerance);
@@ -93,10 +109,10 @@ template <Ode P, std::size_t... K>
 void enroll_multistep(Roster<P>& roster, std::index_sequence<K...>) {
   using Y = State<P>;
   (roster.add("adams_bashforth_" + std::to_string(K + 1),
-              run_multistep<od::adams_bashforth<K + 1, Y>, P>),
+              run_out_of_place<od::adams_bashforth<K + 1, Y>, P>),
    ...);
   (roster.add("adams_bashforth_moulton_" + std::to_string(K + 1),
-              run_multistep<od::adams_bashforth_moulton<K + 1, Y>, P>),
+              run_out_of_place<AdamsBashforthMoulton<K + 1, Y>, P>),
    ...);
 }
 

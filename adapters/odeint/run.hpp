@@ -60,22 +60,28 @@ Controlled<Stepper> make_controlled(double tolerance) {
   return Controlled<Stepper>(Checker(tolerance, tolerance), Adjuster(), blank);
 }
 
-/// A stepper with an error estimate: plain at a fixed step, through controlled_runge_kutta (what
-/// make_controlled makes) otherwise.
+/// To a tolerance through controlled_runge_kutta, which is what make_controlled makes.
 template <class Stepper, Ode P>
-Outcome run_error_stepper(const Contest<P>& contest, const Request& request) {
-  if (request.mode == Mode::fixed) return run_plain<Stepper>(contest, request);
+Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
   return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    auto stepper = make_controlled<Stepper>(request.tolerance);
+    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
     State<P> y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
   });
 }
 
-/// A stepper with memory that starts itself, called out of place: called in place, its first steps
-/// overwrite their own input (reports/findings/odeint.md).
+/// A stepper with an error estimate; `fixed` runs it at a fixed step.
+template <class Stepper, auto fixed, Ode P>
+Outcome run_either(const Contest<P>& contest, const Request& request) {
+  return request.mode == Mode::fixed ? fixed(contest, request)
+                                     : run_to_tolerance<Stepper>(contest, request);
+}
+
+/// A stepper called out of place at a fixed step: called in place, extrapolation_stepper overwrites
+/// its own input, and so do the multistep steppers while it starts them
+/// (reports/findings/odeint.md).
 template <class Stepper, Ode P>
-Outcome run_multistep(const Contest<P>& contest, const Request& request) {
+Outcome run_out_of_place(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();
   return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
     const System<P> system{&problem, &guard};
