@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <gsl/gsl_odeiv2.h>
+
+#include "odeum/harness/solver.hpp"
+
+namespace odeum::adapters::gsl {
+
+/// What a stepper needs to be run.
+enum class Kind {
+  explicit_rk,    ///< a right-hand side
+  implicit_rk,    ///< a Jacobian, and a tolerance for its Newton iteration
+  extrapolation,  ///< a Jacobian and df/dt
+  adams,          ///< a tolerance for its corrector and its choice of order
+  bdf             ///< a Jacobian, and a tolerance as above
+};
+
+struct Method {
+  const char* name;
+  const gsl_odeiv2_step_type* const* type;
+  Kind kind;
+  double order;  ///< as gsl_odeiv2_step_order tells; NaN where it varies
+  const char* source;
+
+  bool multistep() const { return kind == Kind::adams || kind == Kind::bdf; }
+  bool needs_jacobian() const { return kind != Kind::explicit_rk && kind != Kind::adams; }
+};
+
+/// Integrates as asked; never throws, a library's failure is an outcome.
+Outcome solve(const Method& method, const ErasedContest& contest, const Request& request);
+
+}  // namespace odeum::adapters::gsl

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gsl/gsl_errno.h>
+
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "gsl/method.hpp"
+#include "odeum/harness/dense_jacobian.hpp"
+
+namespace odeum::adapters::gsl {
+namespace {
+
+/// At a fixed step nothing is controlled, but the Newton iteration inside the implicit steppers
+/// still asks the driver's control object how small an error is wanted: this small, relative and
+/// absolute. Looser shows as a floor of rk4imp (1e-10: order 3.5, then no convergence), tighter is
+/// below rounding.
+constexpr double newton_tolerance = 1e-13;
+
+/// The library has no rule for a first step; the controllers enlarge a small one quickly.
+constexpr double first_step_fraction = 1e-4;
+
+/// The problem as the library's callbacks reach it.
+struct Problem {
+  Problem(const OdeView& view, const Budget& budget) : guarded(view, budget), jacobian(guarded) {}
+
+  GuardedView guarded;
+  DenseJacobian jacobian;
+};
+
+/// GSL_EBADFUNC is the answer that ends a run at once; any other failure only halves the step.
+int rhs(double t, const double y[], double dydt[], void* problem) {
+  return static_cast<Problem*>(problem)->guarded.rhs(t, y, dydt) == 0 ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+int jacobian(double t, const double y[], double* dfdy, double dfdt[], void* problem) {
+  auto& p = *static_cast<Problem*>(problem);
+  p.guarded.time_derivative(t, y, dfdt);
+  return p.jacobian(t, y, dfdy) == 0 ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+using Driver = std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)>;
+
+const char* name_of(int error) {
+  switch (error) {
+    case GSL_FAILURE:
+      return "GSL_FAILURE";
+    case GSL_EFAULT:
+      return "GSL_EFAULT";
+    case GSL_EINVAL:
+      return "GSL_EINVAL";
+    case GSL_ESANITY:
+      return "GSL_ESANITY";
+    case GSL_EBADFUNC:
+      return "GSL_EBADFUNC";
+    case GSL_EMAXITER:
+      return "GSL_EMAXITER";
+    case GSL_EUNDRFLW:
+      return "GSL_EUNDRFLW";
+    case GSL_ESING:
+      return "GSL_ESING";
+    case GSL_EDOM:
+      return "GSL_EDOM";
+    case GSL_ENOPROG:
+      return "GSL_ENOPROG";
+    default:
+      return "another error";
+  }
+}
+
+void fail(Outcome& outcome, Status status, const char* name, int error, double t) {
+  outcome.status = status;
+  outcome.t = t;
+  outcome.detail =
+      fmt::format("{} returned {} ({}) at t = {}", name, name_of(error), gsl_strerror(error), t);
+}
+
+/// bsimp answers "success" with an infinite error estimate where a sub-step ran away, to make a
+/// controller shorten the step; its result is then no step at all.
+bool ran_away(const gsl_odeiv2_driver& driver) {
+  for (std::size_t i = 0; i < driver.sys->dimension; ++i)
+    if (std::isinf(driver.e->yerr[i])) return true;
+  return false;
+}
+
+void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, const Request& request,
+                std::vector<double>& y, Outcome& outcome) {
+  const FixedGrid grid(t0, request);
+  std::uint64_t& i = outcome.counters.steps;
+  for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
+    for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
+      double t = grid.t(i);
+      // Without a control object a step is accepted whatever its error estimate says.
+      const int error = gsl_odeiv2_evolve_apply_fixed_step(driver.e, nullptr, driver.s, driver.sys,
+                                                           &t, grid.h(), y.data());
+      if (error != GSL_SUCCESS)
+        return fail(outcome, Status::newton_failed, method.name, error, grid.t(i));
+      if (method.kind == Kind::extrapolation && ran_away(driver)) {
+        outcome.status = Status::newton_failed;
+        outcome.t = grid.t(i);
+        outcome.detail = fmt::format("{} gave up a step at t = {}: infinite error estimate",
+                                     method.name, grid.t(i));
+        return;
+      }
+    }
+    outcome.record(request.stops[stop], y.data(), y.size());
+  }
+}
+
+void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
+                   const Request& request, std::vector<double>& y, Outcome& outcome) {
+  for (const double stop : request.stops) {
+    const int error = gsl_odeiv2_driver_apply(&driver, &t, stop, y.data());
+    outcome.counters.steps = driver.e->count - driver.e->failed_steps;
+    outcome.counters.rejected_steps = driver.e->failed_steps;
+    if (error != GSL_SUCCESS)
+      return fail(outcome, error == GSL_EMAXITER ? Status::over_budget : Status::step_too_small,
+                  method.name, error, t);
+    outcome.record(stop, y.data(), y.size());
+  }
+}
+
+Outcome refuse_fixed(const Method& method) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = fmt::format(
+      "{} chooses its order from a tolerance; held at a fixed step it stays at order 1 "
+      "or 2, or its corrector fails, as the tolerance has it",
+      method.name);
+  return outcome;
+}
+
+}  // namespace
+
+Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
+  // The library's default handler aborts the process. It is global: switched off once.
+  static const gsl_error_handler_t* const previous = gsl_set_error_handler_off();
+  static_cast<void>(previous);
+
+  const std::size_t n = contest.view.dimension;
+  if (method.needs_jacobian() && n > dense_dimension_limit) return dense_over_budget(n);
+
+  const bool fixed = request.mode == Mode::fixed;
+  if (fixed && method.multistep()) return refuse_fixed(method);
+
+  Problem problem(contest.view, request.budget);
+  const gsl_odeiv2_system system = {rhs, jacobian, n, &problem};
+  const double tolerance = fixed ? newton_tolerance : request.tolerance;
+  const double span = request.stops.back() - contest.t0;
+  const double first =
+      fixed ? span / static_cast<double>(request.steps) : first_step_fraction * span;
+
+  Outcome outcome;
+  const Driver driver(
+      gsl_odeiv2_driver_alloc_y_new(&system, *method.type, first, tolerance, tolerance),
+      gsl_odeiv2_driver_free);
+  if (!driver) {
+    outcome.status = Status::refused;
+    outcome.detail =
+        fmt::format("gsl_odeiv2_driver_alloc_y_new gave no driver for {}", method.name);
+    return outcome;
+  }
+  std::vector<double> y = *contest.y0;
+  if (fixed) {
+    walk_fixed(method, *driver, contest.t0, request, y, outcome);
+  } else {
+    // Each step evaluates at least once, so that the guard's budget is reached before this.
+    gsl_odeiv2_driver_set_nmax(driver.get(), request.budget.evaluations);
+    walk_adaptive(method, *driver, contest.t0, request, y, outcome);
+  }
+  problem.guarded.guard().conclude(request, outcome);
+  return outcome;
+}
+
+}  // namespace odeum::adapters::gsl

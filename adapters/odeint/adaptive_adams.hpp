@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <boost/numeric/odeint/stepper/adaptive_adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/controlled_adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/extrapolation_stepper.hpp>
+
+#include "odeint/run.hpp"
+
+/// The Adams steppers of variable coefficients, which are started and made in ways of their own.
+namespace odeum::adapters::odeint {
+
+/// At a fixed step. Left to start itself the stepper begins at order 1 and is held to order 3 for
+/// ever; so the first step is made by initialize(), as K sub-steps of a one-step method of order
+/// K + 2, the order that initialize() can make use of.
+template <std::size_t K, Ode P>
+Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
+  static_assert(K % 2 == 0, "extrapolation_stepper has even orders only");
+  if (request.mode == Mode::adaptive) return refuse_adaptive();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    const System<P> system{&problem, &guard};
+    using Y = State<P>;
+    boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y> stepper;
+    bool started = false;
+    Y y = start_of(contest);
+    walk_fixed(contest.t0, request, y, outcome, [&](Y& state, double t, double h) {
+      if (started) {
+        stepper.do_step(system, state, t, h);
+      } else {
+        // initialize() copies it: static, so that its work space is zero and not indeterminate.
+        static const boost::numeric::odeint::extrapolation_stepper<K + 2, Y> starter;
+        stepper.initialize(starter, system, state, t, h);
+        started = true;
+      }
+    });
+  });
+}
+
+/// To a tolerance, at orders up to K.
+template <std::size_t K, Ode P>
+Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::fixed) return refuse_fixed();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    using Y = State<P>;
+    using Stepper = boost::numeric::odeint::controlled_adams_bashforth_moulton<
+        boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y>>;
+    // The longest step is 1 unless told, which is no bound that a problem asked for.
+    Stepper stepper(typename Stepper::step_adjuster_type(request.tolerance, request.tolerance,
+                                                         request.stops.back() - contest.t0));
+    Y y = start_of(contest);
+    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+  });
+}
+
+}  // namespace odeum::adapters::odeint

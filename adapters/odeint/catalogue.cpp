@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeint/catalogue.hpp"
+
+#include <limits>
+#include <stdexcept>
+
+#include "odeint/implicit.hpp"
+
+namespace odeum::adapters::odeint {
+namespace {
+
+constexpr double varies = std::numeric_limits<double>::quiet_NaN();
+
+enum Modes { fixed_only, adaptive_only, both };
+
+/// `order` is what the documentation or, where it is silent, the header's own comment or order()
+/// claims. A family of steppers is one row; its number is appended to the name, and its order is
+/// that number plus `order`.
+struct Row {
+  const char* name;
+  const char* family;
+  double order;
+  Modes modes;
+  const char* controller;
+  const char* needs;
+  const char* note;
+  int numbered_to = 0;
+};
+
+constexpr const char* controlled =
+    "make_controlled(abs, rel): error within abs + rel (|y| + h |y'|)";
+constexpr const char* own_control = "its own";
+constexpr const char* needs_nothing = "";
+constexpr const char* needs_dense = "a dense Jacobian (differenced where there is none)";
+constexpr const char* needs_second_order = "q'' = a(t, q, v)";
+constexpr const char* needs_separable =
+    "q'' = a(q), of neither velocity nor time: the system function is given neither";
+
+const Row rows[] = {
+    {"euler", "explicit_rk", 1, fixed_only, "", needs_nothing, ""},
+    {"modified_midpoint", "explicit_rk", 2, fixed_only, "", needs_nothing, "two sub-steps"},
+    {"runge_kutta4", "explicit_rk", 4, fixed_only, "", needs_nothing, "by the generic algorithm"},
+    {"runge_kutta4_classic", "explicit_rk", 4, fixed_only, "", needs_nothing, "written out"},
+    {"runge_kutta_cash_karp54", "explicit_rk", 5, both, controlled, needs_nothing, ""},
+    {"runge_kutta_cash_karp54_classic", "explicit_rk", 5, both, controlled, needs_nothing, ""},
+    {"runge_kutta_dopri5", "explicit_rk", 5, both, controlled, needs_nothing, ""},
+    {"runge_kutta_fehlberg78", "explicit_rk", 8, both, controlled, needs_nothing, ""},
+    {"dense_output_runge_kutta_dopri5", "explicit_rk", 5, adaptive_only, controlled, needs_nothing,
+     "make_dense_output: stops before the horizon are interpolated"},
+    {"extrapolation_stepper", "extrapolation", 0, both, controlled, needs_nothing,
+     "order is the template parameter", 8},
+    {"bulirsch_stoer", "extrapolation", varies, adaptive_only, own_control, needs_nothing,
+     "chooses order and step"},
+    {"bulirsch_stoer_dense_out", "extrapolation", varies, adaptive_only, own_control, needs_nothing,
+     "chooses order and step; stops before the horizon are interpolated"},
+    {"adams_bashforth", "multistep", 0, fixed_only, "", needs_nothing,
+     "order is the number of steps; starts itself by extrapolation_stepper, called out of place",
+     8},
+    {"adams_bashforth_moulton", "multistep", 0, fixed_only, "", needs_nothing,
+     "order() is the number of steps (the header's comment says one more); started as "
+     "adams_bashforth, called out of place",
+     8},
+    {"adaptive_adams_bashforth_moulton", "multistep", 1, fixed_only, "", needs_nothing,
+     "stepper_order() is the number of steps + 1; the first step is as many sub-steps of "
+     "extrapolation_stepper, by initialize()",
+     8},
+    {"controlled_adams_bashforth_moulton", "multistep", varies, adaptive_only,
+     "H211 PI filter on step, and order by error", needs_nothing,
+     "the number is the highest order; starts at order 1", 8},
+    {"symplectic_euler", "symplectic", 1, fixed_only, "", needs_separable, ""},
+    {"symplectic_rkn_sb3a_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
+    {"symplectic_rkn_sb3a_m4_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
+    {"velocity_verlet", "symplectic", 1, fixed_only, "", needs_second_order,
+     "order() and the manual's table say 1"},
+    {"implicit_euler", "implicit_rk", 1, fixed_only, "", needs_dense,
+     "its Newton iteration ends at a step of 1e-6"},
+    {"rosenbrock4", "linearly_implicit", 4, both, "rosenbrock4_controller", needs_dense, ""},
+    {"rosenbrock4_dense_output", "linearly_implicit", 4, adaptive_only, "rosenbrock4_controller",
+     needs_dense, "stops before the horizon are interpolated"},
+};
+
+/// Splits "adams_bashforth_3" into its row and 3; a plain name is its own row and 0.
+const Row& row_of(std::string_view method, int& number) {
+  const char digit = method.back();
+  for (const Row& row : rows) {
+    const std::string_view name = row.name;
+    number = 0;
+    if (!row.numbered_to && method == name) return row;
+    number = digit - '0';
+    if (row.numbered_to && number >= 1 && number <= row.numbered_to &&
+        method.size() == name.size() + 2 && method.starts_with(name) && method[name.size()] == '_')
+      return row;
+  }
+  throw std::logic_error("odeint has no stepper " + std::string(method));
+}
+
+}  // namespace
+
+SolverInfo info_of(std::string_view method) {
+  int number = 0;
+  const Row& row = row_of(method, number);
+  SolverInfo info;
+  info.library = "odeint";
+  info.method = method;
+  info.family = row.family;
+  info.order = row.order + number;
+  info.fixed = row.modes != adaptive_only;
+  info.adaptive = row.modes != fixed_only;
+  info.controller = row.controller;
+  info.needs = row.needs;
+  info.source = "Boost 1.74, Numeric.Odeint, Stepper overview";
+  if (*row.note) info.source += std::string("; ") + row.note;
+  return info;
+}
+
+void enroll_implicit(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+  const auto add = [&](const char* method, ImplicitRun run) {
+    entrants.push_back(
+        {.info = info_of(method), .unfit = {}, .solve = [run, contest](const Request& request) {
+           const std::size_t n = contest.view.dimension;
+           if (n > dense_dimension_limit) return dense_over_budget(n);
+           return run(contest.view, contest.t0, *contest.y0, request);
+         }});
+  };
+  add("implicit_euler", run_implicit_euler);
+  add("rosenbrock4", run_rosenbrock4);
+  add("rosenbrock4_dense_output", run_rosenbrock4_dense_output);
+}
+
+}  // namespace odeum::adapters::odeint

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "odeum/harness/solver.hpp"
+
+namespace odeum::adapters::odeint {
+
+/// What odeint's documentation says about a stepper. Throws std::logic_error for an unknown name.
+SolverInfo info_of(std::string_view method);
+
+/// The steppers on uBLAS matrices: they are compiled once, behind function pointers.
+void enroll_implicit(const ErasedContest& contest, std::vector<Entrant>& entrants);
+
+}  // namespace odeum::adapters::odeint

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeint/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/numeric/odeint/util/odeint_error.hpp>
+
+#include "odeint/tripped.hpp"
+
+namespace odeum::adapters::odeint {
+
+double first_step(double t0, const Request& request) { return 1e-4 * (request.stops.back() - t0); }
+
+double smallest_step(double t, double stop) {
+  return 16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
+}
+
+bool step_is_large_enough(double h, double t, double stop, Outcome& outcome) {
+  if (h >= smallest_step(t, stop)) return true;  // a NaN is not
+  outcome.status = Status::step_too_small;
+  outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h, t);
+  return false;
+}
+
+void explain_exception(Outcome& outcome) {
+  try {
+    throw;
+  } catch (const Tripped&) {
+    // The guard says why.
+  } catch (const boost::numeric::odeint::step_adjustment_error& error) {
+    outcome.status = Status::step_too_small;
+    outcome.detail = fmt::format("step_adjustment_error: {}", error.what());
+  } catch (const std::exception& error) {
+    outcome.status = Status::refused;
+    outcome.detail = fmt::format("odeint threw: {}", error.what());
+  }
+}
+
+namespace {
+Outcome refuse(const char* why) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = why;
+  return outcome;
+}
+}  // namespace
+
+Outcome refuse_adaptive() { return refuse("runs at a fixed step only"); }
+Outcome refuse_fixed() { return refuse("chooses its own step, there is no fixed one"); }
+
+}  // namespace odeum::adapters::odeint

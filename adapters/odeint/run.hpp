@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+
+#include "odeint/system.hpp"
+#include "odeint/walk.hpp"
+#include "odeum/harness/solver.hpp"
+
+/// One function for each way in which odeint's steppers are used; each solves with a stepper type
+/// and a problem type that are known down to the innermost loop.
+namespace odeum::adapters::odeint {
+
+template <Ode P>
+using Run = Outcome (*)(const Contest<P>&, const Request&);
+
+/// Calls body(problem, guard, outcome) under a guard of its own.
+template <Ode P, class Body>
+Outcome attempt(const Contest<P>& contest, const Request& request, Body&& body) {
+  Guard guard(size_of(*contest.problem), request.budget);
+  Outcome outcome;
+  try {
+    body(*contest.problem, guard, outcome);
+  } catch (...) {
+    explain_exception(outcome);
+  }
+  guard.conclude(request, outcome);
+  return outcome;
+}
+
+template <Ode P>
+State<P> start_of(const Contest<P>& contest) {
+  State<P> y = make_state(*contest.problem);
+  std::copy(contest.y0->begin(), contest.y0->end(), y.begin());
+  return y;
+}
+
+/// A stepper with do_step(system, y, t, h), in place.
+template <class Stepper, Ode P>
+Outcome run_plain(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::adaptive) return refuse_adaptive();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    const System<P> system{&problem, &guard};
+    Stepper stepper;
+    State<P> y = start_of(contest);
+    walk_fixed(contest.t0, request, y, outcome,
+               [&](State<P>& state, double t, double h) { stepper.do_step(system, state, t, h); });
+  });
+}
+
+template <class Stepper>
+using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper>;
+
+/// The tolerance is both the absolute and the relative one.
+template <class Stepper>
+Controlled<Stepper> make_controlled(double tolerance) {
+  // The library copies the stepper, work space and all: static, that is zero and not indeterminate.
+  static const Stepper blank;
+  using Checker = typename Controlled<Stepper>::error_checker_type;
+  using Adjuster = typename Controlled<Stepper>::step_adjuster_type;
+  return Controlled<Stepper>(Checker(tolerance, tolerance), Adjuster(), blank);
+}
+
+/// To a tolerance through controlled_runge_kutta, which is what make_controlled makes.
+template <class Stepper, Ode P>
+Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
+    State<P> y = start_of(contest);
+    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+  });
+}
+
+/// A stepper with an error estimate; `fixed` runs it at a fixed step.
+template <class Stepper, auto fixed, Ode P>
+Outcome run_either(const Contest<P>& contest, const Request& request) {
+  return request.mode == Mode::fixed ? fixed(contest, request)
+                                     : run_to_tolerance<Stepper>(contest, request);
+}
+
+/// A stepper called out of place at a fixed step: called in place, extrapolation_stepper overwrites
+/// its own input, and so do the multistep steppers while it starts them
+/// (reports/findings/odeint.md).
+template <class Stepper, Ode P>
+Outcome run_out_of_place(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::adaptive) return refuse_adaptive();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    const System<P> system{&problem, &guard};
+    Stepper stepper;
+    State<P> y = start_of(contest), next = y;
+    walk_fixed(contest.t0, request, y, outcome, [&](State<P>& state, double t, double h) {
+      stepper.do_step(system, state, t, next, h);
+      std::swap(state, next);
+    });
+  });
+}
+
+/// A stepper that is itself controlled, made from (absolute, relative) tolerance.
+template <class Controlled, Ode P>
+Outcome run_controlled(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::fixed) return refuse_fixed();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    Controlled stepper(request.tolerance, request.tolerance);
+    State<P> y = start_of(contest);
+    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+  });
+}
+
+/// A dense-output stepper; make(tolerance) makes it.
+template <auto make, Ode P>
+Outcome run_dense(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::fixed) return refuse_fixed();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    auto stepper = make(request.tolerance);
+    State<P> y = start_of(contest);
+    walk_dense(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+  });
+}
+
+/// A stepper on pairs (q, v), with the kind of system that it wants.
+template <class Stepper, template <class> class PairSystem, Ode P>
+Outcome run_pair(const Contest<P>& contest, const Request& request) {
+  if (request.mode == Mode::adaptive) return refuse_adaptive();
+  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+    const PairSystem<P> system{&problem, &guard};
+    Stepper stepper;
+    const State<P> y0 = start_of(contest);
+    const auto middle = y0.begin() + static_cast<std::ptrdiff_t>(y0.size() / 2);
+    std::pair<Half<P>, Half<P>> y;
+    if constexpr (P::dimension == dynamic) {
+      y = {{y0.begin(), middle}, {middle, y0.end()}};
+    } else {
+      std::copy(y0.begin(), middle, y.first.begin());
+      std::copy(middle, y0.end(), y.second.begin());
+    }
+    walk_fixed(contest.t0, request, y, outcome,
+               [&](auto& state, double t, double h) { stepper.do_step(system, state, t, h); });
+  });
+}
+
+}  // namespace odeum::adapters::odeint

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeint/tripped.hpp"
+#include "odeum/harness/guard.hpp"
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum::adapters::odeint {
+
+/// Problem P as odeint calls it, guarded and inlined: the system of its first-order steppers.
+template <Ode P>
+struct System {
+  const P* problem;
+  Guard* guard;
+
+  void operator()(const State<P>& y, State<P>& dydt, double t) const {
+    if (!guard->admit()) throw Tripped{};
+    problem->rhs(t, y.data(), dydt.data());
+    if (!guard->inspect(t, dydt.data(), dydt.size())) throw Tripped{};
+  }
+};
+
+/// Positions or velocities of a second-order problem.
+template <SecondOrder P>
+using Half = typename detail::StateOf<P::dimension == dynamic ? dynamic : P::dimension / 2>::type;
+
+/// q'' = a(t, q, v) as odeint's velocity_verlet asks for it.
+template <SecondOrder P>
+struct SecondOrderSystem {
+  const P* problem;
+  Guard* guard;
+
+  void operator()(const Half<P>& q, const Half<P>& v, Half<P>& a, double t) const {
+    if (!guard->admit()) throw Tripped{};
+    problem->acceleration(t, q.data(), v.data(), a.data());
+    if (!guard->inspect(t, a.data(), a.size())) throw Tripped{};
+  }
+};
+
+/// q'' = a(q) as odeint's symplectic steppers ask for it: they pass neither time nor velocity.
+template <Separable P>
+struct SymplecticSystem {
+  const P* problem;
+  Guard* guard;
+
+  void operator()(const Half<P>& q, Half<P>& a) const {
+    if (!guard->admit()) throw Tripped{};
+    problem->acceleration(0, q.data(), nullptr, a.data());
+    if (!guard->inspect(0, a.data(), a.size())) throw Tripped{};
+  }
+};
+
+}  // namespace odeum::adapters::odeint

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Plain C++17: shared with the translation unit of the uBLAS steppers.
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
+#include <utility>
+
+#include "odeint/report.hpp"
+
+/// How odeint's steppers are walked from stop to stop. Steps are counted as they are made, so that
+/// an exception out of a right-hand side leaves an outcome that says how far the walk came.
+namespace odeum::adapters::odeint {
+
+template <class Y>
+void record(Outcome& outcome, double t, const Y& y) {
+  outcome.record(t, &y[0], y.size());
+}
+template <class Q, class V>
+void record(Outcome& outcome, double t, const std::pair<Q, V>& y) {
+  record(outcome, t, y.first);
+  record(outcome, t, y.second);
+}
+
+/// Makes exactly request.steps calls of step(y, t, h).
+template <class Y, class Step>
+void walk_fixed(double t0, const Request& request, Y& y, Outcome& outcome, Step&& step) {
+  const FixedGrid grid(t0, request);
+  std::uint64_t& i = outcome.counters.steps;
+  for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
+    for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
+      outcome.t = grid.t(i);
+      step(y, outcome.t, grid.h());
+    }
+    record(outcome, request.stops[stop], y);
+  }
+}
+
+/// Walks a controlled stepper, as integrate_adaptive does, but with a floor under the step, and
+/// with the step before a stop remembered beyond it.
+template <class Controlled, class System, class Y>
+void walk_controlled(Controlled& stepper, System system, double t, const Request& request, Y& y,
+                     Outcome& outcome) {
+  double h = first_step(t, request);
+  for (const double stop : request.stops) {
+    while (t < stop) {
+      outcome.t = t;
+      if (!step_is_large_enough(h, t, stop, outcome)) return;
+      const bool last = t + h >= stop - smallest_step(t, stop);
+      double proposed = last ? stop - t : h;
+      if (stepper.try_step(system, y, t, proposed) == boost::numeric::odeint::success) {
+        ++outcome.counters.steps;
+        if (last) t = stop;
+        h = last ? std::max(h, proposed) : proposed;
+      } else {
+        ++outcome.counters.rejected_steps;
+        h = proposed;
+      }
+    }
+    record(outcome, stop, y);
+  }
+}
+
+/// Walks a dense-output stepper: it steps over the stops, which are interpolated, and is shortened
+/// only to end at the horizon. It does not tell its rejected steps.
+template <class Dense, class System, class Y>
+void walk_dense(Dense& stepper, System system, double t0, const Request& request, Y& y,
+                Outcome& outcome) {
+  const double horizon = request.stops.back();
+  stepper.initialize(y, t0, first_step(t0, request));
+  for (const double stop : request.stops) {
+    while (stepper.current_time() < stop - smallest_step(t0, stop)) {
+      const double t = stepper.current_time(), h = stepper.current_time_step();
+      outcome.t = t;
+      if (!step_is_large_enough(h, t, stop, outcome)) return;
+      if (t + h > horizon) stepper.initialize(Y(stepper.current_state()), t, horizon - t);
+      stepper.do_step(system);
+      ++outcome.counters.steps;
+    }
+    // The end of a step needs no interpolation.
+    if (stepper.current_time() <= stop + smallest_step(t0, stop))
+      y = stepper.current_state();
+    else
+      stepper.calc_state(stop, y);
+    record(outcome, stop, y);
+  }
+}
+
+}  // namespace odeum::adapters::odeint

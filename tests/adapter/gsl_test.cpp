@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gsl/enroll.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <thread>
+
+#include "adapter/peer_stage.hpp"
+
+namespace odeum::test {
+namespace {
+
+std::vector<Entrant> enrolled(Circle problem) {
+  std::vector<Entrant> entrants;
+  adapters::gsl::enroll(circle(problem), entrants);
+  return entrants;
+}
+
+TEST(Gsl, HasElevenSteppers) { EXPECT_EQ(enrolled({}).size(), 11u); }
+
+TEST(Gsl, EachStepperIsHonest) {
+  for (const Entrant& entrant : enrolled({})) expect_honest(entrant, enrolled);
+}
+
+TEST(Gsl, ErrorFallsWithTolerance) {
+  for (const Entrant& entrant : enrolled({})) {
+    // bsimp does better than asked at any tolerance here (its order is 12): its floor is judged.
+    if (entrant.info.method == "bsimp")
+      EXPECT_LT(circle_error(entrant.solve(adaptive_request(1e-7))), 1e-7);
+    else
+      expect_converges_with_tolerance(entrant);
+  }
+}
+
+struct Expected {
+  const char* method;
+  double order;
+  std::uint64_t coarsest;
+};
+
+/// Slopes at errors of 1e-4 to 1e-11 are within 0.4 of the order here: the next term of the error
+/// is smaller by h times a constant of the problem's size.
+TEST(Gsl, OrdersAtAFixedStep) {
+  // rk2 claims 2; see reports/findings/gsl.md.
+  const Expected table[] = {{"rk2", 3, 16},    {"rk4", 4, 16},   {"rkf45", 5, 16},
+                            {"rkck", 5, 16},   {"rk8pd", 8, 8},  {"rk1imp", 1, 64},
+                            {"rk2imp", 2, 16}, {"rk4imp", 4, 16}};
+  const std::vector<Entrant> entrants = enrolled({});
+  for (const Expected& expected : table)
+    EXPECT_NEAR(circle_order(find(entrants, expected.method), expected.coarsest), expected.order,
+                0.4)
+        << expected.method;
+}
+
+TEST(Gsl, ClaimsWhatTheLibraryClaims) {
+  const std::vector<Entrant> entrants = enrolled({});
+  EXPECT_EQ(find(entrants, "rk2").info.order, 2);
+  EXPECT_TRUE(std::isnan(find(entrants, "msadams").info.order));
+  EXPECT_GT(find(entrants, "bsimp").info.order, 2);  // asked of the library, even
+}
+
+TEST(Gsl, DenseMatricesHaveALimit) {
+  std::vector<Entrant> entrants;
+  adapters::gsl::enroll(contest_of(Wide{}, std::vector<double>(Wide{}.size(), 1)), entrants);
+  EXPECT_EQ(find(entrants, "rk4imp").solve(fixed_request(8)).status, Status::over_budget);
+  EXPECT_EQ(find(entrants, "rk4").solve(fixed_request(8)).status, Status::ok);
+}
+
+TEST(Gsl, AProblemWithoutJacobianIsDifferenced) {
+  struct Decay {
+    static constexpr std::size_t dimension = 1;
+    void rhs(double, const double* y, double* dydt) const { dydt[0] = -y[0] * y[0]; }
+  };
+  std::vector<Entrant> entrants;
+  adapters::gsl::enroll(contest_of(Decay{}, {1}), entrants);
+  const Outcome outcome = find(entrants, "rk4imp").solve(fixed_request(64));
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+  // y = 1 / (1 + t); order 4 with h = 1/32 leaves about h^4.
+  EXPECT_NEAR(outcome.states.back(), 1.0 / 3, 1e-7);
+}
+
+TEST(Gsl, TwoThreadsAgreeWithOne) {
+  const std::vector<Entrant> entrants = enrolled({});
+  for (const char* method : {"rk8pd", "rk4imp", "bsimp"}) {
+    const Entrant& entrant = find(entrants, method);
+    const Outcome alone = entrant.solve(fixed_request(64));
+    Outcome first, second;
+    std::thread thread([&] { first = entrant.solve(fixed_request(64)); });
+    second = entrant.solve(fixed_request(64));
+    thread.join();
+    EXPECT_EQ(first.states, alone.states) << method;
+    EXPECT_EQ(second.states, alone.states) << method;
+  }
+}
+
+}  // namespace
+}  // namespace odeum::test
