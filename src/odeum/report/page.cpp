@@ -84,10 +84,9 @@ const Lookup::Rows<study::TimeRow>& Lookup::times(const std::string& case_id,
 
 std::string case_anchor(std::size_t index) { return fmt::format("case-{}", index); }
 
-std::string verdict_chip(study::Verdict verdict, const std::string& text) {
-  const std::string name = study::to_string(verdict);
-  return fmt::format("<span class=\"chip {}\">{} {}</span>", name, style_of(verdict).glyph,
-                     text.empty() ? name : text);
+std::string verdict_chip(study::Verdict verdict) {
+  return fmt::format("<span class=\"chip {0}\">{1} {0}</span>", study::to_string(verdict),
+                     style_of(verdict).glyph);
 }
 
 std::string legend(const Panel& panel, const std::vector<bool>& shown) {

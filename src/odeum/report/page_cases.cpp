@@ -129,7 +129,19 @@ std::string order_row(const study::OrderRow& row) {
       escape(fit.reason));
 }
 
-std::string case_details(PageContext& page, std::size_t index) {
+std::string orders_table(const std::string& rows) {
+  if (rows.empty()) return {};
+  return "<details><summary>Orders</summary><div class=\"wide\"><table class=\"numbers "
+         "orders\"><thead>"
+         "<tr><th>solver</th><th>mode</th><th>claimed</th><th>measured</th><th>95 % interval</th>"
+         "<th>window, "
+         "h</th><th>points</th><th>floor</th><th>verdict</th><th>reason</th></tr></thead>"
+         "<tbody>\n" +
+         rows + "</tbody></table></div></details>\n";
+}
+
+// The first case that was run stands open, so that the page shows what the others hold.
+std::string case_details(PageContext& page, std::size_t index, bool& one_is_open) {
   const CaseFacts& c = page.data.cases[index];
   std::array<std::size_t, verdict_styles.size()> counts{};
   std::string orders;
@@ -145,19 +157,15 @@ std::string case_details(PageContext& page, std::size_t index) {
     for (const Panel& panel : page.panels) figures += panel_figure(page, c, axes, panel);
   const std::string floor =
       c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
+  const bool open = !figures.empty() && !one_is_open;
+  one_is_open |= open;
   return fmt::format(
       "<details class=\"case\" id=\"{}\"{}><summary><strong>{}</strong> "
       "<code>{}</code>{}</summary>\n"
       "<dl class=\"facts\"><dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
-      "<dt>Truth</dt><dd>{}{}</dd></dl>\n<div class=\"panels\">\n{}</div>\n"
-      "<details><summary>Orders</summary><div class=\"wide\"><table class=\"numbers "
-      "orders\"><thead>"
-      "<tr><th>solver</th><th>mode</th><th>claimed</th><th>measured</th><th>95 % interval</th>"
-      "<th>window, h</th><th>points</th><th>floor</th><th>verdict</th><th>reason</th></tr></thead>"
-      "<tbody>\n{}</tbody></table></div></details>\n</details>\n",
-      case_anchor(index), index == 0 ? " open" : "", escape(c.title), escape(c.id),
-      verdict_bar(counts), escape(c.equation), escape(c.source), escape(c.truth), floor, figures,
-      orders);
+      "<dt>Truth</dt><dd>{}{}</dd></dl>\n<div class=\"panels\">\n{}</div>\n{}</details>\n",
+      case_anchor(index), open ? " open" : "", escape(c.title), escape(c.id), verdict_bar(counts),
+      escape(c.equation), escape(c.source), escape(c.truth), floor, figures, orders_table(orders));
 }
 
 }  // namespace
@@ -169,7 +177,9 @@ std::string cases_section(PageContext& page) {
       "hundred times the initial state are not drawn. Axes are the same throughout a case. Thin "
       "lines show the slopes of the orders claimed; dashed curves are runs to a tolerance, plain "
       "ones runs at a fixed step.</p>\n";
-  for (std::size_t i = 0; i < page.data.cases.size(); ++i) html += case_details(page, i);
+  bool one_is_open = false;
+  for (std::size_t i = 0; i < page.data.cases.size(); ++i)
+    html += case_details(page, i, one_is_open);
   return html + "</section>\n";
 }
 

@@ -74,8 +74,8 @@ std::string findings_section();
 
 /// The address within the page of the case of that number.
 std::string case_anchor(std::size_t index);
-/// "confirmed ✓" as a coloured chip; `text` is shown instead of the name where given.
-std::string verdict_chip(study::Verdict verdict, const std::string& text = {});
+/// "✓ confirmed" as a coloured chip.
+std::string verdict_chip(study::Verdict verdict);
 /// The legend of a panel: marker, colour and name of the solvers for which `shown` holds.
 std::string legend(const Panel& panel, const std::vector<bool>& shown);
 
