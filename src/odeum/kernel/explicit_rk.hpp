@@ -88,6 +88,7 @@ class ExplicitRungeKutta {
 template <const auto& T>
 struct ExplicitRungeKuttaMethod {
   static_assert(T.is_explicit());
+  static constexpr const auto& tableau = T;
   template <class P>
   using Stepper = ExplicitRungeKutta<T, P>;
   static double amplification(double re, double im) {

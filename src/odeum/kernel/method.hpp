@@ -13,7 +13,9 @@
 ///     static constexpr MethodInfo info{...};
 ///     template <class P> using Stepper = ...;      // one step on problem P, see below
 ///
-/// and one of the needs below as its base. A Stepper is built from a problem and has
+/// and one of the needs below as its base; a Runge-Kutta method shows its coefficients as
+/// `static constexpr const auto& tableau`, which tests then alter one by one. A Stepper is built
+/// from a problem and has
 ///
 ///     Status step(double t, double h, State<P>& y);   // y at t becomes y at t + h
 ///
