@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <limits>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include "support/reference.hpp"
@@ -18,6 +20,9 @@ double distance(const double* a, const double* b) { return std::hypot(a[0] - b[0
 struct ReferenceRun {
   const char* name;
   double damping;
+  friend std::ostream& operator<<(std::ostream& out, const ReferenceRun& r) {
+    return out << r.name;
+  }
 };
 
 class AgainstReference : public testing::TestWithParam<ReferenceRun> {};

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <limits>
+#include <ostream>
 
 #include "odeum/methods/implicit_euler_linearised.hpp"
 #include "odeum/scene/mass_spring.hpp"
@@ -48,6 +49,7 @@ struct Setting {
   const char* name;
   double gamma_h, stiffness, squeeze;
   bool definite;
+  friend std::ostream& operator<<(std::ostream& out, const Setting& s) { return out << s.name; }
 };
 
 class ShiftedSolverOfANet : public testing::TestWithParam<Setting> {};

@@ -35,7 +35,7 @@ struct MethodInfo {
 
 /// Fits any problem.
 struct ForAnyProblem {
-  static constexpr std::string_view needs = "";
+  static constexpr std::string_view needs{};
   template <class P>
   static constexpr bool fits = Ode<P>;
 };

@@ -156,7 +156,7 @@ Journal::Journal(const OutputFolder& folder, const std::string& study,
     const std::string text = read_file(path_);
     std::string_view rest = text;
     bool first = true;
-    for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos;
+    for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
          rest.remove_prefix(end + 1)) {
       const std::string_view line = rest.substr(0, end);
       if (first && line != heading) break;
