@@ -10,12 +10,20 @@
 
 namespace odeum::cases {
 
-/// Every solver, own and of each library, enrolled on a problem.
+/// Every solver, own and of each library, enrolled on a problem. A malformed request is refused
+/// (std::invalid_argument) before any of them sees it.
 template <Ode P>
 std::vector<Entrant> enroll(const Contest<P>& contest) {
   std::vector<Entrant> entrants;
   enroll_own(contest, entrants);
   enroll_adapters(contest, entrants);
+  for (Entrant& entrant : entrants) {
+    if (!entrant.solve) continue;
+    entrant.solve = [t0 = contest.t0, solve = std::move(entrant.solve)](const Request& request) {
+      require_sound(request, t0);
+      return solve(request);
+    };
+  }
   return entrants;
 }
 

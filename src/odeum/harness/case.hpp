@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -65,9 +66,7 @@ struct Case {
   }
 
   bool has_tag(const std::string& tag) const {
-    for (const auto& t : tags)
-      if (t == tag) return true;
-    return false;
+    return std::find(tags.begin(), tags.end(), tag) != tags.end();
   }
 };
 

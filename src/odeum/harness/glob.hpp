@@ -12,8 +12,8 @@ bool glob_matches(std::string_view pattern, std::string_view text);
 /// Whether one of the patterns matches; no pattern at all matches everything.
 bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view text);
 
-/// The candidate nearest to a word that was not found (edit distance, at most a third of its
-/// length away), for "did you mean"; empty where none is near.
+/// The candidate nearest to a word that was not found (edit distance, at most one more
+/// than a third of its length), for "did you mean"; empty where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace odeum

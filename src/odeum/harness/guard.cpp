@@ -14,12 +14,12 @@ bool Guard::exhaust(const char* what) {
   return false;
 }
 
-bool Guard::latch(double t, const double* values, std::size_t n) {
+bool Guard::latch(double t, const double* values, std::size_t n, std::size_t first) {
   tripped_ = true;
   status_ = Status::non_finite;
   for (std::size_t i = 0; i < n; ++i) {
     if (std::isfinite(values[i])) continue;
-    detail_ = fmt::format("right-hand side component {} is {} at t = {}", i, values[i], t);
+    detail_ = fmt::format("right-hand side component {} is {} at t = {}", first + i, values[i], t);
     break;
   }
   return false;

@@ -30,10 +30,11 @@ class Guard {
 
   /// To be called after an evaluation. False: a component is not finite.
   bool inspect(double t, const double* dydt) { return inspect(t, dydt, dimension_); }
-  bool inspect(double t, const double* values, std::size_t n) {
+  /// The same for n components from number `first` on: an acceleration is the second half.
+  bool inspect(double t, const double* values, std::size_t n, std::size_t first = 0) {
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) sum += values[i] * 0.0;  // NaN when any is not finite
-    return sum == 0.0 || latch(t, values, n);
+    return sum == 0.0 || latch(t, values, n, first);
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }
@@ -52,7 +53,7 @@ class Guard {
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool exhaust(const char* what);
-  bool latch(double t, const double* values, std::size_t n);
+  bool latch(double t, const double* values, std::size_t n, std::size_t first);
 
   std::size_t dimension_;
   Budget budget_;
@@ -97,7 +98,7 @@ class GuardedView {
   int acceleration(double t, const double* q, const double* v, double* a) {
     if (!guard_.admit()) return 1;
     view_.acceleration(view_.problem, t, q, v, a);
-    return guard_.inspect(t, a, view_.degrees_of_freedom) ? 0 : 1;
+    return guard_.inspect(t, a, view_.degrees_of_freedom, view_.degrees_of_freedom) ? 0 : 1;
   }
 
   const OdeView& view() const { return view_; }

@@ -39,7 +39,7 @@ class Guarded {
                     double* a) const requires SecondOrder<P> {
     if (guard_.admit()) {
       problem_.acceleration(t, q, v, a);
-      guard_.inspect(t, a, size() / 2);
+      guard_.inspect(t, a, size() / 2, size() / 2);
     } else {
       for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
     }

@@ -51,6 +51,10 @@ struct Request {
   Budget budget = {};
 };
 
+/// Throws std::invalid_argument where a request is malformed: no stops, or stops that are not
+/// finite, after t0 and strictly increasing; no steps; a tolerance that is not positive and finite.
+void require_sound(const Request& request, double t0);
+
 struct Counters {
   std::uint64_t steps = 0;  ///< accepted steps
   std::uint64_t rejected_steps = 0;

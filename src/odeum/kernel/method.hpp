@@ -13,7 +13,9 @@
 ///     static constexpr MethodInfo info{...};
 ///     template <class P> using Stepper = ...;      // one step on problem P, see below
 ///
-/// and one of the needs below as its base. A Stepper is built from a problem and has
+/// and one of the needs below as its base; a Runge-Kutta method shows its coefficients as
+/// `static constexpr const auto& tableau`, which tests then alter one by one. A Stepper is built
+/// from a problem and has
 ///
 ///     Status step(double t, double h, State<P>& y);   // y at t becomes y at t + h
 ///
@@ -33,7 +35,7 @@ struct MethodInfo {
 
 /// Fits any problem.
 struct ForAnyProblem {
-  static constexpr std::string_view needs = "";
+  static constexpr std::string_view needs{};
   template <class P>
   static constexpr bool fits = Ode<P>;
 };

@@ -19,7 +19,8 @@ template <class S>
 double max_norm(const S& x) {
   double norm = 0;
   for (const double component : x) {
-    if (!(std::abs(component) <= norm)) norm = std::abs(component);
+    if (std::isnan(component)) return component;
+    norm = std::max(norm, std::abs(component));
   }
   return norm;
 }

@@ -18,6 +18,9 @@ class DenseLu {
 
   /// False where the matrix is singular or has an entry that is not finite.
   bool factorise() {
+    double finite = 0;  // NaN when any entry is not finite: elimination may never look at it
+    for (const double entry : lu_) finite += entry * 0.0;
+    if (std::isnan(finite)) return false;
     for (std::size_t i = 0; i < n_; ++i) row_[i] = i;
     for (std::size_t k = 0; k < n_; ++k) {
       std::size_t pivot = k;

@@ -22,6 +22,7 @@ struct implicit_euler : ForAnyProblem {
       .order = implicit_euler_tableau.order,
       .source =
           "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"};
+  static constexpr const auto& tableau = implicit_euler_tableau;
 
   template <class P>
   class Stepper {

@@ -32,13 +32,12 @@ struct implicit_euler_fixed_point : ForAnyProblem {
       y_next_ = y;
       for (int iteration = 0; iteration < max_iterations; ++iteration) {
         problem_.rhs(t + h, y_next_.data(), f_.data());
-        double change = 0;
         for (std::size_t i = 0; i < y.size(); ++i) {
           const double next = y[i] + h * f_[i];
-          const double moved = std::abs(next - y_next_[i]);
-          if (!(moved <= change)) change = moved;
+          f_[i] = next - y_next_[i];
           y_next_[i] = next;
         }
+        const double change = max_norm(f_);
         if (!std::isfinite(change)) return Status::newton_failed;
         if (change <= correction_tolerance * std::max(max_norm(y), max_norm(y_next_))) {
           y = y_next_;

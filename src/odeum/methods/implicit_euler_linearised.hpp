@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
+#include <complex>
+
+#include "odeum/harness/outcome.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 

@@ -19,11 +19,13 @@ std::string format_text(std::string_view text) {
   bool quote = false;
   if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
     field += '\'';
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"') field += '"';
-    if (c == '"' || c == ',') quote = true;
-    field += code < 0x20 || code == 0x7f ? ' ' : c;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto code = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    const bool c1 = code(i) == 0xc2 && i + 1 < text.size() && (code(i + 1) & 0xe0) == 0x80;
+    if (c1) ++i;  // U+0080 to U+009F are two bytes; U+009B begins an escape as ESC [ does
+    if (text[i] == '"') field += '"';
+    if (text[i] == '"' || text[i] == ',') quote = true;
+    field += c1 || code(i) < 0x20 || code(i) == 0x7f ? ' ' : text[i];
   }
   return quote ? '"' + field + '"' : field;
 }

@@ -15,8 +15,8 @@ inline constexpr int csv_schema = 1;
 std::string format_number(double value);
 
 /// A text field: quoted where it must be (comma, quote, line break), control characters (line
-/// breaks, terminal escapes) replaced by spaces, and an apostrophe before a leading = + - @, which
-/// spreadsheets would run as a formula.
+/// breaks, terminal escapes, those of Latin-1 in UTF-8 too) replaced by spaces, and an apostrophe
+/// before a leading = + - @, which spreadsheets would run as a formula.
 std::string format_text(std::string_view text);
 
 /// One row of a CSV file, built field by field.

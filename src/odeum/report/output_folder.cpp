@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace odeum::report {
 namespace {
@@ -28,6 +29,22 @@ void write_all(int file, std::string_view text, const std::filesystem::path& pat
   }
 }
 
+// Every file is written under such a name first. One run a folder: what a killed one left is
+// replaced.
+std::filesystem::path temporary_of(std::filesystem::path path) { return path += ".tmp"; }
+
+int create(const std::filesystem::path& path) {
+  ::unlink(path.c_str());
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (file < 0) fail("cannot create", path);
+  return file;
+}
+
+void replace(const std::filesystem::path& target) {
+  if (::rename(temporary_of(target).c_str(), target.c_str()) != 0) fail("cannot write", target);
+}
+
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
@@ -37,63 +54,63 @@ std::string read_file(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool OpenFile::close() {
+  const int descriptor = std::exchange(descriptor_, -1);
+  return descriptor < 0 || ::close(descriptor) == 0;
+}
+
 OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error)
     throw FileError(fmt::format("cannot make folder {}: {}", path_.string(), error.message()));
   const auto lock_path = path_ / ".lock";
-  lock_ = ::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
-  if (lock_ < 0) fail("cannot open", lock_path);
+  lock_.reset(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (lock_.get() < 0) fail("cannot open", lock_path);
   // The lock goes with the process, however it ends; the file's text only names the holder.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) fail("cannot lock", lock_path);
     const std::string holder = read_file(lock_path);
-    ::close(lock_);
     throw FileError(fmt::format("folder {} is in use by {}", path_.string(),
                                 holder.empty() ? "another run" : holder));
   }
   char host[256] = "this machine";
   ::gethostname(host, sizeof host - 1);
   const std::string holder = fmt::format("process {} on {}", ::getpid(), host);
-  if (::ftruncate(lock_, 0) != 0) fail("cannot write", lock_path);
-  write_all(lock_, holder, lock_path);
+  if (::ftruncate(lock_.get(), 0) != 0) fail("cannot write", lock_path);
+  write_all(lock_.get(), holder, lock_path);
 }
 
 OutputFolder::~OutputFolder() {
   // The file stays: removing it would let a run that has just opened it lock a name that is gone.
-  if (::ftruncate(lock_, 0) == 0) ::close(lock_);
+  [[maybe_unused]] const int emptied = ::ftruncate(lock_.get(), 0);
 }
 
 void OutputFolder::write(std::string_view name, std::string_view text) const {
   const std::filesystem::path relative(name);
-  for (const auto& part : relative)
-    if (part == ".." || part.is_absolute())
-      throw FileError(fmt::format("{} would leave the output folder", name));
   const auto target = path_ / relative;
   std::error_code error;
+  auto folder = path_;  // may be a link itself: that is the user's choice
+  for (const auto& part : relative) {
+    const bool link = folder != path_ && std::filesystem::is_symlink(folder, error);
+    if (part == ".." || part.is_absolute() || link)
+      throw FileError(fmt::format("{} would leave the output folder", name));
+    folder /= part;
+  }
   std::filesystem::create_directories(target.parent_path(), error);
   if (error)
     throw FileError(
         fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
-  auto temporary = target;
-  temporary += ".tmp";  // one run a folder, so a leftover of a killed one is simply replaced
-  ::unlink(temporary.c_str());
-  const int file =
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
-  if (file < 0) fail("cannot create", temporary);
+  const auto temporary = temporary_of(target);
+  OpenFile file(create(temporary));
   try {
-    write_all(file, text, temporary);
-    if (::fsync(file) != 0 && errno != EINVAL) fail("cannot write", temporary);
+    write_all(file.get(), text, temporary);
+    if (::fsync(file.get()) != 0 && errno != EINVAL) fail("cannot write", temporary);
+    if (!file.close()) fail("cannot write", temporary);
+    replace(target);
   } catch (...) {
-    ::close(file);
     ::unlink(temporary.c_str());
     throw;
-  }
-  if (::close(file) != 0 || ::rename(temporary.c_str(), target.c_str()) != 0) {
-    const int reason = errno;
-    ::unlink(temporary.c_str());
-    errno = reason;
-    fail("cannot write", target);
   }
 }
 
@@ -139,7 +156,7 @@ Journal::Journal(const OutputFolder& folder, const std::string& study,
     const std::string text = read_file(path_);
     std::string_view rest = text;
     bool first = true;
-    for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos;
+    for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
          rest.remove_prefix(end + 1)) {
       const std::string_view line = rest.substr(0, end);
       if (first && line != heading) break;
@@ -150,14 +167,11 @@ Journal::Journal(const OutputFolder& folder, const std::string& study,
       first = false;
     }
   }
-  ::unlink(path_.c_str());
-  file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
-  if (file_ < 0) fail("cannot create", path_);
-  write_all(file_, kept, path_);
-}
-
-Journal::~Journal() {
-  if (file_ >= 0) ::close(file_);
+  // Renamed when whole, so that a kill at this point loses nothing either.
+  file_.reset(create(temporary_of(path_)));
+  write_all(file_.get(), kept, path_);
+  replace(path_);
+  length_ = kept.size();
 }
 
 std::optional<std::string> Journal::find(const std::string& key) const {
@@ -169,7 +183,15 @@ std::optional<std::string> Journal::find(const std::string& key) const {
 void Journal::add(const std::string& key, const std::string& result) {
   const std::string line = escape(key) + '\t' + escape(result) + '\n';
   const std::lock_guard lock(mutex_);
-  write_all(file_, line, path_);
+  if (file_.get() < 0) throw FileError("cannot write " + path_.string());
+  try {
+    write_all(file_.get(), line, path_);
+    length_ += line.size();
+  } catch (...) {
+    // Half a line would join the next one.
+    if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) file_.close();
+    throw;
+  }
 }
 
 void Journal::finish() { ::unlink(path_.c_str()); }

@@ -9,9 +9,13 @@ namespace odeum::scene {
 
 MassSpring::MassSpring(const Scene& scene)
     : particles_(scene.size()), springs_(scene.springs), gravity_(scene.gravity) {
+  if (scene.velocity_matrix != std::array<double, 9>{})
+    throw std::invalid_argument("a mass-spring system has no medium (velocity_matrix)");
   for (const Particle& particle : scene.particles) {
     if (!particle.fixed && !(particle.mass > 0))
       throw std::invalid_argument("a free particle needs a positive mass");
+    if (particle.fixed && particle.velocity != Vec3{})
+      throw std::invalid_argument("a fixed particle has no velocity");
     mass_.push_back(particle.mass);
     inverse_mass_.push_back(particle.fixed ? 0 : 1 / particle.mass);
   }

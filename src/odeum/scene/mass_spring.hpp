@@ -21,8 +21,8 @@ class MassSpring {
   static constexpr std::size_t dimension = dynamic;
   static constexpr bool velocity_dependent = true;
 
-  /// Throws std::invalid_argument for a spring end that is no particle, or a mass that is not
-  /// positive on a free particle.
+  /// Throws std::invalid_argument for a spring end that is no particle, a mass that is not positive
+  /// on a free particle, a velocity on a fixed one, or a velocity_matrix, which is no term of this.
   explicit MassSpring(const Scene& scene);
 
   std::size_t size() const { return 6 * particles_; }

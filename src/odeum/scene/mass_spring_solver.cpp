@@ -48,7 +48,7 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
       preconditioner_[spring.b] += a_blocks_[s];
     }
     for (Block& block : preconditioner_) block = block.inverse().eval();
-    return std::isfinite(y[0]);
+    return Eigen::Map<const Eigen::VectorXd>(y, static_cast<Eigen::Index>(n_)).allFinite();
   }
 
   bool solve(double* x) override {
@@ -81,8 +81,8 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
       const auto [a, b] = ends(s);
       Eigen::Vector3d force =
           gamma_h_ * (stiffness_[s] * (ConstSegment(rq + 3 * b) - ConstSegment(rq + 3 * a)));
-      if (!free(a)) force += a_blocks_[s] * ConstSegment(rv + 3 * a);
-      if (!free(b)) force -= a_blocks_[s] * ConstSegment(rv + 3 * b);
+      if (!free(a)) force -= a_blocks_[s] * ConstSegment(rv + 3 * a);
+      if (!free(b)) force += a_blocks_[s] * ConstSegment(rv + 3 * b);
       if (free(a)) Segment(right_side_.data() + 3 * a) += force;
       if (free(b)) Segment(right_side_.data() + 3 * b) -= force;
     }

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/harness/guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "odeum/harness/guarded.hpp"
+#include "support/catalogue.hpp"
+
+namespace odeum::tests {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Three components; the second turns bad after t = 1.
+struct TurnsBad {
+  static constexpr std::size_t dimension = 3;
+  double bad = nan;
+  void rhs(double t, const double* y, double* dydt) const {
+    dydt[0] = y[0];
+    dydt[1] = t > 1 ? bad : y[1];
+    dydt[2] = t > 2 ? bad : y[2];
+  }
+};
+
+TEST(Guard, LatchesTheFirstNonFiniteValueWithItsTimeAndComponent) {
+  for (const auto& [bad, name] : {std::pair{nan, "nan"}, {inf, "inf"}, {-inf, "-inf"}}) {
+    const TurnsBad problem{bad};
+    GuardedView guarded(view_of(problem), Budget{});
+    const double y[] = {1, 2, 3};
+    double dydt[3];
+    EXPECT_EQ(guarded.rhs(0.5, y, dydt), 0);
+    EXPECT_FALSE(guarded.guard().tripped());
+    EXPECT_EQ(guarded.rhs(1.25, y, dydt), 1);
+    EXPECT_EQ(guarded.rhs(3, y, dydt), 1) << "stays tripped";
+    EXPECT_EQ(guarded.guard().status(), Status::non_finite);
+    EXPECT_EQ(guarded.guard().detail(),
+              std::string("right-hand side component 1 is ") + name + " at t = 1.25");
+    EXPECT_EQ(guarded.guard().rhs_evaluations(), 2U) << "none after it tripped";
+  }
+}
+
+TEST(Guard, LargeFiniteValuesAreNotNonFinite) {
+  Guard guard(2, Budget{});
+  const double values[] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  EXPECT_TRUE(guard.inspect(0, values));
+  EXPECT_FALSE(guard.tripped());
+}
+
+TEST(Guard, GuardedProblemReadsZeroOnceTripped) {
+  const TurnsBad problem;
+  Guard guard(3, Budget{});
+  const Guarded<TurnsBad> guarded(problem, guard);
+  const double y[] = {1, 2, 3};
+  double dydt[3] = {};
+  guarded.rhs(1.5, y, dydt);
+  EXPECT_TRUE(guarded.tripped());
+  guarded.rhs(0, y, dydt);
+  for (const double d : dydt) EXPECT_EQ(d, 0);
+}
+
+TEST(Guard, AllowsAsManyEvaluationsAsTheBudgetAndNoMore) {
+  Guard guard(1, Budget{.evaluations = 3});
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(guard.admit()) << i;
+  EXPECT_FALSE(guard.tripped()) << "a solve that needs exactly the budget is within it";
+  EXPECT_FALSE(guard.admit());
+  EXPECT_EQ(guard.status(), Status::over_budget);
+  EXPECT_NE(guard.detail().find("3 evaluations"), std::string::npos) << guard.detail();
+  EXPECT_EQ(guard.rhs_evaluations(), 3U);
+}
+
+TEST(Guard, KeepsTheTimeLimit) {
+  Guard guard(1, Budget{.evaluations = 1'000'000, .seconds = 1e-3});
+  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  int admitted = 0;
+  while (admitted < 10'000 && guard.admit()) ++admitted;
+  EXPECT_LT(admitted, 2048) << "the clock is read once in 1024 evaluations";
+  EXPECT_EQ(guard.status(), Status::over_budget);
+  EXPECT_NE(guard.detail().find("0.001 s"), std::string::npos) << guard.detail();
+}
+
+/// What a library might claim after two stops of a problem of two components.
+Outcome claim(std::vector<double> states, double t) {
+  Outcome outcome;
+  outcome.t = t;
+  outcome.states = std::move(states);
+  return outcome;
+}
+
+TEST(Guard, ConcludeBelievesOnlyAFiniteStateAtTheEnd) {
+  const Request request = fixed_request(4, {1, 2});
+  const Guard guard(2, Budget{});
+  Outcome good = claim({1, 2, 3, 4}, 2);
+  guard.conclude(request, good);
+  EXPECT_EQ(good.status, Status::ok);
+  EXPECT_EQ(good.detail, "");
+
+  Outcome with_nan = claim({1, 2, 3, nan}, 2);
+  guard.conclude(request, with_nan);
+  EXPECT_EQ(with_nan.status, Status::non_finite);
+  EXPECT_NE(with_nan.detail.find("component 1"), std::string::npos) << with_nan.detail;
+
+  for (Outcome early : {claim({1, 2}, 2), claim({1, 2, 3, 4}, 1.999), claim({1, 2, 3, 4}, nan),
+                        claim({1, 2, 3, 4, 5, 6}, 2), claim({}, 2)}) {
+    guard.conclude(request, early);
+    EXPECT_EQ(early.status, Status::refused);
+    EXPECT_NE(early.detail, "");
+  }
+}
+
+TEST(Guard, ConcludeOutranksTheSolverAndKeepsItsFailures) {
+  const Request request = fixed_request(4, {1, 2});
+  Guard tripped(2, Budget{});
+  const double bad[] = {1, inf};
+  EXPECT_FALSE(tripped.inspect(0.75, bad));
+  for (const Status claimed : {Status::ok, Status::newton_failed, Status::step_too_small}) {
+    Outcome outcome = claim({1, 2, 3, 4}, 2);
+    outcome.status = claimed;
+    tripped.conclude(request, outcome);
+    EXPECT_EQ(outcome.status, Status::non_finite);
+    EXPECT_EQ(outcome.detail, "right-hand side component 1 is inf at t = 0.75");
+  }
+  Outcome failed = claim({}, 0.5);
+  failed.status = Status::newton_failed;
+  failed.detail = "why";
+  Guard(2, Budget{}).conclude(request, failed);
+  EXPECT_EQ(failed.status, Status::newton_failed);
+  EXPECT_EQ(failed.detail, "why");
+}
+
+TEST(FixedGrid, EndsExactlyAtTheHorizonAndKnowsItsStops) {
+  const Request request = fixed_request(30, {0.1, 0.2, 0.3});  // 30 * (0.3 / 30) is not 0.3
+  const FixedGrid grid(0, request);
+  EXPECT_TRUE(grid.fits());
+  EXPECT_EQ(grid.t(30), 0.3);
+  EXPECT_EQ(grid.index_of(0), 10U);
+  EXPECT_EQ(grid.index_of(1), 20U);
+  EXPECT_EQ(grid.index_of(2), 30U);
+  for (std::uint64_t i = 0; i < 30; ++i)  // i h, with no sum that grows: two roundings
+    EXPECT_NEAR(grid.t(i), 0.01 * static_cast<double>(i), 1e-16);
+  const Request shifted = fixed_request(4, {2, 3});
+  EXPECT_EQ(FixedGrid(1, shifted).t(2), 2);
+  EXPECT_EQ(FixedGrid(1, shifted).index_of(0), 2U);
+}
+
+TEST(FixedGrid, KnowsWhichStopsDoNotFit) {
+  EXPECT_FALSE(FixedGrid(0, fixed_request(3, {0.5, 1})).fits());
+  EXPECT_FALSE(FixedGrid(0, fixed_request(2, {1e-9, 1})).fits()) << "a stop before the first step";
+  EXPECT_TRUE(FixedGrid(0, fixed_request(1'000'000'000, {0.35, 0.7})).fits());
+}
+
+TEST(Requests, OffTheGridAreRefusedAndMalformedOnesThrow) {
+  const Case& c = find_case("free_fall");
+  const Entrant& rk4 = find_entrant(c, "odeum/rk4");
+  const Outcome off = rk4.solve(fixed_request(3, {0.5, 1}));
+  EXPECT_EQ(off.status, Status::refused);
+  EXPECT_NE(off.detail.find("grid"), std::string::npos) << off.detail;
+  EXPECT_TRUE(off.states.empty());
+  for (const Entrant& entrant : c.entrants) {
+    if (!entrant.solve) continue;
+    SCOPED_TRACE(entrant.info.id());
+    EXPECT_THROW(entrant.solve(fixed_request(4, {})), std::invalid_argument);
+    EXPECT_THROW(entrant.solve(fixed_request(0, {1})), std::invalid_argument);
+    for (const std::vector<double>& stops :
+         std::vector<std::vector<double>>{{0}, {-1}, {1, 1}, {2, 1}, {nan}, {inf}, {1, nan, 2}})
+      EXPECT_THROW(entrant.solve(fixed_request(4, stops)), std::invalid_argument);
+    for (const double tolerance : {0.0, -1e-6, nan, inf})
+      EXPECT_THROW(entrant.solve(adaptive_request(tolerance, {1})), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace odeum::tests

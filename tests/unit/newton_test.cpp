@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/kernel/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "odeum/methods/implicit_euler.hpp"
+#include "odeum/methods/implicit_euler_fixed_point.hpp"
+
+namespace odeum::tests {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// y' = sign * y^2, and how often it was asked.
+struct Square {
+  static constexpr std::size_t dimension = 1;
+  double sign = 1;
+  mutable int evaluations = 0, jacobians = 0;
+  void rhs(double, const double* y, double* dydt) const {
+    ++evaluations;
+    dydt[0] = sign * y[0] * y[0];
+  }
+  void jacobian(double, const double* y, double* j) const {
+    ++jacobians;
+    j[0] = 2 * sign * y[0];
+  }
+};
+
+TEST(Newton, SolvesAQuadraticEquationToRounding) {
+  const Square problem;
+  Newton<Square> newton(problem);
+  const std::array<double, 1> base{0.3};
+  std::array<double, 1> y = base;
+  ASSERT_EQ(newton.solve(0, 0.5, base, y), Status::ok);
+  // y = b + y^2 / 2 has the roots 1 -+ sqrt(1 - 2b). The last correction is below 1e-13 |y|, and a
+  // kept Jacobian contracts by 0.1 or better: 0.1 / 0.9 of it is left.
+  EXPECT_NEAR(y[0], 1 - std::sqrt(1 - 2 * 0.3), 5e-15);
+  EXPECT_LE(problem.evaluations, 16) << "13 digits, one a correction or more";
+  EXPECT_GE(problem.jacobians, 1);
+}
+
+struct Linear {
+  static constexpr std::size_t dimension = 1;
+  mutable int evaluations = 0;
+  void rhs(double, const double* y, double* dydt) const {
+    ++evaluations;
+    dydt[0] = -4 * y[0];
+  }
+  void jacobian(double, const double*, double* j) const { j[0] = -4; }
+};
+
+TEST(Newton, SolvesALinearEquationInOneCorrection) {
+  const Linear problem;
+  Newton<Linear> newton(problem);
+  std::array<double, 1> y{1};
+  ASSERT_EQ(newton.solve(0, 0.25, {1}, y), Status::ok);
+  EXPECT_EQ(y[0], 0.5);
+  EXPECT_EQ(problem.evaluations, 2) << "one to solve, one to see that it is solved";
+}
+
+TEST(Newton, ReportsWhereThereIsNoSolution) {
+  const Square problem;
+  Newton<Square> newton(problem);
+  const std::array<double, 1> base{3};  // y = 3 + y^2 has no real root
+  std::array<double, 1> y = base;
+  EXPECT_EQ(newton.solve(0, 1, base, y), Status::newton_failed);
+  EXPECT_LE(problem.evaluations, 50);
+}
+
+TEST(Newton, ReportsASingularMatrix) {
+  const Square problem;
+  Newton<Square> newton(problem);
+  std::array<double, 1> y{0.5};  // 1 - gamma_h 2 y = 0 at the guess
+  EXPECT_EQ(newton.solve(0, 1, {0.5}, y), Status::newton_failed);
+}
+
+TEST(Newton, MaxNormShowsANaNWhereverItStands) {
+  EXPECT_EQ(max_norm(std::array{1.0, -3.0, 2.0}), 3);
+  EXPECT_EQ(max_norm(std::array<double, 0>{}), 0);
+  EXPECT_TRUE(std::isnan(max_norm(std::array{nan, 1.0})));
+  EXPECT_TRUE(std::isnan(max_norm(std::array{1.0, nan, 2.0})));
+  EXPECT_TRUE(std::isnan(max_norm(std::array{1.0, nan})));
+}
+
+/// The first component is NaN, the second converges at once.
+struct HalfBad {
+  static constexpr std::size_t dimension = 2;
+  void rhs(double, const double*, double* dydt) const {
+    dydt[0] = nan;
+    dydt[1] = 0;
+  }
+  void jacobian(double, const double*, double* j) const {
+    for (int i = 0; i < 4; ++i) j[i] = 0;
+  }
+};
+
+TEST(Newton, IsNotSatisfiedByTheComponentsThatConverge) {
+  const HalfBad problem;
+  for (const double guess : {0.0, 1.0}) {
+    std::array<double, 2> y{guess, guess};
+    EXPECT_EQ(Newton<HalfBad>(problem).solve(0, 0.1, y, y), Status::newton_failed);
+    std::array<double, 2> z{guess, guess};
+    methods::implicit_euler_fixed_point::Stepper<HalfBad> fixed_point(problem);
+    EXPECT_EQ(fixed_point.step(0, 0.1, z), Status::newton_failed);
+  }
+}
+
+struct Decay {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double* y, double* dydt) const { dydt[0] = -y[0]; }
+};
+
+TEST(FixedPoint, ContractsBelowTheLipschitzBoundAndFailsAboveIt) {
+  const Decay problem;
+  methods::implicit_euler_fixed_point::Stepper<Decay> stepper(problem);
+  std::array<double, 1> y{1};
+  ASSERT_EQ(stepper.step(0, 0.5, y), Status::ok);
+  // The last change is below 1e-13; with the contraction 1/2 what is left is no more than that.
+  EXPECT_NEAR(y[0], 1 / 1.5, 1e-13);
+  const std::array<double, 1> before = y;
+  EXPECT_EQ(stepper.step(0, 1.5, y), Status::newton_failed);
+  EXPECT_EQ(y, before) << "a failed step leaves the state";
+}
+
+}  // namespace
+}  // namespace odeum::tests

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/report/output_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
+#include <vector>
+
+#include "support/temporary_folder.hpp"
+
+namespace odeum::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using report::FileError;
+using report::Journal;
+using report::OutputFolder;
+
+/// The message of the FileError that `work` throws; empty where it throws none.
+template <class Work>
+std::string error_of(Work&& work) {
+  try {
+    work();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// For its lifetime files cannot grow beyond `bytes`: the failure of a full disk, without one.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(OutputFolder, MakesItselfAndWritesWholeFiles) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path() / "new" / "out");
+  folder.write("a.csv", "one\n");
+  folder.write("a.csv", "two\n");
+  folder.write("sub/folder/b.csv", "");
+  EXPECT_EQ(text_of(folder.path() / "a.csv"), "two\n");
+  EXPECT_EQ(text_of(folder.path() / "sub/folder/b.csv"), "");
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{".lock", "a.csv", "sub"}));
+}
+
+TEST(OutputFolder, RefusesASecondHolderAndNamesTheFirst) {
+  const TemporaryFolder temporary;
+  {
+    const OutputFolder first(temporary.path());
+    const std::string error = error_of([&] { const OutputFolder second(temporary.path()); });
+    EXPECT_NE(error.find("process " + std::to_string(::getpid())), std::string::npos) << error;
+    EXPECT_NE(error.find(temporary.path().string()), std::string::npos) << error;
+    EXPECT_NE(error_of([&] { const OutputFolder third(temporary.path()); }), "") << "still held";
+  }
+  EXPECT_EQ(error_of([&] { const OutputFolder again(temporary.path()); }), "");
+}
+
+TEST(OutputFolder, IsFreeAgainWhenItsHolderIsKilled) {
+  const TemporaryFolder temporary;
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const OutputFolder held(temporary.path());
+    [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
+    for (;;) ::pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  const std::string error = error_of([&] { const OutputFolder mine(temporary.path()); });
+  EXPECT_NE(error.find("process " + std::to_string(child)), std::string::npos) << error;
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(error_of([&] { const OutputFolder mine(temporary.path()); }), "");
+}
+
+TEST(OutputFolder, StaysInside) {
+  const TemporaryFolder temporary, outside;
+  const OutputFolder folder(temporary.path() / "out");
+  for (const char* name : {"../x", "a/../../x", "..", "/etc/x", "a/../b"})
+    EXPECT_NE(error_of([&] { folder.write(name, "x"); }), "") << name;
+  EXPECT_EQ(names_in(temporary.path()), std::vector<std::string>{"out"});
+  fs::create_directory_symlink(outside.path(), folder.path() / "link");
+  for (const char* name : {"link/x", "link/deeper/x"})
+    EXPECT_NE(error_of([&] { folder.write(name, "x"); }), "") << name;
+  EXPECT_TRUE(names_in(outside.path()).empty()) << "a link leads out of the folder";
+}
+
+TEST(OutputFolder, ReplacesALinkAndDoesNotFollowIt) {
+  const TemporaryFolder temporary, outside;
+  write_text(outside.path() / "precious", "keep");
+  const OutputFolder folder(temporary.path());
+  fs::create_symlink(outside.path() / "precious", folder.path() / "a.csv");
+  fs::create_symlink(outside.path() / "precious", folder.path() / "a.csv.tmp");
+  folder.write("a.csv", "new");
+  EXPECT_EQ(text_of(outside.path() / "precious"), "keep");
+  EXPECT_FALSE(fs::is_symlink(folder.path() / "a.csv"));
+  EXPECT_EQ(text_of(folder.path() / "a.csv"), "new");
+}
+
+TEST(OutputFolder, MayBeALinkItself) {
+  const TemporaryFolder temporary, elsewhere;
+  fs::create_directory_symlink(elsewhere.path(), temporary.path() / "out");
+  const OutputFolder folder(temporary.path() / "out");
+  folder.write("sub/a.csv", "x");
+  EXPECT_EQ(text_of(elsewhere.path() / "sub/a.csv"), "x");
+}
+
+TEST(OutputFolder, RefusesALockThatIsALink) {
+  const TemporaryFolder temporary, outside;
+  write_text(outside.path() / "precious", "keep");
+  fs::create_symlink(outside.path() / "precious", temporary.path() / ".lock");
+  EXPECT_NE(error_of([&] { const OutputFolder folder(temporary.path()); }), "");
+  EXPECT_EQ(text_of(outside.path() / "precious"), "keep");
+}
+
+TEST(OutputFolder, SaysWhereItCannotWrite) {
+  const TemporaryFolder temporary;
+  write_text(temporary.path() / "file", "");
+  for (const fs::path& path : {temporary.path() / "file", temporary.path() / "file" / "out"}) {
+    const std::string error = error_of([&] { const OutputFolder folder(path); });
+    EXPECT_NE(error.find(path.string()), std::string::npos) << error;
+  }
+  const OutputFolder folder(temporary.path() / "out");
+  fs::create_directory(folder.path() / "taken");
+  EXPECT_NE(error_of([&] { folder.write("taken", "x"); }), "") << "a folder has that name";
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{".lock", "taken"}));
+}
+
+TEST(OutputFolder, AFailedWriteLeavesTheOldFileAndNothingElse) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  folder.write("a.csv", "old");
+  const std::string large(1 << 20, 'x');
+  {
+    const FullDisk full(1 << 16);
+    EXPECT_NE(error_of([&] { folder.write("a.csv", large); }), "");
+  }
+  EXPECT_EQ(text_of(folder.path() / "a.csv"), "old");
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{".lock", "a.csv"}));
+  folder.write("a.csv", large);
+  EXPECT_EQ(text_of(folder.path() / "a.csv"), large);
+}
+
+TEST(Journal, HoldsWhatWasAddedWhateverItsCharacters) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  const std::vector<std::string> texts{
+      "plain", "",       "tab\there", "two\nlines\n", "back\\slash\\", "\\n is not a line",
+      "\\",    "nul\0!", "\r\n",      "h\xc3\xa4"};
+  {
+    Journal journal(folder, "study", "options \t\n\\", false);
+    for (const std::string& key : texts)
+      for (const std::string& result : texts) journal.add(key + "/" + result, result + key);
+  }
+  const Journal resumed(folder, "study", "options \t\n\\", true);
+  EXPECT_EQ(resumed.size(), texts.size() * texts.size());
+  for (const std::string& key : texts)
+    for (const std::string& result : texts)
+      EXPECT_EQ(resumed.find(key + "/" + result), result + key);
+  EXPECT_EQ(resumed.find("never added"), std::nullopt);
+}
+
+TEST(Journal, IsUsedOnlyToResumeTheSameRun) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  const auto started = [&](const std::string& fingerprint) {
+    Journal(folder, "study", fingerprint, false).add("key", "result");
+  };
+  started("one");
+  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 1U);
+  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 1U) << "resuming twice";
+  EXPECT_EQ(Journal(folder, "other", "one", true).size(), 0U);
+  EXPECT_EQ(Journal(folder, "study", "one more", true).size(), 0U);
+  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 0U) << "the other run replaced it";
+  started("one");
+  EXPECT_EQ(Journal(folder, "study", "one", false).size(), 0U);
+}
+
+TEST(Journal, IgnoresALineThatWasNotWrittenWhole) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  {
+    Journal journal(folder, "study", "f", false);
+    journal.add("first", "1");
+    journal.add("second", "2");
+  }
+  const fs::path path = folder.path() / ".study.journal";
+  const std::string whole = text_of(path);
+  for (std::size_t length = 0; length <= whole.size(); ++length) {
+    write_text(path, whole.substr(0, length));
+    Journal resumed(folder, "study", "f", true);
+    const bool first = length >= whole.find("second"), second = length == whole.size();
+    EXPECT_EQ(resumed.find("first"), first ? std::optional<std::string>("1") : std::nullopt);
+    EXPECT_EQ(resumed.find("second"), second ? std::optional<std::string>("2") : std::nullopt);
+    resumed.add("third", "3");
+    EXPECT_EQ(Journal(folder, "study", "f", true).find("third"), "3") << "after " << length;
+  }
+}
+
+TEST(Journal, AFailedAddLeavesNoHalfLineToJoinTheNext) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  {
+    Journal journal(folder, "study", "f", false);
+    journal.add("before", "1");
+    {
+      const FullDisk full(1 << 10);
+      EXPECT_NE(error_of([&] { journal.add("lost", std::string(1 << 16, 'x')); }), "");
+    }
+    journal.add("after", "2");
+  }
+  const Journal resumed(folder, "study", "f", true);
+  EXPECT_EQ(resumed.size(), 2U);
+  EXPECT_EQ(resumed.find("before"), "1");
+  EXPECT_EQ(resumed.find("after"), "2");
+}
+
+TEST(Journal, TakesResultsFromSeveralThreadsAndGoesWhenFinished) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  Journal journal(folder, "study", "f", false);
+  {
+    std::vector<std::jthread> threads;
+    for (int thread = 0; thread < 4; ++thread)
+      threads.emplace_back([&journal, thread] {
+        for (int i = 0; i < 100; ++i)
+          journal.add(std::to_string(thread) + ":" + std::to_string(i), std::string(50, 'x'));
+      });
+  }
+  EXPECT_EQ(Journal(folder, "study", "f", true).size(), 400U);
+  journal.finish();
+  EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{".lock"});
+}
+
+}  // namespace
+}  // namespace odeum::tests

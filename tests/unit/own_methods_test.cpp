@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every own method on q'' = a(t, q) with an `a` of the test's choice: the one translation unit that
+// puts the whole catalogue on a problem of its own.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "odeum/harness/own_solvers.hpp"
+#include "support/catalogue.hpp"
+
+namespace odeum::tests {
+namespace {
+
+struct Field {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = false;
+  double (*a)(double t, double q);
+  double (*a_q)(double t, double q);
+  double (*a_t)(double t, double q);
+
+  void acceleration(double t, const double* q, const double*, double* out) const {
+    out[0] = a(t, q[0]);
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
+  void jacobian(double t, const double* y, double* j) const {
+    j[0] = j[3] = 0;
+    j[1] = 1;
+    j[2] = a_q(t, y[0]);
+  }
+  void time_derivative(double t, const double* y, double* dfdt) const {
+    dfdt[0] = 0;
+    dfdt[1] = a_t(t, y[0]);
+  }
+};
+
+std::vector<Entrant> own_methods_on(const Field& field, double t0, std::vector<double> y0) {
+  Contest<Field> contest;
+  contest.problem = std::make_shared<const Field>(field);
+  contest.t0 = t0;
+  contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
+  std::vector<Entrant> entrants;
+  enroll_own(contest, entrants);
+  return entrants;
+}
+
+double one(double, double) { return 1; }
+
+double time_in(const std::string& detail) {
+  return std::stod(detail.substr(detail.rfind("t = ") + 4));
+}
+
+template <int sign>
+double bad_after(double t, double q) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  return t <= 0.3 ? t + q : sign == 0 ? std::numeric_limits<double>::quiet_NaN() : sign * inf;
+}
+
+TEST(OwnMethods, ReportANonFiniteRightHandSideWithItsTimeAndComponent) {
+  for (const auto& [bad, name] :
+       {std::pair{&bad_after<0>, "nan"}, {&bad_after<1>, "inf"}, {&bad_after<-1>, "-inf"}}) {
+    for (const Entrant& entrant : own_methods_on({bad, one, one}, 0, {1, 0})) {
+      ASSERT_TRUE(entrant.solve) << entrant.info.id() << ": " << entrant.unfit;
+      for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
+        if (mode == Mode::adaptive && !entrant.info.adaptive) continue;
+        SCOPED_TRACE(entrant.info.id() + " " + to_string(mode) + " " + name);
+        const Outcome outcome = entrant.solve(mode == Mode::fixed ? fixed_request(10, {1})
+                                                                  : adaptive_request(1e-5, {1}));
+        EXPECT_EQ(outcome.status, Status::non_finite);
+        const std::string expected =
+            std::string("right-hand side component 1 is ") + name + " at t = ";
+        EXPECT_EQ(outcome.detail.substr(0, expected.size()), expected);
+        const double t = time_in(outcome.detail);
+        EXPECT_GT(t, 0.3);
+        EXPECT_LE(t, mode == Mode::fixed ? 0.4 + 1e-12 : 1);  // in the step that meets it first
+        EXPECT_LE(outcome.t, t) << "the last state that is good";
+        EXPECT_TRUE(outcome.states.empty()) << "no stop was reached";
+      }
+    }
+  }
+}
+
+TEST(OwnMethods, ReportAStartThatIsBadAtOnce) {
+  for (const Entrant& entrant : own_methods_on({bad_after<0>, one, one}, 5, {1, 0})) {
+    const Outcome outcome = entrant.solve(fixed_request(10, {6}));
+    EXPECT_EQ(outcome.status, Status::non_finite) << entrant.info.id();
+    EXPECT_EQ(outcome.t, 5) << entrant.info.id();
+  }
+}
+
+TEST(OwnMethods, StopAtTheirBudget) {
+  const auto sum = [](double t, double q) { return t + q; };
+  for (const Entrant& entrant : own_methods_on({sum, one, one}, 0, {1, 0})) {
+    Request request = fixed_request(1000, {1});
+    request.budget.evaluations = 100;
+    const Outcome outcome = entrant.solve(request);
+    EXPECT_EQ(outcome.status, Status::over_budget) << entrant.info.id();
+    EXPECT_EQ(outcome.counters.rhs_evaluations, 100U) << entrant.info.id();
+    EXPECT_LT(outcome.t, 0.11) << entrant.info.id();
+  }
+}
+
+TEST(OwnMethods, CountTheirEvaluations) {
+  struct Cost {
+    std::uint64_t a_step, to_start, jacobians_a_step;
+  };
+  // The problem is linear: implicit Euler corrects once and looks once more.
+  const std::map<std::string, Cost> costs{{"explicit_euler", {1, 0, 0}},
+                                          {"midpoint", {2, 0, 0}},
+                                          {"heun", {2, 0, 0}},
+                                          {"rk4", {4, 0, 0}},
+                                          {"cash_karp54", {6, 0, 0}},
+                                          {"symplectic_euler", {1, 0, 0}},
+                                          {"symplectic_euler_position_first", {1, 0, 0}},
+                                          {"velocity_verlet", {1, 1, 0}},
+                                          {"leapfrog", {1, 1, 0}},
+                                          {"stormer_verlet", {1, 1, 0}},
+                                          {"implicit_euler", {2, 0, 1}},
+                                          {"implicit_euler_linearised", {1, 0, 1}}};
+  std::size_t checked = 0;
+  const auto sum = [](double t, double q) { return t + q; };
+  for (const Entrant& entrant : own_methods_on({sum, one, one}, 0, {1, 0})) {
+    const auto cost = costs.find(entrant.info.method);
+    if (cost == costs.end()) continue;
+    const Outcome outcome = entrant.solve(fixed_request(16, {0.5, 1}));
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    const auto& [a_step, to_start, jacobians] = cost->second;
+    EXPECT_EQ(outcome.counters.steps, 16U) << entrant.info.id();
+    EXPECT_EQ(outcome.counters.rhs_evaluations, 16 * a_step + to_start) << entrant.info.id();
+    EXPECT_EQ(outcome.counters.jacobian_evaluations, 16 * jacobians) << entrant.info.id();
+    ++checked;
+  }
+  EXPECT_EQ(checked, costs.size());
+}
+
+// --- one step, written out from the textbook ---
+
+/// A nonlinear, non-autonomous acceleration, in which a wrong node or weight shows.
+double pendulum(double t, double q) { return std::cos(3 * t) - 2 * std::sin(q); }
+double pendulum_q(double, double q) { return -2 * std::cos(q); }
+double pendulum_t(double t, double) { return -3 * std::sin(3 * t); }
+
+struct State2 {
+  double q, v;
+};
+
+using Step = State2 (*)(double t, double h, State2 y);
+
+State2 verlet(double t, double h, State2 y) {
+  const double a0 = pendulum(t, y.q), q = y.q + h * y.v + h * h / 2 * a0;
+  return {q, y.v + h / 2 * (a0 + pendulum(t + h, q))};
+}
+
+const std::map<std::string, Step>& textbook() {
+  static const std::map<std::string, Step> steps{
+      {"explicit_euler",
+       [](double t, double h, State2 y) -> State2 {
+         return {y.q + h * y.v, y.v + h * pendulum(t, y.q)};
+       }},
+      {"midpoint",
+       [](double t, double h, State2 y) -> State2 {
+         const State2 m{y.q + h / 2 * y.v, y.v + h / 2 * pendulum(t, y.q)};
+         return {y.q + h * m.v, y.v + h * pendulum(t + h / 2, m.q)};
+       }},
+      {"heun",
+       [](double t, double h, State2 y) -> State2 {
+         const double a = pendulum(t, y.q);
+         return {y.q + h / 2 * (y.v + y.v + h * a),
+                 y.v + h / 2 * (a + pendulum(t + h, y.q + h * y.v))};
+       }},
+      {"rk4",
+       [](double t, double h, State2 y) -> State2 {
+         const State2 k1{y.v, pendulum(t, y.q)};
+         const State2 k2{y.v + h / 2 * k1.v, pendulum(t + h / 2, y.q + h / 2 * k1.q)};
+         const State2 k3{y.v + h / 2 * k2.v, pendulum(t + h / 2, y.q + h / 2 * k2.q)};
+         const State2 k4{y.v + h * k3.v, pendulum(t + h, y.q + h * k3.q)};
+         return {y.q + h / 6 * (k1.q + 2 * k2.q + 2 * k3.q + k4.q),
+                 y.v + h / 6 * (k1.v + 2 * k2.v + 2 * k3.v + k4.v)};
+       }},
+      {"symplectic_euler",
+       [](double t, double h, State2 y) -> State2 {
+         const double v = y.v + h * pendulum(t, y.q);
+         return {y.q + h * v, v};
+       }},
+      {"symplectic_euler_position_first",
+       [](double t, double h, State2 y) -> State2 {
+         const double q = y.q + h * y.v;
+         return {q, y.v + h * pendulum(t + h, q)};
+       }},
+      {"velocity_verlet", verlet},
+      {"leapfrog", verlet},
+      {"stormer_verlet", verlet},
+      {"implicit_euler_linearised",
+       [](double t, double h, State2 y) -> State2 {
+         // (1 - h^2 a_q) dv = h (a + h a_q v), dq = h (v + dv), all at (t + h, q).
+         const double a = pendulum(t + h, y.q), a_q = pendulum_q(t + h, y.q);
+         const double dv = h * (a + h * a_q * y.v) / (1 - h * h * a_q);
+         return {y.q + h * (y.v + dv), y.v + dv};
+       }},
+  };
+  return steps;
+}
+
+TEST(OwnMethods, TakeTheStepOfTheTextbook) {
+  const double t = 0.4, h = 0.3;
+  const State2 y{1.1, -0.6};
+  std::size_t checked = 0;
+  for (const Entrant& entrant : own_methods_on({pendulum, pendulum_q, pendulum_t}, t, {y.q, y.v})) {
+    const Outcome outcome = entrant.solve(fixed_request(1, {t + h}));
+    ASSERT_EQ(outcome.status, Status::ok) << entrant.info.id() << ": " << outcome.detail;
+    const auto step = textbook().find(entrant.info.method);
+    if (step == textbook().end()) continue;
+    const State2 expected = step->second(t, h, y);
+    // Some ten roundings of numbers of size one, and for Stormer-Verlet the division by h.
+    EXPECT_NEAR(outcome.states[0], expected.q, 3e-15) << entrant.info.id();
+    EXPECT_NEAR(outcome.states[1], expected.v, 3e-15) << entrant.info.id();
+    ++checked;
+  }
+  EXPECT_EQ(checked, textbook().size());
+}
+
+TEST(OwnMethods, ImplicitEulerSolvesItsEquation) {
+  const double t = 0.4, h = 0.3;
+  int checked = 0;
+  for (const Entrant& entrant :
+       own_methods_on({pendulum, pendulum_q, pendulum_t}, t, {1.1, -0.6})) {
+    if (entrant.info.method != "implicit_euler" &&
+        entrant.info.method != "implicit_euler_fixed_point")
+      continue;
+    const Outcome outcome = entrant.solve(fixed_request(1, {t + h}));
+    ASSERT_EQ(outcome.status, Status::ok);
+    const double q = outcome.states[0], v = outcome.states[1];
+    // Corrections stop below 1e-13 of the state; the fixed point contracts by sqrt(2) h = 0.42.
+    EXPECT_NEAR(q, 1.1 + h * v, 1e-13) << entrant.info.id();
+    EXPECT_NEAR(v, -0.6 + h * pendulum(t + h, q), 1e-13) << entrant.info.id();
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);
+}
+
+/// A Runge-Kutta step as the definition has it, from the tableau alone.
+template <std::size_t S>
+std::array<double, 2> plain_step(const Tableau<S>& tableau, double t, double h,
+                                 std::array<double, 2> y) {
+  std::array<std::array<double, 2>, S> k{};
+  for (std::size_t i = 0; i < S; ++i) {
+    std::array<double, 2> argument = y;
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t n = 0; n < 2; ++n) argument[n] += h * tableau.a[i][j] * k[j][n];
+    k[i] = {argument[1], pendulum(t + tableau.c(i) * h, argument[0])};
+  }
+  for (std::size_t i = 0; i < S; ++i)
+    for (std::size_t n = 0; n < 2; ++n) y[n] += h * tableau.b[i] * k[i][n];
+  return y;
+}
+
+TEST(OwnMethods, ExplicitKernelsTakeTheStepOfTheirTableau) {
+  const Field problem{pendulum, pendulum_q, pendulum_t};
+  const double t = 0.4, h = 0.3;
+  int checked = 0;
+  methods::All::for_each([&]<class M>() {
+    if constexpr (requires { M::tableau.embedded(); }) {
+      if (!M::tableau.is_explicit()) return;
+      std::array<double, 2> y{1.1, -0.6};
+      const auto expected = plain_step(M::tableau, t, h, y);
+      typename M::template Stepper<Field> stepper(problem);
+      ASSERT_EQ(stepper.step(t, h, y), Status::ok);
+      for (std::size_t n = 0; n < 2; ++n)  // weights of up to ten, some tens of roundings
+        EXPECT_NEAR(y[n], expected[n], 1e-14) << M::info.id;
+      ++checked;
+    }
+  });
+  EXPECT_GE(checked, 9);
+}
+
+/// y' = t + y from y(0) = 1 with h = 0.1, worked by hand as every course does.
+struct Sum {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double t, const double* y, double* dydt) const { dydt[0] = t + y[0]; }
+  void jacobian(double, const double*, double* j) const { j[0] = 1; }
+};
+
+template <class M>
+double hand_step() {
+  const Sum problem;
+  typename M::template Stepper<Sum> stepper(problem);
+  std::array<double, 1> y{1};
+  EXPECT_EQ(stepper.step(0, 0.1, y), Status::ok);
+  return y[0];
+}
+
+TEST(OwnMethods, AgreeWithStepsWorkedByHand) {
+  constexpr double rounding = 5e-16;  // two units in the last place of 1.1
+  EXPECT_NEAR(hand_step<methods::explicit_euler>(), 1.1, rounding);
+  EXPECT_NEAR(hand_step<methods::midpoint>(), 1.11, rounding);
+  EXPECT_NEAR(hand_step<methods::heun>(), 1.11, rounding);
+  EXPECT_NEAR(hand_step<methods::rk4>(), 1 + 2.6482 / 24, rounding);  // 1.110341666...
+  EXPECT_NEAR(hand_step<methods::implicit_euler>(), 1.01 / 0.9, rounding);
+  EXPECT_NEAR(hand_step<methods::implicit_euler_linearised>(), 1.01 / 0.9, rounding);
+}
+
+/// q'' = t + q - 2 v: what the second-order schemes make of a velocity.
+struct Dragged {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = true;
+  static double a(double t, double q, double v) { return t + q - 2 * v; }
+  void acceleration(double t, const double* q, const double* v, double* out) const {
+    out[0] = a(t, q[0], v[0]);
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
+};
+
+template <class M>
+std::array<double, 2> dragged_step(double t, double h, std::array<double, 2> y) {
+  const Dragged problem;
+  typename M::template Stepper<Dragged> stepper(problem);
+  if constexpr (requires { stepper.start(t, h, y); }) stepper.start(t, h, y);
+  EXPECT_EQ(stepper.step(t, h, y), Status::ok);
+  return y;
+}
+
+TEST(OwnMethods, SecondOrderSchemesTakeTheVelocityThatTheySay) {
+  const double t = 0.2, h = 0.1, q = 1.5, v = -0.7, a0 = Dragged::a(t, q, v);
+  const auto velocity_first = dragged_step<methods::symplectic_euler>(t, h, {q, v});
+  EXPECT_DOUBLE_EQ(velocity_first[1], v + h * a0);
+  EXPECT_DOUBLE_EQ(velocity_first[0], q + h * (v + h * a0));
+  const auto position_first = dragged_step<methods::symplectic_euler_position_first>(t, h, {q, v});
+  EXPECT_DOUBLE_EQ(position_first[0], q + h * v);
+  EXPECT_DOUBLE_EQ(position_first[1], v + h * Dragged::a(t + h, q + h * v, v));
+  const auto verlet = dragged_step<methods::velocity_verlet>(t, h, {q, v});
+  const double q1 = q + h * v + h * h / 2 * a0;
+  EXPECT_DOUBLE_EQ(verlet[0], q1);
+  EXPECT_DOUBLE_EQ(verlet[1], v + h / 2 * (a0 + Dragged::a(t + h, q1, v + h * a0)));
+}
+
+TEST(OwnMethods, LeapfrogIsVelocityVerletOnTheUndampedOscillator) {
+  const Case& c = find_case("damped_oscillator_undamped");
+  const Request request = fixed_request(400, c.stops);
+  const Outcome leapfrog = find_entrant(c, "odeum/leapfrog").solve(request);
+  const Outcome verlet = find_entrant(c, "odeum/velocity_verlet").solve(request);
+  ASSERT_EQ(leapfrog.status, Status::ok);
+  ASSERT_EQ(leapfrog.states.size(), verlet.states.size());
+  // Two roundings a step of numbers of size 11 at 400 steps, which the oscillator does not damp.
+  for (std::size_t i = 0; i < verlet.states.size(); ++i)
+    EXPECT_NEAR(leapfrog.states[i], verlet.states[i], 400 * 2 * 11 * 2.3e-16);
+}
+
+TEST(OwnMethods, ThatDoNotFitSayWhatTheyNeed) {
+  int unfit = 0;
+  for (const Case& c : all_cases())
+    for (const Entrant& entrant : c.entrants) {
+      EXPECT_EQ(entrant.unfit.empty(), static_cast<bool>(entrant.solve)) << entrant.info.id();
+      if (entrant.info.library != "odeum" || entrant.unfit.empty()) continue;
+      EXPECT_EQ(entrant.unfit, "needs " + entrant.info.needs);
+      EXPECT_FALSE(entrant.info.needs.empty()) << entrant.info.id();
+      ++unfit;
+    }
+  EXPECT_GT(unfit, 0);
+}
+
+}  // namespace
+}  // namespace odeum::tests
