@@ -139,10 +139,11 @@ TEST(Regions, OscillatorPlane) {
   options.own_grid = 9;
   const StabilityResult result = measure_stability(options);
   ASSERT_EQ(result.regions.size(), 1U);
-  for (int j = 0; j < 9; ++j)
+  ASSERT_EQ(result.regions[0].growth.size(), 9U * 5U);
+  for (int j = 0; j < 5; ++j)
     for (int i = 1; i < 9; ++i) {
       // v' = v - 2 zeta w v - w^2 q, q' = q + v': trace and determinant of the map.
-      const double w = 0.5 * i, zeta = 0.25 * j, det = 1 - 2 * zeta * w;
+      const double w = 0.5 * i, zeta = 0.5 * j, det = 1 - 2 * zeta * w;
       const double half = (1 + det - w * w) / 2, disc = half * half - det;
       const double radius = disc < 0 ? std::sqrt(det) : std::abs(half) + std::sqrt(disc);
       // A double root (disc = 0) is known to the root of rounding only.

@@ -9,9 +9,9 @@
 namespace odeum::study {
 namespace {
 
-constexpr std::uint64_t window = 16;     // states at the end of a run that its growth is read off
-constexpr std::uint64_t recorded = 128;  // runs up to this length are recorded whole
-constexpr double clear_noise = 1e-7;     // growth known this well needs no longer run
+constexpr std::uint64_t window = 16;    // states at the end of a run that its growth is read off
+constexpr std::uint64_t recorded = 64;  // runs up to this length are recorded whole
+constexpr double clear_noise = 1e-7;    // growth known this well needs no longer run
 
 /// The growth of a solution that dies away for good, from its start to where it has; none where it
 /// does not.

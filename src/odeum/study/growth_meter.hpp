@@ -16,7 +16,7 @@ struct Watch {
   std::uint64_t first_steps, last_steps;
 };
 /// For a limit, to be found to 1e-6, and for one point of many of a region.
-inline constexpr Watch limit_watch{.first_steps = 128, .last_steps = 8192};
+inline constexpr Watch limit_watch{.first_steps = 64, .last_steps = 8192};
 inline constexpr Watch region_watch{.first_steps = 32, .last_steps = 512};
 
 /// Measures the growth of one solver anywhere on the plane of a probe: it solves at h = 1 from the

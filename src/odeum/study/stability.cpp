@@ -132,7 +132,9 @@ StabilityRegion map_region_of(const Task& task, int own_grid, int peer_grid) {
       own && !question.oscillator ? find_lane_runner(task.info.method) : nullptr;
   const int wanted = own ? own_grid : peer_grid;
   StabilityRegion region;
-  region.columns = region.rows = wanted > 1 ? wanted : runner ? 257 : own ? 129 : 65;
+  region.columns = wanted > 1 ? wanted : runner ? 257 : own ? 129 : 65;
+  // The window on the oscillator is twice as wide as high: square cells there too.
+  region.rows = question.oscillator ? region.columns / 2 + 1 : region.columns;
   region.first_low = question.window.first_low;
   region.first_high = question.window.first_high;
   region.second_low = question.window.second_low;

@@ -50,7 +50,7 @@ struct StabilityResult {
 struct StabilityOptions {
   std::vector<std::string> solvers;  ///< globs on library/method; empty: all
   std::string plane;                 ///< lambda, oscillator, or empty: both
-  int own_grid = 0;   ///< points along an axis, own methods; 0: 257 in lanes, 129 one at a time
+  int own_grid = 0;   ///< points along the first axis, own methods; 0: 257 in lanes, else 129
   int peer_grid = 0;  ///< and other libraries' solvers; 0: 65
   unsigned jobs = 1;
 };
