@@ -25,11 +25,12 @@ TEST(Gsl, EachStepperIsHonest) {
 
 TEST(Gsl, ErrorFallsWithTolerance) {
   for (const Entrant& entrant : enrolled({})) {
-    // bsimp does better than asked at any tolerance here (its order is 12): its floor is judged.
-    if (entrant.info.method == "bsimp")
+    // Of orders 12 and 8, these do better than asked at any tolerance here: that is judged.
+    if (entrant.info.method == "bsimp" || entrant.info.method == "rk8pd") {
       EXPECT_LT(circle_error(entrant.solve(adaptive_request(1e-7))), 1e-7);
-    else
+    } else {
       expect_converges_with_tolerance(entrant);
+    }
   }
 }
 
@@ -43,14 +44,18 @@ struct Expected {
 /// is smaller by h times a constant of the problem's size.
 TEST(Gsl, OrdersAtAFixedStep) {
   // rk2 claims 2; see reports/findings/gsl.md.
-  const Expected table[] = {{"rk2", 3, 16},    {"rk4", 4, 16},   {"rkf45", 5, 16},
-                            {"rkck", 5, 16},   {"rk8pd", 8, 8},  {"rk1imp", 1, 64},
-                            {"rk2imp", 2, 16}, {"rk4imp", 4, 16}};
+  const Expected table[] = {{"rk2", 3, 16},    {"rk4", 4, 16},    {"rkf45", 5, 16}, {"rkck", 5, 16},
+                            {"rk1imp", 1, 64}, {"rk2imp", 2, 16}, {"rk4imp", 4, 16}};
   const std::vector<Entrant> entrants = enrolled({});
   for (const Expected& expected : table)
     EXPECT_NEAR(circle_order(find(entrants, expected.method), expected.coarsest), expected.order,
                 0.4)
         << expected.method;
+}
+
+/// Order 8 is above rounding for few steps only: 16 at most, whose rounding is some 1e-15.
+TEST(Gsl, OrderOfRk8pd) {
+  EXPECT_NEAR(circle_order(find(enrolled({}), "rk8pd"), 4, 3e-14), 8, 0.7);
 }
 
 TEST(Gsl, ClaimsWhatTheLibraryClaims) {
@@ -67,11 +72,12 @@ TEST(Gsl, DenseMatricesHaveALimit) {
   EXPECT_EQ(find(entrants, "rk4").solve(fixed_request(8)).status, Status::ok);
 }
 
+struct Decay {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double* y, double* dydt) const { dydt[0] = -y[0] * y[0]; }
+};
+
 TEST(Gsl, AProblemWithoutJacobianIsDifferenced) {
-  struct Decay {
-    static constexpr std::size_t dimension = 1;
-    void rhs(double, const double* y, double* dydt) const { dydt[0] = -y[0] * y[0]; }
-  };
   std::vector<Entrant> entrants;
   adapters::gsl::enroll(contest_of(Decay{}, {1}), entrants);
   const Outcome outcome = find(entrants, "rk4imp").solve(fixed_request(64));

@@ -47,7 +47,6 @@ TEST(Odeint, OrdersAtAFixedStep) {
       {"runge_kutta_cash_karp54", 5, 16},
       {"runge_kutta_cash_karp54_classic", 5, 16},
       {"runge_kutta_dopri5", 5, 16},
-      {"runge_kutta_fehlberg78", 8, 8},
       {"extrapolation_stepper_4", 4, 16},
       {"extrapolation_stepper_6", 6, 8},
       {"adams_bashforth_1", 1, 64},
@@ -55,7 +54,7 @@ TEST(Odeint, OrdersAtAFixedStep) {
       {"adams_bashforth_3", 3, 64},
       {"adams_bashforth_4", 4, 64},
       {"adams_bashforth_5", 5, 64},
-      {"adams_bashforth_6", 6, 64},
+      {"adams_bashforth_6", 6, 16},
       {"adams_bashforth_moulton_1", 1, 64},
       {"adams_bashforth_moulton_2", 2, 64},
       {"adams_bashforth_moulton_3", 3, 64},
@@ -71,6 +70,13 @@ TEST(Odeint, OrdersAtAFixedStep) {
     EXPECT_NEAR(circle_order(find(entrants, expected.method), expected.coarsest), expected.order,
                 0.5)
         << expected.method;
+}
+
+/// Order 8 is above rounding for few steps only: 16 at most, whose rounding is some 1e-15.
+TEST(Odeint, OrdersOfEighthOrderSteppers) {
+  const std::vector<Entrant> entrants = enrolled({});
+  EXPECT_NEAR(circle_order(find(entrants, "runge_kutta_fehlberg78"), 4, 3e-14), 8, 0.7);
+  EXPECT_NEAR(circle_order(find(entrants, "extrapolation_stepper_8"), 4, 3e-14), 8, 0.7);
 }
 
 /// q'' = -q - d q'; the acceleration looks at the velocity only where the type says so.
@@ -128,12 +134,13 @@ TEST(Odeint, DenseMatricesHaveALimit) {
   EXPECT_EQ(find(entrants, "rosenbrock4").solve(fixed_request(8)).status, Status::over_budget);
 }
 
+struct Growth {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double* y, double* dydt) const { dydt[0] = 2 * y[0]; }
+  void jacobian(double, const double*, double* j) const { j[0] = 2; }
+};
+
 TEST(Odeint, ASingularMatrixIsAnOutcome) {
-  struct Growth {
-    static constexpr std::size_t dimension = 1;
-    void rhs(double, const double* y, double* dydt) const { dydt[0] = 2 * y[0]; }
-    void jacobian(double, const double*, double* j) const { j[0] = 2; }
-  };
   std::vector<Entrant> entrants;
   adapters::odeint::enroll_implicit(erase(contest_of(Growth{}, {1})), entrants);
   // h = 1/2: I - h J is exactly zero, and the library would end the process.
@@ -141,23 +148,24 @@ TEST(Odeint, ASingularMatrixIsAnOutcome) {
   EXPECT_EQ(outcome.status, Status::newton_failed);
 }
 
+struct Block {
+  static constexpr std::size_t dimension = 2;
+  void rhs(double, const double* y, double* dydt) const {
+    dydt[0] = -0.5 * y[0] - 2 * y[1];
+    dydt[1] = 2 * y[0] - 0.5 * y[1];
+  }
+};
+
 /// y' = (-0.5 + 2i) y natively on std::complex, and as the real 2 x 2 block of the enrolled runs.
 TEST(Odeint, ComplexStateEqualsTheRealBlock) {
   using Complex = std::complex<double>;
-  struct Block {
-    static constexpr std::size_t dimension = 2;
-    void rhs(double, const double* y, double* dydt) const {
-      dydt[0] = -0.5 * y[0] - 2 * y[1];
-      dydt[1] = 2 * y[0] - 0.5 * y[1];
-    }
-  };
   const auto contest = contest_of(Block{}, {1, 0});
   const Outcome block =
       adapters::odeint::run_plain<boost::numeric::odeint::runge_kutta4<std::array<double, 2>>>(
           contest, fixed_request(64));
 
   using State = std::array<Complex, 1>;
-  boost::numeric::odeint::runge_kutta4<State, Complex, State, double> stepper;
+  boost::numeric::odeint::runge_kutta4<State> stepper;
   State y{1};
   const auto rhs = [](const State& x, State& dxdt, double) { dxdt[0] = Complex(-0.5, 2) * x[0]; };
   for (int i = 0; i < 64; ++i) stepper.do_step(rhs, y, i / 32.0, 1 / 32.0);

@@ -98,13 +98,13 @@ inline double circle_error(const Outcome& outcome) {
   return error;
 }
 
-/// The slope of the last doubling of steps, from `coarsest` on, whose finer error is above 1e-11:
-/// a hundred times the rounding of some thousand steps.
-inline double circle_order(const Entrant& entrant, std::uint64_t coarsest) {
+/// The slope of the last doubling of steps, from `coarsest` on, whose finer error is above `floor`:
+/// 1e-11 is a hundred times the rounding of some thousand steps.
+inline double circle_order(const Entrant& entrant, std::uint64_t coarsest, double floor = 1e-11) {
   double order = std::numeric_limits<double>::quiet_NaN(), previous = order;
   for (std::uint64_t n = coarsest; n <= 256 * coarsest; n *= 2) {
     const double error = circle_error(entrant.solve(fixed_request(n)));
-    if (!(error > 1e-11)) break;
+    if (!(error > floor)) break;
     order = std::log2(previous / error);
     previous = error;
   }
@@ -130,7 +130,9 @@ inline void expect_honest(const Entrant& entrant,
     EXPECT_EQ(outcome.t, circle_stops.back());
     EXPECT_EQ(outcome.states.size(), 2 * circle_stops.size());
     EXPECT_GT(outcome.counters.rhs_evaluations, 0u);
-    if (request.mode == Mode::fixed) EXPECT_EQ(outcome.counters.steps, 64u);
+    if (request.mode == Mode::fixed) {
+      EXPECT_EQ(outcome.counters.steps, 64u);
+    }
 
     const Outcome ill = with({.nan_after = 0.7}, request);
     EXPECT_EQ(ill.status, Status::non_finite) << ill.detail;
