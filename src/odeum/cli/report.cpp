@@ -25,9 +25,12 @@ void run(const Options& options) {
   report::ReportData data;
   data.quick = options.quick;
   data.command_line = options.quick ? "odeum report --quick" : "odeum report";
-  data.convergence =
-      study::converge({.quick = options.quick, .jobs = options.jobs_or_cores()}, &converged);
-  study::StabilityOptions stability{.jobs = options.jobs_or_cores()};
+  study::ConvergenceOptions convergence;
+  convergence.quick = options.quick;
+  convergence.jobs = options.jobs_or_cores();
+  data.convergence = study::converge(convergence, &converged);
+  study::StabilityOptions stability;
+  stability.jobs = options.jobs_or_cores();
   if (options.quick) {
     stability.own_grid = 65;
     stability.peer_grid = 17;
