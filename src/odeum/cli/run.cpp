@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/harness/interrupt.hpp"
 #include "odeum/report/csv.hpp"
 #include "odeum/report/output_folder.hpp"
 #include "odeum/study/judge.hpp"
@@ -91,6 +92,7 @@ int run(const RunOptions& options, bool has_step) {
   const Entrant& entrant = find_entrant(c, options.solver);
   const Request request = make_request(options, c, entrant, has_step);
   const Outcome outcome = entrant.solve(request);
+  if (interrupted) return interrupted_code;
   std::string text =
       fmt::format("case    {}: {}\nsolver  {}\n", c.id, c.equation, entrant.info.id());
   text += has_step ? fmt::format("step    {}, {} steps to t = {}\n",

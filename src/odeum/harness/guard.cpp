@@ -3,15 +3,24 @@
 
 #include <fmt/format.h>
 
+#include "odeum/harness/interrupt.hpp"
+
 namespace odeum {
 
-bool Guard::exhaust(const char* what) {
+bool Guard::exhaust(std::string why) {
   tripped_ = true;
   status_ = Status::over_budget;
-  detail_ = what[0] == 'e' ? fmt::format("more than {} evaluations of the right-hand side",
-                                         budget_.evaluations)
-                           : fmt::format("more than {} s", budget_.seconds);
+  detail_ = std::move(why);
   return false;
+}
+
+bool Guard::may_go_on() {
+  if (interrupted) return exhaust("interrupted");
+  if (rhs_evaluations_ >= budget_.evaluations)
+    return exhaust(
+        fmt::format("more than {} evaluations of the right-hand side", budget_.evaluations));
+  if (seconds() > budget_.seconds) return exhaust(fmt::format("more than {} s", budget_.seconds));
+  return true;
 }
 
 bool Guard::latch(double t, const double* values, std::size_t n, std::size_t first) {

@@ -20,10 +20,10 @@ class Guard {
   /// To be called before an evaluation. False: stop, `tripped()` says why.
   bool admit() {
     if (tripped_) return false;
-    if (rhs_evaluations_ >= budget_.evaluations) return exhaust("evaluations");
     // Looking at the clock costs more than a small right-hand side: do it rarely.
-    if ((rhs_evaluations_ & 0x3ff) == 0x3ff && seconds() > budget_.seconds)
-      return exhaust("seconds");
+    const bool look =
+        rhs_evaluations_ >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
+    if (look && !may_go_on()) return false;
     ++rhs_evaluations_;
     return true;
   }
@@ -52,7 +52,8 @@ class Guard {
  private:
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-  bool exhaust(const char* what);
+  bool may_go_on();
+  bool exhaust(std::string why);
   bool latch(double t, const double* values, std::size_t n, std::size_t first);
 
   std::size_t dimension_;

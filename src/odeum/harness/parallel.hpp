@@ -8,10 +8,9 @@
 #include <thread>
 #include <vector>
 
-namespace odeum {
+#include "odeum/harness/interrupt.hpp"
 
-/// Set by the signal handler of the command line: work that is under way ends soon.
-inline std::atomic<bool> interrupted{false};
+namespace odeum {
 
 /// What work that was interrupted throws once its threads have ended.
 class Interrupted : public std::runtime_error {
