@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The built program as a user meets it: exit codes, sentences, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "odeum/report/output_folder.hpp"
+
+namespace odeum {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int code = -1;
+  std::string output;  ///< stdout and stderr together
+};
+
+/// Runs a shell command in which `odeum` stands for the built program.
+Result shell(const std::string& command) {
+  const std::string script = "odeum() { '" ODEUM_BINARY "' \"$@\"; }; { " + command + "; } 2>&1";
+  FILE* const pipe = ::popen(("bash -c '" +
+                              [&] {
+                                std::string quoted;
+                                for (const char c : script)
+                                  quoted += c == '\'' ? "'\\''" : std::string(1, c);
+                                return quoted;
+                              }() +
+                              "'")
+                                 .c_str(),
+                             "r");
+  Result result;
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    result.output.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(testing::TempDir()) /
+        ("odeum_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string in(const std::string& name) const { return (folder_ / name).string(); }
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, ExplainsItselfWithoutArguments) {
+  const Result result = shell("odeum");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.output.find("odeum run damped_oscillator_undamped"), std::string::npos);
+}
+
+struct Misuse {
+  const char* command;
+  const char* sentence;  ///< part of what is said
+};
+
+class BadInput : public testing::TestWithParam<Misuse> {};
+
+TEST_P(BadInput, IsRefusedWithASentence) {
+  const Result result = shell(GetParam().command);
+  EXPECT_EQ(result.code, 2) << result.output;
+  EXPECT_NE(result.output.find(GetParam().sentence), std::string::npos) << result.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, BadInput,
+    testing::Values(
+        Misuse{"odeum frobnicate", "frobnicate"}, Misuse{"odeum run", "CASE"},
+        Misuse{"odeum run lotka_voltera --solver rk4 --step 0.1", "did you mean lotka_volterra?"},
+        Misuse{"odeum run ../lotka_volterra --solver rk4 --step 0.1", "unknown case"},
+        Misuse{"odeum run lotka_volterra --solver rk5 --step 0.1", "did you mean odeum/rk4?"},
+        Misuse{"odeum run lotka_volterra --solver rk4", "--step or --tol"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 0.1 --tol 1e-3", "excludes"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 0",
+               "got 0, expected a positive number"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step -1", "got -1"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step nan", "got nan"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step inf", "got inf"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 0,1", "step"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 11", "at most the horizon 10"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 1e-12", "1e+09 steps"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --tol 0", "machine precision"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --tol 1e-17", "machine precision"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --tol nan", "got nan"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 0.1 --until -1", "--until"},
+        Misuse{"odeum run lotka_volterra --solver rk4 --step 0.1 --until nan", "--until"},
+        Misuse{"odeum run lotka_volterra --solver leapfrog --step 0.1",
+               "does not fit lotka_volterra"},
+        Misuse{"odeum run damped_oscillator_undamped --solver leapfrog --tol 1e-3",
+               "fixed step only"},
+        Misuse{"odeum converge --case nothing --out /dev/null/x", "no case matches"},
+        Misuse{"odeum converge --solver odeum/rk9 --out /dev/null/x", "no solver matches"},
+        Misuse{"odeum converge --jobs 0", "jobs"}, Misuse{"odeum list solver", "solver"},
+        Misuse{"odeum stability --grid 1", "grid"}));
+
+TEST_F(CommandLine, TellsThatAStepWasShrunk) {
+  const Result result = shell("odeum run free_fall --solver rk4 --step 0.3");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.output.find("shrunk from 0.3"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("7 steps"), std::string::npos) << result.output;
+}
+
+TEST_F(CommandLine, ListsInThreeFormats) {
+  const auto json = nlohmann::json::parse(shell("odeum list cases --format json").output);
+  EXPECT_GE(json.size(), 14U);
+  EXPECT_TRUE(shell("odeum list solvers --format csv").output.starts_with("schema,id,"));
+  EXPECT_NE(shell("odeum list solvers").output.find("odeum/rk4"), std::string::npos);
+}
+
+TEST_F(CommandLine, AFailedSolveIsThree) {
+  const Result result =
+      shell("odeum run dahlquist_real --solver implicit_euler_fixed_point --step 2");
+  EXPECT_EQ(result.code, 3) << result.output;
+  EXPECT_NE(result.output.find("newton_failed"), std::string::npos) << result.output;
+}
+
+TEST_F(CommandLine, FilesThatCannotBeWrittenAreFour) {
+  EXPECT_EQ(shell("odeum list solvers > /dev/full").code, 4);
+  EXPECT_EQ(shell("odeum run free_fall --solver rk4 --step 0.5 --out /dev/null/x").code, 4);
+  const report::OutputFolder held(in("held"));
+  const Result result = shell("odeum run free_fall --solver rk4 --step 0.5 --out " + in("held"));
+  EXPECT_EQ(result.code, 4);
+  EXPECT_NE(result.output.find("in use by"), std::string::npos) << result.output;
+}
+
+TEST_F(CommandLine, AClosedPipeIsQuiet) {
+  const Result result =
+      shell("odeum list solvers --format json | head -n 1; echo ${PIPESTATUS[0]}");
+  EXPECT_EQ(result.output, "[\n0\n");
+}
+
+constexpr const char* study =
+    "odeum converge --case 'dahlquist*' --case lotka_volterra --solver 'odeum/*' ";
+
+TEST_F(CommandLine, ResultsDoNotDependOnTheNumberOfJobs) {
+  ASSERT_EQ(shell(study + ("--quick --jobs 1 --out " + in("one"))).code, 0);
+  ASSERT_EQ(shell(study + ("--quick --jobs 3 --out " + in("three"))).code, 0);
+  for (const char* file : {"convergence.csv", "convergence_times.csv", "orders.csv"}) {
+    EXPECT_FALSE(read(folder_ / "one" / file).empty());
+    EXPECT_EQ(read(folder_ / "one" / file), read(folder_ / "three" / file)) << file;
+  }
+}
+
+TEST_F(CommandLine, GoesOnAfterAKillToTheSameBytes) {
+  ASSERT_EQ(shell(study + ("--quick --out " + in("whole"))).code, 0);
+  // Killed somewhere on the way; a run that is done before then is resumed all the same.
+  shell("timeout -s KILL 0.3 '" ODEUM_BINARY
+        "' converge --case 'dahlquist*' --case lotka_volterra --solver 'odeum/*' --quick --out " +
+        in("killed"));
+  ASSERT_EQ(shell(study + ("--quick --resume --out " + in("killed"))).code, 0);
+  for (const char* file : {"convergence.csv", "convergence_times.csv", "orders.csv"})
+    EXPECT_EQ(read(folder_ / "whole" / file), read(folder_ / "killed" / file)) << file;
+}
+
+TEST_F(CommandLine, AnInterruptIs130AndLeavesNoHalfFile) {
+  // Long enough to be interrupted anywhere.
+  const Result result = shell("timeout -s INT 0.5 '" ODEUM_BINARY
+                              "' converge --case 'cloth*' --solver 'odeum/*' --out " +
+                              in("out") + "; echo code $?");
+  // timeout itself answers 124 where it had to send the signal; the program's word is its sentence.
+  EXPECT_NE(result.output.find("--resume goes on"), std::string::npos) << result.output;
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "convergence.csv"));
+}
+
+}  // namespace
+}  // namespace odeum
