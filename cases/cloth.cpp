@@ -86,8 +86,8 @@ Case make_variant(const Variant& variant) {
   c.stops = {0.25, 0.5, 1, 2};
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
-  c.finest_steps = 32 * variant.coarsest_steps;
-  c.evaluation_budget = variant.stiffness > 100 ? 300'000 : 150'000;  // one or two seconds
+  c.finest_steps = 8 * variant.coarsest_steps;
+  c.evaluation_budget = variant.tension_only ? 40'000 : 80'000;  // half a second or less
   c.truth = reference_truth(variant.reference, variant.digits_floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

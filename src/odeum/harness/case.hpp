@@ -48,7 +48,8 @@ struct Case {
   std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins
   std::uint64_t finest_steps = 16384;  ///< and where it ends at most
 
-  /// What one solve may cost, in evaluations of the right-hand side.
+  /// What one solve may cost, in evaluations of the right-hand side (or of its derivative times a
+  /// vector).
   std::uint64_t evaluation_budget = 4'000'000;
 
   std::vector<Entrant> entrants;
@@ -57,12 +58,10 @@ struct Case {
   std::string plane;
   std::function<Probe()> probe;
 
-  /// The budget of one solve by a solver. With many unknowns a step that solves linear systems is
-  /// paid in them, not in evaluations: about twenty times the price.
+  /// The budget of one solve by a solver.
   Budget budget_for(const SolverInfo& info) const {
-    const bool solves_systems = info.family == "implicit_rk" || info.family == "linearly_implicit";
-    const bool dear = solves_systems && y0.size() > dense_dimension_limit;
-    return {.evaluations = evaluation_budget / (dear ? 20 : 1)};
+    const bool many = y0.size() > dense_dimension_limit;
+    return {.evaluations = evaluation_budget / (many ? info.work_per_evaluation : 1)};
   }
 
   bool has_tag(const std::string& tag) const {

@@ -16,7 +16,7 @@ bool Guard::exhaust(std::string why) {
 
 bool Guard::may_go_on() {
   if (interrupted) return exhaust("interrupted");
-  if (rhs_evaluations_ >= budget_.evaluations)
+  if (spent() >= budget_.evaluations)
     return exhaust(
         fmt::format("more than {} evaluations of the right-hand side", budget_.evaluations));
   if (seconds() > budget_.seconds) return exhaust(fmt::format("more than {} s", budget_.seconds));

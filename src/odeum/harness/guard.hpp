@@ -21,8 +21,7 @@ class Guard {
   bool admit() {
     if (tripped_) return false;
     // Looking at the clock costs more than a small right-hand side: do it rarely.
-    const bool look =
-        rhs_evaluations_ >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
+    const bool look = spent() >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
     if (look && !may_go_on()) return false;
     ++rhs_evaluations_;
     return true;
@@ -38,6 +37,8 @@ class Guard {
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }
+  /// A product of the Jacobian with a vector is paid like an evaluation.
+  void count_product() { ++products_; }
 
   bool tripped() const { return tripped_; }
   Status status() const { return status_; }
@@ -50,6 +51,7 @@ class Guard {
   void conclude(const Request& request, Outcome& outcome) const;
 
  private:
+  std::uint64_t spent() const { return rhs_evaluations_ + products_; }
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool may_go_on();
@@ -61,6 +63,7 @@ class Guard {
   Clock::time_point start_;
   std::uint64_t rhs_evaluations_ = 0;
   std::uint64_t jacobian_evaluations_ = 0;
+  std::uint64_t products_ = 0;
   bool tripped_ = false;
   Status status_ = Status::ok;
   std::string detail_;
@@ -91,7 +94,8 @@ class GuardedView {
     else
       for (std::size_t i = 0; i < view_.dimension; ++i) dfdt[i] = 0;
   }
-  int jacobian_times(double t, const double* y, const double* x, double* product) const {
+  int jacobian_times(double t, const double* y, const double* x, double* product) {
+    guard_.count_product();
     view_.jacobian_times(view_.problem, t, y, x, product);
     return guard_.tripped() ? 1 : 0;
   }

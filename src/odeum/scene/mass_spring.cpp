@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/mass_spring.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -19,27 +20,36 @@ MassSpring::MassSpring(const Scene& scene)
     mass_.push_back(particle.mass);
     inverse_mass_.push_back(particle.fixed ? 0 : 1 / particle.mass);
   }
+  std::stable_sort(springs_.begin(), springs_.end(),
+                   [](const Spring& l, const Spring& r) { return l.a < r.a; });
   for (const Spring& spring : springs_)
     if (spring.a >= particles_ || spring.b >= particles_ || spring.a == spring.b)
       throw std::invalid_argument("spring between particles " + std::to_string(spring.a) + " and " +
                                   std::to_string(spring.b) + " of " + std::to_string(particles_));
 }
 
+// Springs are sorted by their first end, whose force is summed up in registers.
 void MassSpring::acceleration(double, const double* q, const double* v, double* a) const {
   for (std::size_t i = 0; i < 3 * particles_; ++i) a[i] = 0;
-  for (const Spring& spring : springs_) {
-    const double *qa = q + 3 * spring.a, *qb = q + 3 * spring.b;
-    const double *va = v + 3 * spring.a, *vb = v + 3 * spring.b;
-    double *fa = a + 3 * spring.a, *fb = a + 3 * spring.b;
-    const double x = qb[0] - qa[0], y = qb[1] - qa[1], z = qb[2] - qa[2];
-    const double length = std::sqrt(x * x + y * y + z * z);
-    const bool slack = (spring.tension_only && length <= spring.rest_length) || length == 0;
-    const double s = slack ? 0 : spring.stiffness * (1 - spring.rest_length / length);
-    const double fx = s * x + spring.damping * (vb[0] - va[0]);
-    const double fy = s * y + spring.damping * (vb[1] - va[1]);
-    const double fz = s * z + spring.damping * (vb[2] - va[2]);
+  for (auto spring = springs_.begin(); spring != springs_.end();) {
+    const std::size_t first = spring->a;
+    const double *qa = q + 3 * first, *va = v + 3 * first;
+    double fx = 0, fy = 0, fz = 0;
+    for (; spring != springs_.end() && spring->a == first; ++spring) {
+      const double *qb = q + 3 * spring->b, *vb = v + 3 * spring->b;
+      double* const fb = a + 3 * spring->b;
+      const double x = qb[0] - qa[0], y = qb[1] - qa[1], z = qb[2] - qa[2];
+      const double length = std::sqrt(x * x + y * y + z * z);
+      const bool slack = (spring->tension_only && length <= spring->rest_length) || length == 0;
+      const double s = slack ? 0 : spring->stiffness * (1 - spring->rest_length / length);
+      const double gx = s * x + spring->damping * (vb[0] - va[0]);
+      const double gy = s * y + spring->damping * (vb[1] - va[1]);
+      const double gz = s * z + spring->damping * (vb[2] - va[2]);
+      fx += gx, fy += gy, fz += gz;
+      fb[0] -= gx, fb[1] -= gy, fb[2] -= gz;
+    }
+    double* const fa = a + 3 * first;
     fa[0] += fx, fa[1] += fy, fa[2] += fz;
-    fb[0] -= fx, fb[1] -= fy, fb[2] -= fz;
   }
   for (std::size_t i = 0; i < particles_; ++i) {
     const double free = inverse_mass_[i] != 0 ? 1 : 0;
@@ -63,24 +73,31 @@ std::array<double, 9> spring_stiffness_block(const Spring& spring, const double*
   return block;
 }
 
+// The derivative of a spring's force is k (u u^T + (1 - L/l) (I - u u^T)) applied to the difference
+// of the ends, as in spring_stiffness_block, here without the matrix.
 void MassSpring::jacobian_times(double, const double* y, const double* x, double* product) const {
   const std::size_t n = 3 * particles_;
   const double *dq = x, *dv = x + n;
-  double* da = product + n;
+  double* const da = product + n;
   for (std::size_t i = 0; i < n; ++i) {
     product[i] = dv[i];
     da[i] = 0;
   }
   for (const Spring& spring : springs_) {
-    const auto block = spring_stiffness_block(spring, y);
-    double* const fa = da + 3 * spring.a;
-    double* const fb = da + 3 * spring.b;
+    const std::size_t a = 3 * spring.a, b = 3 * spring.b;
+    const double u[3] = {y[b] - y[a], y[b + 1] - y[a + 1], y[b + 2] - y[a + 2]};
+    const double d[3] = {dq[b] - dq[a], dq[b + 1] - dq[a + 1], dq[b + 2] - dq[a + 2]};
+    const double squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    const double length = std::sqrt(squared);
+    const bool slack = (spring.tension_only && length <= spring.rest_length) || length == 0;
+    const double across = slack ? 0 : spring.stiffness * (1 - spring.rest_length / length);
+    const double along =
+        slack ? 0
+              : (spring.stiffness - across) / squared * (u[0] * d[0] + u[1] * d[1] + u[2] * d[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-      double f = spring.damping * (dv[3 * spring.b + i] - dv[3 * spring.a + i]);
-      for (std::size_t j = 0; j < 3; ++j)
-        f += block[3 * i + j] * (dq[3 * spring.b + j] - dq[3 * spring.a + j]);
-      fa[i] += f;
-      fb[i] -= f;
+      const double f = across * d[i] + along * u[i] + spring.damping * (dv[b + i] - dv[a + i]);
+      da[a + i] += f;
+      da[b + i] -= f;
     }
   }
   for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3];

@@ -55,13 +55,15 @@ std::vector<Request> requests_for(const Pair& pair, bool quick) {
   request.mode = pair.mode;
   request.stops = pair.c->stops;
   request.budget = pair.c->budget_for(pair.entrant->info);
+  const bool many = pair.c->y0.size() > dense_dimension_limit;
+  if (quick && many) request.budget.evaluations /= 8;
   if (pair.mode == Mode::fixed) {
     for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
       request.steps = steps;
       requests.push_back(request);
     }
   } else {
-    for (int exponent = 3; exponent <= 12; exponent += quick ? 2 : 1) {
+    for (int exponent = 3; exponent <= (many ? 10 : 12); exponent += quick ? 2 : 1) {
       request.tolerance = std::pow(10.0, -exponent);
       requests.push_back(request);
     }
