@@ -43,7 +43,7 @@ class ForceEngine final : public ClassicEngine {
  public:
   ForceEngine(const scene::Scene& scene, const std::vector<double>& state)
       : ClassicEngine(scene, state),
-        springs_(without_gravity(scene)),
+        springs_(springs_of(scene)),
         medium_(scene.velocity_matrix),
         n_(3 * scene.size()),
         q_(n_),
@@ -76,8 +76,9 @@ class ForceEngine final : public ClassicEngine {
   }
 
  private:
-  static scene::Scene without_gravity(scene::Scene scene) {
+  static scene::Scene springs_of(scene::Scene scene) {
     scene.gravity = {};
+    scene.velocity_matrix = {};
     return scene;
   }
 

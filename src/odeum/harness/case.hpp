@@ -50,7 +50,7 @@ struct Case {
 
   /// What one solve may cost, in evaluations of the right-hand side (or of its derivative times a
   /// vector).
-  std::uint64_t evaluation_budget = 4'000'000;
+  std::uint64_t evaluation_budget = 500'000;
 
   std::vector<Entrant> entrants;
   /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe

@@ -45,7 +45,7 @@ std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) 
     if (steps > c.finest_steps && ladder.size() >= 8) break;
     if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
   }
-  if (quick && p <= 2 && ladder.size() > 8) ladder.resize(8);
+  if (quick && ladder.size() > 6) ladder.resize(6);
   return ladder;
 }
 
@@ -56,14 +56,15 @@ std::vector<Request> requests_for(const Pair& pair, bool quick) {
   request.stops = pair.c->stops;
   request.budget = pair.c->budget_for(pair.entrant->info);
   const bool many = pair.c->y0.size() > dense_dimension_limit;
-  if (quick && many) request.budget.evaluations /= 8;
+  if (quick) request.budget.evaluations /= 8;
   if (pair.mode == Mode::fixed) {
     for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
       request.steps = steps;
       requests.push_back(request);
     }
   } else {
-    for (int exponent = 3; exponent <= (many ? 10 : 12); exponent += quick ? 2 : 1) {
+    const int finest = quick ? 8 : many ? 10 : 12;
+    for (int exponent = 3; exponent <= finest; ++exponent) {
       request.tolerance = std::pow(10.0, -exponent);
       requests.push_back(request);
     }
@@ -152,9 +153,9 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
     if (at_floor >= 3 && result.rows.size() >= 8) break;
   }
   const double claimed = pair.entrant->info.order;
-  result.order.fit =
-      fit_order(points, claimed,
-                pair.mode == Mode::fixed ? fixed_step_tolerance : adaptive_tolerance(claimed));
+  result.order.fit = fit_order(
+      points, claimed,
+      pair.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
   if (result.order.fit.verdict == Verdict::failed)
     result.order.fit.reason += ": " + result.rows.back().status + ", " + result.rows.back().detail;
   return result;

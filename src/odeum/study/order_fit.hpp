@@ -42,8 +42,11 @@ struct FitTolerance {
   double order;
   double settled;
 };
-/// Fixed steps: two neighbouring orders are told apart with room to spare.
-inline constexpr FitTolerance fixed_step_tolerance{.order = 0.15, .settled = 0.1};
+/// Fixed steps: two neighbouring orders are told apart with room to spare. Orders above 4 fall to
+/// rounding before their slopes settle as well, hence a tolerance of 5 % for them.
+inline constexpr FitTolerance fixed_step_tolerance(double claimed_order) {
+  return {.order = claimed_order > 4 ? 0.05 * claimed_order : 0.15, .settled = 0.1};
+}
 /// Adaptive runs: the steps vary along the run and with the tolerance, so that the mean step is a
 /// loose yardstick; whole orders are still told apart.
 inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
@@ -55,6 +58,6 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 /// slopes settle. A verdict of confirmed needs at least four points in the window. A claimed order
 /// of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
-                   const FitTolerance& tolerance = fixed_step_tolerance);
+                   const FitTolerance& tolerance);
 
 }  // namespace odeum::study
