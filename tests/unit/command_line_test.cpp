@@ -87,7 +87,7 @@ TEST_P(BadInput, IsRefusedWithASentence) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, BadInput,
     testing::Values(
-        Misuse{"odeum frobnicate", "frobnicate"}, Misuse{"odeum run", "CASE"},
+        Misuse{"odeum frobnicate", "frobnicate"}, Misuse{"odeum run", "case is required"},
         Misuse{"odeum run lotka_voltera --solver rk4 --step 0.1", "did you mean lotka_volterra?"},
         Misuse{"odeum run ../lotka_volterra --solver rk4 --step 0.1", "unknown case"},
         Misuse{"odeum run lotka_volterra --solver rk5 --step 0.1", "did you mean odeum/rk4?"},
@@ -176,7 +176,7 @@ TEST_F(CommandLine, GoesOnAfterAKillToTheSameBytes) {
 
 TEST_F(CommandLine, AnInterruptIs130AndLeavesNoHalfFile) {
   // Long enough to be interrupted anywhere.
-  const Result result = shell("timeout -s INT 0.5 '" ODEUM_BINARY
+  const Result result = shell("timeout --foreground -s INT 0.5 '" ODEUM_BINARY
                               "' converge --case 'cloth*' --solver 'odeum/*' --out " +
                               in("out") + "; echo code $?");
   // timeout itself answers 124 where it had to send the signal; the program's word is its sentence.

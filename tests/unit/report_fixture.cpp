@@ -144,9 +144,9 @@ void add_pair(ReportData& data, const report::CaseFacts& c, const SolverInfo& so
                                           error * t, error * t / 3, 1.0, error * t * t / 5});
   }
   study::OrderRow order{c.id, solver.library, solver.method, mode, solver.order, {}};
-  order.fit = study::fit_order(
-      points, solver.order,
-      mode == Mode::fixed ? study::fixed_step_tolerance(solver.order) : study::adaptive_tolerance(solver.order));
+  order.fit = study::fit_order(points, solver.order,
+                               mode == Mode::fixed ? study::fixed_step_tolerance(solver.order)
+                                                   : study::adaptive_tolerance(solver.order));
   data.convergence.orders.push_back(order);
 }
 

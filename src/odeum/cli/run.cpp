@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "odeum/cli/session.hpp"
 #include "odeum/harness/interrupt.hpp"
@@ -18,17 +19,17 @@ constexpr double most_steps = 1e9;
 
 struct RunOptions {
   std::string case_id, solver, out;
-  double step = nan, tolerance = nan, until = nan;
+  double step = nan, tolerance = nan;
+  std::optional<double> until;
 };
 
 Request make_request(const RunOptions& options, const Case& c, const Entrant& entrant,
                      bool has_step) {
   Request request;
-  const double end = std::isnan(options.until) ? c.stops.back() : options.until;
+  const double end = options.until.value_or(c.stops.back());
   const double horizon = end - c.t0;
   if (!std::isfinite(horizon) || !(horizon > 0))
-    throw UsageError(
-        fmt::format("--until: got {}, expected a finite time after {}", options.until, c.t0));
+    throw UsageError(fmt::format("--until: got {}, expected a finite time after {}", end, c.t0));
   request.stops = {end};
   if (has_step) {
     const double h = options.step;

@@ -57,8 +57,9 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
 }  // namespace
 
 void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) == 0) return;
+  // A long text is written before the flush, which then knows nothing of its failure.
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
+    return;
   if (errno == EPIPE) std::_Exit(success);
   throw report::FileError(
       fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
