@@ -13,9 +13,8 @@ constexpr double varies = std::numeric_limits<double>::quiet_NaN();
 
 enum Modes { fixed_only, adaptive_only, both };
 
-/// `order` is what the documentation or, where it is silent, the header's own comment or order()
-/// claims. A family of steppers is one row; its number is appended to the name, and its order is
-/// that number plus `order`.
+/// `order` is what order() or stepper_order() of the stepper's header claims. A family of steppers
+/// is one row; its number is appended to the name, and its order is that number plus `order`.
 struct Row {
   const char* name;
   const char* family;
@@ -70,8 +69,7 @@ const Row rows[] = {
     {"symplectic_euler", "symplectic", 1, fixed_only, "", needs_separable, ""},
     {"symplectic_rkn_sb3a_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
     {"symplectic_rkn_sb3a_m4_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
-    {"velocity_verlet", "symplectic", 1, fixed_only, "", needs_second_order,
-     "order() and the manual's table say 1"},
+    {"velocity_verlet", "symplectic", 1, fixed_only, "", needs_second_order, "order() says 1"},
     {"implicit_euler", "implicit_rk", 1, fixed_only, "", needs_dense,
      "its Newton iteration ends at a step of 1e-6"},
     {"rosenbrock4", "linearly_implicit", 4, both, "rosenbrock4_controller", needs_dense, ""},
@@ -108,7 +106,7 @@ SolverInfo info_of(std::string_view method) {
   info.adaptive = row.modes != fixed_only;
   info.controller = row.controller;
   info.needs = row.needs;
-  info.source = "Boost 1.74, Numeric.Odeint, Stepper overview";
+  info.source = "Boost 1.74, Numeric.Odeint, the stepper's header";
   if (*row.note) info.source += std::string("; ") + row.note;
   return info;
 }

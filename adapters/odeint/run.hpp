@@ -121,7 +121,8 @@ template <class Stepper, template <class> class PairSystem, Ode P>
 Outcome run_pair(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();
   return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    const PairSystem<P> system{&problem, &guard};
+    PairSystem<P> system{&problem, &guard};
+    if constexpr (requires { system.step_start; }) system.step_start = &outcome.t;
     Stepper stepper;
     const State<P> y0 = start_of(contest);
     const auto middle = y0.begin() + static_cast<std::ptrdiff_t>(y0.size() / 2);

@@ -37,15 +37,17 @@ struct SecondOrderSystem {
 };
 
 /// q'' = a(q) as odeint's symplectic steppers ask for it: they pass neither time nor velocity.
+/// Where the guard has something to say, it names the time at which the step began.
 template <Separable P>
 struct SymplecticSystem {
   const P* problem;
   Guard* guard;
+  const double* step_start = nullptr;
 
   void operator()(const Half<P>& q, Half<P>& a) const {
     if (!guard->admit()) throw Tripped{};
-    problem->acceleration(0, q.data(), nullptr, a.data());
-    if (!guard->inspect(0, a.data(), a.size())) throw Tripped{};
+    problem->acceleration(*step_start, q.data(), nullptr, a.data());
+    if (!guard->inspect(*step_start, a.data(), a.size())) throw Tripped{};
   }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boost.odeint alone, as C++17 (uBLAS): rosenbrock4 on y' = -y + sin 3t, whose order the manual
-// gives as 4. The coefficients d1..d4 of h df/dt are the row sums of the method's matrix Gamma,
-// and Gamma follows from the other coefficients: inverse(Gamma) = I / gamma - (c_ij). Exits 0 while
-// the order is 1 and the header's d4 has the opposite sign of the row sum.
+// Boost.odeint alone, as C++17 (uBLAS): rosenbrock4 on y' = -y + sin 3t, whose order
+// stepper_order gives as 4. The coefficients d1..d4 of h df/dt are the row sums of the method's
+// matrix Gamma, and Gamma follows from the other coefficients: inverse(Gamma) = I / gamma - (c_ij).
+// Exits 0 while the order is 1 and the header's d4 has the opposite sign of the row sum.
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boost.odeint alone: velocity_verlet on q'' = -5 q - d q', whose order the manual's table and
-// order() give as 1. Exits 0 while it is 2 without damping and 1 with it.
+// Boost.odeint alone: velocity_verlet on q'' = -5 q - d q', whose order order() gives
+// as 1. Exits 0 while it is 2 without damping and 1 with it.
 #include <array>
 #include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
 #include <cmath>

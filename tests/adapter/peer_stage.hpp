@@ -2,9 +2,12 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -155,9 +158,9 @@ inline void expect_honest(const Entrant& entrant,
   }
 }
 
-/// The error falls by at least 30 for each hundredth of tolerance: proportional would be 100, and
-/// the slowest here, step doubling of order 1 and 2, goes as the root of its local error, 10 to
-/// 100; so over 1e-3 .. 1e-7 it is asked to fall by 30 in all, and to end below 1e-3.
+/// From a tolerance of 1e-3 to 1e-7 an error in proportion would fall by 1e4. The slowest here,
+/// rk1imp, steps as the root of its local error, so that its global error falls by 1e2; a third of
+/// that is asked for, and an end below 1e-3.
 inline void expect_converges_with_tolerance(const Entrant& entrant) {
   SCOPED_TRACE(entrant.info.id());
   const double loose = circle_error(entrant.solve(adaptive_request(1e-3)));
