@@ -56,7 +56,7 @@ std::vector<Request> requests_for(const Pair& pair, bool quick) {
   request.stops = pair.c->stops;
   request.budget = pair.c->budget_for(pair.entrant->info);
   const bool many = pair.c->y0.size() > dense_dimension_limit;
-  if (quick) request.budget.evaluations /= 8;
+  if (quick) request.budget.evaluations /= many ? 32 : 8;
   if (pair.mode == Mode::fixed) {
     for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
       request.steps = steps;
