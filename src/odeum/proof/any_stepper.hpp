@@ -56,15 +56,16 @@ class ErasedStepper : public AnyStepper {
 class InterpretedStepper : public AnyStepper {
  public:
   InterpretedStepper(const DynamicTableau<double>& tableau, const FunctionProblem& problem)
-      : interpreter_(tableau, problem) {}
+      : embedded_(tableau.embedded()), interpreter_(tableau, problem) {}
   Status step(double t, double h, std::vector<double>& y) override {
     return interpreter_.step(t, h, y);
   }
   Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
-    return interpreter_.step(t, h, y, error);
+    return embedded_ ? interpreter_.step(t, h, y, error) : Status::refused;
   }
 
  private:
+  bool embedded_;
   TableauInterpreter interpreter_;
 };
 
