@@ -66,13 +66,19 @@ std::string caught_by_running(const Coefficients& mutant, const Claims& sound, b
   return order_failure_by_running(other, sound.tableau.order_hat);
 }
 
-std::string caught_by(const Coefficients& mutant, const Claims& sound) {
+// By what follows from the coefficients alone, which costs little; then by what must be run, or is
+// seen only in nodes that are written down.
+std::string caught_early(const Coefficients& mutant, const Claims& sound) {
   const Coefficients& t = sound.tableau;
   if (!has_order(mutant, mutant.b, t.order)) return "order conditions of b";
   if (t.embedded() && !has_order(mutant, mutant.b_hat, t.order_hat))
     return "order conditions of b_hat";
   if (!same(structure_of(mutant), sound.structure)) return "structure";
   if (!same(stability_class(mutant), sound.stability)) return "stability class";
+  return {};
+}
+
+std::string caught_late(const Coefficients& mutant, const Claims& sound) {
   if (std::string by = caught_by_running(mutant, sound, false); !by.empty()) return by;
   if (!nodes_are_row_sums(mutant)) return "nodes against row sums";
   return {};
@@ -141,14 +147,16 @@ class Maker {
   }
 
   void judge(const Coefficients& m, bool of_estimate, Mutant mutant) {
-    mutant.caught_by = checks_ == Checks::running_only ? caught_by_running(m, sound_, of_estimate)
-                                                       : caught_by(m, sound_);
-    // What no result depends on cannot be seen in one. 1e-15: the sums are formed the same way.
-    if (!mutant.caught() || mutant.caught_by == "nodes against row sums")
-      if (difference_between(code_running(m), code_running(sound_.tableau)) <= 1e-15) {
+    if (checks_ == Checks::quickest_first) mutant.caught_by = caught_early(m, sound_);
+    if (!mutant.caught()) {
+      // What no result depends on cannot be seen in one. 1e-15: the sums are formed the same way.
+      if (difference_between(code_running(m), code_running(sound_.tableau)) <= 1e-15)
         mutant.equivalent = "no result depends on it";
-        mutant.caught_by.clear();
-      }
+      else if (checks_ == Checks::running_only)
+        mutant.caught_by = caught_by_running(m, sound_, of_estimate);
+      else
+        mutant.caught_by = caught_late(m, sound_);
+    }
     mutants_.push_back(std::move(mutant));
   }
 
