@@ -17,7 +17,9 @@ Ground<FunctionProblem> quadrature() {
   Ground<FunctionProblem> g;
   g.id = "quadrature";
   g.problem.unknowns = 1;
-  g.problem.f = [](double t, const double*, double* f) { f[0] = std::exp(std::sin(2 * t)) * std::cos(2 * t); };
+  g.problem.f = [](double t, const double*, double* f) {
+    f[0] = std::exp(std::sin(2 * t)) * std::cos(2 * t);
+  };
   g.problem.f_y = [](double, const double*, double* j) { j[0] = 0; };
   g.problem.f_t = [](double t, const double*, double* d) {
     const double c = std::cos(2 * t), s = std::sin(2 * t);
@@ -39,8 +41,8 @@ struct Sizes {
   double h = 0, estimate = 0, lower_error = 0, kept_error = 0, scale = 0;
 };
 
-Sizes sizes_at(AnyStepper& stepper, const Ground<FunctionProblem>& ground, double h,
-               bool kept_is_lower) {
+template <class P>
+Sizes sizes_at(AnyStepper& stepper, const Ground<P>& ground, double h, bool kept_is_lower) {
   constexpr int places = 8;
   Sizes sizes{.h = h};
   const std::size_t n = ground.problem.size();
@@ -65,8 +67,8 @@ Sizes sizes_at(AnyStepper& stepper, const Ground<FunctionProblem>& ground, doubl
   return sizes;
 }
 
-EstimateQuality judge(AnyStepper& stepper, const Ground<FunctionProblem>& ground, int order,
-                      int order_embedded) {
+template <class P>
+EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, int order_embedded) {
   EstimateQuality quality;
   quality.ground = ground.id;
   quality.expected_exponent = std::min(order, order_embedded) + 1;
@@ -94,23 +96,34 @@ EstimateQuality judge(AnyStepper& stepper, const Ground<FunctionProblem>& ground
   return quality;
 }
 
+template <class P>
+std::vector<EstimateQuality> judge_on(const std::vector<Ground<P>>& where,
+                                      const MakeStepper<P>& make, int order, int order_embedded) {
+  std::vector<EstimateQuality> all;
+  for (const Ground<P>& ground : where)
+    all.push_back(judge(*make(ground.problem), ground, order, order_embedded));
+  return all;
+}
+
 }  // namespace
 
 bool EstimateQuality::good() const {
-  return std::abs(exponent - expected_exponent) <= 0.06 * expected_exponent && ratio >= ratio_low &&
-         ratio <= ratio_high;
+  return right_exponent() && ratio >= ratio_low && ratio <= ratio_high;
+}
+bool EstimateQuality::right_exponent() const {
+  return std::abs(exponent - expected_exponent) <= 0.06 * expected_exponent;
 }
 
 std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionProblem>& make, int order,
                                               int order_embedded) {
-  std::vector<EstimateQuality> all;
-  std::vector<Ground<FunctionProblem>> places = grounds();
-  places.push_back(quadrature());
-  for (const Ground<FunctionProblem>& ground : places) {
-    const auto stepper = make(ground.problem);
-    all.push_back(judge(*stepper, ground, order, order_embedded));
-  }
-  return all;
+  std::vector<Ground<FunctionProblem>> where = grounds();
+  where.push_back(quadrature());
+  return judge_on(where, make, order, order_embedded);
+}
+
+std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionMechanics<false>>& make,
+                                              int order, int order_embedded) {
+  return judge_on(separable_grounds(), make, order, order_embedded);
 }
 
 }  // namespace odeum::proof

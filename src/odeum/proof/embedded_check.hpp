@@ -20,15 +20,18 @@ struct EstimateQuality {
   double ratio = 0;
   /// Estimate over true local error of the result that is kept; below 1 it is unsafe.
   double margin = 0;
-  bool good() const;
+  bool right_exponent() const;  ///< to 6 %
+  bool good() const;            ///< and the ratio is within the band
 };
 
 /// A factor of three either way: a step chosen by such an estimate at q = 1 is off by 1.7 at most.
 inline constexpr double ratio_low = 1. / 3, ratio_high = 3;
 
-/// On the grounds `linear`, `nonlinear` and `non_autonomous`, and on `quadrature`, y' = f(t), which
-/// some pairs are blind to.
+/// On the grounds of the kind of problem and, for those of any problem, on `quadrature`, y' = f(t),
+/// which some pairs are blind to.
 std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionProblem>& make, int order,
                                               int order_embedded);
+std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionMechanics<false>>& make,
+                                              int order, int order_embedded);
 
 }  // namespace odeum::proof

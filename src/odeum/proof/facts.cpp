@@ -22,7 +22,8 @@ MethodFacts facts_of() {
   MethodFacts facts;
   facts.info = M::info;
   facts.needs = M::needs;
-  if constexpr (requires { dynamic_tableau(M::tableau); }) facts.tableau = dynamic_tableau(M::tableau);
+  if constexpr (requires { dynamic_tableau(M::tableau); })
+    facts.tableau = dynamic_tableau(M::tableau);
   if constexpr (requires { M::amplification(0.0, 0.0); }) facts.amplification = M::amplification;
   if constexpr (requires { M::oscillator_map(0.0); }) facts.oscillator_map = M::oscillator_map;
   facts.on_problem = maker<M, FunctionProblem>();

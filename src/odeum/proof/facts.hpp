@@ -13,7 +13,7 @@ namespace odeum::proof {
 struct MethodFacts {
   MethodInfo info{};
   std::string needs;
-  std::optional<DynamicTableau<double>> tableau;  ///< of a Runge-Kutta method
+  std::optional<DynamicTableau<double>> tableau;              ///< of a Runge-Kutta method
   std::function<double(double re, double im)> amplification;  ///< |R(z)|; may be empty
   std::function<OscillatorMap(double)> oscillator_map;        ///< may be empty
 
@@ -24,8 +24,8 @@ struct MethodFacts {
 
   std::string id() const { return std::string(info.id); }
   bool fits_mechanics_only() const { return !on_problem && on_separable; }
-  /// Steps on a separable problem, as second-order system or, where the method takes any problem, as
-  /// y' = [v, a].
+  /// Steps on a separable problem, as second-order system or, where the method takes any problem,
+  /// as y' = [v, a].
   MakeStepper<FunctionMechanics<false>> on_mechanics() const;
 };
 

@@ -12,9 +12,10 @@ namespace odeum::proof {
 /// What became of a mutant.
 struct Mutant {
   std::string method;
-  std::string kind;    ///< coefficient, sign, stage, node, time, evaluation, derivative, update, start
-  std::string change;  ///< "a[3][2] by 1e-06", "the velocity first"
-  double size = 0;     ///< relative, of a changed coefficient; 0 otherwise
+  std::string
+      kind;  ///< coefficient, sign, stage, node, time, evaluation, derivative, update, start
+  std::string change;      ///< "a[3][2] by 1e-06", "the velocity first"
+  double size = 0;         ///< relative, of a changed coefficient; 0 otherwise
   std::string caught_by;   ///< the first check that saw it; empty: none
   std::string equivalent;  ///< why nothing could see it; empty where it was caught, or survived
   bool caught() const { return !caught_by.empty(); }

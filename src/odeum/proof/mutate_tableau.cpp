@@ -19,6 +19,7 @@ struct Claims {
   Coefficients tableau;
   Structure structure;
   StabilityClass stability;
+  std::vector<study::OrderFit> orders, orders_hat;  ///< as running shows them, ground by ground
 };
 
 bool has_order(const Coefficients& t, const std::vector<double>& row, int order) {
@@ -46,24 +47,20 @@ bool nodes_are_row_sums(const Coefficients& t) {
   return true;
 }
 
-std::string order_failure_by_running(const Coefficients& t, int order) {
-  for (const Ground<FunctionProblem>& ground : grounds()) {
-    const study::OrderFit fit = measure_order(interpreted(t), order, ground);
-    // Linear problems ask for few conditions; some methods are better on them than claimed.
-    if (fit.verdict == study::Verdict::confirmed ||
-        (ground.id == "linear" && fit.verdict == study::Verdict::higher))
-      continue;
-    return fmt::format("order on {}: {}", ground.id, study::to_string(fit.verdict));
-  }
-  return {};
+using Orders = std::vector<study::OrderFit>;
+
+Orders orders_by_running(const Coefficients& t, int order) {
+  Orders fits;
+  for (const Ground<FunctionProblem>& ground : grounds())
+    fits.push_back(measure_order(interpreted(t), order, ground));
+  return fits;
 }
 
-std::string caught_by_running(const Coefficients& mutant, const Claims& sound, bool of_estimate) {
-  if (!of_estimate) return order_failure_by_running(mutant, sound.tableau.order);
-  Coefficients other = mutant;
-  other.b = mutant.b_hat;
+Coefficients estimating(const Coefficients& t) {
+  Coefficients other = t;
+  other.b = t.b_hat;
   other.b_hat.clear();
-  return order_failure_by_running(other, sound.tableau.order_hat);
+  return other;
 }
 
 // By what follows from the coefficients alone, which costs little; then by what must be run, or is
@@ -78,8 +75,27 @@ std::string caught_early(const Coefficients& mutant, const Claims& sound) {
   return {};
 }
 
+std::string difference_in(const Orders& found, const Orders& expected, const char* of) {
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!same_order(found[i], expected[i]))
+      return fmt::format("order {}on {}: {}", of, grounds()[i].id,
+                         study::to_string(found[i].verdict));
+  return {};
+}
+
+std::string caught_by_running(const Coefficients& mutant, const Claims& sound) {
+  const Coefficients& t = sound.tableau;
+  std::string by;
+  if (mutant.a != t.a || mutant.b != t.b || mutant.c != t.c)
+    by = difference_in(orders_by_running(mutant, t.order), sound.orders, "");
+  if (by.empty() && t.embedded())
+    by = difference_in(orders_by_running(estimating(mutant), t.order_hat), sound.orders_hat,
+                       "of b_hat ");
+  return by;
+}
+
 std::string caught_late(const Coefficients& mutant, const Claims& sound) {
-  if (std::string by = caught_by_running(mutant, sound, false); !by.empty()) return by;
+  if (std::string by = caught_by_running(mutant, sound); !by.empty()) return by;
   if (!nodes_are_row_sums(mutant)) return "nodes against row sums";
   return {};
 }
@@ -91,17 +107,24 @@ class Maker {
   Maker(const MethodFacts& method, Checks checks)
       : id_(method.id()),
         checks_(checks),
-        sound_{*method.tableau, structure_of(*method.tableau), stability_class(*method.tableau)} {}
+        sound_{*method.tableau,
+               structure_of(*method.tableau),
+               stability_class(*method.tableau),
+               orders_by_running(*method.tableau, method.tableau->order),
+               {}} {
+    const Coefficients& t = sound_.tableau;
+    if (t.embedded()) sound_.orders_hat = orders_by_running(estimating(t), t.order_hat);
+  }
 
   std::vector<Mutant> all() {
     const Coefficients& t = sound_.tableau;
     for (std::size_t i = 0; i < t.stages; ++i) {
       for (std::size_t j = 0; j < t.stages; ++j)
-        alter(fmt::format("a[{}][{}]", i + 1, j + 1), false,
+        alter(fmt::format("a[{}][{}]", i + 1, j + 1),
               [&](Coefficients& m) -> double& { return m.at(i, j); });
-      alter(fmt::format("b[{}]", i + 1), false, [&](Coefficients& m) -> double& { return m.b[i]; });
+      alter(fmt::format("b[{}]", i + 1), [&](Coefficients& m) -> double& { return m.b[i]; });
       if (t.embedded())
-        alter(fmt::format("b_hat[{}]", i + 1), true,
+        alter(fmt::format("b_hat[{}]", i + 1),
               [&](Coefficients& m) -> double& { return m.b_hat[i]; });
     }
     for (std::size_t i = 0; i < t.stages; ++i) {
@@ -114,14 +137,14 @@ class Maker {
 
  private:
   template <class Entry>
-  void alter(const std::string& name, bool of_estimate, Entry&& entry) {
+  void alter(const std::string& name, Entry&& entry) {
     if (Coefficients probe = sound_.tableau; entry(probe) == 0) return;
     const auto with = [&](auto&& change, const char* kind, double size, const std::string& text) {
       Coefficients m = sound_.tableau;
       double& value = entry(m);
       value = change(value);
       m.set_nodes_to_row_sums();
-      judge(m, of_estimate, {id_, kind, text, size, {}, {}});
+      judge(m, {id_, kind, text, size, {}, {}});
     };
     for (const double size : mutation_sizes) {
       if (checks_ == Checks::running_only && size < 1e-3) break;
@@ -137,23 +160,23 @@ class Maker {
     if (m.embedded()) m.b_hat[stage] = 0;
     for (std::size_t i = 0; i < m.stages; ++i) m.at(i, stage) = 0;
     m.set_nodes_to_row_sums();
-    judge(m, sound_.tableau.b == m.b, {id_, "stage", fmt::format("stage {} dropped", stage + 1), 0, {}, {}});
+    judge(m, {id_, "stage", fmt::format("stage {} dropped", stage + 1), 0, {}, {}});
   }
 
   void move_node(std::size_t i, double c, const char* how) {
     Coefficients m = sound_.tableau;
     m.c[i] = c;
-    judge(m, m.b[i] == 0 && m.embedded(), {id_, "node", fmt::format("c[{}] {}", i + 1, how), 0, {}, {}});
+    judge(m, {id_, "node", fmt::format("c[{}] {}", i + 1, how), 0, {}, {}});
   }
 
-  void judge(const Coefficients& m, bool of_estimate, Mutant mutant) {
+  void judge(const Coefficients& m, Mutant mutant) {
     if (checks_ == Checks::quickest_first) mutant.caught_by = caught_early(m, sound_);
     if (!mutant.caught()) {
       // What no result depends on cannot be seen in one. 1e-15: the sums are formed the same way.
       if (difference_between(code_running(m), code_running(sound_.tableau)) <= 1e-15)
         mutant.equivalent = "no result depends on it";
       else if (checks_ == Checks::running_only)
-        mutant.caught_by = caught_by_running(m, sound_, of_estimate);
+        mutant.caught_by = caught_by_running(m, sound_);
       else
         mutant.caught_by = caught_late(m, sound_);
     }

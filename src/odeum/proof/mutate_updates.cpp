@@ -201,7 +201,8 @@ std::vector<Slip> slips() {
       {"leapfrog", "start", "a whole kick first", code_with<LeapfrogStarted>(1.0, 0.5)},
       {"leapfrog", "update", "the velocity shown half a step ahead",
        code_with<LeapfrogStarted>(0.5, 0.0)},
-      {"stormer_verlet", "start", "started by explicit Euler", code_with<StormerStarted>(0.0, false)},
+      {"stormer_verlet", "start", "started by explicit Euler",
+       code_with<StormerStarted>(0.0, false)},
       {"stormer_verlet", "update", "a one-sided velocity", code_with<StormerStarted>(0.5, true)},
       {"symplectic_euler", "update", "both from the old state", code_with<EulerBothOld>()},
       {"symplectic_euler", "update", "the position first", code_with<EulerPositionFirst>()},
@@ -220,7 +221,12 @@ std::vector<Mutant> mutate_updates(const std::vector<MethodFacts>& methods) {
     for (const MethodFacts& method : methods) {
       if (method.info.id != slip.method) continue;
       if (!method.on_second_order) slip.code.on_second_order = {};
-      mutants.push_back({slip.method, slip.kind, slip.change, 0, first_failure(slip.code, method), {}});
+      mutants.push_back({slip.method,
+                         slip.kind,
+                         slip.change,
+                         0,
+                         CodeChecks(method).first_failure(slip.code),
+                         {}});
     }
   return mutants;
 }

@@ -9,8 +9,8 @@ namespace odeum::proof {
 /// The running code against a stability function, at values of z drawn at random (the same every
 /// time): half of them near zero, half over the left half-plane as far as the method is used there.
 struct StabilityAgreement {
-  int points = 0;         ///< 0: nothing to compare
-  double difference = 0;  ///< the largest, relative to 1 + |R|
+  int points = 0;              ///< 0: nothing to compare
+  double difference = 0;       ///< the largest, relative to 1 + |R|
   std::complex<double> worst;  ///< z of the largest
 };
 
@@ -29,10 +29,11 @@ StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<fa
                                           const MethodFacts& theory);
 
 /// The code against the interpreted tableau, two steps on a nonlinear problem in time: the largest
-/// difference, of the error estimate too. Where it is rounding (and for implicit methods what
-/// Newton's tolerance leaves), what is proven of the tableau holds of the code.
+/// difference, of the error estimate too where `with_estimate` (a method may estimate in a way of
+/// its own). Where it is rounding (and for implicit methods what Newton's tolerance leaves), what
+/// is proven of the tableau holds of the code.
 inline constexpr double tableau_rounding = 1e-12;
 double compare_with_tableau(const MakeStepper<FunctionProblem>& make,
-                            const DynamicTableau<double>& tableau);
+                            const DynamicTableau<double>& tableau, bool with_estimate);
 
 }  // namespace odeum::proof

@@ -17,9 +17,8 @@ constexpr std::size_t longest_fraction = 60;
 std::string written(const mpq_class& x) {
   const std::string fraction = x.get_str();
   if (fraction.size() > longest_fraction) return fmt::format("{:.6g}", x.get_d());
-  return x.get_den() == 1 || x.get_den() < 1000
-             ? fraction
-             : fmt::format("{} = {:.6g}", fraction, x.get_d());
+  return x.get_den() == 1 || x.get_den() < 1000 ? fraction
+                                                : fmt::format("{} = {:.6g}", fraction, x.get_d());
 }
 std::string written(const mpf_class& x) { return fmt::format("{:.6g}", x.get_d()); }
 
@@ -51,8 +50,9 @@ std::vector<NodeFault> node_faults(const DynamicTableau<Number>& tableau,
     double size = 0;
     for (std::size_t j = 0; j < tableau.stages; ++j)
       size += std::abs(detail::as_double(tableau.at(i, j)));
-    const double allowance = rounding.relative * (size + std::abs(detail::as_double(tableau.c[i]))) +
-                             rounding.absolute * static_cast<double>(tableau.stages + 1);
+    const double allowance =
+        rounding.relative * (size + std::abs(detail::as_double(tableau.c[i]))) +
+        rounding.absolute * static_cast<double>(tableau.stages + 1);
     if (std::abs(detail::as_double(difference)) > allowance)
       faults.push_back({i + 1, written(tableau.c[i]), written(sum)});
   }
@@ -80,12 +80,12 @@ void run_row(const char* name, const DynamicTableau<double>& tableau, int order,
 }
 
 std::string row_text(const RowProof& row) {
-  std::string text = fmt::format("  {:<12}order {}{}", row.row, row.at_limit ? "at least " : "",
-                                 row.order);
+  std::string text =
+      fmt::format("  {:<12}order {}{}", row.row, row.at_limit ? "at least " : "", row.order);
   if (row.claimed != 0)
-    text += fmt::format(", {} claimed: {}", row.claimed,
-                        row.reached() ? (row.order > row.claimed ? "more than that" : "reached")
-                                      : "NOT REACHED");
+    text += fmt::format(
+        ", {} claimed: {}", row.claimed,
+        row.reached() ? (row.order > row.claimed ? "more than that" : "reached") : "NOT REACHED");
   text += '\n';
   if (!row.tree.empty())
     text += fmt::format("  {:<12}order {} fails: {} of {} conditions, first {}, residual {}\n", "",
@@ -126,13 +126,14 @@ Verification verify(const TableauFile& file) {
 }
 
 std::string Verification::text(const TableauFile& file) const {
-  std::string text = fmt::format(
-      "{}, {} stage{}: {}\n", file.name.empty() ? "Tableau" : file.name, file.rounded.stages,
-      file.rounded.stages == 1 ? "" : "s", describe(structure));
+  std::string text =
+      fmt::format("{}, {} stage{}: {}\n", file.name.empty() ? "Tableau" : file.name,
+                  file.rounded.stages, file.rounded.stages == 1 ? "" : "s", describe(structure));
   text += fmt::format("order conditions, {}\n",
-                      !file.exact()                  ? "to 512 bits"
-                      : file.rounding.absolute == 0 ? "in exact fractions"
-                                                    : "decimals of 15 digits and more taken as rounded");
+                      !file.exact() ? "to 512 bits"
+                      : file.rounding.absolute == 0
+                          ? "in exact fractions"
+                          : "decimals of 15 digits and more taken as rounded");
   text += row_text(main);
   if (!embedded.row.empty()) text += row_text(embedded);
   if (!file.has_nodes)

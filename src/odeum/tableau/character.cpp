@@ -123,10 +123,11 @@ std::complex<double> stability_function(const DynamicTableau<double>& t, std::co
 StabilityClass stability_class(const std::function<double(std::complex<double>)>& amplification) {
   StabilityClass found;
   const double far = amplification(-1e8), farther = amplification(-1e11);
-  // A value that falls like 1/|z| goes to zero, one that stays is the limit, one that rises has none.
+  // A value that falls like 1/|z| goes to zero, one that stays is the limit, one that rises has
+  // none.
   found.at_infinity = farther < far / 100 || farther < 1e-10 ? 0
-                      : farther > far * 100                   ? std::numeric_limits<double>::infinity()
-                                                              : farther;
+                      : farther > far * 100 ? std::numeric_limits<double>::infinity()
+                                            : farther;
   const auto bounded = [&](double angle) { return bounded_on_ray(amplification, angle); };
   if (!bounded(0)) return found;
   if (bounded(90) && bounded(30) && bounded(60)) {

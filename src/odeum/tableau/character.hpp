@@ -38,7 +38,8 @@ struct StabilityClass {
   bool l_stable() const { return a_stable() && vanishes_at_infinity(); }
   bool vanishes_at_infinity() const { return at_infinity < 1e-9; }
 };
-/// "L-stable", "A-stable, |R(inf)| = 1", "A(alpha)-stable, alpha = 73.35, ...", "not A(alpha)-stable".
+/// "L-stable", "A-stable, |R(inf)| = 1", "A(alpha)-stable, alpha = 73.35, ...", "not
+/// A(alpha)-stable".
 std::string describe(const StabilityClass& stability);
 
 /// From |R(z)| as a function of z: the widest sector about the negative real axis on whose edges

@@ -123,7 +123,8 @@ class Parser {
       fraction = digits();
     }
     if (whole_part.empty() && fraction.empty()) {
-      if (at_ - (point ? 1 : 0) >= text_.size()) throw CoefficientError("nothing where a number should be");
+      if (at_ - (point ? 1 : 0) >= text_.size())
+        throw CoefficientError("nothing where a number should be");
       throw CoefficientError("no number");
     }
     if (whole_part.size() > 1 && whole_part[0] == '0')

@@ -29,8 +29,8 @@ class CoefficientError : public std::runtime_error {
 };
 
 /// Reads `2/9`, `-3/4`, `0.25`, `1e-3`, `(2 - sqrt(2))/2`: sums, products and quotients of decimals
-/// and square roots. Throws CoefficientError; nan, inf, octal-looking numbers and decimal commas are
-/// no numbers here.
+/// and square roots. Throws CoefficientError; nan, inf, octal-looking numbers and decimal commas
+/// are no numbers here.
 Coefficient parse_coefficient(std::string_view text);
 
 }  // namespace odeum

@@ -22,11 +22,11 @@ inline constexpr CoefficientRounding double_rounding{.absolute = 0, .relative = 
 /// What the conditions say of a row of weights.
 template <class Number>
 struct RowOrder {
-  int order = 0;  ///< every condition up to it holds
+  int order = 0;       ///< every condition up to it holds
   bool fails = false;  ///< a condition of the next order fails; else `order` is the highest checked
-  std::size_t tree = 0;   ///< the first condition that fails
-  Number residual{};      ///< sum_i b_i Phi_i(tau) - 1/gamma(tau) of that tree
-  double allowance = 0;   ///< what rounding of the coefficients may have a part in, for that tree
+  std::size_t tree = 0;     ///< the first condition that fails
+  Number residual{};        ///< sum_i b_i Phi_i(tau) - 1/gamma(tau) of that tree
+  double allowance = 0;     ///< what rounding of the coefficients may have a part in, for that tree
   int failing = 0, of = 0;  ///< how many conditions of the next order fail, and how many there are
 };
 
@@ -87,8 +87,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
       }
       const Number exact = Number(1) / Number(static_cast<double>(trees[tau].density));
       const Number residual = sum - exact;
-      const double allowance =
-          order * rounding.relative * sum_size + rounding.absolute * sum_slope;
+      const double allowance = order * rounding.relative * sum_size + rounding.absolute * sum_slope;
       ++result.of;
       if (std::abs(detail::as_double(residual)) <= allowance) continue;
       if (result.failing++ == 0) {

@@ -128,8 +128,11 @@ int line_of_bad_byte(const std::string& text) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if (byte == '\n') ++line;
     if (byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') return line;
-    const std::size_t length = byte < 0x80 ? 1 : byte >> 5 == 6 ? 2 : byte >> 4 == 14 ? 3
-                               : byte >> 3 == 30 ? 4 : 0;
+    const std::size_t length = byte < 0x80       ? 1
+                               : byte >> 5 == 6  ? 2
+                               : byte >> 4 == 14 ? 3
+                               : byte >> 3 == 30 ? 4
+                                                 : 0;
     if (length == 0 || i + length > text.size()) return line;
     for (std::size_t k = 1; k < length; ++k)
       if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return line;
@@ -148,8 +151,8 @@ std::string YamlTree::described() const {
 
 void fail_at(const std::string& file, const YamlTree& place, const std::string& key,
              const std::string& what, const std::string& expected) {
-  throw InputError(fmt::format("{}: {}: {}{}{}", place_of(file, place.line, place.column), key, what,
-                               expected.empty() ? "" : "; expected ", expected));
+  throw InputError(fmt::format("{}: {}: {}{}{}", place_of(file, place.line, place.column), key,
+                               what, expected.empty() ? "" : "; expected ", expected));
 }
 
 YamlTree read_yaml_text(const std::string& text, const std::string& name) {
@@ -162,8 +165,8 @@ YamlTree read_yaml_text(const std::string& text, const std::string& name) {
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    throw InputError(
-        fmt::format("{}: no YAML: {}", place_of(name, error.mark.line + 1, error.mark.column + 1), error.msg));
+    throw InputError(fmt::format(
+        "{}: no YAML: {}", place_of(name, error.mark.line + 1, error.mark.column + 1), error.msg));
   }
   if (!builder.has_document()) throw InputError(fmt::format("{}:1:1: an empty file", name));
   return builder.take();

@@ -28,8 +28,8 @@ struct YamlTree {
 };
 
 /// Reads a file of at most 1 MiB. Throws InputError for what is no regular file, no text, no YAML,
-/// empty or more than one document; for a key that is twice in a map; for anchors, aliases and tags,
-/// which no format here needs; for nesting beyond 16 levels.
+/// empty or more than one document; for a key that is twice in a map; for anchors, aliases and
+/// tags, which no format here needs; for nesting beyond 16 levels.
 YamlTree read_yaml_file(const std::string& path);
 
 /// The same of a text; `name` stands for the file in errors.
