@@ -86,7 +86,7 @@ TEST(OrderFit, SlopesThatStillMoveAreFollowedToZero) {
 TEST(OrderFit, AScatterThatLeavesTheClaimOpenIsNotLower) {
   int k = 0;
   const auto points =
-      ladder(2, 5, [&](double h) { return std::pow(h, 3.8) * (k++ % 2 ? 1.15 : 0.85); });
+      ladder(2, 5, [&](double h) { return std::pow(h, 3.7) * (k++ % 2 ? 1.15 : 0.85); });
   const OrderFit fit = fit_order(points, 4, {.order = 0.15, .settled = 0.5});
   EXPECT_EQ(fit.verdict, Verdict::undetermined) << fit.order;
   EXPECT_LT(fit.low, 4);
