@@ -43,7 +43,7 @@ SolverInfo info_of_own() {
   if (ChoosesItsOwnSteps<M>)
     info.controller = M::info.controller;
   else if (M::info.order_embedded != 0)
-    info.controller = "embedded pair";
+    info.controller = ControlFor<M::info.control>::type::name;
   else if (M::info.one_step)
     info.controller = "step doubling";
   info.needs = M::needs;
@@ -83,8 +83,9 @@ Outcome solve_own(const Contest<P>& contest, const Request& request) {
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     outcome = M::integrate(problem, contest.t0, y0, request);
   } else if constexpr (M::info.order_embedded != 0) {
-    outcome = run_embedded_pair<typename M::template Stepper<Guarded<P>>>(
-        problem, contest.t0, y0, request, M::info.order_embedded);
+    outcome = run_embedded_pair<typename M::template Stepper<Guarded<P>>,
+                                typename ControlFor<M::info.control>::type>(
+        problem, contest.t0, y0, request, std::min(M::info.order, M::info.order_embedded));
   } else if constexpr (M::info.one_step) {
     outcome = run_step_doubling<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0,
                                                                           request, M::info.order);
