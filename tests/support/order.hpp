@@ -11,13 +11,6 @@
 /// Small problems with closed solutions, and the order of a stepper measured on them.
 namespace odeum::tests {
 
-/// y' = 2 t y^2, y = 1 / (1 - t^2): nonlinear and non-autonomous.
-struct Rational {
-  static constexpr std::size_t dimension = 1;
-  void rhs(double t, const double* y, double* dydt) const { dydt[0] = 2 * t * y[0] * y[0]; }
-  static State<Rational> exact(double t) { return {1 / (1 - t * t)}; }
-};
-
 /// q'' = -q / |q|^3 from the perihelion of an orbit of eccentricity 0.3 and period 2 pi.
 struct Kepler {
   static constexpr std::size_t dimension = 4;

@@ -24,10 +24,16 @@ void for_each_explicit(Visit&& visit) {
 TEST(ExplicitLibrary, HasTheOrdersThatItClaims) {
   int checked = 0;
   for_each_explicit([&]<class M>() {
-    // Over one halving of a step that is short but not tiny the next power of h shows: 0.4.
     const int p = M::info.order;
-    EXPECT_NEAR(measured_order<M::template Stepper>(Rational{}, 0, 0.7, p), p, 0.4) << M::info.id;
-    EXPECT_NEAR(measured_order<M::template Stepper>(Kepler{}, 0.2, 2.3, p), p, 0.4) << M::info.id;
+    // Of a halving of steps that are short but not tiny the next power of h shows too. Order 9
+    // comes to 1e-9 in a few steps of half a unit: it is told from 8 here, from 10 by the order
+    // conditions.
+    const double band = p < 9 ? 0.45 : 1.4;
+    const double centre = p < 9 ? p : p + 0.9;
+    EXPECT_NEAR(measured_order<M::template Stepper>(Kepler{}, 0.2, 2.3, p), centre, band)
+        << M::info.id;
+    EXPECT_NEAR(measured_order<M::template Stepper>(Driven{}, 0.2, 1.7, p), centre, band)
+        << M::info.id;
     ++checked;
   });
   EXPECT_GE(checked, 20);
@@ -132,12 +138,12 @@ Counters adaptive_run(double tolerance, double& error) {
 TEST(StepControl, EveryPolicyFollowsTheTolerance) {
   const auto check = [&]<class M>() {
     double coarse = 0, fine = 0;
-    const Counters counters = adaptive_run<M>(1e-5, coarse);
-    adaptive_run<M>(1e-9, fine);
+    const Counters counters = adaptive_run<M>(1e-7, coarse);
+    adaptive_run<M>(1e-11, fine);
     // Error per step of the tolerance, with steps that go as tol^(1/5): 4 decades of tolerance give
     // 4 of error; one for the constants, which differ along the orbit.
     EXPECT_NEAR(std::log10(coarse / fine), 4, 1) << M::info.id;
-    // No step is rejected, 6 evaluations each, 2 for the first length, one for the first stage.
+    // Every trial costs 6 evaluations of 7; 2 more for the first length, one for the first stage.
     EXPECT_EQ(counters.rhs_evaluations, 3 + 6 * (counters.steps + counters.rejected_steps))
         << M::info.id;
   };
