@@ -86,8 +86,8 @@ class VariableBdf {
         psi += gamma[j] * difference_[j][n];
       }
       y_[n] = predicted;
-      psi_[n] = psi / alpha;
       d_[n] = 0;
+      psi_[n] = psi / alpha;
       scale_[n] = 1 / (request_.tolerance * (1 + std::abs(predicted)));
     }
     int iterations = 0;
@@ -151,6 +151,7 @@ class VariableBdf {
         if (!system_.factorise(c)) return false;
         factored_for_ = c;
       }
+      guess();
       double last = 0;
       for (iterations = 1; iterations <= max_iterations; ++iterations) {
         problem_.rhs(t_new, y_.data(), f_.data());
@@ -174,10 +175,16 @@ class VariableBdf {
       }
       if (jacobian_fresh_) return false;
       linearised_ = false;  // once more, from the start, with a new Jacobian
-      for (std::size_t n = 0; n < y_.size(); ++n) {
-        y_[n] -= d_[n];
-        d_[n] = 0;
-      }
+    }
+  }
+
+  /// The prediction y - d; but one of the other sign than the state may lead to another solution,
+  /// or from a decay to zero past it: the state itself is the safer guess then.
+  void guess() {
+    for (std::size_t n = 0; n < y_.size(); ++n) {
+      const double predicted = y_[n] - d_[n], state = difference_[0][n];
+      y_[n] = predicted * state < 0 ? state : predicted;
+      d_[n] = y_[n] - predicted;
     }
   }
 
