@@ -2,9 +2,11 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "odeum/harness/outcome.hpp"
+#include "odeum/harness/solver.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/stage_transform.hpp"
 #include "odeum/linear/complex_inverse.hpp"
@@ -213,11 +215,23 @@ class FullyImplicitRungeKutta {
   double factored_for_ = 0;
 };
 
-/// Base of a fully implicit method. The stages couple through the whole Jacobian, of which a large
-/// problem's own solver has only the inverse at real gamma h: such a problem does not fit.
+/// Fits problems of few unknowns. The stages couple through the whole Jacobian, of which a large
+/// problem's own solver has the inverse at real gamma h only.
+struct ForFewUnknowns {
+  static constexpr std::string_view needs =
+      "a dense Jacobian, so 128 unknowns at most: the stages couple through the whole of it";
+  template <class P>
+  static constexpr bool fits = Ode<P>;
+  template <class P>
+  static bool fits_problem(const P& problem) {
+    return size_of(problem) <= dense_dimension_limit;
+  }
+};
+static_assert(dense_dimension_limit == 128, "as the sentence says");
+
+/// Base of a fully implicit method.
 template <const auto& T>
-struct FullyImplicitMethod {
-  static constexpr bool needs_dense_jacobian = true;
+struct FullyImplicitMethod : ForFewUnknowns {
   static constexpr const auto& tableau = T;
   template <class P>
   using Stepper = FullyImplicitRungeKutta<T, P>;

@@ -21,8 +21,9 @@ class ShiftedSolver {
   virtual bool solve(double* x) = 0;
 };
 
-/// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where the
-/// problem has none. The Jacobian is kept apart from its factors, so that it serves several gamma_h.
+/// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where
+/// the problem has none. The Jacobian is kept apart from its factors, so that it serves several
+/// gamma_h.
 template <Ode P>
 class DenseShiftedSolver final : public ShiftedSolver {
  public:

@@ -12,7 +12,7 @@ inline constexpr Tableau<2> gauss4_tableau = collocation<2>(gauss_nodes<2>(), 4)
 static_assert(collocation_proven(gauss4_tableau, 2, 2));
 static_assert(proven(gauss4_tableau));
 
-struct gauss4 : ForAnyProblem, FullyImplicitMethod<gauss4_tableau> {
+struct gauss4 : FullyImplicitMethod<gauss4_tableau> {
   static constexpr MethodInfo info{
       .id = "gauss4",
       .family = "implicit_rk",

@@ -12,7 +12,7 @@ inline constexpr Tableau<3> gauss6_tableau = collocation<3>(gauss_nodes<3>(), 6)
 static_assert(collocation_proven(gauss6_tableau, 3, 3));
 static_assert(proven(gauss6_tableau));
 
-struct gauss6 : ForAnyProblem, FullyImplicitMethod<gauss6_tableau> {
+struct gauss6 : FullyImplicitMethod<gauss6_tableau> {
   static constexpr MethodInfo info{
       .id = "gauss6",
       .family = "implicit_rk",

@@ -16,7 +16,7 @@ inline constexpr Tableau<3> lobatto_iiic4_tableau{
 static_assert(proven(lobatto_iiic4_tableau));
 static_assert(collocation_proven(lobatto_iiic4_tableau, 2, 2));
 
-struct lobatto_iiic4 : ForAnyProblem, FullyImplicitMethod<lobatto_iiic4_tableau> {
+struct lobatto_iiic4 : FullyImplicitMethod<lobatto_iiic4_tableau> {
   static constexpr MethodInfo info{
       .id = "lobatto_iiic4",
       .family = "implicit_rk",

@@ -12,7 +12,7 @@ inline constexpr Tableau<2> radau_iia3_tableau = collocation<2>(radau_right_node
 static_assert(collocation_proven(radau_iia3_tableau, 2, 1));
 static_assert(proven(radau_iia3_tableau));
 
-struct radau_iia3 : ForAnyProblem, FullyImplicitMethod<radau_iia3_tableau> {
+struct radau_iia3 : FullyImplicitMethod<radau_iia3_tableau> {
   static constexpr MethodInfo info{
       .id = "radau_iia3",
       .family = "implicit_rk",

@@ -12,7 +12,7 @@ inline constexpr Tableau<3> radau_iia5_tableau = collocation<3>(radau_right_node
 static_assert(collocation_proven(radau_iia5_tableau, 3, 2));
 static_assert(proven(radau_iia5_tableau));
 
-struct radau_iia5 : ForAnyProblem, RadauMethod<radau_iia5_tableau> {
+struct radau_iia5 : RadauMethod<radau_iia5_tableau> {
   static constexpr MethodInfo info{
       .id = "radau_iia5",
       .family = "implicit_rk",

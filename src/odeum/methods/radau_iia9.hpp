@@ -11,7 +11,7 @@ namespace odeum::methods {
 inline constexpr Tableau<5> radau_iia9_tableau = collocation<5>(radau_right_nodes<5>(), 9);
 static_assert(collocation_proven(radau_iia9_tableau, 5, 4));
 
-struct radau_iia9 : ForAnyProblem, RadauMethod<radau_iia9_tableau> {
+struct radau_iia9 : RadauMethod<radau_iia9_tableau> {
   static constexpr MethodInfo info{
       .id = "radau_iia9",
       .family = "implicit_rk",
