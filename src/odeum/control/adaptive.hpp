@@ -61,9 +61,11 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
   double t = t0, h = first_step;
   for (const double stop : request.stops) {
     while (t < stop) {
-      const double smallest =
-          16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
-      const bool last = t + h >= stop - smallest;
+      // Near zero there is no rounding of t: a first step may be far shorter than the horizon's.
+      const double smallest = std::max(16 * std::numeric_limits<double>::epsilon() * std::abs(t),
+                                       std::numeric_limits<double>::min());
+      const bool last =
+          t + h >= stop - 16 * std::numeric_limits<double>::epsilon() * std::abs(stop);
       const double h_used = last ? stop - t : h;
       outcome.t = t;
       if (!(h >= smallest)) {
