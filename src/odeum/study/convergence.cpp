@@ -112,21 +112,29 @@ void judge_row(const std::vector<StopError>& errors, ConvergenceRow& row) {
   row.error_rms = std::sqrt(row.error_rms);
 }
 
+/// Why there is nothing to measure; empty: there is.
+const std::string& reason_against(const Pair& pair) {
+  if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
+  if (!pair.c->no_convergence.empty()) return pair.c->no_convergence;
+  static const std::string none;
+  return pair.mode == Mode::fixed ? pair.c->no_fixed_steps : none;
+}
+
 PairResult not_applicable(const Pair& pair) {
   PairResult result;
   ConvergenceRow row = make_row(pair, {.steps = 1, .stops = {nan}}, {});
   row.status = "not_applicable";
-  row.detail = pair.entrant->unfit;
+  row.detail = reason_against(pair);
   row.steps = 0;
   row.step = row.tolerance = nan;
   result.rows.push_back(row);
   result.order.fit.verdict = Verdict::not_applicable;
-  result.order.fit.reason = pair.entrant->unfit;
+  result.order.fit.reason = row.detail;
   return result;
 }
 
 PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
-  if (!pair.entrant->unfit.empty()) return not_applicable(pair);
+  if (!reason_against(pair).empty()) return not_applicable(pair);
   PairResult result;
   std::vector<ErrorPoint> points;
   int at_floor = 0;
