@@ -2,6 +2,7 @@
 #pragma once
 #include "odeum/harness/guard.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/shared.hpp"
 
 namespace odeum {
 
@@ -15,9 +16,12 @@ class Guarded {
   Guarded(const P& problem, Guard& guard) : problem_(problem), guard_(guard) {}
 
   std::size_t size() const { return size_of(problem_); }
+  bool autonomous() const { return is_autonomous(problem_); }
 
   void rhs(double t, const double* y, double* dydt) const {
-    if (guard_.admit()) {
+    if (!guard_.watches()) {
+      problem_.rhs(t, y, dydt);
+    } else if (guard_.admit()) {
       problem_.rhs(t, y, dydt);
       guard_.inspect(t, dydt);
     } else {
@@ -25,6 +29,10 @@ class Guarded {
     }
   }
   void jacobian(double t, const double* y, double* j) const requires WithJacobian<P> {
+    if constexpr (Shared<P>) {
+      // Differences are paid for as the evaluations that they are.
+      if (!problem_.offers_jacobian()) return difference_jacobian(*this, t, y, j);
+    }
     guard_.count_jacobian();
     problem_.jacobian(t, y, j);
   }
@@ -37,7 +45,9 @@ class Guarded {
   }();
   void acceleration(double t, const double* q, const double* v,
                     double* a) const requires SecondOrder<P> {
-    if (guard_.admit()) {
+    if (!guard_.watches()) {
+      problem_.acceleration(t, q, v, a);
+    } else if (guard_.admit()) {
       problem_.acceleration(t, q, v, a);
       guard_.inspect(t, a, size() / 2, size() / 2);
     } else {
@@ -51,6 +61,21 @@ class Guarded {
 
  private:
   const P& problem_;
+  Guard& guard_;
+};
+
+/// A problem as timed runs take it where it is compiled into the solvers: nothing is watched.
+template <Ode P>
+struct Bare : P {};
+
+template <Ode P>
+class Guarded<Bare<P>> : public P {
+ public:
+  Guarded(const Bare<P>& problem, Guard& guard) : P(problem), guard_(guard) {}
+  static constexpr bool tripped() { return false; }
+  Guard& guard() const { return guard_; }
+
+ private:
   Guard& guard_;
 };
 

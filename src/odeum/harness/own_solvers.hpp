@@ -8,6 +8,7 @@
 #include "odeum/control/fixed_step.hpp"
 #include "odeum/control/step_doubling.hpp"
 #include "odeum/harness/guarded.hpp"
+#include "odeum/harness/own_on_shared.hpp"
 #include "odeum/harness/solver.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum_methods.hpp"  // generated: odeum::methods::All, a MethodList of every file in methods/
@@ -61,17 +62,35 @@ Outcome solve_own(const Contest<P>& contest, const Request& request) {
   return outcome;
 }
 
+template <class M, Ode P>
+void enroll_method(const Contest<P>& contest, Entrant& entrant) {
+  bool fits = M::template fits<P>;
+  if constexpr (requires { M::fits_problem(*contest.problem); })
+    fits = fits && M::fits_problem(*contest.problem);
+  entrant.unfit = fits ? "" : "needs " + std::string(M::needs);
+  if constexpr (M::template fits<P>)
+    if (fits)
+      entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
+}
+
 /// Enrols every own method: those that fit can solve, the others say what they need.
 template <Ode P>
 void enroll_own(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  methods::All::for_each([&]<class M>() {
-    Entrant entrant{.info = info_of_own<M>(), .unfit = {}, .solve = {}};
-    if constexpr (M::template fits<P>)
-      entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
-    else
-      entrant.unfit = "needs " + std::string(M::needs);
-    entrants.push_back(std::move(entrant));
-  });
+  if constexpr (Shared<P> && !std::same_as<P, SharedOde>) {
+    // What fits any problem is compiled for SharedOde alone.
+    std::size_t place = entrants.size();
+    enroll_own(as_first_order(contest), entrants);
+    methods::All::for_each([&]<class M>() {
+      Entrant& entrant = entrants[place++];
+      if constexpr (!M::template fits<SharedOde>) enroll_method<M>(contest, entrant);
+    });
+  } else {
+    methods::All::for_each([&]<class M>() {
+      Entrant& entrant = entrants.emplace_back();
+      entrant.info = info_of_own<M>();
+      enroll_method<M>(contest, entrant);
+    });
+  }
 }
 
 }  // namespace odeum

@@ -13,7 +13,9 @@
 ///     static constexpr MethodInfo info{...};
 ///     template <class P> using Stepper = ...;      // one step on problem P, see below
 ///
-/// and one of the needs below as its base; a Runge-Kutta method shows its coefficients as
+/// and one of the needs below as its base (what a type cannot say, a need asks of the problem:
+/// `static bool fits_problem(const auto& problem)`, for abilities that only some of the problems
+/// behind problem/shared.hpp have); a Runge-Kutta method shows its coefficients as
 /// `static constexpr const auto& tableau`, which tests then alter one by one. A Stepper is built
 /// from a problem and has
 ///

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 
 #include "odeum/linear/dense_lu.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 
@@ -24,59 +23,43 @@ class ShiftedSolver {
 /// The default for few unknowns: a dense LU of the analytic Jacobian, or of forward differences
 /// where the problem has none.
 template <Ode P>
-class DenseShiftedSolver {
+class DenseShiftedSolver final : public ShiftedSolver {
  public:
   explicit DenseShiftedSolver(const P& problem)
-      : problem_(problem),
-        n_(size_of(problem)),
-        lu_(n_),
-        f_(make_state(problem)),
-        y_(f_),
-        f_moved_(f_) {}
+      : problem_(problem), n_(size_of(problem)), lu_(n_) {}
 
-  bool factorise(double t, const double* y, double gamma_h) {
+  bool factorise(double t, const double* y, double gamma_h) override {
     double* const m = lu_.data();
     if constexpr (WithJacobian<P>)
       problem_.jacobian(t, y, m);
     else
-      difference_jacobian(t, y, m);
+      difference_jacobian(problem_, t, y, m);
     for (std::size_t i = 0; i < n_ * n_; ++i) m[i] *= -gamma_h;
     for (std::size_t i = 0; i < n_; ++i) m[i * n_ + i] += 1;
     return lu_.factorise();
   }
 
-  bool solve(double* x) {
+  bool solve(double* x) override {
     lu_.solve(x);
     return true;
   }
 
  private:
-  void difference_jacobian(double t, const double* y, double* j) {
-    problem_.rhs(t, y, f_.data());
-    for (std::size_t i = 0; i < n_; ++i) y_[i] = y[i];
-    const double root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-    for (std::size_t k = 0; k < n_; ++k) {
-      y_[k] = y[k] + root_epsilon * std::max(std::abs(y[k]), 1e-5);
-      const double delta = y_[k] - y[k];
-      problem_.rhs(t, y_.data(), f_moved_.data());
-      y_[k] = y[k];
-      for (std::size_t i = 0; i < n_; ++i) j[i * n_ + k] = (f_moved_[i] - f_[i]) / delta;
-    }
-  }
-
   const P& problem_;
   std::size_t n_;
   linear::DenseLu lu_;
-  State<P> f_, y_, f_moved_;
 };
 
 /// The problem's own solver where it offers one, else the dense default.
 template <Ode P>
 auto make_shifted_solver(const P& problem) {
-  if constexpr (WithShiftedSolver<P>)
-    return problem.shifted_solver();
-  else
+  if constexpr (WithShiftedSolver<P>) {
+    std::unique_ptr<ShiftedSolver> own = problem.shifted_solver();
+    if (!own) own = std::make_unique<DenseShiftedSolver<P>>(problem);
+    return own;
+  } else {
     return std::make_unique<DenseShiftedSolver<P>>(problem);
+  }
 }
 
 /// The type of what make_shifted_solver returns: a pointer-like handle.
