@@ -82,7 +82,8 @@ struct Emitter {
 };
 
 struct SolverChoice {
-  std::string type;  ///< a solver's id
+  std::string type;   ///< a solver's id
+  std::string where;  ///< `file:line:column: solver.type`, for who finds that there is none
   std::optional<double> step, tolerance;
 };
 

@@ -28,7 +28,10 @@ Vec3 read_gravity(const Value& value, char up) {
 SolverChoice read_solver(const Value& value) {
   const Mapping mapping(value, {"type", "timestep", "tolerance"});
   SolverChoice choice;
-  choice.type = mapping.at("type").text();
+  const Value type = mapping.at("type");
+  choice.type = type.text();
+  choice.where = fmt::format("{}:{}:{}: {}", value.context().file, type.place().line,
+                             type.place().column, type.key());
   mapping.with("timestep", [&](const Value& v) { choice.step = v.number(Sign::positive); });
   mapping.with("tolerance", [&](const Value& v) { choice.tolerance = v.number(Sign::positive); });
   if (choice.step.has_value() == choice.tolerance.has_value())
