@@ -45,7 +45,9 @@ class Builder final : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end())
-      fail(mark, "an alias within what its own anchor names, which would never end");
+      fail(mark,
+           "an alias within what its own anchor names, which would never end; got the alias, "
+           "expected one after it");
     attach(found->second, place_of(mark));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
