@@ -16,8 +16,8 @@ template <std::size_t K, Ode P>
 Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
   static_assert(K % 2 == 0, "extrapolation_stepper has even orders only");
   if (request.mode == Mode::adaptive) return refuse_adaptive();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    const System<P> system{&problem, &guard};
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
+    const System<P> system{&problem};
     using Y = State<P>;
     boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y> stepper;
     bool started = false;
@@ -39,7 +39,7 @@ Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
 template <std::size_t K, Ode P>
 Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     using Y = State<P>;
     using Stepper = boost::numeric::odeint::controlled_adams_bashforth_moulton<
         boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y>>;
@@ -47,7 +47,7 @@ Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) 
     Stepper stepper(typename Stepper::step_adjuster_type(request.tolerance, request.tolerance,
                                                          request.stops.back() - contest.t0));
     Y y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
   });
 }
 

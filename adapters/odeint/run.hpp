@@ -13,13 +13,13 @@ namespace odeum::adapters::odeint {
 template <Ode P>
 using Run = Outcome (*)(const Contest<P>&, const Request&);
 
-/// Calls body(problem, guard, outcome) under a guard of its own.
+/// Calls body(problem, outcome) with the problem under a guard of its own.
 template <Ode P, class Body>
 Outcome attempt(const Contest<P>& contest, const Request& request, Body&& body) {
   Guard guard(size_of(*contest.problem), request.budget);
   Outcome outcome;
   try {
-    body(*contest.problem, guard, outcome);
+    body(Guarded<P>(*contest.problem, guard), outcome);
   } catch (...) {
     explain_exception(outcome);
   }
@@ -38,8 +38,8 @@ State<P> start_of(const Contest<P>& contest) {
 template <class Stepper, Ode P>
 Outcome run_plain(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    const System<P> system{&problem, &guard};
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
+    const System<P> system{&problem};
     Stepper stepper;
     State<P> y = start_of(contest);
     walk_fixed(contest.t0, request, y, outcome,
@@ -63,10 +63,10 @@ Controlled<Stepper> make_controlled(double tolerance) {
 /// To a tolerance through controlled_runge_kutta, which is what make_controlled makes.
 template <class Stepper, Ode P>
 Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
     State<P> y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
   });
 }
 
@@ -83,8 +83,8 @@ Outcome run_either(const Contest<P>& contest, const Request& request) {
 template <class Stepper, Ode P>
 Outcome run_out_of_place(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    const System<P> system{&problem, &guard};
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
+    const System<P> system{&problem};
     Stepper stepper;
     State<P> y = start_of(contest), next = y;
     walk_fixed(contest.t0, request, y, outcome, [&](State<P>& state, double t, double h) {
@@ -98,10 +98,10 @@ Outcome run_out_of_place(const Contest<P>& contest, const Request& request) {
 template <class Controlled, Ode P>
 Outcome run_controlled(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     Controlled stepper(request.tolerance, request.tolerance);
     State<P> y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
   });
 }
 
@@ -109,10 +109,10 @@ Outcome run_controlled(const Contest<P>& contest, const Request& request) {
 template <auto make, Ode P>
 Outcome run_dense(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     auto stepper = make(request.tolerance);
     State<P> y = start_of(contest);
-    walk_dense(stepper, System<P>{&problem, &guard}, contest.t0, request, y, outcome);
+    walk_dense(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
   });
 }
 
@@ -120,8 +120,8 @@ Outcome run_dense(const Contest<P>& contest, const Request& request) {
 template <class Stepper, template <class> class PairSystem, Ode P>
 Outcome run_pair(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();
-  return attempt(contest, request, [&](const P& problem, Guard& guard, Outcome& outcome) {
-    PairSystem<P> system{&problem, &guard};
+  return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
+    PairSystem<P> system{&problem};
     if constexpr (requires { system.step_start; }) system.step_start = &outcome.t;
     Stepper stepper;
     const State<P> y0 = start_of(contest);

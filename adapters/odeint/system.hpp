@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeint/tripped.hpp"
-#include "odeum/harness/guard.hpp"
-#include "odeum/problem/concepts.hpp"
+#include "odeum/harness/guarded.hpp"
 
 namespace odeum::adapters::odeint {
 
 /// Problem P as odeint calls it, guarded and inlined: the system of its first-order steppers.
 template <Ode P>
 struct System {
-  const P* problem;
-  Guard* guard;
+  const Guarded<P>* problem;
 
   void operator()(const State<P>& y, State<P>& dydt, double t) const {
-    if (!guard->admit()) throw Tripped{};
     problem->rhs(t, y.data(), dydt.data());
-    if (!guard->inspect(t, dydt.data(), dydt.size())) throw Tripped{};
+    if (problem->tripped()) throw Tripped{};
   }
 };
 
@@ -26,13 +23,11 @@ using Half = typename detail::StateOf<P::dimension == dynamic ? dynamic : P::dim
 /// q'' = a(t, q, v) as odeint's velocity_verlet asks for it.
 template <SecondOrder P>
 struct SecondOrderSystem {
-  const P* problem;
-  Guard* guard;
+  const Guarded<P>* problem;
 
   void operator()(const Half<P>& q, const Half<P>& v, Half<P>& a, double t) const {
-    if (!guard->admit()) throw Tripped{};
     problem->acceleration(t, q.data(), v.data(), a.data());
-    if (!guard->inspect(t, a.data(), a.size())) throw Tripped{};
+    if (problem->tripped()) throw Tripped{};
   }
 };
 
@@ -40,14 +35,12 @@ struct SecondOrderSystem {
 /// Where the guard has something to say, it names the time at which the step began.
 template <Separable P>
 struct SymplecticSystem {
-  const P* problem;
-  Guard* guard;
+  const Guarded<P>* problem;
   const double* step_start = nullptr;
 
   void operator()(const Half<P>& q, Half<P>& a) const {
-    if (!guard->admit()) throw Tripped{};
     problem->acceleration(*step_start, q.data(), nullptr, a.data());
-    if (!guard->inspect(*step_start, a.data(), a.size())) throw Tripped{};
+    if (problem->tripped()) throw Tripped{};
   }
 };
 

@@ -5,27 +5,13 @@
 #include <vector>
 
 #include "odeum/harness/case.hpp"
-#include "odeum/harness/own_solvers.hpp"
-#include "odeum_adapters.hpp"  // generated: odeum::enroll_adapters, every library that is built in
 
 namespace odeum::cases {
 
-/// Every solver, own and of each library, enrolled on a problem. A malformed request is refused
-/// (std::invalid_argument) before any of them sees it.
-template <Ode P>
-std::vector<Entrant> enroll(const Contest<P>& contest) {
-  std::vector<Entrant> entrants;
-  enroll_own(contest, entrants);
-  enroll_adapters(contest, entrants);
-  for (Entrant& entrant : entrants) {
-    if (!entrant.solve) continue;
-    entrant.solve = [t0 = contest.t0, solve = std::move(entrant.solve)](const Request& request) {
-      require_sound(request, t0);
-      return solve(request);
-    };
-  }
-  return entrants;
-}
+/// Every solver, own and of each library, enrolled on a problem through the shared type that it
+/// belongs to (problem/shared.hpp). A malformed request is refused (std::invalid_argument) before
+/// any of them sees it.
+std::vector<Entrant> enroll(const ErasedContest& contest);
 
 /// Puts a problem, and the scene it has for physics engines, on the stage that `c` describes.
 template <Ode P>
@@ -35,7 +21,8 @@ void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = n
   contest.t0 = c.t0;
   contest.y0 = std::make_shared<const std::vector<double>>(c.y0);
   contest.scene = std::move(scene);
-  c.entrants = enroll(contest);
+  c.problem = erase(contest);
+  c.entrants = enroll(c.problem);
   if constexpr (WithEnergy<P>)
     c.energy = [p = contest.problem](const double* y) { return p->energy(y); };
 }
@@ -49,7 +36,7 @@ Probe make_probe(P problem, std::vector<double> y0, scene::Scene scene, Place pl
   contest.problem = movable;
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
   contest.scene = movable_scene;
-  return {enroll(contest),
+  return {enroll(erase(contest)),
           [=](double first, double second) { place(*movable, *movable_scene, first, second); }};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeint/enroll.hpp"
+#include "odeint/inlined.hpp"
 
 #include <gtest/gtest.h>
 

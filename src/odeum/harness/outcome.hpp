@@ -35,6 +35,9 @@ inline const char* to_string(Status status) {
 struct Budget {
   std::uint64_t evaluations = 200'000'000;
   double seconds = 60;
+  /// False in timed runs alone: evaluations are neither counted nor checked, and nothing is
+  /// bounded.
+  bool watched = true;
 };
 
 /// Fixed step, or the step chosen by the solver to meet a tolerance.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 
-#include "odeum/linear/dense_lu.hpp"
+#include "odeum/linear/small_inverse.hpp"
+#include "odeum/linear/square_matrix.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 
@@ -21,66 +21,103 @@ class ShiftedSolver {
   virtual bool solve(double* x) = 0;
 };
 
-/// The default for few unknowns: a dense LU of the analytic Jacobian, or of forward differences
-/// where the problem has none.
+/// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where
+/// the problem has none. The Jacobian is kept apart from its factors, so that it serves several
+/// gamma_h.
 template <Ode P>
-class DenseShiftedSolver {
+class DenseShiftedSolver final : public ShiftedSolver {
  public:
   explicit DenseShiftedSolver(const P& problem)
       : problem_(problem),
         n_(size_of(problem)),
-        lu_(n_),
-        f_(make_state(problem)),
-        y_(f_),
-        f_moved_(f_) {}
+        j_(linear::make_square<P::dimension>(n_)),
+        solver_(linear::make_dense_solver<P::dimension>(n_)) {}
 
-  bool factorise(double t, const double* y, double gamma_h) {
-    double* const m = lu_.data();
+  void linearise(double t, const double* y) {
     if constexpr (WithJacobian<P>)
-      problem_.jacobian(t, y, m);
+      problem_.jacobian(t, y, j_.data());
     else
-      difference_jacobian(t, y, m);
-    for (std::size_t i = 0; i < n_ * n_; ++i) m[i] *= -gamma_h;
+      difference_jacobian(problem_, t, y, j_.data());
+  }
+  bool factorise(double gamma_h) {
+    double* const m = solver_.data();
+    for (std::size_t i = 0; i < n_ * n_; ++i) m[i] = -gamma_h * j_[i];
     for (std::size_t i = 0; i < n_; ++i) m[i * n_ + i] += 1;
-    return lu_.factorise();
+    return solver_.factorise();
+  }
+  bool factorise(double t, const double* y, double gamma_h) override {
+    linearise(t, y);
+    return factorise(gamma_h);
   }
 
-  bool solve(double* x) {
-    lu_.solve(x);
+  bool solve(double* x) override {
+    solver_.solve(x);
     return true;
   }
 
- private:
-  void difference_jacobian(double t, const double* y, double* j) {
-    problem_.rhs(t, y, f_.data());
-    for (std::size_t i = 0; i < n_; ++i) y_[i] = y[i];
-    const double root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-    for (std::size_t k = 0; k < n_; ++k) {
-      y_[k] = y[k] + root_epsilon * std::max(std::abs(y[k]), 1e-5);
-      const double delta = y_[k] - y[k];
-      problem_.rhs(t, y_.data(), f_moved_.data());
-      y_[k] = y[k];
-      for (std::size_t i = 0; i < n_; ++i) j[i * n_ + k] = (f_moved_[i] - f_[i]) / delta;
-    }
-  }
+  /// Row-major, as of the last linearise().
+  const linear::Square<P::dimension>& jacobian() const { return j_; }
 
+ private:
   const P& problem_;
   std::size_t n_;
-  linear::DenseLu lu_;
-  State<P> f_, y_, f_moved_;
+  linear::Square<P::dimension> j_;
+  linear::DenseSolver<P::dimension> solver_;
 };
 
 /// The problem's own solver where it offers one, else the dense default.
 template <Ode P>
 auto make_shifted_solver(const P& problem) {
-  if constexpr (WithShiftedSolver<P>)
-    return problem.shifted_solver();
-  else
+  if constexpr (WithShiftedSolver<P>) {
+    std::unique_ptr<ShiftedSolver> own = problem.shifted_solver();
+    if (!own) own = std::make_unique<DenseShiftedSolver<P>>(problem);
+    return own;
+  } else {
     return std::make_unique<DenseShiftedSolver<P>>(problem);
+  }
 }
 
 /// The type of what make_shifted_solver returns: a pointer-like handle.
 template <Ode P>
 using ShiftedSolverOf = decltype(make_shifted_solver(std::declval<const P&>()));
+
+/// (I - gamma_h J) x = r by whatever the problem has, in two parts: `linearise` says where the
+/// Jacobian is taken, `factorise` with which gamma_h; the second may follow alone. A problem's own
+/// solver does both at once, so that the point is kept for it.
+template <Ode P>
+class ShiftedSystem {
+ public:
+  explicit ShiftedSystem(const P& problem) : dense_(problem) {}
+  void linearise(double t, const State<P>& y) { dense_.linearise(t, y.data()); }
+  bool factorise(double gamma_h) { return dense_.factorise(gamma_h); }
+  bool solve(double* x) { return dense_.solve(x); }
+
+ private:
+  DenseShiftedSolver<P> dense_;
+};
+
+template <Ode P>
+requires WithShiftedSolver<P>
+class ShiftedSystem<P> {
+ public:
+  explicit ShiftedSystem(const P& problem) : own_(problem.shifted_solver()) {
+    if (!own_) dense_ = std::make_unique<DenseShiftedSolver<P>>(problem);
+  }
+  void linearise(double t, const State<P>& y) {
+    if (dense_) return dense_->linearise(t, y.data());
+    t_ = t;
+    y_ = y;
+  }
+  bool factorise(double gamma_h) {
+    return dense_ ? dense_->factorise(gamma_h) : own_->factorise(t_, y_.data(), gamma_h);
+  }
+  bool solve(double* x) { return dense_ ? dense_->solve(x) : own_->solve(x); }
+
+ private:
+  std::unique_ptr<ShiftedSolver> own_;
+  std::unique_ptr<DenseShiftedSolver<P>> dense_;
+  double t_ = 0;
+  State<P> y_{};
+};
 
 }  // namespace odeum

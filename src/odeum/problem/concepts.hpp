@@ -58,7 +58,7 @@ concept WithJacobianTimes = Ode<P> &&
   p.jacobian_times(t, y, x, product);
 };
 
-/// Offers df/dt. A problem without it is taken as autonomous.
+/// Offers df/dt. A problem without it is taken as autonomous; is_autonomous() asks one.
 template <class P>
 concept NonAutonomous = Ode<P> && requires(const P& p, double t, const double* y, double* d) {
   p.time_derivative(t, y, d);
@@ -76,10 +76,25 @@ concept SecondOrder = Ode<P> &&
 template <class P>
 concept Separable = SecondOrder<P> && !P::velocity_dependent;
 
-/// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp.
+/// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp: a pointer, null
+/// where it has none after all.
 template <class P>
 concept WithShiftedSolver = Ode<P> && requires(const P& p) {
   p.shifted_solver();
+};
+
+/// Offers its Taylor series: `taylor(t, y, order, c)` fills c[k * dimension + i] with the k-th
+/// coefficient y_i^(k)(t) / k! of the solution through y at t, for k = 0, ..., order.
+template <class P>
+concept WithTaylorSeries = Ode<P> &&
+    requires(const P& p, double t, const double* y, int order, double* c) {
+  p.taylor(t, y, order, c);
+};
+
+/// y' = A y with a constant A, which `linear_matrix` fills, dense and row-major.
+template <class P>
+concept LinearConstant = Ode<P> && requires(const P& p, double* a) {
+  p.linear_matrix(a);
 };
 
 /// Offers an energy, in the problem's units.
@@ -94,6 +109,16 @@ constexpr std::size_t size_of(const P& problem) {
     return problem.size();
   else
     return P::dimension;
+}
+
+/// Whether the right-hand side does not look at t. A type that stands for many problems says it at
+/// run time.
+template <Ode P>
+constexpr bool is_autonomous(const P& problem) {
+  if constexpr (requires { problem.autonomous(); })
+    return problem.autonomous();
+  else
+    return !NonAutonomous<P>;
 }
 
 /// A zero state of the right size.
@@ -115,6 +140,7 @@ void second_order_rhs(const P& problem, std::size_t degrees, double t, const dou
 /// The problem behind function pointers; it must outlive the view.
 template <Ode P>
 OdeView view_of(const P& problem) {
+  if constexpr (requires { problem.view(); }) return problem.view();
   OdeView view;
   view.problem = &problem;
   view.dimension = size_of(problem);
@@ -133,6 +159,10 @@ OdeView view_of(const P& problem) {
   if constexpr (NonAutonomous<P>)
     view.time_derivative = [](const void* p, double t, const double* y, double* dfdt) {
       static_cast<const P*>(p)->time_derivative(t, y, dfdt);
+    };
+  if constexpr (WithShiftedSolver<P>)
+    view.shifted_solver = [](const void* p) -> ShiftedSolver* {
+      return static_cast<const P*>(p)->shifted_solver().release();
     };
   if constexpr (SecondOrder<P>) {
     view.degrees_of_freedom = view.dimension / 2;

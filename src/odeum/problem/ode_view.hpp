@@ -5,6 +5,8 @@
 
 namespace odeum {
 
+class ShiftedSolver;
+
 /// A problem behind function pointers, for libraries whose own interface asks for them.
 /// Arrays are `dimension` doubles; `jacobian` fills a dense row-major dimension x dimension matrix.
 /// A null pointer means that the problem does not offer it. The problem must outlive the view.
@@ -18,6 +20,10 @@ struct OdeView {
                          double* product) = nullptr;
   /// df/dt; null for autonomous problems, where it is zero.
   void (*time_derivative)(const void* problem, double t, const double* y, double* dfdt) = nullptr;
+
+  /// A solver of (I - gamma_h J) x = r made for the problem, which the caller owns; see
+  /// linear/shifted_solver.hpp.
+  ShiftedSolver* (*shifted_solver)(const void* problem) = nullptr;
 
   /// Second-order problems q'' = a(t, q, q') have y = [q, q'] and degrees_of_freedom = dimension/2.
   std::size_t degrees_of_freedom = 0;

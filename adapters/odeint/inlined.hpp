@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <boost/numeric/odeint/stepper/adams_bashforth.hpp>
+#include <boost/numeric/odeint/stepper/adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer_dense_out.hpp>
+#include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/euler.hpp>
+#include <boost/numeric/odeint/stepper/modified_midpoint.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4_classic.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54_classic.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_euler.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_mclachlan.hpp>
+#include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
+#include <string>
+#include <utility>
+
+#include "odeint/adaptive_adams.hpp"
+#include "odeint/catalogue.hpp"
+#include "odeint/enroll.hpp"
+#include "odeint/run.hpp"
+
+/// What enroll.hpp declares, to be compiled for a problem's own type: heavy.
+namespace odeum::adapters::odeint {
+
+namespace od = boost::numeric::odeint;
+
+/// Puts steppers of one contest on the list.
+template <Ode P>
+class Roster {
+ public:
+  Roster(const Contest<P>& contest, std::vector<Entrant>& entrants)
+      : contest_(contest), entrants_(entrants) {}
+
+  bool autonomous() const { return is_autonomous(*contest_.problem); }
+
+  void add(const std::string& method, Run<P> run) {
+    entrants_.push_back({.info = info_of(method), .unfit = {}, .solve = Solve{contest_, run}});
+  }
+  void add_unfit(const std::string& method) {
+    SolverInfo info = info_of(method);
+    std::string unfit = "needs " + info.needs;
+    entrants_.push_back({.info = std::move(info), .unfit = std::move(unfit), .solve = {}});
+  }
+
+ private:
+  /// One type for all steppers, so that std::function is instantiated once a problem.
+  struct Solve {
+    Contest<P> contest;
+    Run<P> run;
+    Outcome operator()(const Request& request) const { return run(contest, request); }
+  };
+
+  const Contest<P>& contest_;
+  std::vector<Entrant>& entrants_;
+};
+
+template <class Stepper, Ode P>
+constexpr Run<P> run_error_stepper = run_either<Stepper, run_plain<Stepper, P>, P>;
+
+template <unsigned short Order, Ode P>
+constexpr Run<P> run_extrapolation =
+    run_either<od::extrapolation_stepper<Order, State<P>>,
+               run_out_of_place<od::extrapolation_stepper<Order, State<P>>, P>, P>;
+
+/// adams_bashforth_moulton started as adams_bashforth is: its default, runge_kutta4, would hold it
+/// to order 5.
+template <std::size_t K, class Y>
+using AdamsBashforthMoulton = od::adams_bashforth_moulton<
+    K, Y, double, Y, double, typename od::algebra_dispatcher<Y>::algebra_type,
+    typename od::operations_dispatcher<Y>::operations_type, od::initially_resizer,
+    typename od::adams_bashforth<K, Y>::initializing_stepper_type>;
+
+template <Ode P>
+void enroll_one_step(Roster<P>& roster) {
+  using Y = State<P>;
+  roster.add("euler", run_plain<od::euler<Y>, P>);
+  roster.add("modified_midpoint", run_plain<od::modified_midpoint<Y>, P>);
+  roster.add("runge_kutta4", run_plain<od::runge_kutta4<Y>, P>);
+  roster.add("runge_kutta4_classic", run_plain<od::runge_kutta4_classic<Y>, P>);
+  roster.add("runge_kutta_cash_karp54", run_error_stepper<od::runge_kutta_cash_karp54<Y>, P>);
+  roster.add("runge_kutta_cash_karp54_classic",
+             run_error_stepper<od::runge_kutta_cash_karp54_classic<Y>, P>);
+  roster.add("runge_kutta_dopri5", run_error_stepper<od::runge_kutta_dopri5<Y>, P>);
+  roster.add("runge_kutta_fehlberg78", run_error_stepper<od::runge_kutta_fehlberg78<Y>, P>);
+  constexpr auto make_dense_dopri5 = [](double tolerance) {
+    using Dopri5 = od::runge_kutta_dopri5<Y>;
+    return od::dense_output_runge_kutta<Controlled<Dopri5>>(make_controlled<Dopri5>(tolerance));
+  };
+  roster.add("dense_output_runge_kutta_dopri5", run_dense<make_dense_dopri5, P>);
+}
+
+template <Ode P>
+void enroll_extrapolation(Roster<P>& roster) {
+  using Y = State<P>;
+  roster.add("extrapolation_stepper_4", run_extrapolation<4, P>);
+  roster.add("extrapolation_stepper_6", run_extrapolation<6, P>);
+  roster.add("extrapolation_stepper_8", run_extrapolation<8, P>);
+  roster.add("bulirsch_stoer", run_controlled<od::bulirsch_stoer<Y>, P>);
+  constexpr auto make_dense_bulirsch_stoer = [](double tolerance) {
+    return od::bulirsch_stoer_dense_out<Y>(tolerance, tolerance);
+  };
+  roster.add("bulirsch_stoer_dense_out", run_dense<make_dense_bulirsch_stoer, P>);
+}
+
+template <Ode P, std::size_t... K>
+void enroll_multistep(Roster<P>& roster, std::index_sequence<K...>) {
+  using Y = State<P>;
+  (roster.add("adams_bashforth_" + std::to_string(K + 1),
+              run_out_of_place<od::adams_bashforth<K + 1, Y>, P>),
+   ...);
+  (roster.add("adams_bashforth_moulton_" + std::to_string(K + 1),
+              run_out_of_place<AdamsBashforthMoulton<K + 1, Y>, P>),
+   ...);
+}
+
+template <std::size_t... K, Ode P>
+void enroll_adaptive_adams(Roster<P>& roster) {
+  (roster.add("adaptive_adams_bashforth_moulton_" + std::to_string(K), run_adaptive_adams<K, P>),
+   ...);
+  (roster.add("controlled_adams_bashforth_moulton_" + std::to_string(K),
+              run_controlled_adams<K, P>),
+   ...);
+}
+
+template <Ode P>
+void enroll_second_order(Roster<P>& roster) {
+  bool fits_symplectic = false;
+  if constexpr (Separable<P>) fits_symplectic = roster.autonomous();
+  if (fits_symplectic) {
+    if constexpr (Separable<P>) {
+      using Q = Half<P>;
+      roster.add("symplectic_euler", run_pair<od::symplectic_euler<Q>, SymplecticSystem, P>);
+      roster.add("symplectic_rkn_sb3a_mclachlan",
+                 run_pair<od::symplectic_rkn_sb3a_mclachlan<Q>, SymplecticSystem, P>);
+      roster.add("symplectic_rkn_sb3a_m4_mclachlan",
+                 run_pair<od::symplectic_rkn_sb3a_m4_mclachlan<Q>, SymplecticSystem, P>);
+    }
+  } else {
+    roster.add_unfit("symplectic_euler");
+    roster.add_unfit("symplectic_rkn_sb3a_mclachlan");
+    roster.add_unfit("symplectic_rkn_sb3a_m4_mclachlan");
+  }
+  if constexpr (SecondOrder<P>)
+    roster.add("velocity_verlet", run_pair<od::velocity_verlet<Half<P>>, SecondOrderSystem, P>);
+  else
+    roster.add_unfit("velocity_verlet");
+}
+
+template <Ode P>
+void enroll_first_order(const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  Roster<P> roster(contest, entrants);
+  enroll_one_step(roster);
+  enroll_extrapolation(roster);
+  enroll_multistep(roster, std::make_index_sequence<8>());
+  enroll_adaptive_adams<4, 8>(roster);
+}
+
+template <Ode P>
+void enroll(const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  if constexpr (Shared<P>)
+    enroll_first_order(as_first_order(contest), entrants);  // compiled once
+  else
+    enroll_first_order(contest, entrants);
+  Roster<P> roster(contest, entrants);
+  enroll_second_order(roster);
+  enroll_implicit(erase(contest), entrants);
+}
+
+}  // namespace odeum::adapters::odeint

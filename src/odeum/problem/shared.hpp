@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "odeum/linear/shifted_solver.hpp"
+#include "odeum/problem/concepts.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
+
+/// Problems behind function pointers that are problems again: every case goes on the stage through
+/// one of three types, so that the methods, own and peers', are compiled for these three and not
+/// for every case.
+///
+/// A type says at compile time what is offered, so these offer all that they can make up for: a
+/// Jacobian (by differences where the problem has none), df/dt (zero where it is autonomous), a
+/// shifted solver (null where it has none). What a problem itself has is known at run time, from
+/// its view(). An ability that cannot be made up for becomes a pointer of OdeView, a member here,
+/// and a line in a method's `fits_problem`, see kernel/method.hpp.
+namespace odeum {
+
+class SharedOde {
+ public:
+  static constexpr std::size_t dimension = dynamic;
+
+  /// `keep_alive` owns the problem that is viewed.
+  SharedOde(const OdeView& view, std::shared_ptr<const void> keep_alive)
+      : view_(view), keep_alive_(std::move(keep_alive)) {}
+
+  const OdeView& view() const { return view_; }
+  std::size_t size() const { return view_.dimension; }
+  bool autonomous() const { return !view_.time_derivative; }
+  bool offers_jacobian() const { return view_.jacobian != nullptr; }
+
+  void rhs(double t, const double* y, double* dydt) const { view_.rhs(view_.problem, t, y, dydt); }
+  void jacobian(double t, const double* y, double* j) const {
+    if (view_.jacobian)
+      view_.jacobian(view_.problem, t, y, j);
+    else
+      difference_jacobian(*this, t, y, j);
+  }
+  void time_derivative(double t, const double* y, double* dfdt) const {
+    if (view_.time_derivative)
+      view_.time_derivative(view_.problem, t, y, dfdt);
+    else
+      std::fill(dfdt, dfdt + size(), 0.0);
+  }
+  std::unique_ptr<ShiftedSolver> shifted_solver() const {
+    return std::unique_ptr<ShiftedSolver>(view_.shifted_solver ? view_.shifted_solver(view_.problem)
+                                                               : nullptr);
+  }
+
+ private:
+  OdeView view_;
+  std::shared_ptr<const void> keep_alive_;
+};
+
+/// q'' = a(t, q, v).
+class SharedSecondOrder : public SharedOde {
+ public:
+  using SharedOde::SharedOde;
+  static constexpr bool velocity_dependent = true;
+  void acceleration(double t, const double* q, const double* v, double* a) const {
+    view().acceleration(view().problem, t, q, v, a);
+  }
+};
+
+/// q'' = a(t, q).
+class SharedSeparable : public SharedOde {
+ public:
+  using SharedOde::SharedOde;
+  static constexpr bool velocity_dependent = false;
+  void acceleration(double t, const double* q, const double* v, double* a) const {
+    view().acceleration(view().problem, t, q, v, a);
+  }
+};
+
+template <class P>
+concept Shared = std::derived_from<P, SharedOde>;
+
+}  // namespace odeum
