@@ -19,12 +19,12 @@ namespace odeum {
 ///
 /// Column k has order k.
 template <Ode P>
-class ExtrapolationTable {
+class ExtrapolatedEulerTable {
  public:
   static constexpr std::size_t max_columns = 12;
   static constexpr double substeps(std::size_t row) { return static_cast<double>(row + 2); }
 
-  explicit ExtrapolationTable(const P& problem)
+  explicit ExtrapolatedEulerTable(const P& problem)
       : problem_(problem), system_(problem), f_(make_state(problem)), argument_(f_) {
     table_.fill(f_);
   }
@@ -96,7 +96,7 @@ class ExtrapolatedEuler {
   }
 
  private:
-  ExtrapolationTable<P> table_;
+  ExtrapolatedEulerTable<P> table_;
 };
 
 /// |R(z)| of that step.
@@ -121,16 +121,16 @@ double extrapolated_euler_amplification(std::complex<double> z) {
 /// II.9): it aims at column `target`, takes the one before where that is exact enough, the one
 /// after where it is needed.
 template <Ode P>
-class ExtrapolationControl {
+class ExtrapolatedEulerControl {
  public:
-  ExtrapolationControl(const P& problem, double tolerance)
+  ExtrapolatedEulerControl(const P& problem, double tolerance)
       : table_(problem), scale_(make_state(problem)), tolerance_(tolerance) {
     target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance)),
                          std::size_t{2}, last - 1);
     // In units of an evaluation with its solve; a factorisation counts as two.
-    work_[0] = 3 + ExtrapolationTable<P>::substeps(0) + 2;
+    work_[0] = 3 + ExtrapolatedEulerTable<P>::substeps(0) + 2;
     for (std::size_t j = 1; j < columns; ++j)
-      work_[j] = work_[j - 1] + ExtrapolationTable<P>::substeps(j) + 2;
+      work_[j] = work_[j - 1] + ExtrapolatedEulerTable<P>::substeps(j) + 2;
   }
 
   Status operator()(double t, double h, const State<P>& y, State<P>& y_new, double& error) {
@@ -155,7 +155,7 @@ class ExtrapolationControl {
       cost_[j] = work_[j] / step_[j];
       if (error <= 1 && (j + 1 >= target_ || first_)) break;
       // No hope within the columns that are left.
-      const double n = ExtrapolationTable<P>::substeps(target_);
+      const double n = ExtrapolatedEulerTable<P>::substeps(target_);
       if (j + 1 == target_ && error > 4 * n * (n + 1)) break;
       if (j == target_ && error > 2 * (n + 1)) break;
     }
@@ -180,7 +180,7 @@ class ExtrapolationControl {
   }
 
  private:
-  static constexpr std::size_t columns = ExtrapolationTable<P>::max_columns, last = columns - 1;
+  static constexpr std::size_t columns = ExtrapolatedEulerTable<P>::max_columns, last = columns - 1;
 
   Status unusable() {
     rejected_ = true;
@@ -213,7 +213,7 @@ class ExtrapolationControl {
     return std::sqrt(sum / static_cast<double>(a.size()));
   }
 
-  ExtrapolationTable<P> table_;
+  ExtrapolatedEulerTable<P> table_;
   State<P> scale_;
   double tolerance_;
   std::size_t target_ = 2, used_ = 0;  ///< columns, from 0

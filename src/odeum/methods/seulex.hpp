@@ -22,7 +22,7 @@ struct seulex : ForAnyProblem {
   template <Ode P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {
-    ExtrapolationControl<Guarded<P>> control(problem, request.tolerance);
+    ExtrapolatedEulerControl<Guarded<P>> control(problem, request.tolerance);
     const auto decide = [&](double h, double error) { return control.decide(h, error); };
     const double first = initial_step(problem, t0, y0, request.stops.back(), 2, request.tolerance);
     return run_adaptive(problem, t0, y0, request, first, control, decide);
