@@ -33,8 +33,8 @@ struct LinearOscillator {
   }
 };
 
-/// u' = u (1 - u), v' = -u v: u is logistic, v = v0 (1 - u) / (1 - u0) exp(-t)... in closed form
-/// v = 1 / (1 + u0 (e^t - 1)). No Jacobian: it is taken by differences.
+/// u' = u (1 - u), v' = -u v: u = u0 e^t / g and v = 1 / g with g = 1 + u0 (e^t - 1). Its Jacobian
+/// is taken by differences.
 struct Logistic {
   static constexpr std::size_t dimension = 2;
   static constexpr double u0 = 0.25;
@@ -45,6 +45,18 @@ struct Logistic {
   static State<Logistic> exact(double t) {
     const double growth = 1 + u0 * (std::exp(t) - 1);
     return {u0 * std::exp(t) / growth, 1 / growth};
+  }
+};
+
+/// The same with its Jacobian, and how often that was asked for.
+struct AnalyticLogistic : Logistic {
+  mutable int jacobians = 0;
+  void jacobian(double, const double* y, double* j) const {
+    ++jacobians;
+    j[0] = 1 - 2 * y[0];
+    j[1] = 0;
+    j[2] = -y[1];
+    j[3] = -y[0];
   }
 };
 

@@ -42,7 +42,7 @@ TYPED_TEST(Implicit, HasItsOrder) {
   const double p = TypeParam::info.order, band = p >= 9 ? 0.5 : 0.25;
   EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(TestFixture::steps)), p, band);
   EXPECT_NEAR((measured_order<TypeParam, Driven>(TestFixture::steps)), p, band);
-  EXPECT_NEAR((measured_order<TypeParam, Logistic>(p >= 9 ? 1 : p >= 5 ? 4 : 80)), p, band);
+  EXPECT_NEAR((measured_order<TypeParam, Logistic>(p >= 9 ? 4 : p >= 4 ? 20 : 80, 10)), p, band);
 }
 
 // The running code on y' = z y, z anywhere, against the stability function.
@@ -80,27 +80,17 @@ TYPED_TEST(Implicit, IsAStable) {
 }
 
 TYPED_TEST(Implicit, IsLStableWhereItsDocumentationSaysSo) {
-  const double far = TypeParam::amplification(-1e12, 0);
+  // R is 1 - O(1/z) or O(1/z), and rounding of z eps.
+  const double far = TypeParam::amplification(-1e8, 0);
   const std::string_view id = TypeParam::info.id;
   if (id == "implicit_midpoint" || id == "trapezoidal" || id == "gauss4" || id == "gauss6")
-    EXPECT_NEAR(far, 1, 1e-9);
+    EXPECT_NEAR(far, 1, 1e-6);
   else
-    EXPECT_LE(far, 1e-9);
+    EXPECT_LE(far, 1e-6);
 }
 
-struct CountedLogistic : Logistic {
-  mutable int jacobians = 0;
-  void jacobian(double, const double* y, double* j) const {
-    ++jacobians;
-    j[0] = 1 - 2 * y[0];
-    j[1] = 0;
-    j[2] = -y[1];
-    j[3] = -y[0];
-  }
-};
-
 TYPED_TEST(Implicit, KeepsItsJacobianFromStepToStep) {
-  const CountedLogistic problem;
+  const AnalyticLogistic problem;
   ASSERT_EQ(run_fixed_steps<TypeParam>(problem, Logistic::exact(0), 1.5, 200).status, Status::ok);
   // At this step the contraction with an old Jacobian is h times the change of J: a handful in all.
   EXPECT_GE(problem.jacobians, 1);

@@ -24,8 +24,10 @@ TYPED_TEST(LinearlyImplicit, HasItsOrder) {
   const std::uint64_t steps = p >= 5 ? 40 : 160;
   // As for implicit methods; what rodas5p does on linear problems, see below.
   EXPECT_NEAR((measured_order<TypeParam, Driven>(steps)), p, 0.25);
-  EXPECT_NEAR((measured_order<TypeParam, Logistic>(p >= 5 ? 10 : steps)), p, 0.25);
-  if (p < 5) EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(steps)), p, 0.25);
+  EXPECT_NEAR((measured_order<TypeParam, AnalyticLogistic>(p >= 5 ? 10 : steps)), p, 0.25);
+  if (p < 5) {
+    EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(steps)), p, 0.25);
+  }
 }
 
 TEST(Rodas5p, HasOrderSixOnLinearProblems) {
@@ -40,6 +42,13 @@ struct Silent : Driven {
 TEST(Rosenbrock, NeedsTheTimeDerivative) {
   EXPECT_LT((measured_order<methods::rodas4, Silent>(160)), 2.5);
   EXPECT_LT((measured_order<methods::rodas5p, Silent>(160)), 2.5);
+}
+
+TEST(Rosenbrock, AnInexactJacobianCostsOrder) {
+  // Differences leave 1e-8 in J, and no iteration corrects it: the conditions that J takes part in
+  // hold to that only. Coarse steps still show the order.
+  EXPECT_LT((measured_order<methods::rodas4, Logistic>(160)), 3.5);
+  EXPECT_NEAR((measured_order<methods::rodas4, Logistic>(5)), 4, 0.4);
 }
 
 TEST(Rosenbrock, ATableauWithAWrongCoefficientIsNotProven) {
@@ -86,7 +95,7 @@ TEST(Seulex, HasTheOrderOfItsColumn) {
   // The terms of the expansion in h are all there: the slope settles late.
   EXPECT_NEAR((measured_order<methods::seulex, Driven>(64)), p, 0.3);
   EXPECT_NEAR((measured_order<methods::seulex, LinearOscillator>(64)), p, 0.3);
-  EXPECT_NEAR((measured_order<methods::seulex, Logistic>(32)), p, 0.3);
+  EXPECT_NEAR((measured_order<methods::seulex, AnalyticLogistic>(32)), p, 0.3);
 }
 
 }  // namespace
