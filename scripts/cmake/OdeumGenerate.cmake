@@ -133,6 +133,29 @@ ${body}  throw std::runtime_error(\"no reference \" + std::string(name));
 ")
 endfunction()
 
+# odeum_scenes.cpp: the text of every file in cases/scenes, see cases/support/scene_stage.hpp.
+function(odeum_generate_scenes)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/scenes/*.yaml)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  set(body "")
+  foreach(file IN LISTS files)
+    get_filename_component(stem ${file} NAME_WLE)
+    file(READ ${file} text)
+    string(APPEND body "      {\"${stem}\", R\"odeum-scene(${text})odeum-scene\"},\n")
+  endforeach()
+  odeum_write_verbatim(${ODEUM_GENERATED}/odeum_scenes.cpp
+"#include \"support/scene_stage.hpp\"
+
+namespace odeum::cases {
+const std::vector<SceneText>& all_scenes() {
+  static const std::vector<SceneText> all{
+${body}  };
+  return all;
+}
+}
+")
+endfunction()
+
 # Writes a text as it is, only when it changes. (odeum_write would replace @...@ within it.)
 function(odeum_write_verbatim path text)
   set(old "")
@@ -158,6 +181,12 @@ function(odeum_generate_texts)
   foreach(file IN LISTS findings)
     file(READ ${file} text)
     string(APPEND all "${text}\n")
+  endforeach()
+  foreach(part IN ITEMS replay.html replay.css replay.js)
+    file(READ ${PROJECT_SOURCE_DIR}/reports/viewer/${part} text)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/${part})
+    string(REPLACE "." "_" name ${part})
+    string(APPEND body "std::string_view ${name}() { return R\"odeum-text(${text})odeum-text\"; }\n")
   endforeach()
   string(APPEND body "std::string_view findings() { return R\"odeum-text(${all})odeum-text\"; }\n}\n")
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_texts.cpp "${body}")

@@ -7,6 +7,8 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/report/csv.hpp"
+#include "odeum/scene/reader.hpp"
+#include "support/scene_stage.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -41,6 +43,32 @@ Listing list_solvers() {
                             std::isnan(info.order) ? "varies" : report::format_number(info.order),
                             modes(info), info.needs.empty() ? "a right-hand side" : info.needs,
                             info.source});
+  }
+  return listing;
+}
+
+// The comment that a scene's file begins with, on one line, without the licence.
+std::string first_comment(std::string_view text) {
+  std::string comment;
+  while (text.starts_with("#")) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    if (line.size() > 2 && line.find("SPDX") == std::string_view::npos)
+      comment += (comment.empty() ? "" : " ") + std::string(line.substr(2));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return comment;
+}
+
+Listing list_scenes() {
+  Listing listing{{"name", "solver", "duration", "particles", "springs", "shows"}, {}};
+  for (const cases::SceneText& text : cases::all_scenes()) {
+    const scene::Description scene =
+        scene::read_scene(std::string(text.name), std::string(text.text)).description;
+    listing.rows.push_back({std::string(text.name), scene.solver->type,
+                            report::format_number(*scene.duration),
+                            std::to_string(scene.particles.size()),
+                            std::to_string(scene.springs.size()), first_comment(text.text)});
   }
   return listing;
 }
@@ -90,18 +118,22 @@ void add_list(CLI::App& app, int&) {
     std::string format = "table";
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("list", "the cases, or the solvers");
-  command->add_option("what", options->what, "cases or solvers")
-      ->check(CLI::IsMember({"cases", "solvers"}));
+  CLI::App* command = app.add_subcommand("list", "the cases, the solvers, or the scenes");
+  command->add_option("what", options->what, "cases, solvers or scenes")
+      ->check(CLI::IsMember({"cases", "solvers", "scenes"}));
   command->add_option("--format", options->format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}));
   command->callback([options] {
-    const bool cases = options->what == "cases";
-    const Listing listing = cases ? list_cases() : list_solvers();
+    const std::string& what = options->what;
+    const Listing listing = what == "cases"    ? list_cases()
+                            : what == "scenes" ? list_scenes()
+                                               : list_solvers();
     // A table for people leaves the long columns to the other formats.
     print(options->format == "csv"    ? as_csv(listing)
           : options->format == "json" ? as_json(listing)
-                                      : as_table(listing, cases ? 3 : 5));
+                                      : as_table(listing, what == "cases"    ? 3
+                                                          : what == "scenes" ? 6
+                                                                             : 5));
   });
 }
 

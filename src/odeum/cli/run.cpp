@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "odeum/cli/session.hpp"
+#include "odeum/cli/run.hpp"
 #include "odeum/harness/interrupt.hpp"
 #include "odeum/report/csv.hpp"
 #include "odeum/report/output_folder.hpp"
@@ -15,57 +14,6 @@ namespace odeum::cli {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double most_steps = 1e9;
-
-struct RunOptions {
-  std::string case_id, solver, out;
-  double step = nan, tolerance = nan;
-  std::optional<double> until;
-};
-
-Request make_request(const RunOptions& options, const Case& c, const Entrant& entrant,
-                     bool has_step) {
-  Request request;
-  const double end = options.until.value_or(c.stops.back());
-  const double horizon = end - c.t0;
-  if (!std::isfinite(horizon) || !(horizon > 0))
-    throw UsageError(fmt::format("--until: got {}, expected a finite time after {}", end, c.t0));
-  request.stops = {end};
-  if (has_step) {
-    const double h = options.step;
-    if (!std::isfinite(h) || !(h > 0))
-      throw UsageError(fmt::format("--step: got {}, expected a positive number", h));
-    if (h > horizon)
-      throw UsageError(fmt::format("--step: got {}, expected at most the horizon {}", h, horizon));
-    if (horizon / h > most_steps)
-      throw UsageError(fmt::format("--step: got {}, which takes more than {:g} steps to t = {}", h,
-                                   most_steps, end));
-    if (!entrant.info.fixed)
-      throw UsageError(fmt::format("{} runs to a tolerance only: use --tol", entrant.info.id()));
-    request.mode = Mode::fixed;
-    // Steps are whole and equal: to the next divisor of the horizon, unless rounding is all that
-    // differs.
-    request.steps = static_cast<std::uint64_t>(std::ceil(horizon / h * (1 - 1e-12)));
-    const double used = horizon / static_cast<double>(request.steps);
-    if (std::abs(used - h) > 1e-9 * h)
-      remark(fmt::format("the step is shrunk from {} to {}, so that {} of them reach t = {}", h,
-                         used, request.steps, end));
-  } else {
-    const double smallest = std::numeric_limits<double>::epsilon();
-    if (!std::isfinite(options.tolerance) || !(options.tolerance > smallest))
-      throw UsageError(
-          fmt::format("--tol: got {}, expected a number above machine precision, {:.2g}",
-                      options.tolerance, smallest));
-    if (!entrant.info.adaptive)
-      throw UsageError(fmt::format("{} runs at a fixed step only: use --step", entrant.info.id()));
-    request.mode = Mode::adaptive;
-    request.tolerance = options.tolerance;
-  }
-  request.budget.evaluations =
-      10'000'000'000;  // the user said what to do; the seconds still bound it
-  request.budget.seconds = 600;
-  return request;
-}
 
 // Time, component, value, exact value and error at the end; exact is nan where no truth is known.
 std::string solution_csv(const Case& c, const Entrant& entrant, const Request& request,
@@ -88,10 +36,13 @@ std::string solution_csv(const Case& c, const Entrant& entrant, const Request& r
   return table.text();
 }
 
-int run(const RunOptions& options, bool has_step) {
-  const Case& c = find_case(options.case_id);
+int run(const RunOptions& options) {
+  const Case& c = find_case(options.what);
+  if (options.solver.empty()) throw UsageError("--solver is required for a case");
+  const bool has_step = options.settings.step.has_value();
+  if (!has_step && !options.settings.tolerance) throw UsageError("run needs --step or --tol");
   const Entrant& entrant = find_entrant(c, options.solver);
-  const Request request = make_request(options, c, entrant, has_step);
+  const Request request = make_request(options.settings, c.t0, c.stops.back(), entrant.info);
   const Outcome outcome = entrant.solve(request);
   if (interrupted) return interrupted_code;
   std::string text =
@@ -100,7 +51,7 @@ int run(const RunOptions& options, bool has_step) {
                                  (request.stops.back() - c.t0) / static_cast<double>(request.steps),
                                  request.steps, request.stops.back())
                    : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n",
-                                 options.tolerance, outcome.counters.steps,
+                                 *options.settings.tolerance, outcome.counters.steps,
                                  outcome.counters.rejected_steps, request.stops.back());
   text += fmt::format("status  {}{}{}\n", to_string(outcome.status),
                       outcome.detail.empty() ? "" : ": ", outcome.detail);
@@ -133,24 +84,32 @@ int run(const RunOptions& options, bool has_step) {
 
 void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "one case with one solver");
-  command->add_option("case", options->case_id, "a case; odeum list cases")
+  CLI::App* command = app.add_subcommand("run", "one case or one scene with one solver");
+  command
+      ->add_option("case", options->what, "a case, or a scene: its file, or a name of odeum list")
       ->required()
-      ->type_name("CASE");
-  command->add_option("--solver", options->solver, "a solver; odeum list solvers")
-      ->required()
+      ->type_name("CASE|SCENE.yaml");
+  command->add_option("--solver", options->solver, "a solver; default: the scene's own")
       ->type_name("ID");
-  CLI::Option* step = command->add_option("--step", options->step, "fixed step")->type_name("H");
-  CLI::Option* tolerance =
-      command->add_option("--tol", options->tolerance, "relative and absolute tolerance")
-          ->type_name("R");
-  step->excludes(tolerance);
-  command->add_option("--until", options->until, "end time; default: the case's horizon")
+  CLI::Option* step =
+      command->add_option("--step", options->settings.step, "fixed step")->type_name("H");
+  command->add_option("--tol", options->settings.tolerance, "relative and absolute tolerance")
+      ->type_name("R")
+      ->excludes(step);
+  command->add_option("--until", options->settings.until, "end time; default: the horizon")
       ->type_name("T");
-  command->add_option("--out", options->out, "folder for solution.csv")->type_name("DIR");
-  command->callback([options, step, tolerance, &result] {
-    if (step->empty() && tolerance->empty()) throw UsageError("run needs --step or --tol");
-    result = run(*options, !step->empty());
+  command->add_option("--out", options->out, "folder for the files")->type_name("DIR");
+  command->add_option("--max-particles", options->limits.most_particles, "of a scene")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--max-megabytes", options->megabytes, "of a scene's file")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  command->callback([options, &result] {
+    options->limits.most_bytes = options->megabytes * 1'000'000;
+    const auto scene = find_scene(options->what);
+    result = scene ? run_scene(*scene, *options) : run(*options);
   });
 }
 

@@ -11,14 +11,10 @@
 
 #include "odeum/harness/glob.hpp"
 #include "odeum/report/output_folder.hpp"
+#include "support/scene_stage.hpp"
 
 namespace odeum::cli {
 namespace {
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
-  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
-}
 
 std::vector<std::string> case_ids() {
   std::vector<std::string> ids;
@@ -56,6 +52,11 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
 
 }  // namespace
 
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(word, candidates);
+  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
+}
+
 void print(const std::string& text) {
   // A long text is written before the flush, which then knows nothing of its failure.
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
@@ -77,15 +78,22 @@ void check_solver_globs(const std::vector<std::string>& globs) {
 const Case& find_case(const std::string& id) {
   for (const Case& c : all_cases())
     if (c.id == id) return c;
-  throw UsageError(fmt::format("unknown case '{}'{}", id, did_you_mean(id, case_ids())));
+  std::vector<std::string> names = case_ids();
+  for (const auto& scene : cases::all_scenes()) names.emplace_back(scene.name);
+  throw UsageError(fmt::format("unknown case '{}'{}", id, did_you_mean(id, names)));
 }
 
 const Entrant& find_entrant(const Case& c, const std::string& id) {
+  return find_entrant(c.entrants, c.id, id);
+}
+
+const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
+                            const std::string& id) {
   const std::string full = id.find('/') == std::string::npos ? "odeum/" + id : id;
-  for (const Entrant& entrant : c.entrants) {
+  for (const Entrant& entrant : entrants) {
     if (entrant.info.id() != full) continue;
     if (!entrant.unfit.empty())
-      throw UsageError(fmt::format("{} does not fit {}: {}", full, c.id, entrant.unfit));
+      throw UsageError(fmt::format("{} does not fit {}: {}", full, on, entrant.unfit));
     return entrant;
   }
   if (const std::string missing = missing_library(full); !missing.empty())

@@ -41,6 +41,10 @@ void check_solver_globs(const std::vector<std::string>& globs);
 /// Throws UsageError.
 const Case& find_case(const std::string& id);
 const Entrant& find_entrant(const Case& c, const std::string& id);
+const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
+                            const std::string& id);
+/// "; did you mean X?", or nothing where no candidate is near.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
 /// The options that every study has.
 struct StudyOptions {
@@ -59,6 +63,7 @@ void add_converge(CLI::App& app, int& result);
 void add_stability(CLI::App& app, int& result);
 void add_precision(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
+void add_verify(CLI::App& app, int& result);
 void add_doctor(CLI::App& app, int& result);
 
 }  // namespace odeum::cli

@@ -7,6 +7,11 @@ namespace odeum::report {
 /// The page's style sheet, reports/viewer/page.css; built in.
 std::string_view page_style();
 
+/// The parts of a replay page, reports/viewer/replay.*; built in.
+std::string_view replay_html();
+std::string_view replay_css();
+std::string_view replay_js();
+
 /// reports/findings.md and what lies under reports/findings/*.md, one after the other; built in.
 std::string_view findings();
 

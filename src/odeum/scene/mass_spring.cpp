@@ -26,18 +26,20 @@ MassSpring::MassSpring(const Scene& scene)
     if (spring.a >= particles_ || spring.b >= particles_ || spring.a == spring.b)
       throw std::invalid_argument("spring between particles " + std::to_string(spring.a) + " and " +
                                   std::to_string(spring.b) + " of " + std::to_string(particles_));
+  if (const auto structure = find_grid(scene))
+    grid_.emplace(GridLayout(structure->rows, structure->columns), structure->kinds);
 }
 
 // Springs are sorted by their first end, whose force is summed up in registers.
-void MassSpring::acceleration(double, const double* q, const double* v, double* a) const {
-  for (std::size_t i = 0; i < 3 * particles_; ++i) a[i] = 0;
+void MassSpring::edge_forces(const double* q, const double* v, double* force) const {
+  for (std::size_t i = 0; i < 3 * particles_; ++i) force[i] = 0;
   for (auto spring = springs_.begin(); spring != springs_.end();) {
     const std::size_t first = spring->a;
     const double *qa = q + 3 * first, *va = v + 3 * first;
     double fx = 0, fy = 0, fz = 0;
     for (; spring != springs_.end() && spring->a == first; ++spring) {
       const double *qb = q + 3 * spring->b, *vb = v + 3 * spring->b;
-      double* const fb = a + 3 * spring->b;
+      double* const fb = force + 3 * spring->b;
       const double x = qb[0] - qa[0], y = qb[1] - qa[1], z = qb[2] - qa[2];
       const double length = std::sqrt(x * x + y * y + z * z);
       const bool slack = (spring->tension_only && length <= spring->rest_length) || length == 0;
@@ -48,8 +50,33 @@ void MassSpring::acceleration(double, const double* q, const double* v, double* 
       fx += gx, fy += gy, fz += gz;
       fb[0] -= gx, fb[1] -= gy, fb[2] -= gz;
     }
-    double* const fa = a + 3 * first;
+    double* const fa = force + 3 * first;
     fa[0] += fx, fa[1] += fy, fa[2] += fz;
+  }
+}
+
+namespace {
+
+/// Work space of the grid kernel: each thread its own, since threads share the problem.
+double* scratch(std::size_t size) {
+  thread_local std::vector<double> space;
+  if (space.size() < size) space.resize(size);
+  return space.data();
+}
+
+}  // namespace
+
+void MassSpring::acceleration(double, const double* q, const double* v, double* a) const {
+  if (grid_) {
+    const GridLayout& layout = grid_->layout();
+    const std::size_t n = 3 * layout.size;
+    double *const gq = scratch(3 * n), *const gv = gq + n, *const force = gv + n;
+    layout.scatter(q, gq);
+    layout.scatter(v, gv);
+    grid_->forces(gq, gv, force, 0, layout.rows);
+    layout.gather(force, a);
+  } else {
+    edge_forces(q, v, a);
   }
   for (std::size_t i = 0; i < particles_; ++i) {
     const double free = inverse_mass_[i] != 0 ? 1 : 0;
@@ -75,17 +102,12 @@ std::array<double, 9> spring_stiffness_block(const Spring& spring, const double*
 
 // The derivative of a spring's force is k (u u^T + (1 - L/l) (I - u u^T)) applied to the difference
 // of the ends, as in spring_stiffness_block, here without the matrix.
-void MassSpring::jacobian_times(double, const double* y, const double* x, double* product) const {
-  const std::size_t n = 3 * particles_;
-  const double *dq = x, *dv = x + n;
-  double* const da = product + n;
-  for (std::size_t i = 0; i < n; ++i) {
-    product[i] = dv[i];
-    da[i] = 0;
-  }
+void MassSpring::edge_derivative(const double* q, const double* dq, const double* dv,
+                                 double* change) const {
+  for (std::size_t i = 0; i < 3 * particles_; ++i) change[i] = 0;
   for (const Spring& spring : springs_) {
     const std::size_t a = 3 * spring.a, b = 3 * spring.b;
-    const double u[3] = {y[b] - y[a], y[b + 1] - y[a + 1], y[b + 2] - y[a + 2]};
+    const double u[3] = {q[b] - q[a], q[b + 1] - q[a + 1], q[b + 2] - q[a + 2]};
     const double d[3] = {dq[b] - dq[a], dq[b + 1] - dq[a + 1], dq[b + 2] - dq[a + 2]};
     const double squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
     const double length = std::sqrt(squared);
@@ -96,9 +118,29 @@ void MassSpring::jacobian_times(double, const double* y, const double* x, double
               : (spring.stiffness - across) / squared * (u[0] * d[0] + u[1] * d[1] + u[2] * d[2]);
     for (std::size_t i = 0; i < 3; ++i) {
       const double f = across * d[i] + along * u[i] + spring.damping * (dv[b + i] - dv[a + i]);
-      da[a + i] += f;
-      da[b + i] -= f;
+      change[a + i] += f;
+      change[b + i] -= f;
     }
+  }
+}
+
+void MassSpring::jacobian_times(double, const double* y, const double* x, double* product) const {
+  const std::size_t n = 3 * particles_;
+  const double *dq = x, *dv = x + n;
+  double* const da = product + n;
+  std::copy_n(dv, n, product);
+  if (grid_) {
+    const GridLayout& layout = grid_->layout();
+    const std::size_t size = 3 * layout.size;
+    double *const gq = scratch(4 * size), *const gdq = gq + size, *const gdv = gdq + size,
+                  *const change = gdv + size;
+    layout.scatter(y, gq);
+    layout.scatter(dq, gdq);
+    layout.scatter(dv, gdv);
+    grid_->derivative(gq, gdq, gdv, change, 0, layout.rows);
+    layout.gather(change, da);
+  } else {
+    edge_derivative(y, dq, dv, da);
   }
   for (std::size_t i = 0; i < n; ++i) da[i] *= inverse_mass_[i / 3];
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/scene/scene.hpp"
+#include "odeum/scene/spring_grid.hpp"
 
 namespace odeum::scene {
 
@@ -15,7 +17,8 @@ namespace odeum::scene {
 ///     l = |x_b - x_a|,  u = (x_b - x_a) / l;  fixed particles do not move.
 ///
 /// The state is all positions x y z, then all velocities: 6 entries a particle. A spring of zero
-/// length exerts no elastic force (its direction is undefined).
+/// length exerts no elastic force (its direction is undefined). Springs that form a regular grid
+/// are computed by gathering (GridSprings), others edge by edge.
 class MassSpring {
  public:
   static constexpr std::size_t dimension = dynamic;
@@ -39,12 +42,18 @@ class MassSpring {
   const std::vector<Spring>& springs() const { return springs_; }
   const std::vector<double>& inverse_masses() const { return inverse_mass_; }  ///< 0: fixed
   std::size_t particles() const { return particles_; }
+  /// The grid that was found in the scene; null where springs are computed edge by edge.
+  const GridSprings<double>* grid() const { return grid_ ? &*grid_ : nullptr; }
 
  private:
+  void edge_forces(const double* q, const double* v, double* force) const;
+  void edge_derivative(const double* q, const double* dq, const double* dv, double* change) const;
+
   std::size_t particles_;
   std::vector<Spring> springs_;
   std::vector<double> mass_, inverse_mass_;
   Vec3 gravity_;
+  std::optional<GridSprings<double>> grid_;
 };
 
 /// The 3 x 3 derivative of the elastic force on particle a with respect to the position of b:

@@ -23,6 +23,11 @@ struct Pair {
   Mode mode;
 };
 
+double claimed_order(const Pair& pair) {
+  const SolverInfo& info = pair.entrant->info;
+  return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
+}
+
 struct PairResult {
   std::vector<ConvergenceRow> rows;
   std::vector<TimeRow> times;
@@ -160,7 +165,7 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
     // Rounding alone is left to see: eight settings are on record, finer ones would only repeat it.
     if (at_floor >= 3 && result.rows.size() >= 8) break;
   }
-  const double claimed = pair.entrant->info.order;
+  const double claimed = claimed_order(pair);
   result.order.fit = fit_order(
       points, claimed,
       pair.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
@@ -249,7 +254,7 @@ void sign(const Pair& pair, PairResult& result) {
   for (ConvergenceRow& row : result.rows) mark(row);
   for (TimeRow& row : result.times) mark(row);
   mark(result.order);
-  result.order.claimed_order = pair.entrant->info.order;
+  result.order.claimed_order = claimed_order(pair);
 }
 
 std::vector<Pair> select_pairs(const ConvergenceOptions& options) {

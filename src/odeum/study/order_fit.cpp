@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace odeum::study {
 namespace {
@@ -58,6 +59,7 @@ struct Window {
 
 // The four finest points whose local slopes agree, then coarser ones as long as their slopes agree
 // with those four. High orders settle later, so their slopes may differ by more among the four.
+// Errors that grow as the step shrinks are no convergence, however well their slopes agree.
 Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
   const double among_finest = settled * std::max(1.0, claimed_order / 2);
   for (std::size_t end = points.size(); end >= fewest_points; --end) {
@@ -70,12 +72,47 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
       high = std::max(high, slope);
     }
     const double mean = sum / static_cast<double>(fewest_points - 1);
-    if (high - mean > among_finest || mean - low > among_finest) continue;
+    if (low <= 0 || high - mean > among_finest || mean - low > among_finest) continue;
     while (first > 0 && std::abs(local_slope(points[first - 1], points[first]) - mean) <= settled)
       --first;
     return {first, end - first};
   }
   return {};
+}
+
+// Where the local slopes of a window still move towards the claim from step to step, the slope that
+// they come to at h = 0: the error is C h^p (1 + D h + ...), so slopes are p + D h to first order.
+// NaN where there is no such trend.
+double slope_at_zero(const ErrorPoint* points, std::size_t n, double claimed_order) {
+  std::vector<double> h, slope;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    h.push_back(std::sqrt(points[i].step * points[i + 1].step));
+    slope.push_back(local_slope(points[i], points[i + 1]));
+    const double last = i == 0 ? 0 : std::abs(slope[i - 1] - claimed_order);
+    if (i > 0 && std::abs(slope[i] - claimed_order) >= last) return OrderFit::nan;
+  }
+  const auto m = static_cast<double>(h.size());
+  const double mean_h = std::accumulate(h.begin(), h.end(), 0.0) / m;
+  const double mean_slope = std::accumulate(slope.begin(), slope.end(), 0.0) / m;
+  double hh = 0, hs = 0;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    hh += (h[i] - mean_h) * (h[i] - mean_h);
+    hs += (h[i] - mean_h) * (slope[i] - mean_slope);
+  }
+  return mean_slope - hs / hh * mean_h;
+}
+
+// Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
+void merge_same_steps(std::vector<ErrorPoint>& points) {
+  constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
+  std::vector<ErrorPoint> merged;
+  for (const ErrorPoint& point : points) {
+    if (!merged.empty() && point.step > same * merged.back().step)
+      merged.back() = point;
+    else
+      merged.push_back(point);
+  }
+  points = std::move(merged);
 }
 
 OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
@@ -129,6 +166,13 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
     return conclude(fit, Verdict::higher,
                     fmt::format("exact but for rounding: errors up to {:.1e}", largest));
   }
+  merge_same_steps(solved);
+
+  // An error ten times the solution itself is a blow-up, and says nothing of an order.
+  const auto blown_up = [](const ErrorPoint& p) {
+    return p.error > 10 * p.rounding_unit / (std::numeric_limits<double>::epsilon() / 2);
+  };
+  if (!points.empty() && points.front().rounding_unit > 0) std::erase_if(solved, blown_up);
 
   // The fine end: points that rounding may have a part in, then points that no longer fall. An
   // error that stops falling well above rounding is a finding, not an end of the window.
@@ -181,6 +225,25 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   }
   if (std::abs(fit.order - claimed_order) <= tolerance.order)
     return conclude(fit, Verdict::confirmed, "");
+  const ErrorPoint* const first = usable.data() + window.first;
+  const double at_zero = slope_at_zero(first, window.count, claimed_order);
+  if (std::abs(at_zero - claimed_order) <= tolerance.order) {
+    fit.order = at_zero;
+    fit.low = fit.high = OrderFit::nan;
+    return conclude(
+        fit, Verdict::confirmed,
+        fmt::format("local slopes still move, from {:.2f} to {:.2f}, and come to {:.2f} "
+                    "at h = 0",
+                    local_slope(first[0], first[1]),
+                    local_slope(first[window.count - 2], first[window.count - 1]), at_zero));
+  }
+  // Slopes that scatter widely deny a claim as little as they confirm it.
+  const bool wide = fit.high - fit.low > claimed_order / 2;
+  if (wide || (fit.low <= claimed_order && claimed_order <= fit.high))
+    return conclude(fit, Verdict::undetermined,
+                    fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "
+                                "does not settle whether it is {:g}",
+                                fit.order, fit.low, fit.high, claimed_order));
   return conclude(
       fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,
       fmt::format("converges with order {:.2f} where {:g} is claimed", fit.order, claimed_order));

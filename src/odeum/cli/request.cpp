@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "odeum/cli/session.hpp"
+
+namespace odeum::cli {
+namespace {
+
+constexpr double most_steps = 1e9;
+
+void set_step(Request& request, double h, double length, const SolverInfo& info) {
+  if (!std::isfinite(h) || !(h > 0))
+    throw UsageError(fmt::format("--step: got {}, expected a positive number", h));
+  if (h > length)
+    throw UsageError(fmt::format("--step: got {}, expected at most the horizon {}", h, length));
+  if (length / h > most_steps)
+    throw UsageError(fmt::format("--step: got {}, which takes more than {:g} steps to t = {}", h,
+                                 most_steps, request.stops.back()));
+  if (!info.fixed)
+    throw UsageError(fmt::format("{} runs to a tolerance only: use --tol", info.id()));
+  request.mode = Mode::fixed;
+  // Steps are whole and equal: to the next divisor of the horizon, unless rounding is all that
+  // differs.
+  request.steps = static_cast<std::uint64_t>(std::ceil(length / h * (1 - 1e-12)));
+  const double used = length / static_cast<double>(request.steps);
+  if (std::abs(used - h) > 1e-9 * h)
+    remark(fmt::format("the step is shrunk from {} to {}, so that {} of them reach t = {}", h, used,
+                       request.steps, request.stops.back()));
+}
+
+void set_tolerance(Request& request, double tolerance, const SolverInfo& info) {
+  const double smallest = std::numeric_limits<double>::epsilon();
+  if (!std::isfinite(tolerance) || !(tolerance > smallest))
+    throw UsageError(fmt::format("--tol: got {}, expected a number above machine precision, {:.2g}",
+                                 tolerance, smallest));
+  if (!info.adaptive)
+    throw UsageError(fmt::format("{} runs at a fixed step only: use --step", info.id()));
+  request.mode = Mode::adaptive;
+  request.tolerance = tolerance;
+}
+
+}  // namespace
+
+Request make_request(const RunSettings& settings, double t0, double horizon,
+                     const SolverInfo& info) {
+  Request request;
+  const double end = settings.until.value_or(horizon), length = end - t0;
+  if (!std::isfinite(length) || !(length > 0))
+    throw UsageError(fmt::format("--until: got {}, expected a finite time after {}", end, t0));
+  request.stops = {end};
+  if (settings.step)
+    set_step(request, *settings.step, length, info);
+  else
+    set_tolerance(request, settings.tolerance.value_or(0), info);
+  // The user said what to do; the seconds still bound it.
+  request.budget.evaluations = 10'000'000'000;
+  request.budget.seconds = 600;
+  return request;
+}
+
+}  // namespace odeum::cli

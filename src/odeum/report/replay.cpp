@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "odeum/report/html.hpp"
+#include "odeum/report/scene_files.hpp"
+#include "odeum/report/texts.hpp"
+
+namespace odeum::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers as the base64 of little-endian 32-bit floats, or of unsigned integers.
+template <class Number>
+std::string packed(const std::vector<Number>& numbers) {
+  static_assert(sizeof(Number) == 4);
+  std::string bytes(4 * numbers.size(), '\0');
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &numbers[i], 4);
+    for (std::size_t k = 0; k < 4; ++k)
+      bytes[4 * i + k] = static_cast<char>((bits >> (8 * k)) & 0xffU);
+  }
+  return base64(bytes);
+}
+
+Json numbers_of(const scene::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Json surfaces_of(const scene::Description& description) {
+  Json surfaces = Json::array();
+  for (const scene::Contact& contact : description.contacts) {
+    if (const auto* plane = std::get_if<scene::PlaneContact>(&contact))
+      surfaces.push_back({{"kind", "plane"},
+                          {"point", numbers_of(plane->point)},
+                          {"normal", numbers_of(plane->normal)}});
+    if (const auto* sphere = std::get_if<scene::SphereContact>(&contact))
+      surfaces.push_back(
+          {{"kind", "sphere"}, {"center", numbers_of(sphere->center)}, {"radius", sphere->radius}});
+  }
+  return surfaces;
+}
+
+// As many frames as keep the page under some 30 MB.
+std::size_t most_frames(const scene::RunResult& run) {
+  std::size_t numbers = 0;
+  for (const scene::Frame& frame : run.frames) numbers += frame.y.size();
+  constexpr std::size_t most_numbers = 6'000'000;
+  if (numbers <= most_numbers) return run.frames.size();
+  return std::max<std::size_t>(2, run.frames.size() * most_numbers / numbers);
+}
+
+Json scene_json(const scene::Description& description, const scene::RunResult& run) {
+  std::vector<float> states, radii, rest;
+  std::vector<std::uint32_t> counts, ids, ends;
+  Json times = Json::array(), kinetic = Json::array(), potential = Json::array();
+  for (const std::size_t k : chosen_frames(run, most_frames(run))) {
+    const scene::Frame& frame = run.frames[k];
+    times.push_back(frame.t);
+    kinetic.push_back(frame.kinetic);
+    potential.push_back(frame.potential);
+    counts.push_back(static_cast<std::uint32_t>(frame.ids.size()));
+    for (const std::size_t id : frame.ids) ids.push_back(static_cast<std::uint32_t>(id));
+    for (const double number : frame.y) states.push_back(static_cast<float>(number));
+  }
+  std::vector<std::uint32_t> fixed;
+  for (const auto& particle : description.particles) {
+    radii.push_back(static_cast<float>(particle.radius));
+    fixed.push_back(particle.fixed);
+  }
+  for (const auto& spring : description.springs) {
+    ends.push_back(static_cast<std::uint32_t>(spring.a));
+    ends.push_back(static_cast<std::uint32_t>(spring.b));
+    rest.push_back(static_cast<float>(spring.rest_length));
+  }
+  Json cloths = Json::array();
+  for (const auto& cloth : description.cloths)
+    cloths.push_back({{"first", cloth.first}, {"rows", cloth.rows}, {"columns", cloth.columns}});
+  return {{"name", plain(description.name)},
+          {"up", std::string(1, description.up)},
+          {"listed", description.particles.size()},
+          {"times", times},
+          {"kinetic", kinetic},
+          {"potential", potential},
+          {"counts", packed(counts)},
+          {"ids", packed(ids)},
+          {"states", packed(states)},
+          {"radii", packed(radii)},
+          {"fixed", packed(fixed)},
+          {"springs", packed(ends)},
+          {"rest", packed(rest)},
+          {"cloths", cloths},
+          {"surfaces", surfaces_of(description)}};
+}
+
+// JSON that may stand in a script element: no < at all.
+std::string for_script(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace))
+    text += c == '<' ? "\\u003c" : std::string(1, c);
+  return text;
+}
+
+// The template with each <!--name--> replaced by its part; parts are not looked through.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& parts) {
+  std::string text;
+  while (true) {
+    const std::size_t begin = page.find("<!--"), end = page.find("-->");
+    if (begin == std::string_view::npos || end == std::string_view::npos) break;
+    text += page.substr(0, begin);
+    text += parts.at(std::string(page.substr(begin + 4, end - begin - 4)));
+    page.remove_prefix(end + 3);
+  }
+  return text + std::string(page);
+}
+
+}  // namespace
+
+std::string replay_page(const scene::Description& description, const scene::RunResult& run,
+                        const std::vector<std::string>& facts) {
+  std::string list;
+  for (const std::string& fact : facts) list += "<li>" + escape(fact) + "</li>\n";
+  return filled(replay_html(),
+                {{"title", escape(description.name.empty() ? "Scene" : description.name)},
+                 {"style", "<style>\n" + std::string(replay_css()) + "</style>"},
+                 {"facts", list},
+                 {"data", "<script type=\"application/json\" id=\"scene\">" +
+                              for_script(scene_json(description, run)) + "</script>"},
+                 {"script", "<script>\n" + std::string(replay_js()) + "</script>"}});
+}
+
+}  // namespace odeum::report

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/yaml_tree.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <sstream>
+#include <unordered_map>
+
+namespace odeum::scene {
+namespace {
+
+Place place_of(const YAML::Mark& mark) {
+  if (mark.is_null()) return {};
+  return {static_cast<std::size_t>(mark.line) + 1, static_cast<std::size_t>(mark.column) + 1};
+}
+
+/// Builds the tree from yaml-cpp's events and enforces the limits as they come.
+class Builder final : public YAML::EventHandler {
+ public:
+  Builder(const std::string& file, const YamlLimits& limits) : file_(file), limits_(limits) {}
+
+  std::shared_ptr<const YamlNode> root() const { return root_; }
+  Place start() const { return start_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override { start_ = place_of(mark); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    add(make(mark, YamlNode::Kind::null), anchor);
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    check_tag(mark, tag);
+    auto node = make(mark, YamlNode::Kind::scalar);
+    node->text = value;
+    node->quoted = tag == "!";
+    if (!node->quoted && (value.empty() || value == "~" || value == "null"))
+      node->kind = YamlNode::Kind::null;
+    add(std::move(node), anchor);
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end())
+      fail(mark,
+           "an alias within what its own anchor names, which would never end; got the alias, "
+           "expected one after it");
+    attach(found->second, place_of(mark));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, YamlNode::Kind::sequence);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, YamlNode::Kind::mapping);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    std::shared_ptr<YamlNode> node;
+    YAML::anchor_t anchor;
+  };
+
+  [[noreturn]] void fail(Place place, const std::string& what) const {
+    throw SceneError(file_, place, "scene: " + what);
+  }
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& what) const {
+    fail(place_of(mark), what);
+  }
+  static std::shared_ptr<YamlNode> make(const YAML::Mark& mark, YamlNode::Kind kind) {
+    auto node = std::make_shared<YamlNode>();
+    node->kind = kind;
+    node->place = place_of(mark);
+    return node;
+  }
+  void check_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (!tag.empty() && tag != "?" && tag != "!")
+      fail(mark, "a tag; got " + shown(tag) + ", expected none");
+  }
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+            YamlNode::Kind kind) {
+    check_tag(mark, tag == "!" ? "" : tag);
+    if (open_.size() >= limits_.depth)
+      fail(mark, fmt::format("nested too deeply; got more than {} levels, expected at most that",
+                             limits_.depth));
+    open_.push_back({make(mark, kind), anchor});
+  }
+  void close() {
+    const Open done = std::move(open_.back());
+    open_.pop_back();
+    add(done.node, done.anchor);
+  }
+  void add(std::shared_ptr<YamlNode> node, YAML::anchor_t anchor) {
+    if (anchor) anchors_[anchor] = node;
+    const Place place = node->place;
+    attach(std::move(node), place);
+  }
+  void attach(std::shared_ptr<const YamlNode> node, Place place) {
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return;
+    }
+    YamlNode& parent = *open_.back().node;
+    parent.size += node->size;
+    if (parent.size > limits_.nodes)
+      fail(place, fmt::format("too much once its aliases are written out; got more than {} "
+                              "entries, expected at most that",
+                              limits_.nodes));
+    parent.items.push_back(std::move(node));
+  }
+
+  const std::string& file_;
+  YamlLimits limits_;
+  std::vector<Open> open_;
+  std::unordered_map<YAML::anchor_t, std::shared_ptr<const YamlNode>> anchors_;
+  std::shared_ptr<const YamlNode> root_;
+  Place start_;
+};
+
+// The length of the UTF-8 sequence that starts here, 0 where it is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const auto follows = [&](std::size_t i) { return (byte(i) & 0xc0U) == 0x80U; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return follows(1) ? 2 : 0;
+  if (first >= 0xe0 && first <= 0xef) {
+    const bool overlong = first == 0xe0 && second < 0xa0,
+               surrogate = first == 0xed && second > 0x9f;
+    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (first >= 0xf0 && first <= 0xf4) {
+    const bool beyond = (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
+    return follows(1) && follows(2) && follows(3) && !beyond ? 4 : 0;
+  }
+  return 0;
+}
+
+void require_text(const std::string& file, std::string_view text) {
+  Place place;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t length = utf8_length(text.substr(i));
+    if (length == 0)
+      throw SceneError(
+          file, place,
+          fmt::format("scene: no UTF-8 text; got the byte 0x{:02x}, expected UTF-8", unsigned{c}));
+    const bool blank = c == '\t' || c == '\n' || c == '\r';
+    if ((c < 0x20 && !blank) || c == 0x7f)
+      throw SceneError(file, place,
+                       fmt::format("scene: a binary file or a control character; got the byte "
+                                   "0x{:02x}, expected text",
+                                   unsigned{c}));
+    place.column = c == '\n' ? 1 : place.column + 1;
+    if (c == '\n') ++place.line;
+    i += length;
+  }
+}
+
+}  // namespace
+
+SceneError::SceneError(const std::string& file, Place place, const std::string& rest)
+    : std::runtime_error(fmt::format("{}:{}:{}: {}", file, place.line, place.column, rest)) {}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string line;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text.substr(i)), 1);
+    if (line.size() + length > longest) return line + "...";
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool control =
+        c < 0x20 || c == 0x7f ||
+        (c == 0xc2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xa0);
+    line += control ? " " : std::string(text.substr(i, length));
+    i += length;
+  }
+  return line;
+}
+
+std::string YamlNode::kind_name() const {
+  switch (kind) {
+    case Kind::null:
+      return "nothing";
+    case Kind::scalar:
+      return (quoted ? "the text \"" : "") + shown(text) + (quoted ? "\"" : "");
+    case Kind::sequence:
+      return fmt::format("a list of {}", items.size());
+    case Kind::mapping:
+      return "a mapping";
+  }
+  return "nothing";
+}
+
+std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::string& text,
+                                           const YamlLimits& limits) {
+  require_text(file, text);
+  Builder builder(file, limits);
+  try {
+    std::istringstream in(text);
+    YAML::Parser parser(in);
+    if (!parser.HandleNextDocument(builder) || !builder.root() ||
+        builder.root()->kind == YamlNode::Kind::null)
+      throw SceneError(file, {}, "scene: empty; got no entry, expected a mapping of keys");
+    const auto root = builder.root();
+    Builder second(file, limits);
+    if (parser.HandleNextDocument(second))
+      throw SceneError(file, second.start(),
+                       "scene: a second document; got more after ---, expected one document");
+    return root;
+  } catch (const YAML::Exception& error) {
+    throw SceneError(file, place_of(error.mark),
+                     "scene: no YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
+  }
+}
+
+}  // namespace odeum::scene

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <string>
+
+#include "odeum/scene/reader.hpp"
+
+namespace odeum::fuzz {
+
+/// Whether the reader makes of a text what it promises: a scene of finite numbers, or an error that
+/// begins with the place.
+inline bool read_any(const std::string& text) {
+  scene::ReadOptions options;
+  options.most_particles = 20'000;
+  try {
+    const scene::Description scene = scene::read_scene("f", text, options).description;
+    for (const auto& particle : scene.particles)
+      for (std::size_t d = 0; d < 3; ++d)
+        if (!std::isfinite(particle.position[d]) || !std::isfinite(particle.velocity[d]))
+          return false;
+    for (const auto& spring : scene.springs)
+      if (spring.a >= scene.particles.size() || spring.b >= scene.particles.size() ||
+          spring.a == spring.b || !std::isfinite(spring.rest_length))
+        return false;
+    return true;
+  } catch (const scene::SceneError& error) {
+    const std::string what = error.what();
+    std::size_t at = 2;
+    for (int part = 0; part < 2; ++part) {
+      const std::size_t digits = what.find_first_not_of("0123456789", at);
+      if (digits == at || digits == std::string::npos || what[digits] != ':') return false;
+      at = digits + 1;
+    }
+    return what.starts_with("f:") && what.find_first_of("\n\r\x1b") == std::string::npos;
+  }
+}
+
+}  // namespace odeum::fuzz

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/study/order_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace odeum::study {
+namespace {
+
+constexpr double half_epsilon = 0x1p-53;  // the solution is of size one
+
+std::vector<ErrorPoint> ladder(double ratio, int count,
+                               const std::function<double(double h)>& error) {
+  std::vector<ErrorPoint> points;
+  for (int k = 0; k < count; ++k) {
+    const double h = 0.5 * std::pow(ratio, -k);
+    points.push_back(
+        {.step = h, .error = error(h), .steps = 10 / h, .rounding_unit = half_epsilon});
+  }
+  return points;
+}
+
+OrderFit fit_fixed(const std::vector<ErrorPoint>& points, double claimed) {
+  return fit_order(points, claimed, fixed_step_tolerance(claimed));
+}
+
+TEST(OrderFit, TellsNeighbouringOrdersApart) {
+  const auto points = ladder(2, 10, [](double h) { return 0.1 * h * h * (1 + h); });
+  EXPECT_EQ(fit_fixed(points, 2).verdict, Verdict::confirmed);
+  EXPECT_EQ(fit_fixed(points, 1).verdict, Verdict::higher);
+  EXPECT_EQ(fit_fixed(points, 3).verdict, Verdict::lower);
+  EXPECT_NEAR(fit_fixed(points, 2).order, 2, 0.05);  // the window's slopes agree to 0.1
+}
+
+TEST(OrderFit, NeedsFourPointsClearOfRounding) {
+  const auto points =
+      ladder(2, 8, [](double h) { return std::max(std::pow(h, 8), 3 * half_epsilon); });
+  EXPECT_EQ(fit_fixed(points, 8).verdict, Verdict::confirmed);
+  const std::vector<ErrorPoint> finest(points.begin() + 3, points.end());
+  EXPECT_EQ(fit_fixed(finest, 8).verdict, Verdict::undetermined);
+}
+
+TEST(OrderFit, AnErrorThatStopsFallingAboveRoundingIsAFloor) {
+  const OrderFit fit = fit_fixed(ladder(2, 10, [](double h) { return h * h + 1e-3; }), 2);
+  EXPECT_EQ(fit.verdict, Verdict::floors);
+  EXPECT_NEAR(fit.floor, 1e-3, 1e-5);
+}
+
+// A method that is unstable until its steps are tiny grows an error that may lie on a fine straight
+// line, with the wrong sign: no order was measured.
+TEST(OrderFit, ErrorsThatGrowAsTheStepShrinksAreNoConvergence) {
+  const OrderFit below = fit_fixed(ladder(2, 8, [](double h) { return 1e-6 / h; }), 8);
+  EXPECT_EQ(below.verdict, Verdict::floors);
+  auto recovers = ladder(2, 8, [](double h) { return 1e-6 / h; });
+  recovers.back().error = 1e-9;
+  EXPECT_EQ(fit_fixed(recovers, 8).verdict, Verdict::undetermined);
+}
+
+TEST(OrderFit, ABlowUpSaysNothingOfAnOrder) {
+  const OrderFit fit = fit_fixed(ladder(2, 8, [](double h) { return std::pow(h, -20) * 1e10; }), 8);
+  EXPECT_EQ(fit.verdict, Verdict::undetermined);
+  EXPECT_EQ(fit.points, 0U);
+}
+
+// Two tolerances that lead to the same steps are one measurement.
+TEST(OrderFit, TheSameStepsTwiceAreOnePoint) {
+  auto points = ladder(2, 5, [](double h) { return std::pow(h, 3); });
+  points.insert(points.begin() + 2, points[2]);
+  points[2].error *= 1e3;
+  const OrderFit fit = fit_fixed(points, 3);
+  EXPECT_EQ(fit.verdict, Verdict::confirmed);
+  EXPECT_EQ(fit.points, 5U);
+  // Exact solves are so for each tolerance, whatever the steps.
+  const std::vector<ErrorPoint> exact(
+      6, {.step = 0.5, .error = 1e-16, .steps = 20, .rounding_unit = half_epsilon});
+  EXPECT_EQ(fit_fixed(exact, 3).verdict, Verdict::higher);
+}
+
+// The error constant of one step size and the next nearly cancel: slopes reach the order late.
+TEST(OrderFit, SlopesThatStillMoveAreFollowedToZero) {
+  const auto points =
+      ladder(1.26, 20, [](double h) { return std::abs(1e-4 * std::pow(h, 5) * (1 - 3.2 * h)); });
+  const OrderFit fit = fit_fixed(points, 5);
+  EXPECT_EQ(fit.verdict, Verdict::confirmed);
+  EXPECT_NEAR(fit.order, 5, 0.15);  // the next term, (3.2 h)^2, is 3 % at the window's middle
+}
+
+TEST(OrderFit, AScatterThatLeavesTheClaimOpenIsNotLower) {
+  int k = 0;
+  const auto points =
+      ladder(2, 5, [&](double h) { return std::pow(h, 3.7) * (k++ % 2 ? 1.15 : 0.85); });
+  const OrderFit fit = fit_order(points, 4, {.order = 0.15, .settled = 0.5});
+  EXPECT_EQ(fit.verdict, Verdict::undetermined) << fit.order;
+  EXPECT_LT(fit.low, 4);
+  EXPECT_GT(fit.high, 4);
+}
+
+}  // namespace
+}  // namespace odeum::study
