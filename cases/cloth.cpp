@@ -86,9 +86,9 @@ Case make_variant(const Variant& variant) {
   c.stops = {0.25, 0.5, 1, 2};
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
-  c.finest_steps = 8 * variant.coarsest_steps;
+  c.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
   // Half a second or less. The smooth one has room for every own method to show its order.
-  c.evaluation_budget = variant.tension_only ? 15'000 : variant.stiffness > 100 ? 40'000 : 80'000;
+  c.evaluation_budget = variant.tension_only ? 10'000 : variant.stiffness > 100 ? 20'000 : 48'000;
   c.truth = reference_truth(variant.reference, variant.digits_floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

@@ -21,7 +21,8 @@ void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = n
   contest.t0 = c.t0;
   contest.y0 = std::make_shared<const std::vector<double>>(c.y0);
   contest.scene = std::move(scene);
-  c.entrants = enroll(erase(contest));
+  c.problem = erase(contest);
+  c.entrants = enroll(c.problem);
   if constexpr (WithEnergy<P>)
     c.energy = [p = contest.problem](const double* y) { return p->energy(y); };
 }

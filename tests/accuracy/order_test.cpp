@@ -20,10 +20,12 @@ std::vector<Pair> own_pairs() {
     if (!c.has_tag("smooth")) continue;
     for (const Entrant& entrant : c.entrants) {
       if (entrant.info.library != "odeum" || !entrant.unfit.empty()) continue;
-      pairs.push_back({c.id, entrant.info.method, Mode::fixed, entrant.info.order});
+      if (std::isnan(entrant.info.order)) continue;  // none is claimed
+      if (entrant.info.fixed)
+        pairs.push_back({c.id, entrant.info.method, Mode::fixed, entrant.info.order});
       // Choosing steps knows nothing of the number of unknowns: the small cases show it. On a cloth
       // low orders meet too few tolerances within the budget.
-      if (entrant.info.adaptive && !c.has_tag("cloth"))
+      if (entrant.info.adaptive && !entrant.info.adaptive_order && !c.has_tag("cloth"))
         pairs.push_back({c.id, entrant.info.method, Mode::adaptive, entrant.info.order});
     }
   }

@@ -55,6 +55,8 @@ TEST(FreeFall, EveryOwnSchemeMatchesItsClosedFormToRounding) {
   int checked = 0;
   for (const Entrant& entrant : c.entrants) {
     if (entrant.info.library != "odeum") continue;
+    // The fall offers no Taylor series, and with its constant force is no y' = A y.
+    if (entrant.info.family == "taylor" || entrant.info.family == "exponential") continue;
     ASSERT_TRUE(entrant.solve) << entrant.info.id() << " does not fit free fall";
     std::optional<double> coefficient = coefficient_of(entrant.info);
     if (!coefficient) {  // a new method of order 1: its first step says what the others must be

@@ -72,6 +72,10 @@ TEST(OrderFit, TheSameStepsTwiceAreOnePoint) {
   const OrderFit fit = fit_fixed(points, 3);
   EXPECT_EQ(fit.verdict, Verdict::confirmed);
   EXPECT_EQ(fit.points, 5U);
+  // Exact solves are so for each tolerance, whatever the steps.
+  const std::vector<ErrorPoint> exact(
+      6, {.step = 0.5, .error = 1e-16, .steps = 20, .rounding_unit = half_epsilon});
+  EXPECT_EQ(fit_fixed(exact, 3).verdict, Verdict::higher);
 }
 
 // The error constant of one step size and the next nearly cancel: slopes reach the order late.

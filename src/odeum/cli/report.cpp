@@ -36,8 +36,10 @@ void run(const Options& options) {
     stability.peer_grid = 17;
   }
   data.stability = study::measure_stability(stability, &stable);
+  data.proofs = study::prove({.quick = options.quick, .jobs = options.jobs_or_cores()});
   write_csv(data.convergence, folder);
   write_csv(data.stability, folder);
+  write_csv(data.proofs, folder);
   report::describe(data, all_cases(), all_libraries());
   data.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::write_page(data, folder);

@@ -49,20 +49,23 @@ struct Decision {
 };
 
 /// The adaptive loop. `Trial` makes one trial step from (t, y) with h, leaves the new state in
-/// y_new and returns the scaled error and status; `decide` judges it. A step is only ever
-/// shortened to end exactly on a stop. Accepting and choosing are the controller's; walking is
-/// the loop's.
-template <Ode P, class Trial, class Decide>
+/// y_new and returns the scaled error and status; `decide` judges it; `settle` hears whether the
+/// step was kept. A step is only ever shortened to end exactly on a stop. Accepting and choosing
+/// are the controller's; walking is the loop's.
+template <Ode P, class Trial, class Decide, class Settle>
 Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
-                     const Request& request, double first_step, Trial&& trial, Decide&& decide) {
+                     const Request& request, double first_step, Trial&& trial, Decide&& decide,
+                     Settle&& settle) {
   Outcome outcome;
   State<P> y = y0, y_new = y0;
   double t = t0, h = first_step;
   for (const double stop : request.stops) {
     while (t < stop) {
-      const double smallest =
-          16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
-      const bool last = t + h >= stop - smallest;
+      // Near zero there is no rounding of t: a first step may be far shorter than the horizon's.
+      const double smallest = std::max(16 * std::numeric_limits<double>::epsilon() * std::abs(t),
+                                       std::numeric_limits<double>::min());
+      const bool last =
+          t + h >= stop - 16 * std::numeric_limits<double>::epsilon() * std::abs(stop);
       const double h_used = last ? stop - t : h;
       outcome.t = t;
       if (!(h >= smallest)) {
@@ -76,6 +79,7 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
       const Decision decision = status == Status::ok && std::isfinite(error)
                                     ? decide(h_used, error)
                                     : Decision{false, h_used / 4};
+      settle(decision.accept);
       if (decision.accept) {
         t = last ? stop : t + h_used;
         std::swap(y, y_new);
@@ -90,6 +94,12 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
     outcome.record(stop, y.data(), y.size());
   }
   return outcome;
+}
+
+template <Ode P, class Trial, class Decide>
+Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
+                     const Request& request, double first_step, Trial&& trial, Decide&& decide) {
+  return run_adaptive(problem, t0, y0, request, first_step, trial, decide, [](bool) {});
 }
 
 }  // namespace odeum

@@ -27,6 +27,12 @@ struct Probe {
   std::function<void(double first, double second)> place;
 };
 
+/// What the exact solution keeps, besides its energy.
+struct Invariant {
+  std::string name;  ///< angular_momentum, mass, ...
+  std::function<double(const double* y)> value;
+};
+
 /// A problem with everything needed to judge solvers on it.
 struct Case {
   std::string id;
@@ -43,6 +49,15 @@ struct Case {
   /// The components whose error is reported; empty: all of them.
   std::vector<std::size_t> measured;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
+  std::vector<Invariant> invariants;
+  ErasedContest problem;  ///< what the entrants are enrolled on
+
+  /// Why no solver is asked to solve it at a fixed step, and why the study of convergence passes it
+  /// by; empty where they do not.
+  std::string no_fixed_steps, no_convergence;
+  /// Where timed studies measure the error, and the truth's floor there; empty: `stops`.
+  std::vector<double> timed_stops;
+  double timed_floor = 0;
 
   std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
   std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins

@@ -54,6 +54,18 @@ class Guarded {
       for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
     }
   }
+  /// Counts as `order` evaluations: each coefficient takes the recurrence once around.
+  void taylor(double t, const double* y, int order, double* c) const requires WithTaylorSeries<P> {
+    bool admitted = true;
+    for (int k = 0; k < order; ++k) admitted = admitted && guard_.admit();
+    const std::size_t n = size();
+    for (std::size_t i = 0; i < n; ++i) c[i] = y[i];
+    for (std::size_t i = n; i < n * static_cast<std::size_t>(order + 1); ++i) c[i] = 0;
+    if (!admitted) return;
+    problem_.taylor(t, y, order, c);
+    if (order > 0) guard_.inspect(t, c + n);
+  }
+  void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
   auto shifted_solver() const requires WithShiftedSolver<P> { return problem_.shifted_solver(); }
 
   bool tripped() const { return guard_.tripped(); }

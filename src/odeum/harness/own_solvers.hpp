@@ -15,6 +15,21 @@
 
 namespace odeum {
 
+namespace detail {
+/// The least that a problem can be, to ask a method what it has.
+struct AnyProblem {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double*, double*) const {}
+};
+}  // namespace detail
+
+/// A method that brings the whole of its adaptive run, see kernel/method.hpp.
+template <class M>
+concept ChoosesItsOwnSteps = requires(const Guarded<detail::AnyProblem>& problem,
+                                      const State<detail::AnyProblem>& y, const Request& request) {
+  { M::integrate(problem, 0.0, y, request) } -> std::same_as<Outcome>;
+};
+
 /// What a method's file says about it, as any library's solver says it.
 template <class M>
 SolverInfo info_of_own() {
@@ -22,10 +37,16 @@ SolverInfo info_of_own() {
   info.library = "odeum";
   info.method = M::info.id;
   info.family = M::info.family;
-  info.order = M::info.order;
-  info.adaptive = M::info.one_step;
-  if (M::info.one_step)
-    info.controller = M::info.order_embedded ? "embedded pair" : "step doubling";
+  if (M::info.order != 0) info.order = M::info.order;
+  info.fixed = M::info.fixed_step;
+  info.adaptive = ChoosesItsOwnSteps<M> || M::info.one_step;
+  info.adaptive_order = M::info.adaptive_order;
+  if (ChoosesItsOwnSteps<M>)
+    info.controller = M::info.controller;
+  else if (M::info.order_embedded != 0)
+    info.controller = ControlFor<M::info.control>::type::name;
+  else if (M::info.one_step)
+    info.controller = "step doubling";
   info.needs = M::needs;
   if (info.family == "implicit_rk" || info.family == "linearly_implicit")
     info.work_per_evaluation = 4;
@@ -39,24 +60,38 @@ SolverInfo info_of_own() {
   return info;
 }
 
+inline Outcome refusal(const char* why) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = why;
+  return outcome;
+}
+
 /// Solves with method M; the type of the problem is known down to the innermost loop.
 template <class M, Ode P>
 Outcome solve_own(const Contest<P>& contest, const Request& request) {
-  using Stepper = typename M::template Stepper<Guarded<P>>;
   Guard guard(size_of(*contest.problem), request.budget);
   const Guarded<P> problem(*contest.problem, guard);
   State<P> y0 = make_state(*contest.problem);
   std::copy(contest.y0->begin(), contest.y0->end(), y0.begin());
   Outcome outcome;
   if (request.mode == Mode::fixed) {
-    outcome = run_fixed<Stepper>(problem, contest.t0, y0, request);
+    if constexpr (M::info.fixed_step)
+      outcome =
+          run_fixed<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0, request);
+    else
+      outcome = refusal("chooses its own steps only");
+  } else if constexpr (ChoosesItsOwnSteps<M>) {
+    outcome = M::integrate(problem, contest.t0, y0, request);
   } else if constexpr (M::info.order_embedded != 0) {
-    outcome = run_embedded_pair<Stepper>(problem, contest.t0, y0, request, M::info.order_embedded);
+    outcome = run_embedded_pair<typename M::template Stepper<Guarded<P>>,
+                                typename ControlFor<M::info.control>::type>(
+        problem, contest.t0, y0, request, std::min(M::info.order, M::info.order_embedded));
   } else if constexpr (M::info.one_step) {
-    outcome = run_step_doubling<Stepper>(problem, contest.t0, y0, request, M::info.order);
+    outcome = run_step_doubling<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0,
+                                                                          request, M::info.order);
   } else {
-    outcome.status = Status::refused;
-    outcome.detail = "runs at a fixed step only";
+    outcome = refusal("runs at a fixed step only");
   }
   guard.conclude(request, outcome);
   return outcome;

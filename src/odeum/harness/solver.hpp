@@ -25,11 +25,12 @@ struct SolverInfo {
   std::string family;   ///< explicit_rk, implicit_rk, multistep, symplectic, extrapolation, ...
   /// The order that the library's documentation claims; NaN where it varies during a run.
   double order = std::numeric_limits<double>::quiet_NaN();
-  bool fixed = true;       ///< can be run at a fixed step
-  bool adaptive = false;   ///< can be run to a tolerance
-  std::string controller;  ///< adaptive: who chooses the step, in a few words
-  std::string needs;       ///< what a problem must offer, in a few words; empty: a right-hand side
-  std::string source;      ///< paper and table, or the library's documentation
+  bool fixed = true;            ///< can be run at a fixed step
+  bool adaptive = false;        ///< can be run to a tolerance
+  bool adaptive_order = false;  ///< adaptive: the order is chosen too, so none is claimed for it
+  std::string controller;       ///< adaptive: who chooses the step, in a few words
+  std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
+  std::string source;  ///< paper and table, or the library's documentation
   /// With many unknowns: what linear algebra that no count shows adds to each evaluation, as a
   /// multiple of it. Budgets are divided by it.
   std::uint64_t work_per_evaluation = 1;

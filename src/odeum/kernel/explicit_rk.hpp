@@ -28,41 +28,66 @@ class ExplicitRungeKutta {
   }
 
   Status step(double t, double h, State<P>& y) {
-    evaluate_stages(t, h, y, std::make_index_sequence<stages>{});
+    problem_.rhs(t, y.data(), k_[0].data());
+    later_stages(t, h, y);
     add_weighted<Row::main>(h, y, y, std::make_index_sequence<stages>{});
     return Status::ok;
   }
 
-  /// The same step; `error` becomes h sum_i (b_i - b_hat_i) k_i.
+  /// The same step; `error` becomes h sum_i (b_i - b_hat_i) k_i. The first stage is not evaluated
+  /// where the call before, advance() or repeat(), knows it.
   Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
-    evaluate_stages(t, h, y, std::make_index_sequence<stages>{});
+    if (!first_known_) problem_.rhs(t, y.data(), k_[0].data());
+    first_known_ = false;
+    later_stages(t, h, y);
     for (auto& e : error) e = 0;
     add_weighted<Row::difference>(h, error, error, std::make_index_sequence<stages>{});
     add_weighted<Row::main>(h, y, y, std::make_index_sequence<stages>{});
     return Status::ok;
   }
+  /// The last step was accepted: the next one, of any length, starts from where it ended. The last
+  /// stage of a first-same-as-last tableau is then the first one.
+  void advance() {
+    if constexpr (T.first_same_as_last()) {
+      std::swap(k_.front(), k_.back());
+      first_known_ = true;
+    }
+  }
+  /// The last step was rejected: the next one starts from the same state.
+  void repeat() { first_known_ = true; }
+
+  /// h sum_i row_i k_i over the stages of the last step, before advance(): another row's estimate,
+  /// or the term that an interpolant adds to Hermite's (dense_output.hpp).
+  template <const auto& weights>
+  void weighted_sum(double h, State<P>& sum) const {
+    for (auto& x : sum) x = 0;
+    for (std::size_t i = 0; i < stages; ++i)
+      if (weights[i] != 0)
+        for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += h * weights[i] * k_[i][n];
+  }
+  /// f at the start of the last step, and (first same as last) at its end; before advance().
+  const State<P>& first_stage() const { return k_.front(); }
+  const State<P>& last_stage() const { return k_.back(); }
 
  private:
   enum class Row { main, difference };
 
-  template <std::size_t... I>
-  void evaluate_stages(double t, double h, const State<P>& y, std::index_sequence<I...>) {
-    (evaluate_stage<I>(t, h, y, std::make_index_sequence<I>{}), ...);
+  void later_stages(double t, double h, const State<P>& y) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
+    }
+    (std::make_index_sequence<stages - 1>{});
   }
 
   template <std::size_t I, std::size_t... J>
   void evaluate_stage(double t, double h, const State<P>& y, std::index_sequence<J...>) {
-    if constexpr (I == 0) {
-      problem_.rhs(t, y.data(), k_[0].data());
-    } else {
-      const std::array<double, I> ha{(h * T.a[I][J])...};
-      for (std::size_t n = 0; n < y.size(); ++n) {
-        double sum = y[n];
-        ((T.a[I][J] != 0 ? void(sum += ha[J] * k_[J][n]) : void()), ...);
-        argument_[n] = sum;
-      }
-      problem_.rhs(t + T.c(I) * h, argument_.data(), k_[I].data());
+    const std::array<double, I> ha{(h * T.a[I][J])...};
+    for (std::size_t n = 0; n < y.size(); ++n) {
+      double sum = y[n];
+      ((T.a[I][J] != 0 ? void(sum += ha[J] * k_[J][n]) : void()), ...);
+      argument_[n] = sum;
     }
+    problem_.rhs(t + T.c(I) * h, argument_.data(), k_[I].data());
   }
 
   template <Row row>
@@ -83,6 +108,7 @@ class ExplicitRungeKutta {
   const P& problem_;
   std::array<State<P>, stages> k_;
   State<P> argument_;
+  bool first_known_ = false;  ///< k_[0] is f at the start of the step to come
 };
 
 /// Base of a method that is an explicit tableau and nothing else.

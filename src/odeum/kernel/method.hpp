@@ -24,14 +24,30 @@
 /// and, where the method is not self-starting, `void start(double t, double h, const State<P>& y)`,
 /// called once before the first step; where it has an embedded row,
 /// `Status step(double t, double h, State<P>& y, State<P>& error)` with the error estimate.
+///
+/// A method that chooses its own steps (and its order, perhaps) has beside that, or instead
+/// (`fixed_step = false`), the whole of an adaptive run, from t0 through every stop of the request:
+///
+///     template <class P> static Outcome integrate(const Guarded<P>& problem, double t0,
+///                                                 const State<P>& y0, const Request& request);
+///
+/// It needs no constraint of its own: what a problem must offer is said by `fits`.
 namespace odeum {
+
+/// How an embedded pair chooses its steps, see control/step_control.hpp.
+enum class Control { integral, proportional_integral, dead_band };
 
 struct MethodInfo {
   std::string_view id;
   std::string_view family;
-  int order;
+  int order;               ///< 0: none is claimed, it varies or the method is exact
   int order_embedded = 0;  ///< order of the embedded row; 0: none
   bool one_step = true;    ///< the next state follows from the present one and nothing else
+  bool fixed_step = true;  ///< can be run at a fixed step
+  /// An adaptive run varies the order too, so that none is claimed for it.
+  bool adaptive_order = false;
+  Control control = Control::integral;  ///< of an embedded pair
+  std::string_view controller{};        ///< a method with an `integrate`: what chooses, in words
   std::string_view source;
 };
 

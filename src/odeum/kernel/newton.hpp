@@ -25,43 +25,102 @@ double max_norm(const S& x) {
   return norm;
 }
 
-/// Newton's method for y = base + gamma_h f(t, y): the equation of every diagonally implicit stage.
-/// The Jacobian is taken at the first iterate and again whenever convergence is slow.
+/// Newton's method for y = base + gamma_h f(t, y): the equation of every diagonally implicit stage
+/// and of every implicit multistep formula. The factors are kept from call to call, for other
+/// stages and steps, as long as gamma_h is the same and the iteration converges fast; a slow one
+/// earns a new Jacobian (Hairer, Wanner, Solving ODEs II, IV.8).
 template <Ode P>
 class Newton {
  public:
   explicit Newton(const P& problem)
       : problem_(problem),
-        shifted_(make_shifted_solver(problem)),
-        f_(make_state(problem)),
-        correction_(f_) {}
+        system_(problem),
+        correction_(make_state(problem)),
+        guess_(correction_) {}
 
-  /// On entry y is the guess, on return the solution. newton_failed after `max_iterations`.
+  /// Iterate to `fraction` of a tolerance (relative and absolute, the same number) from now on,
+  /// and give up soon where that is not in sight: the step will be retried shorter. Without it the
+  /// iteration goes to rounding, and persists.
+  void solve_to(double tolerance, double fraction) {
+    accuracy_ = tolerance * fraction;
+    max_iterations_ = 10;
+  }
+
+  /// On entry y is the guess, on return the solution. newton_failed where the iteration does not
+  /// converge or the matrix is singular.
   Status solve(double t, double gamma_h, const State<P>& base, State<P>& y) {
-    constexpr int max_iterations = 50;
-    constexpr double slow = 0.1;  // a contraction worse than this earns a new Jacobian
+    bool fresh = false;
+    if (gamma_h != factored_for_ && !renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+    guess_ = y;
     double last = 0;
-    bool fresh_jacobian_wanted = true;
-    for (int iteration = 0; iteration < max_iterations; ++iteration) {
-      if (fresh_jacobian_wanted && !shifted_->factorise(t, y.data(), gamma_h))
-        return Status::newton_failed;
-      problem_.rhs(t, y.data(), f_.data());
-      for (std::size_t i = 0; i < y.size(); ++i) correction_[i] = base[i] + gamma_h * f_[i] - y[i];
-      if (!shifted_->solve(correction_.data())) return Status::newton_failed;
+    int since_renewal = 0;
+    for (int iteration = 0; iteration < max_iterations_; ++iteration) {
+      problem_.rhs(t, y.data(), correction_.data());
+      for (std::size_t i = 0; i < y.size(); ++i)
+        correction_[i] = base[i] + gamma_h * correction_[i] - y[i];
+      if (!system_.solve(correction_.data())) return fail();
       for (std::size_t i = 0; i < y.size(); ++i) y[i] += correction_[i];
-      const double size = max_norm(correction_);
-      if (!std::isfinite(size)) return Status::newton_failed;
-      if (size <= iteration_tolerance * std::max(max_norm(y), max_norm(base))) return Status::ok;
-      fresh_jacobian_wanted = iteration > 0 && size > slow * last;
+      const double size = measure(base, y);
+      if (size <= 1) return Status::ok;
+      const double rate = since_renewal > 0 ? size / last : 0;
+      if (since_renewal > 0 && rate < 1 && size * rate / (1 - rate) <= safety()) return Status::ok;
+      const bool slow = since_renewal > 0 && rate > (fresh ? slow_fresh : slow_kept);
+      if (!std::isfinite(size) || rate >= 1) {
+        // Too far out to be linearised there: back to the guess, unless that has been tried.
+        if (fresh && (accuracy_ > 0 || !std::isfinite(size))) return fail();
+        if (!fresh) y = guess_;
+      }
+      if (slow || !std::isfinite(size)) {
+        if (!renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+        since_renewal = 0;
+      } else {
+        ++since_renewal;
+      }
       last = size;
     }
-    return Status::newton_failed;
+    return fail();
   }
 
  private:
+  // A contraction worse than this earns a new Jacobian: a kept one soon, since the next steps will
+  // profit too.
+  static constexpr double slow_kept = 0.05, slow_fresh = 0.1;
+
+  bool renew(double t, double gamma_h, const State<P>& y, bool& fresh) {
+    fresh = true;
+    system_.linearise(t, y);
+    factored_for_ = system_.factorise(gamma_h) ? gamma_h : 0;
+    return factored_for_ == gamma_h;
+  }
+  Status fail() {
+    factored_for_ = 0;
+    return Status::newton_failed;
+  }
+  /// What a predicted remainder may measure: it is a guess, and at rounding there is no later
+  /// check on it.
+  double safety() const { return accuracy_ > 0 ? 1 : 0.01; }
+
+  /// The correction, one being small enough.
+  double measure(const State<P>& base, const State<P>& y) const {
+    if (accuracy_ == 0) {
+      const double size = max_norm(correction_);
+      if (size == 0) return 0;  // of a state that may be zero too
+      return size / (iteration_tolerance * std::max(max_norm(y), max_norm(base)));
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double scaled = correction_[i] / (accuracy_ * (1 + std::abs(base[i])));
+      sum += scaled * scaled;
+    }
+    return std::sqrt(sum / static_cast<double>(y.size()));
+  }
+
   const P& problem_;
-  ShiftedSolverOf<P> shifted_;
-  State<P> f_, correction_;
+  ShiftedSystem<P> system_;
+  State<P> correction_, guess_;
+  double factored_for_ = 0;  ///< gamma_h of the factors; zero: there are none
+  double accuracy_ = 0;
+  int max_iterations_ = 50;
 };
 
 }  // namespace odeum

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "odeum/linear/dense_lu.hpp"
+#include "odeum/linear/small_inverse.hpp"
+#include "odeum/linear/square_matrix.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 
@@ -20,34 +21,48 @@ class ShiftedSolver {
   virtual bool solve(double* x) = 0;
 };
 
-/// The default for few unknowns: a dense LU of the analytic Jacobian, or of forward differences
-/// where the problem has none.
+/// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where
+/// the problem has none. The Jacobian is kept apart from its factors, so that it serves several
+/// gamma_h.
 template <Ode P>
 class DenseShiftedSolver final : public ShiftedSolver {
  public:
   explicit DenseShiftedSolver(const P& problem)
-      : problem_(problem), n_(size_of(problem)), lu_(n_) {}
+      : problem_(problem),
+        n_(size_of(problem)),
+        j_(linear::make_square<P::dimension>(n_)),
+        solver_(linear::make_dense_solver<P::dimension>(n_)) {}
 
-  bool factorise(double t, const double* y, double gamma_h) override {
-    double* const m = lu_.data();
+  void linearise(double t, const double* y) {
     if constexpr (WithJacobian<P>)
-      problem_.jacobian(t, y, m);
+      problem_.jacobian(t, y, j_.data());
     else
-      difference_jacobian(problem_, t, y, m);
-    for (std::size_t i = 0; i < n_ * n_; ++i) m[i] *= -gamma_h;
+      difference_jacobian(problem_, t, y, j_.data());
+  }
+  bool factorise(double gamma_h) {
+    double* const m = solver_.data();
+    for (std::size_t i = 0; i < n_ * n_; ++i) m[i] = -gamma_h * j_[i];
     for (std::size_t i = 0; i < n_; ++i) m[i * n_ + i] += 1;
-    return lu_.factorise();
+    return solver_.factorise();
+  }
+  bool factorise(double t, const double* y, double gamma_h) override {
+    linearise(t, y);
+    return factorise(gamma_h);
   }
 
   bool solve(double* x) override {
-    lu_.solve(x);
+    solver_.solve(x);
     return true;
   }
+
+  /// Row-major, as of the last linearise().
+  const linear::Square<P::dimension>& jacobian() const { return j_; }
 
  private:
   const P& problem_;
   std::size_t n_;
-  linear::DenseLu lu_;
+  linear::Square<P::dimension> j_;
+  linear::DenseSolver<P::dimension> solver_;
 };
 
 /// The problem's own solver where it offers one, else the dense default.
@@ -65,5 +80,44 @@ auto make_shifted_solver(const P& problem) {
 /// The type of what make_shifted_solver returns: a pointer-like handle.
 template <Ode P>
 using ShiftedSolverOf = decltype(make_shifted_solver(std::declval<const P&>()));
+
+/// (I - gamma_h J) x = r by whatever the problem has, in two parts: `linearise` says where the
+/// Jacobian is taken, `factorise` with which gamma_h; the second may follow alone. A problem's own
+/// solver does both at once, so that the point is kept for it.
+template <Ode P>
+class ShiftedSystem {
+ public:
+  explicit ShiftedSystem(const P& problem) : dense_(problem) {}
+  void linearise(double t, const State<P>& y) { dense_.linearise(t, y.data()); }
+  bool factorise(double gamma_h) { return dense_.factorise(gamma_h); }
+  bool solve(double* x) { return dense_.solve(x); }
+
+ private:
+  DenseShiftedSolver<P> dense_;
+};
+
+template <Ode P>
+requires WithShiftedSolver<P>
+class ShiftedSystem<P> {
+ public:
+  explicit ShiftedSystem(const P& problem) : own_(problem.shifted_solver()) {
+    if (!own_) dense_ = std::make_unique<DenseShiftedSolver<P>>(problem);
+  }
+  void linearise(double t, const State<P>& y) {
+    if (dense_) return dense_->linearise(t, y.data());
+    t_ = t;
+    y_ = y;
+  }
+  bool factorise(double gamma_h) {
+    return dense_ ? dense_->factorise(gamma_h) : own_->factorise(t_, y_.data(), gamma_h);
+  }
+  bool solve(double* x) { return dense_ ? dense_->solve(x) : own_->solve(x); }
+
+ private:
+  std::unique_ptr<ShiftedSolver> own_;
+  std::unique_ptr<DenseShiftedSolver<P>> dense_;
+  double t_ = 0;
+  State<P> y_{};
+};
 
 }  // namespace odeum

@@ -83,6 +83,20 @@ concept WithShiftedSolver = Ode<P> && requires(const P& p) {
   p.shifted_solver();
 };
 
+/// Offers its Taylor series: `taylor(t, y, order, c)` fills c[k * dimension + i] with the k-th
+/// coefficient y_i^(k)(t) / k! of the solution through y at t, for k = 0, ..., order.
+template <class P>
+concept WithTaylorSeries = Ode<P> &&
+    requires(const P& p, double t, const double* y, int order, double* c) {
+  p.taylor(t, y, order, c);
+};
+
+/// y' = A y with a constant A, which `linear_matrix` fills, dense and row-major.
+template <class P>
+concept LinearConstant = Ode<P> && requires(const P& p, double* a) {
+  p.linear_matrix(a);
+};
+
 /// Offers an energy, in the problem's units.
 template <class P>
 concept WithEnergy = Ode<P> && requires(const P& p, const double* y) {

@@ -107,8 +107,8 @@ void write_page(const ReportData& data, const OutputFolder& folder) {
                    .panels = make_panels(data.solvers),
                    .pictures = {}};
   std::string body = overview_section(page) + cases_section(page) + cloth_section(page) +
-                     stability_section(page) + verdicts_section(page) + skipped_section(page) +
-                     findings_section();
+                     stability_section(page) + proofs_section(page) + verdicts_section(page) +
+                     skipped_section(page) + findings_section();
   page.pictures.draw(std::max(1U, std::thread::hardware_concurrency()));
   const std::string plots = plots_text(page.pictures.rendering());
   folder.write("manifest.json", manifest_json(data, plots));  // first: the page links to it

@@ -67,6 +67,7 @@ std::string overview_section(const PageContext& page);
 std::string cases_section(PageContext& page);
 std::string cloth_section(PageContext& page);
 std::string stability_section(PageContext& page);
+std::string proofs_section(const PageContext& page);
 /// What did not come out as claimed, what failed, what was skipped, and the findings.
 std::string verdicts_section(const PageContext& page);
 std::string skipped_section(const PageContext& page);

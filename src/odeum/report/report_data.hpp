@@ -6,6 +6,7 @@
 
 #include "odeum/harness/case.hpp"
 #include "odeum/study/convergence.hpp"
+#include "odeum/study/proof.hpp"
 #include "odeum/study/stability.hpp"
 
 namespace odeum::report {
@@ -24,6 +25,7 @@ struct CaseFacts {
 struct ReportData {
   study::ConvergenceResult convergence;
   study::StabilityResult stability;
+  study::ProofResult proofs;
 
   std::vector<CaseFacts> cases;
   std::vector<SolverInfo> solvers;  ///< each once, in the order of enrolment

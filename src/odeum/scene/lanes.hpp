@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
+#include <cstddef>
 #include <type_traits>
 #if defined(__AVX512F__)
 #include <immintrin.h>
 #endif
 
-/// As many numbers as a wide vector register holds, in the compiler's own vector types: every
-/// target has them, in several narrower registers where it must.
+/// As many numbers as the widest vector register holds, in the compiler's own vector types.
 namespace odeum::scene {
+
+#if defined(__AVX512F__)
+inline constexpr std::size_t vector_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t vector_bytes = 32;
+#else
+inline constexpr std::size_t vector_bytes = 16;
+#endif
 
 template <class Real>
 struct Lanes {
-  typedef Real Vector __attribute__((vector_size(64)));
-  static constexpr std::size_t count = 64 / sizeof(Real);
+  typedef Real Vector __attribute__((vector_size(vector_bytes)));
+  static constexpr std::size_t count = vector_bytes / sizeof(Real);
 };
 template <class Real>
 using Vector = typename Lanes<Real>::Vector;
@@ -21,12 +28,14 @@ using Vector = typename Lanes<Real>::Vector;
 /// At any address: loads and stores go through a type that asks for no alignment.
 template <class Real>
 [[gnu::always_inline]] inline Vector<Real> load(const Real* from) {
-  typedef Real Anywhere __attribute__((vector_size(64), aligned(alignof(Real)), may_alias));
+  typedef Real Anywhere
+      __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias));
   return *reinterpret_cast<const Anywhere*>(from);
 }
 template <class Real>
 [[gnu::always_inline]] inline void store(Real* to, Vector<Real> v) {
-  typedef Real Anywhere __attribute__((vector_size(64), aligned(alignof(Real)), may_alias));
+  typedef Real Anywhere
+      __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias));
   *reinterpret_cast<Anywhere*>(to) = v;
 }
 
@@ -35,7 +44,7 @@ inline Vector<double> guess_inverse_sqrt(Vector<double> x) {
 #if defined(__AVX512F__)
   return Vector<double>(_mm512_maskz_rsqrt14_pd(0xff, __m512d(x)));
 #else
-  typedef long long Bits __attribute__((vector_size(64)));
+  typedef long long Bits __attribute__((vector_size(vector_bytes)));
   return Vector<double>(0x5fe6eb50c7b537a9 - (Bits(x) >> 1));
 #endif
 }
@@ -43,7 +52,7 @@ inline Vector<float> guess_inverse_sqrt(Vector<float> x) {
 #if defined(__AVX512F__)
   return Vector<float>(_mm512_maskz_rsqrt14_ps(0xffff, __m512(x)));
 #else
-  typedef int Bits __attribute__((vector_size(64)));
+  typedef int Bits __attribute__((vector_size(vector_bytes)));
   return Vector<float>(0x5f375a86 - (Bits(x) >> 1));
 #endif
 }

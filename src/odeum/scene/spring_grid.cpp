@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "odeum/scene/lanes.hpp"
 
@@ -11,7 +12,7 @@ namespace odeum::scene {
 
 GridLayout::GridLayout(std::size_t rows_, std::size_t columns_) : rows(rows_), columns(columns_) {
   // A row may be read and written in whole vectors, of 16 numbers at most, from any neighbour.
-  constexpr std::size_t widest = Lanes<float>::count;
+  constexpr std::size_t widest = 16;
   stride = margin + (columns + widest - 1) / widest * widest + margin;
   size = (rows + 2 * margin) * stride + widest;
 }

@@ -23,6 +23,11 @@ struct Pair {
   Mode mode;
 };
 
+double claimed_order(const Pair& pair) {
+  const SolverInfo& info = pair.entrant->info;
+  return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
+}
+
 struct PairResult {
   std::vector<ConvergenceRow> rows;
   std::vector<TimeRow> times;
@@ -107,21 +112,29 @@ void judge_row(const std::vector<StopError>& errors, ConvergenceRow& row) {
   row.error_rms = std::sqrt(row.error_rms);
 }
 
+/// Why there is nothing to measure; empty: there is.
+const std::string& reason_against(const Pair& pair) {
+  if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
+  if (!pair.c->no_convergence.empty()) return pair.c->no_convergence;
+  static const std::string none;
+  return pair.mode == Mode::fixed ? pair.c->no_fixed_steps : none;
+}
+
 PairResult not_applicable(const Pair& pair) {
   PairResult result;
   ConvergenceRow row = make_row(pair, {.steps = 1, .stops = {nan}}, {});
   row.status = "not_applicable";
-  row.detail = pair.entrant->unfit;
+  row.detail = reason_against(pair);
   row.steps = 0;
   row.step = row.tolerance = nan;
   result.rows.push_back(row);
   result.order.fit.verdict = Verdict::not_applicable;
-  result.order.fit.reason = pair.entrant->unfit;
+  result.order.fit.reason = row.detail;
   return result;
 }
 
 PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
-  if (!pair.entrant->unfit.empty()) return not_applicable(pair);
+  if (!reason_against(pair).empty()) return not_applicable(pair);
   PairResult result;
   std::vector<ErrorPoint> points;
   int at_floor = 0;
@@ -152,7 +165,7 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
     // Rounding alone is left to see: eight settings are on record, finer ones would only repeat it.
     if (at_floor >= 3 && result.rows.size() >= 8) break;
   }
-  const double claimed = pair.entrant->info.order;
+  const double claimed = claimed_order(pair);
   result.order.fit = fit_order(
       points, claimed,
       pair.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
@@ -241,7 +254,7 @@ void sign(const Pair& pair, PairResult& result) {
   for (ConvergenceRow& row : result.rows) mark(row);
   for (TimeRow& row : result.times) mark(row);
   mark(result.order);
-  result.order.claimed_order = pair.entrant->info.order;
+  result.order.claimed_order = claimed_order(pair);
 }
 
 std::vector<Pair> select_pairs(const ConvergenceOptions& options) {

@@ -102,19 +102,17 @@ double slope_at_zero(const ErrorPoint* points, std::size_t n, double claimed_ord
   return mean_slope - hs / hh * mean_h;
 }
 
-// What a fit can be made of, from coarse to fine: solves that succeeded, of those with the same
-// steps (two tolerances may lead to one step size) the last.
-std::vector<ErrorPoint> solved_points(const std::vector<ErrorPoint>& points) {
-  constexpr double same_step = 0.97;  // of the ladders of steps, neighbours differ by 20 % at least
-  std::vector<ErrorPoint> solved;
+// Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
+void merge_same_steps(std::vector<ErrorPoint>& points) {
+  constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
+  std::vector<ErrorPoint> merged;
   for (const ErrorPoint& point : points) {
-    if (!std::isfinite(point.error)) continue;
-    if (!solved.empty() && point.step > same_step * solved.back().step)
-      solved.back() = point;
+    if (!merged.empty() && point.step > same * merged.back().step)
+      merged.back() = point;
     else
-      solved.push_back(point);
+      merged.push_back(point);
   }
-  return solved;
+  points = std::move(merged);
 }
 
 OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
@@ -152,7 +150,9 @@ const char* to_string(Verdict verdict) {
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance) {
   OrderFit fit;
-  std::vector<ErrorPoint> solved = solved_points(points);
+  std::vector<ErrorPoint> solved;
+  for (const ErrorPoint& point : points)
+    if (std::isfinite(point.error)) solved.push_back(point);
   if (solved.empty()) return conclude(fit, Verdict::failed, "no step size could be solved");
 
   // A method that is exact on the case shows rounding only, which may grow with every step, and
@@ -166,6 +166,7 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
     return conclude(fit, Verdict::higher,
                     fmt::format("exact but for rounding: errors up to {:.1e}", largest));
   }
+  merge_same_steps(solved);
 
   // An error ten times the solution itself is a blow-up, and says nothing of an order.
   const auto blown_up = [](const ErrorPoint& p) {
@@ -236,10 +237,12 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                     local_slope(first[0], first[1]),
                     local_slope(first[window.count - 2], first[window.count - 1]), at_zero));
   }
-  if (fit.low <= claimed_order && claimed_order <= fit.high)
+  // Slopes that scatter widely deny a claim as little as they confirm it.
+  const bool wide = fit.high - fit.low > claimed_order / 2;
+  if (wide || (fit.low <= claimed_order && claimed_order <= fit.high))
     return conclude(fit, Verdict::undetermined,
                     fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "
-                                "leaves {:g} open",
+                                "does not settle whether it is {:g}",
                                 fit.order, fit.low, fit.high, claimed_order));
   return conclude(
       fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,

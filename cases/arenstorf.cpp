@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// A satellite between Earth and Moon, in axes that turn with them.
+struct Arenstorf {
+  static constexpr std::size_t dimension = 4;
+  static constexpr bool velocity_dependent = true;
+  static constexpr double moon = 0.012277471, earth = 1 - moon;
+
+  void acceleration(double, const double* q, const double* v, double* a) const {
+    const double xe = q[0] + moon, xm = q[0] - earth, y = q[1];
+    const double to_earth = earth / cubed_distance(xe, y), to_moon = moon / cubed_distance(xm, y);
+    a[0] = q[0] + 2 * v[1] - to_earth * xe - to_moon * xm;
+    a[1] = y - 2 * v[0] - (to_earth + to_moon) * y;
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 2, t, y, dydt);
+  }
+  void jacobian(double, const double* q, double* j) const {
+    const double xe = q[0] + moon, xm = q[0] - earth, y = q[1];
+    const double re2 = xe * xe + y * y, rm2 = xm * xm + y * y;
+    const double e = earth / cubed_distance(xe, y), m = moon / cubed_distance(xm, y);
+    const double xy = 3 * y * (e * xe / re2 + m * xm / rm2);
+    const double rows[16] = {0,
+                             0,
+                             1,
+                             0,
+                             0,
+                             0,
+                             0,
+                             1,
+                             1 - e * (1 - 3 * xe * xe / re2) - m * (1 - 3 * xm * xm / rm2),
+                             xy,
+                             0,
+                             2,
+                             xy,
+                             1 - e * (1 - 3 * y * y / re2) - m * (1 - 3 * y * y / rm2),
+                             -2,
+                             0};
+    for (int i = 0; i < 16; ++i) j[i] = rows[i];
+  }
+  static double cubed_distance(double x, double y) {
+    const double r2 = x * x + y * y;
+    return r2 * std::sqrt(r2);
+  }
+  /// Half of Jacobi's constant, with its sign turned.
+  static double jacobi(const double* y) {
+    return (y[2] * y[2] + y[3] * y[3] - y[0] * y[0] - y[1] * y[1]) / 2 -
+           earth / std::hypot(y[0] + moon, y[1]) - moon / std::hypot(y[0] - earth, y[1]);
+  }
+};
+
+}  // namespace
+
+/// A closed orbit of the restricted three-body problem, with narrow passes by the Moon.
+std::vector<Case> arenstorf() {
+  Case c;
+  c.id = "arenstorf";
+  c.title = "Arenstorf's orbit";
+  c.equation =
+      "x'' = x + 2 y' - mu' (x + mu)/D1 - mu (x - mu')/D2, y'' = y - 2 x' - mu' y/D1 - mu y/D2";
+  c.source = "Arenstorf 1963; Hairer, Norsett, Wanner, Solving ODEs I, (II.0.1)-(II.0.2)";
+  c.tags = {"nonlinear", "autonomous", "second_order", "celestial", "unstable"};
+  c.y0 = {0.994, 0, 0, -2.00158510637908252240537862224};
+  c.stops = {17.0652165601579625588917206249};
+  c.no_fixed_steps = "the passes by the Moon take steps a thousand times shorter than the rest";
+  c.evaluation_budget = 60'000;
+  c.truth = reference_truth("arenstorf", 5.5e-11);
+  c.invariants = {{"jacobi", Arenstorf::jacobi}};
+  set_stage(c, Arenstorf{});
+  return {c};
+}
+
+}  // namespace odeum::cases

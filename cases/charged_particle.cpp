@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// x'' = w y', y'' = -w x', z'' = 0.
+struct ChargedParticle {
+  static constexpr std::size_t dimension = 6;
+  static constexpr bool velocity_dependent = true;
+  static constexpr double w = 2;
+
+  void acceleration(double, const double*, const double* v, double* a) const {
+    a[0] = w * v[1];
+    a[1] = -w * v[0];
+    a[2] = 0;
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 3, t, y, dydt);
+  }
+  void jacobian(double, const double*, double* j) const {
+    for (int i = 0; i < 36; ++i) j[i] = 0;
+    for (int i = 0; i < 3; ++i) j[6 * i + 3 + i] = 1;
+    j[6 * 3 + 4] = w;
+    j[6 * 4 + 3] = -w;
+  }
+  /// Per unit mass.
+  double energy(const double* y) const { return (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) / 2; }
+};
+
+}  // namespace
+
+/// A charge that circles in a uniform magnetic field.
+std::vector<Case> charged_particle() {
+  Case c;
+  c.id = "charged_particle";
+  c.title = "Charge in a magnetic field";
+  c.equation = "x'' = 2 y', y'' = -2 x', z'' = 0, v(0) = (1, 0.5, 0.25)";
+  c.source = "Lorentz force, any electrodynamics text";
+  c.tags = {"linear", "autonomous", "second_order", "mechanical", "oscillatory"};
+  c.y0 = {0, 0, 0, 1, 0.5, 0.25};
+  c.stops = {1, 5, 10};
+  c.steps_multiple = 10;
+  c.coarsest_steps = 80;
+  c.finest_steps = 5120;
+  c.evaluation_budget = 30'000;
+  c.timed_stops = {100};
+  c.timed_floor = 1e-25;
+  c.truth = reference_truth("charged_particle", 1e-25);
+  c.invariants = {{"velocity_z", [](const double* y) { return y[5]; }}};
+  set_stage(c, ChargedParticle{});
+  return {c};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// A chain of 32 unit masses between fixed ends, q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}) with
+/// F(d) = d + alpha d^2 + beta d^3.
+struct Chain {
+  static constexpr std::size_t dimension = 64, masses = 32;
+  static constexpr bool velocity_dependent = false;
+  double alpha, beta;
+
+  void acceleration(double, const double* q, const double*, double* a) const {
+    double before = force(q[0]);
+    for (std::size_t j = 0; j < masses; ++j) {
+      const double after = force((j + 1 < masses ? q[j + 1] : 0) - q[j]);
+      a[j] = after - before;
+      before = after;
+    }
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, masses, t, y, dydt);
+  }
+  void jacobian(double, const double* q, double* j) const {
+    for (std::size_t i = 0; i < dimension * dimension; ++i) j[i] = 0;
+    for (std::size_t i = 0; i < masses; ++i) j[i * dimension + masses + i] = 1;
+    for (std::size_t i = 0; i < masses; ++i) {
+      double* const row = j + (masses + i) * dimension;
+      const double before = stiffness(q[i] - (i ? q[i - 1] : 0));
+      const double after = stiffness((i + 1 < masses ? q[i + 1] : 0) - q[i]);
+      row[i] = -before - after;
+      if (i) row[i - 1] = before;
+      if (i + 1 < masses) row[i + 1] = after;
+    }
+  }
+  double energy(const double* y) const {
+    double sum = 0;
+    for (std::size_t j = 0; j <= masses; ++j) {
+      const double d = (j < masses ? y[j] : 0) - (j ? y[j - 1] : 0);
+      sum += d * d * (0.5 + d * (alpha / 3 + d * beta / 4));
+      if (j < masses) sum += y[masses + j] * y[masses + j] / 2;
+    }
+    return sum;
+  }
+  double force(double d) const { return d * (1 + d * (alpha + d * beta)); }
+  double stiffness(double d) const { return 1 + d * (2 * alpha + 3 * beta * d); }
+};
+
+Case make_variant(const char* id, const char* title, const char* equation, Chain chain) {
+  Case c;
+  c.id = id;
+  c.title = title;
+  c.equation = equation;
+  c.source = "Fermi, Pasta, Ulam, Tsingou, Los Alamos report LA-1940 (1955)";
+  c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
+  c.y0.resize(Chain::dimension);
+  for (std::size_t j = 0; j < Chain::masses; ++j)
+    c.y0[j] = std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
+  c.stops = {10, 50};
+  c.no_convergence = "64 unknowns and no order that smaller cases do not show";
+  c.steps_multiple = 5;
+  c.coarsest_steps = 80;
+  c.finest_steps = 2560;
+  c.evaluation_budget = 20'000;
+  c.truth = reference_truth(id, 3.5e-16);
+  set_stage(c, chain);
+  return c;
+}
+
+}  // namespace
+
+/// Energy put into the longest wave of a chain, and its return.
+std::vector<Case> fput() {
+  return {make_variant("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic",
+                       "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + d^2 / 4",
+                       {.alpha = 0.25, .beta = 0}),
+          make_variant("fput_beta", "Fermi, Pasta, Ulam and Tsingou's chain, cubic",
+                       "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + d^3",
+                       {.alpha = 0, .beta = 1})};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// x' = s (y - x), y' = x (r - z) - y, z' = x y - b z.
+struct Lorenz {
+  static constexpr std::size_t dimension = 3;
+  static constexpr double s = 10, r = 28, b = 8.0 / 3;
+
+  void rhs(double, const double* y, double* f) const {
+    f[0] = s * (y[1] - y[0]);
+    f[1] = y[0] * (r - y[2]) - y[1];
+    f[2] = y[0] * y[1] - b * y[2];
+  }
+  void jacobian(double, const double* y, double* j) const {
+    j[0] = -s;
+    j[1] = s;
+    j[2] = 0;
+    j[3] = r - y[2];
+    j[4] = -1;
+    j[5] = -y[0];
+    j[6] = y[1];
+    j[7] = y[0];
+    j[8] = -b;
+  }
+};
+
+}  // namespace
+
+/// Chaos: errors grow as exp(0.9 t). To t = 10 a double still holds the answer; at t = 50 rounding
+/// the parameters alone has changed it beyond recognition.
+std::vector<Case> lorenz() {
+  Case c;
+  c.id = "lorenz_kehlet_logg";
+  c.title = "Lorenz's attractor";
+  c.equation = "x' = 10 (y - x), y' = x (28 - z) - y, z' = x y - 8/3 z, (1, 0, 0)";
+  c.source = "Lorenz 1963; Kehlet, Logg, arXiv:1306.2782";
+  c.tags = {"nonlinear", "autonomous", "chaotic"};
+  c.y0 = {1, 0, 0};
+  c.stops = {10};
+  c.coarsest_steps = 512;
+  c.finest_steps = 16384;
+  c.evaluation_budget = 80'000;
+  c.truth = reference_truth("lorenz_kehlet_logg", 6.9e-15);
+  set_stage(c, Lorenz{});
+  return {c};
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// theta'' = -sin theta.
+struct Pendulum {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = false;
+
+  void acceleration(double, const double* q, const double*, double* a) const {
+    a[0] = -std::sin(q[0]);
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
+  void jacobian(double, const double* q, double* j) const {
+    j[0] = j[3] = 0;
+    j[1] = 1;
+    j[2] = -std::cos(q[0]);
+  }
+  double energy(const double* y) const { return y[1] * y[1] / 2 - std::cos(y[0]); }
+};
+
+Case make_variant(const char* id, const char* title, const char* equation, double angle) {
+  Case c;
+  c.id = id;
+  c.title = title;
+  c.equation = equation;
+  c.source = "Huygens 1673; closed form in Jacobi's elliptic functions";
+  c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
+  c.y0 = {angle, 0};
+  c.stops = {1, 5, 10};
+  c.steps_multiple = 10;
+  c.coarsest_steps = 40;
+  c.finest_steps = 5120;
+  c.evaluation_budget = 30'000;
+  c.timed_stops = {100};
+  c.timed_floor = 1e-25;
+  c.truth = reference_truth(id, 1e-25);
+  set_stage(c, Pendulum{});
+  return c;
+}
+
+}  // namespace
+
+/// A pendulum that swings moderately, and one that almost stands on its head.
+std::vector<Case> pendulum() {
+  return {make_variant("pendulum_small", "Pendulum", "theta'' = -sin theta, theta(0) = 1", 1),
+          make_variant("pendulum_large", "Pendulum that nearly turns over",
+                       "theta'' = -sin theta, theta(0) = 3", 3)};
+}
+
+}  // namespace odeum::cases

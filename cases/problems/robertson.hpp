@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum::cases {
+
+/// Three reactions whose rates lie nine decades apart.
+struct Robertson {
+  static constexpr std::size_t dimension = 3;
+  static constexpr double k1 = 0.04, k2 = 3e7, k3 = 1e4;
+
+  void rhs(double, const double* y, double* f) const {
+    const double first = k1 * y[0], second = k2 * y[1] * y[1], third = k3 * y[1] * y[2];
+    f[0] = -first + third;
+    f[1] = first - third - second;
+    f[2] = second;
+  }
+  void jacobian(double, const double* y, double* j) const {
+    j[0] = -k1;
+    j[1] = k3 * y[2];
+    j[2] = k3 * y[1];
+    j[3] = k1;
+    j[4] = -k3 * y[2] - 2 * k2 * y[1];
+    j[5] = -k3 * y[1];
+    j[6] = 0;
+    j[7] = 2 * k2 * y[1];
+    j[8] = 0;
+  }
+};
+
+}  // namespace odeum::cases

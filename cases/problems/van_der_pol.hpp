@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum::cases {
+
+/// x'' = (mu (1 - x^2) x' - x) / eps, as a first-order system: an electric circuit, not mechanics.
+struct VanDerPol {
+  static constexpr std::size_t dimension = 2;
+  double mu = 1, eps = 1;
+
+  void rhs(double, const double* y, double* f) const {
+    f[0] = y[1];
+    f[1] = (mu * (1 - y[0] * y[0]) * y[1] - y[0]) / eps;
+  }
+  void jacobian(double, const double* y, double* j) const {
+    j[0] = 0;
+    j[1] = 1;
+    j[2] = (-2 * mu * y[0] * y[1] - 1) / eps;
+    j[3] = mu * (1 - y[0] * y[0]) / eps;
+  }
+};
+
+}  // namespace odeum::cases

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problems/robertson.hpp"
+#include "support/reference.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::cases {
+namespace {
+
+Case describe(const char* id, const char* title) {
+  Case c;
+  c.id = id;
+  c.title = title;
+  c.equation =
+      "y1' = -0.04 y1 + 1e4 y2 y3, y2' = 0.04 y1 - 1e4 y2 y3 - 3e7 y2^2, y3' = 3e7 y2^2, y(0) = "
+      "(1, 0, 0)";
+  c.source = "Robertson 1966; Hairer, Wanner, Solving ODEs II, (IV.1.4)";
+  c.tags = {"nonlinear", "autonomous", "stiff", "chemistry"};
+  c.y0 = {1, 0, 0};
+  c.evaluation_budget = 60'000;
+  c.truth = reference_truth("robertson", 1e-17);
+  c.invariants = {{"mass", [](const double* y) { return y[0] + y[1] + y[2]; }}};
+  return c;
+}
+
+}  // namespace
+
+/// Robertson's reactions to t = 40, and to equilibrium at t = 4e11.
+std::vector<Case> robertson() {
+  Case brief = describe("robertson_40", "Robertson's reactions");
+  brief.stops = {4, 40};
+  brief.steps_multiple = 10;
+  brief.coarsest_steps = 1000;
+  brief.finest_steps = 16000;
+  set_stage(brief, Robertson{});
+  Case c = describe("robertson", "Robertson's reactions to equilibrium");
+  c.stops = {0.4, 40, 4e3, 4e5, 4e7, 4e9, 4e11};
+  c.no_fixed_steps = "twelve decades of time: no fixed step serves the first and the last";
+  set_stage(c, Robertson{});
+  return {brief, c};
+}
+
+}  // namespace odeum::cases

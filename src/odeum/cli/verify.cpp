@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/verify.hpp"
+
+#include "odeum/cli/session.hpp"
+
+namespace odeum::cli {
+
+void add_verify(CLI::App& app, int& result) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "verify", "the orders of a Runge-Kutta tableau of your own, proven and measured");
+  command->add_option("tableau", *path, "a YAML file, see the README")
+      ->type_name("FILE")
+      ->required();
+  command->callback([path, &result] {
+    try {
+      const TableauFile file = read_tableau_file(*path);
+      const proof::Verification verification = proof::verify(file);
+      print(verification.text(file));
+      result = verification.passed() ? success : check_failed;
+    } catch (const InputError& error) {
+      throw UsageError(error.what());
+    }
+  });
+}
+
+}  // namespace odeum::cli

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "odeum/control/adaptive.hpp"
+#include "odeum/kernel/extrapolation.hpp"
+
+namespace odeum {
+
+/// Order and step control of an extrapolation table (Hairer, Norsett, Wanner, Solving ODEs I,
+/// II.9): the wanted line k is where the work per unit step W_k = A_k / H_k is least. A step is
+/// accepted at line k - 1, k or k + 1; two monitors give up early where that is not to be hoped.
+/// Lines are counted from 0 here, so that line k has order 2 (k + 1).
+template <int Lines>
+class OrderAndStepControl {
+ public:
+  explicit OrderAndStepControl(double tolerance)
+      : wanted_(within(static_cast<int>(0.5 - 0.6 * std::log10(tolerance)))) {
+    work_[0] = 1 + extrapolation_substeps(0);
+    for (int j = 1; j < Lines; ++j) work_[at(j)] = work_[at(j - 1)] + extrapolation_substeps(j);
+  }
+  int wanted() const { return wanted_; }
+
+  /// Goes through the lines from 1 on: `error_of(line)` computes one and returns its scaled error.
+  /// Afterwards `line()` is the last one computed.
+  template <class ErrorOf>
+  Decision attempt(double h, ErrorOf&& error_of) {
+    for (line_ = 1;; ++line_) {
+      const double error = error_of(line_);
+      if (!std::isfinite(error)) return {false, h / 4};
+      // The error of line j goes as h^(2 j + 1); (9.16) and the bounds of ODEX.
+      const double power = 2 * line_ + 1, least = std::pow(0.02, 1 / power);
+      const double factor = 0.94 * std::pow(0.65 / std::max(error, 1e-16), 1 / power);
+      step_[at(line_)] = h * std::clamp(factor, least / 4, 1 / least);
+      if (line_ < wanted_ - 1) continue;
+      if (error <= 1) return accept(h);
+      if (line_ == wanted_ + 1 || error > monitor()) return reject();
+    }
+  }
+  int line() const { return line_; }
+
+ private:
+  static constexpr std::size_t at(int line) { return static_cast<std::size_t>(line); }
+  static int within(int line) { return std::clamp(line, 2, Lines - 2); }
+  /// W_j < 0.9 W_k. Line 0 has no error estimate, and nothing to say.
+  bool cheaper(int j, int k) const {
+    return j >= 1 && work_[at(j)] / step_[at(j)] < 0.9 * work_[at(k)] / step_[at(k)];
+  }
+  /// An error above it is not brought below 1 by the lines up to k + 1, of which each divides it
+  /// by about (n_j / n_0)^2.
+  double monitor() const {
+    double product = 1;
+    for (int j = line_ + 1; j <= wanted_ + 1; ++j) product *= std::pow(j + 1, 2);
+    return product;
+  }
+  /// The line to want next, after the last one computed was accepted or the step given up at it.
+  int next_wanted() const {
+    const int k = wanted_;
+    if (line_ < k) return cheaper(line_, line_ - 1) || line_ == 1 ? k : line_;
+    if (line_ == k) return cheaper(k - 1, k) ? k - 1 : cheaper(k, k - 1) ? k + 1 : k;
+    const int best = cheaper(k - 1, k) ? k - 1 : k;
+    return cheaper(k + 1, best) ? k + 1 : best;
+  }
+  double step_for(int line) const {
+    return line <= line_ ? step_[at(line)] : step_[at(line_)] * work_[at(line)] / work_[at(line_)];
+  }
+  Decision accept(double h) {
+    // In the step after a rejected one neither order nor step grows.
+    const int next = within(rejected_ ? std::min(next_wanted(), wanted_) : next_wanted());
+    const double step = rejected_ ? std::min(h, step_for(next)) : step_for(next);
+    wanted_ = next;
+    rejected_ = false;
+    return {true, step};
+  }
+  Decision reject() {
+    wanted_ = within(std::min({next_wanted(), wanted_, line_}));
+    rejected_ = true;
+    return {false, step_for(wanted_)};
+  }
+
+  int wanted_, line_ = 0;
+  std::array<double, Lines> work_{}, step_{};
+  bool rejected_ = false;
+};
+
+/// An adaptive run of the extrapolated midpoint rule.
+template <Ode P>
+Outcome run_extrapolation(const Guarded<P>& problem, double t0, const State<P>& y0,
+                          const Request& request) {
+  constexpr int lines = 10;  // up to order 20
+  ExtrapolationTable<Guarded<P>, lines> table(problem);
+  OrderAndStepControl<lines> control(request.tolerance);
+  State<P> difference = make_state(problem);
+  Decision decision{};
+  bool repeated = false;
+  const auto trial = [&](double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
+    if (repeated)
+      table.begin_again(h);
+    else
+      table.begin(t, h, y);
+    table.add_line(0);
+    decision = control.attempt(h, [&](int line) {
+      if (problem.tripped()) return std::numeric_limits<double>::infinity();
+      table.add_line(line, &difference);
+      return scaled_error_norm(difference, y, table.best(line), request.tolerance);
+    });
+    y_new = table.best(control.line());
+    norm = decision.accept ? 0 : 2;
+    return Status::ok;
+  };
+  const double first =
+      initial_step(problem, t0, y0, request.stops.back(), 2 * control.wanted(), request.tolerance);
+  return run_adaptive(
+      problem, t0, y0, request, first, trial, [&](double, double) { return decision; },
+      [&](bool accepted) { repeated = !accepted; });
+}
+
+}  // namespace odeum

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "odeum/control/predictive.hpp"
+#include "odeum/kernel/fully_implicit_rk.hpp"
+
+namespace odeum {
+
+/// Trial steps of a Radau IIA method with an odd number of stages, for an adaptive run (Solving
+/// ODEs II, IV.8): the guess from the collocation polynomial of the last step, simplified Newton
+/// that stops as soon as it is seen not to converge in time, Jacobian and factors kept while it
+/// converges fast, and an error estimate of order S that is filtered by the real system's matrix.
+template <const auto& T, Ode P>
+class RadauTrial {
+ public:
+  static constexpr std::size_t stages = T.stages;
+  static_assert(stages % 2 == 1);
+
+  /// `tolerance`: what the estimate is held to, see internal_tolerance.
+  RadauTrial(const P& problem, double tolerance, double newton_fraction)
+      : problem_(problem),
+        tolerance_(tolerance),
+        newton_fraction_(newton_fraction),
+        system_(problem),
+        f0_(make_state(problem)),
+        error_(f0_),
+        argument_(f0_),
+        inverse_scale_(f0_),
+        moved_f_(f0_) {
+    last_z_.fill(f0_);
+  }
+
+  /// The estimate is of order S, the method of order 2S - 1: a step that meets the tolerance by the
+  /// estimate is far more accurate than asked. Hence 0.03 tol^((S+1)/2S): so too Hairer's codes,
+  /// with 0.1, which at loose tolerances is looser than asked.
+  static double internal_tolerance(double tolerance) {
+    return 0.03 * std::pow(tolerance, (stages + 1.0) / (2.0 * stages));
+  }
+  static double newton_fraction_for(double internal) {
+    constexpr double exponent = 2.0 * stages / (stages + 1.0) - 1;
+    return std::max(10 * std::numeric_limits<double>::epsilon() / internal,
+                    std::min(0.03, std::pow(internal, exponent)));
+  }
+
+  /// y_new and the scaled error of a step of h from (t, y).
+  Status operator()(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
+    if (moved_) {
+      problem_.rhs(t, y.data(), f0_.data());
+      for (std::size_t n = 0; n < y.size(); ++n)
+        inverse_scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
+      moved_ = false;
+    }
+    if (jacobian_wanted_) renew_jacobian(t, y);
+    while (true) {
+      if (h != factored_for_) {
+        factored_for_ = 0;
+        if (!system_.factorise(h)) return give_up();
+        factored_for_ = h;
+      }
+      guess(h, y);
+      if (converge(t, h, y)) break;
+      if (jacobian_fresh_) return give_up();
+      renew_jacobian(t, y);
+    }
+    for (std::size_t n = 0; n < y.size(); ++n) y_new[n] = y[n] + system_.z[stages - 1][n];
+    norm = estimate(h, f0_);
+    if (norm >= 1 && (first_ || rejected_)) {
+      for (std::size_t n = 0; n < y.size(); ++n) argument_[n] = y[n] + error_[n];
+      problem_.rhs(t, argument_.data(), moved_f_.data());
+      norm = estimate(h, moved_f_);
+    }
+    return Status::ok;
+  }
+
+  /// After a step of h that was accepted: the next one starts elsewhere.
+  void accept(double h) {
+    std::swap(last_z_, system_.z);
+    last_h_ = h;
+    moved_ = true;
+    first_ = rejected_ = false;
+    jacobian_fresh_ = false;
+    jacobian_wanted_ = rate_ > keep_jacobian_below;
+  }
+  void reject() {
+    rejected_ = true;
+    if (!jacobian_fresh_) jacobian_wanted_ = true;
+  }
+  /// Newton iterations of the last step, for the step control.
+  int iterations() const { return iterations_; }
+  static constexpr int max_iterations = 7 + (static_cast<int>(stages) - 3) * 5 / 2;
+
+ private:
+  static constexpr double keep_jacobian_below = 1e-3;
+
+  void renew_jacobian(double t, const State<P>& y) {
+    system_.linearise(t, y);
+    factored_for_ = 0;
+    jacobian_fresh_ = true;
+    jacobian_wanted_ = false;
+  }
+  Status give_up() {
+    contraction_ = 1;
+    return Status::newton_failed;
+  }
+
+  /// z from the collocation polynomial through (0, 0), (c_i, last_z_i), beyond its right end.
+  void guess(double h, const State<P>& y) {
+    if (last_h_ == 0) {
+      for (State<P>& z : system_.z)
+        for (double& component : z) component = 0;
+    } else {
+      const double ratio = h / last_h_;
+      if (ratio != weights_for_) compute_weights(ratio);
+      for (std::size_t i = 0; i < stages; ++i)
+        for (std::size_t n = 0; n < f0_.size(); ++n) {
+          double sum = -last_z_[stages - 1][n];
+          for (std::size_t j = 0; j < stages; ++j) sum += weights_[i][j] * last_z_[j][n];
+          // A guess of the other sign than y may lead to another solution, or from a decay to zero
+          // past it; y itself is the safer guess then.
+          system_.z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
+        }
+    }
+    system_.transform_guess();
+  }
+
+  void compute_weights(double ratio) {
+    constexpr auto& c = StageSystem<T, P>::nodes;
+    for (std::size_t i = 0; i < stages; ++i) {
+      const double x = 1 + ratio * c[i];
+      for (std::size_t j = 0; j < stages; ++j) {
+        double l = x / c[j];
+        for (std::size_t m = 0; m < stages; ++m)
+          if (m != j) l *= (x - c[m]) / (c[j] - c[m]);
+        weights_[i][j] = l;
+      }
+    }
+    weights_for_ = ratio;
+  }
+
+  bool converge(double t, double h, const State<P>& y) {
+    double last = 0, last_rate = 0;
+    contraction_ = std::pow(std::max(contraction_, std::numeric_limits<double>::epsilon()), 0.8);
+    rate_ = 0;
+    for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
+      double sum = 0;
+      system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
+        for (std::size_t n = 0; n < correction.size(); ++n) {
+          const double scaled = correction[n] * inverse_scale_[n];
+          sum += scaled * scaled;
+        }
+      });
+      const double size = std::sqrt(sum / static_cast<double>(stages * y.size()));
+      if (!std::isfinite(size)) return false;
+      if (iterations_ > 1) {
+        const double rate = size / last;
+        rate_ = iterations_ == 2 ? rate : std::sqrt(rate * last_rate);
+        last_rate = rate;
+        if (rate_ >= 0.99) return false;
+        contraction_ = rate_ / (1 - rate_);
+        const double predicted =
+            contraction_ * size * std::pow(rate_, max_iterations - 1 - iterations_);
+        if (iterations_ < max_iterations && predicted > newton_fraction_) return false;
+      }
+      last = std::max(size, std::numeric_limits<double>::min());
+      if (contraction_ * size <= newton_fraction_) return true;
+    }
+    return false;
+  }
+
+  /// error_ <- (I - gamma0 h J)^-1 (gamma0 h f + sum e_i z_i), and its norm.
+  double estimate(double h, const State<P>& f) {
+    const StageTransform& transform = stage_transform<T>();
+    const double gamma_h = transform.inverse_mu[0].real() * h;
+    for (std::size_t n = 0; n < f.size(); ++n) {
+      double sum = gamma_h * f[n];
+      for (std::size_t i = 0; i < stages; ++i) sum += transform.estimate[i] * system_.z[i][n];
+      error_[n] = sum;
+    }
+    system_.solve_real(error_);
+    double sum = 0;
+    for (std::size_t n = 0; n < f.size(); ++n) {
+      const double scaled = error_[n] * inverse_scale_[n];
+      sum += scaled * scaled;
+    }
+    return std::sqrt(sum / static_cast<double>(f.size()));
+  }
+
+  const P& problem_;
+  double tolerance_, newton_fraction_;
+  StageSystem<T, P> system_;
+  State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
+  std::array<State<P>, stages> last_z_;
+  std::array<std::array<double, stages>, stages> weights_{};
+  double weights_for_ = 0, last_h_ = 0, factored_for_ = 0;
+  double contraction_ = 1, rate_ = 0;
+  int iterations_ = 0;
+  bool moved_ = true, first_ = true, rejected_ = false;
+  bool jacobian_wanted_ = true, jacobian_fresh_ = false;
+};
+
+/// Base of a Radau IIA method of 3 or 5 stages.
+template <const auto& T>
+struct RadauMethod : FullyImplicitMethod<T> {
+  template <Ode P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    using Trial = RadauTrial<T, Guarded<P>>;
+    const double tolerance = Trial::internal_tolerance(request.tolerance);
+    Trial trial(problem, tolerance, Trial::newton_fraction_for(tolerance));
+    constexpr int order = T.stages;
+    PredictiveController controller(order, 8);
+    const auto decide = [&](double h, double norm) {
+      // A step that took many iterations grows less.
+      const double effort =
+          (1.0 + 2 * Trial::max_iterations) / (trial.iterations() + 2.0 * Trial::max_iterations);
+      Decision decision = controller.decide(h, norm / std::pow(effort, order + 1));
+      decision.accept = norm < 1;
+      if (decision.accept) {
+        trial.accept(h);
+        // Kept where it would change by little: the factors serve the next step too.
+        if (decision.next_step >= h && decision.next_step < 1.2 * h) decision.next_step = h;
+      } else {
+        trial.reject();
+        decision.next_step = std::min(decision.next_step, 0.9 * h);
+      }
+      return decision;
+    };
+    const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
+    return run_adaptive(problem, t0, y0, request, first, trial, decide);
+  }
+};
+
+}  // namespace odeum

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/bdf_variable.hpp"
+#include "odeum/kernel/method.hpp"
+
+namespace odeum::methods {
+
+/// Variable step, variable order (1 to 5) by backward differences: numerical differentiation
+/// formulas, which have a smaller error constant than BDF at nearly the same stability.
+struct bdf_variable : ForAnyProblem {
+  static constexpr MethodInfo info{
+      .id = "bdf_variable",
+      .family = "multistep",
+      .order = 0,
+      .one_step = false,
+      .fixed_step = false,
+      .adaptive_order = true,
+      .controller = "step and order, from backward differences",
+      .source = "Shampine, Reichelt, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2"};
+  template <Ode P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    return VariableBdf<P>(problem, t0, y0, request).run();
+  }
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "odeum/harness/guarded.hpp"
+#include "odeum/harness/outcome.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/linear/matrix_exponential.hpp"
+
+namespace odeum::methods {
+
+/// The exact propagator y <- e^(h A) y of y' = A y with a constant A: rounding is its only error,
+/// so it claims no order. To a tolerance it goes from stop to stop.
+struct exponential_propagator {
+  static constexpr MethodInfo info{
+      .id = "exponential_propagator",
+      .family = "exponential",
+      .order = 0,
+      .controller = "none: exact at every step",
+      .source =
+          "Moler, Van Loan, SIAM Rev. 45 (2003) 3-49; Higham, SIAM J. Matrix Anal. Appl. 26 "
+          "(2005) 1179-1193, algorithm 2.3"};
+  static constexpr std::string_view needs = "a linear problem y' = A y with a constant matrix A";
+  template <class P>
+  static constexpr bool fits = LinearConstant<P>;
+
+  template <class P>
+  class Stepper {
+   public:
+    explicit Stepper(const P& problem) : problem_(problem), product_(make_state(problem)) {}
+
+    /// non_finite where e^(h A) overflows: there is no state to show.
+    Status step(double /*t*/, double h, State<P>& y) {
+      const std::size_t n = y.size();
+      if (!(h == h_)) {
+        std::vector<double> a(n * n);
+        problem_.linear_matrix(a.data());
+        for (double& x : a) x *= h;
+        propagator_ = linear::matrix_exponential(std::move(a), n);
+        h_ = h;
+      }
+      if (propagator_.empty()) return Status::non_finite;
+      for (std::size_t i = 0; i < n; ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < n; ++j) sum += propagator_[i * n + j] * y[j];
+        product_[i] = sum;
+      }
+      y = product_;
+      return Status::ok;
+    }
+
+   private:
+    const P& problem_;
+    double h_ = std::nan("");
+    std::vector<double> propagator_;
+    State<P> product_;
+  };
+
+  template <class P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    Outcome outcome;
+    Stepper<Guarded<P>> stepper(problem);
+    State<P> y = y0;
+    double t = t0;
+    for (const double stop : request.stops) {
+      outcome.t = t;
+      outcome.status = stepper.step(t, stop - t, y);
+      if (outcome.status != Status::ok) {
+        outcome.detail = "e^(h A) overflows at t = " + std::to_string(t);
+        return outcome;
+      }
+      t = stop;
+      ++outcome.counters.steps;
+      outcome.record(stop, y.data(), y.size());
+    }
+    return outcome;
+  }
+
+  static double amplification(double re, double /*im*/) { return std::exp(re); }
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/control/extrapolation_run.hpp"
+#include "odeum/harness/outcome.hpp"
+#include "odeum/kernel/extrapolation.hpp"
+#include "odeum/kernel/method.hpp"
+
+namespace odeum::methods {
+
+/// Gragg, Bulirsch and Stoer: the modified midpoint rule in 2, 4, 6, ... substeps, extrapolated to
+/// substeps of no length. At a fixed step four lines, order 8, 21 evaluations; to a tolerance the
+/// number of lines is chosen with the step.
+struct gragg_bulirsch_stoer : ForAnyProblem {
+  static constexpr int fixed_lines = 4;
+  static constexpr MethodInfo info{
+      .id = "gragg_bulirsch_stoer",
+      .family = "extrapolation",
+      .order = 2 * fixed_lines,
+      .adaptive_order = true,
+      .controller = "order and step by least work",
+      .source =
+          "Bulirsch, Stoer, Numer. Math. 8 (1966) 1-13; Hairer, Norsett, Wanner, Solving "
+          "ODEs I, II.9, (9.10), (9.13)"};
+
+  template <class P>
+  class Stepper {
+   public:
+    explicit Stepper(const P& problem) : table_(problem) {}
+
+    Status step(double t, double h, State<P>& y) {
+      table_.begin(t, h, y);
+      for (int line = 0; line < fixed_lines; ++line) table_.add_line(line);
+      y = table_.best(fixed_lines - 1);
+      return Status::ok;
+    }
+
+   private:
+    ExtrapolationTable<P, fixed_lines> table_;
+  };
+
+  template <class P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    return run_extrapolation(problem, t0, y0, request);
+  }
+
+  static double amplification(double re, double im) {
+    return std::abs(extrapolated_midpoint_stability<fixed_lines>({re, im}));
+  }
+};
+
+}  // namespace odeum::methods

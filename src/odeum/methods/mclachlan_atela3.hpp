@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/method.hpp"
+#include "odeum/kernel/splitting.hpp"
+#include "odeum/tableau/splitting.hpp"
+
+namespace odeum::methods {
+
+/// McLachlan and Atela's order 3 of least error: three kicks, three drifts, not symmetric; the one
+/// is the other read backwards. Digits beyond those published follow from the order conditions.
+inline constexpr Splitting<3> mclachlan_atela3_splitting{
+    .kick = {0.26833009578175992496, -0.18799161879915978201, 0.91966152301739985705},
+    .drift = {0.91966152301739985705, -0.18799161879915978201, 0.26833009578175992496},
+    .order = 3};
+static_assert(proven(mclachlan_atela3_splitting));
+
+struct mclachlan_atela3 : SplittingMethod<mclachlan_atela3_splitting> {
+  static constexpr MethodInfo info{
+      .id = "mclachlan_atela3",
+      .family = "symplectic",
+      .order = mclachlan_atela3_splitting.order,
+      .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541-562, table 2"};
+};
+
+}  // namespace odeum::methods

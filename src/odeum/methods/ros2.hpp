@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <numbers>
+
+#include "odeum/kernel/method.hpp"
+#include "odeum/kernel/rosenbrock.hpp"
+
+namespace odeum::methods {
+
+/// Verwer's ROS2, L-stable. Of the two values of gamma the smaller one, whose error is the
+/// smaller too.
+inline constexpr double ros2_gamma = 1 - std::numbers::sqrt2 / 2;
+inline constexpr RosenbrockTableau<2> ros2_tableau =
+    rosenbrock_from<2>({{{0, 0}, {1, 0}}}, {{{ros2_gamma, 0}, {-2 * ros2_gamma, ros2_gamma}}},
+                       {1. / 2, 1. / 2}, 2, {1, 0}, 1);
+static_assert(rosenbrock_proven<2, 1>(ros2_tableau));
+
+struct ros2 : ForAnyProblem, RosenbrockPair<ros2_tableau> {
+  static constexpr MethodInfo info{
+      .id = "ros2",
+      .family = "linearly_implicit",
+      .order = ros2_tableau.order,
+      .order_embedded = ros2_tableau.order_hat,
+      .controller = "embedded pair, predictive",
+      .source = "Verwer, Spee, Blom, Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456-1480, (2.6)"};
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <numbers>
+
+#include "odeum/kernel/diagonally_implicit_rk.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum/tableau/order_conditions.hpp"
+
+namespace odeum::methods {
+
+/// The L-stable singly diagonally implicit method of two stages: of the two roots of
+/// gamma^2 - 2 gamma + 1/2 the smaller one, whose error constant is the smaller too.
+inline constexpr double sdirk2_gamma = 1 - std::numbers::sqrt2 / 2;
+inline constexpr Tableau<2> sdirk2_tableau{
+    .a = {{{sdirk2_gamma, 0}, {1 - sdirk2_gamma, sdirk2_gamma}}},
+    .b = {1 - sdirk2_gamma, sdirk2_gamma},
+    .order = 2,
+};
+static_assert(proven(sdirk2_tableau));
+
+struct sdirk2 : ForAnyProblem, DiagonallyImplicitMethod<sdirk2_tableau> {
+  static constexpr MethodInfo info{
+      .id = "sdirk2",
+      .family = "implicit_rk",
+      .order = sdirk2_tableau.order,
+      .source = "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021; Solving ODEs II, (IV.6.16)"};
+};
+
+}  // namespace odeum::methods

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/extrapolated_euler.hpp"
+#include "odeum/kernel/method.hpp"
+
+namespace odeum::methods {
+
+/// Extrapolated linearly implicit Euler: at a fixed step column 5 of the table, order 5; adaptive
+/// runs choose the column too.
+struct seulex : ForAnyProblem {
+  static constexpr std::size_t fixed_column = 5;
+  static constexpr MethodInfo info{
+      .id = "seulex",
+      .family = "extrapolation",
+      .order = fixed_column,
+      .adaptive_order = true,
+      .controller = "step and column, by work a unit of time",
+      .source = "Deuflhard, Hairer, Zugck, Numer. Math. 51 (1987) 501-516; Solving ODEs II, IV.9"};
+  template <class P>
+  using Stepper = ExtrapolatedEuler<fixed_column, P>;
+
+  template <Ode P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    ExtrapolatedEulerControl<Guarded<P>> control(problem, request.tolerance);
+    const auto decide = [&](double h, double error) { return control.decide(h, error); };
+    const double first = initial_step(problem, t0, y0, request.stops.back(), 2, request.tolerance);
+    return run_adaptive(problem, t0, y0, request, first, control, decide);
+  }
+
+  static double amplification(double re, double im) {
+    return extrapolated_euler_amplification<fixed_column>({re, im});
+  }
+};
+
+}  // namespace odeum::methods

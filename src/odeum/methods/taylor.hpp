@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <vector>
+
+#include "odeum/control/adaptive.hpp"
+#include "odeum/harness/outcome.hpp"
+#include "odeum/kernel/method.hpp"
+
+namespace odeum::methods {
+
+/// Taylor's method: the series of the solution, from the recurrence that the problem offers. Order
+/// 12 at a fixed step. To a tolerance, the order p is the one of least work for it, and h is 1/e^2
+/// of the radius of convergence that the last two coefficients tell (Jorba and Zou).
+struct taylor {
+  static constexpr int fixed_order = 12;
+  static constexpr MethodInfo info{
+      .id = "taylor",
+      .family = "taylor",
+      .order = fixed_order,
+      .adaptive_order = true,
+      .controller = "order by the tolerance, step by the radius of convergence",
+      .source =
+          "Jorba, Zou, Experimental Mathematics 14 (2005) 99-117, sections 3.1, 3.2; Hairer, "
+          "Norsett, Wanner, Solving ODEs I, I.8"};
+  static constexpr std::string_view needs = "a problem that offers its Taylor series";
+  template <class P>
+  static constexpr bool fits = WithTaylorSeries<P>;
+
+  /// y <- sum_k c_k h^k by Horner's rule, with c as WithTaylorSeries has it.
+  template <class S>
+  static void sum(const std::vector<double>& c, int order, double h, S& y) {
+    const std::size_t n = y.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      double value = 0;
+      for (std::size_t k = static_cast<std::size_t>(order) + 1; k-- > 0;)
+        value = value * h + c[k * n + i];
+      y[i] = value;
+    }
+  }
+
+  template <class P>
+  class Stepper {
+   public:
+    explicit Stepper(const P& problem)
+        : problem_(problem), c_((fixed_order + 1) * size_of(problem)) {}
+
+    Status step(double t, double h, State<P>& y) {
+      problem_.taylor(t, y.data(), fixed_order, c_.data());
+      sum(c_, fixed_order, h, y);
+      return Status::ok;
+    }
+
+   private:
+    const P& problem_;
+    std::vector<double> c_;
+  };
+
+  /// The step to which the last two coefficients of the series lead; infinite for a polynomial.
+  static double safe_step(const std::vector<double>& c, int order, std::size_t n) {
+    const auto size = [&](int k) {
+      double largest = 0;
+      for (std::size_t i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(c[static_cast<std::size_t>(k) * n + i]));
+      return largest;
+    };
+    const double scale = std::max(1.0, size(0));
+    double radius = std::numeric_limits<double>::infinity();
+    for (const int k : {order - 1, order})
+      if (size(k) > 0) radius = std::min(radius, std::pow(scale / size(k), 1.0 / k));
+    return radius * std::exp(-2 - 0.7 / (order - 1));
+  }
+
+  template <class P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    const int order = std::max(3, static_cast<int>(std::ceil(1 - std::log(request.tolerance) / 2)));
+    const std::size_t n = y0.size();
+    std::vector<double> c((static_cast<std::size_t>(order) + 1) * n);
+    Outcome outcome;
+    State<P> y = y0;
+    double t = t0;
+    for (const double stop : request.stops) {
+      while (t < stop) {
+        outcome.t = t;
+        problem.taylor(t, y.data(), order, c.data());
+        if (problem.tripped()) return outcome;
+        const double h = safe_step(c, order, n);
+        const double smallest =
+            16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
+        if (!(h >= smallest)) {
+          outcome.status = Status::step_too_small;
+          outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h, t);
+          return outcome;
+        }
+        const bool last = t + h >= stop - smallest;
+        sum(c, order, last ? stop - t : h, y);
+        t = last ? stop : t + h;
+        ++outcome.counters.steps;
+      }
+      outcome.record(stop, y.data(), n);
+    }
+    return outcome;
+  }
+
+  static double amplification(double re, double im) {
+    std::complex<double> series = 1;
+    for (int k = fixed_order; k > 0; --k)
+      series = 1.0 + series * std::complex<double>(re, im) / static_cast<double>(k);
+    return std::abs(series);
+  }
+};
+
+}  // namespace odeum::methods

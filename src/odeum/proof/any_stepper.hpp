@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "odeum/harness/outcome.hpp"
+#include "odeum/problem/function_problem.hpp"
+#include "odeum/tableau/interpreter.hpp"
+
+namespace odeum::proof {
+
+/// Any method's steps on a problem, behind one interface: own methods, interpreted tableaus and
+/// mutants of both go through the same checks.
+class AnyStepper {
+ public:
+  virtual ~AnyStepper() = default;
+  /// Before the first step, and whenever (t, y, h) do not continue the last one.
+  virtual void start(double /*t*/, double /*h*/, const std::vector<double>& /*y*/) {}
+  virtual Status step(double t, double h, std::vector<double>& y) = 0;
+  /// With the error estimate; refused where the method has none.
+  virtual Status step(double /*t*/, double /*h*/, std::vector<double>& /*y*/,
+                      std::vector<double>& /*error*/) {
+    return Status::refused;
+  }
+};
+
+/// Makes a fresh stepper on a problem, which must outlive it. Empty: the method does not fit.
+template <class P>
+using MakeStepper = std::function<std::unique_ptr<AnyStepper>(const P&)>;
+
+/// A stepper of a method file, type erased.
+template <class Stepper, class P>
+class ErasedStepper : public AnyStepper {
+ public:
+  explicit ErasedStepper(const P& problem) : stepper_(problem) {}
+  void start(double t, double h, const std::vector<double>& y) override {
+    if constexpr (requires { stepper_.start(t, h, y); }) stepper_.start(t, h, y);
+  }
+  Status step(double t, double h, std::vector<double>& y) override {
+    return stepper_.step(t, h, y);
+  }
+  Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
+    if constexpr (requires { stepper_.step(t, h, y, error); }) {
+      error.resize(y.size());
+      return stepper_.step(t, h, y, error);
+    } else {
+      return Status::refused;
+    }
+  }
+
+ private:
+  Stepper stepper_;
+};
+
+class InterpretedStepper : public AnyStepper {
+ public:
+  InterpretedStepper(const DynamicTableau<double>& tableau, const FunctionProblem& problem)
+      : embedded_(tableau.embedded()), interpreter_(tableau, problem) {}
+  Status step(double t, double h, std::vector<double>& y) override {
+    return interpreter_.step(t, h, y);
+  }
+  Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
+    return embedded_ ? interpreter_.step(t, h, y, error) : Status::refused;
+  }
+
+ private:
+  bool embedded_;
+  TableauInterpreter interpreter_;
+};
+
+/// The tableau must outlive what is made.
+inline MakeStepper<FunctionProblem> interpreted(const DynamicTableau<double>& tableau) {
+  return [&tableau](const FunctionProblem& problem) {
+    return std::make_unique<InterpretedStepper>(tableau, problem);
+  };
+}
+
+}  // namespace odeum::proof

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/code_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "odeum/proof/stability_check.hpp"
+#include "odeum/proof/structure_check.hpp"
+
+namespace odeum::proof {
+namespace {
+
+template <class P>
+void measure_orders(const MakeStepper<P>& code, double order, const std::vector<Ground<P>>& where,
+                    std::vector<study::OrderFit>& fits) {
+  if (!code) return;
+  for (const Ground<P>& ground : where) fits.push_back(measure_order(code, order, ground));
+}
+
+/// Grounds are numbered as measure_orders lists them; `at` goes on counting.
+template <class P>
+std::string order_failure(const MakeStepper<P>& code, double order,
+                          const std::vector<Ground<P>>& where,
+                          const std::vector<study::OrderFit>& sound, std::size_t& at) {
+  if (!code) return {};
+  for (const Ground<P>& ground : where) {
+    const study::OrderFit& expected = sound[at++];
+    const study::OrderFit fit = measure_order(code, order, ground);
+    if (!same_order(fit, expected))
+      return fmt::format("order on {}: {}", ground.id, study::to_string(fit.verdict));
+  }
+  return {};
+}
+
+MakeStepper<FunctionMechanics<false>> on_mechanics(const Code& code) {
+  if (code.on_separable) return code.on_separable;
+  if (!code.on_problem) return {};
+  return
+      [make = code.on_problem](const FunctionMechanics<false>& problem) { return make(problem); };
+}
+
+template <class P>
+double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
+                     const Ground<P>& ground) {
+  if (!one || !other) return 0;
+  const auto a = one(ground.problem), b = other(ground.problem);
+  std::vector<double> y = ground.y0, z = ground.y0, error_y, error_z;
+  const double h = 0.15;
+  a->start(ground.t0, h, y);
+  b->start(ground.t0, h, z);
+  double difference = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double t = ground.t0 + i * h;
+    const Status first = a->step(t, h, y), second = b->step(t, h, z);
+    if (first != second) return std::numeric_limits<double>::infinity();
+    if (first != Status::ok) return difference;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      const double apart = std::abs(y[k] - z[k]);
+      if (!(apart <= difference)) difference = apart;
+    }
+  }
+  // The estimate is a result too.
+  if (a->step(ground.t0, h, y, error_y) == Status::ok &&
+      b->step(ground.t0, h, z, error_z) == Status::ok)
+    for (std::size_t k = 0; k < y.size(); ++k)
+      difference = std::max(difference, std::abs(error_y[k] - error_z[k]));
+  return difference;
+}
+
+}  // namespace
+
+bool same_order(const study::OrderFit& fit, const study::OrderFit& sound) {
+  if (fit.verdict != sound.verdict) return false;
+  return fit.verdict == study::Verdict::confirmed || !(std::abs(fit.order - sound.order) > 0.15);
+}
+
+double stability_tolerance(const MethodFacts& method) {
+  return method.info.family == "functional_iteration" ? 1e-10 : 1e-12;
+}
+
+double moving_frame_defect(const Code& code) {
+  constexpr double t = 0.7, h = 0.3, slow = -0.8, fast = -5, w2 = 2;
+  double worst = 0;
+  const auto stray = [&](AnyStepper& stepper, std::vector<double> y,
+                         const std::vector<double>& to) {
+    stepper.start(t, h, y);
+    const bool solved = stepper.step(t, h, y) == Status::ok;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      const double apart =
+          solved ? std::abs(y[i] - to[i]) : std::numeric_limits<double>::infinity();
+      if (!(apart <= worst)) worst = apart;  // NaN too
+    }
+  };
+  if (code.on_problem) {
+    FunctionProblem p;
+    p.unknowns = 2;
+    p.f = [](double s, const double* y, double* f) {
+      f[0] = slow * (y[0] - s) + 1;
+      f[1] = fast * (y[1] - s) + 1;
+    };
+    p.f_y = [](double, const double*, double* j) {
+      j[0] = slow;
+      j[1] = j[2] = 0;
+      j[3] = fast;
+    };
+    p.f_t = [](double, const double*, double* d) {
+      d[0] = -slow;
+      d[1] = -fast;
+    };
+    stray(*code.on_problem(p), {t, t}, {t + h, t + h});
+  }
+  if (code.on_separable) {
+    FunctionMechanics<false> p;
+    p.unknowns = 2;
+    p.a = [](double s, const double* q, const double*, double* a) { a[0] = -w2 * (q[0] - s); };
+    stray(*code.on_separable(p), {t, 1}, {t + h, 1});
+  }
+  return worst;
+}
+
+CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
+  const Code code = code_of(sound);
+  const double order = sound.info.order;
+  measure_orders(code.on_problem, order, grounds(), orders_);
+  measure_orders(code.on_separable, order, separable_grounds(), orders_);
+  measure_orders(code.on_second_order, order, second_order_grounds(), orders_);
+  stability_ = code.on_problem && sound.info.one_step && agrees_with_stability_function(code);
+  map_ = code.on_separable && agrees_with_oscillator_map(code);
+  tableau_ = code.on_problem && sound.tableau && agrees_with_tableau(code);
+  estimates_ = estimates(code);
+  frame_ = moving_frame_defect(code) <= stability_tolerance(sound);
+  if (const auto mechanics = sound.on_mechanics()) {
+    symplectic_ = symplectic_defect(mechanics, structure_step) <= symplectic_rounding;
+    returns_ = return_defect(mechanics, structure_step) <= return_rounding;
+  }
+}
+
+bool CodeChecks::agrees_with_stability_function(const Code& code) const {
+  return compare_stability(code.on_problem, sound_).difference <= stability_tolerance(sound_);
+}
+bool CodeChecks::agrees_with_oscillator_map(const Code& code) const {
+  return compare_oscillator_map(code.on_separable, sound_).difference <=
+         stability_tolerance(sound_);
+}
+bool CodeChecks::agrees_with_tableau(const Code& code) const {
+  return compare_with_tableau(code.on_problem, *sound_.tableau,
+                              sound_.tableau->order_hat == sound_.info.order_embedded) <=
+         tableau_rounding;
+}
+
+std::vector<EstimateQuality> CodeChecks::estimates(const Code& code) const {
+  const MethodInfo& info = sound_.info;
+  if (info.order_embedded == 0) return {};
+  return code.on_problem ? estimate_quality(code.on_problem, info.order, info.order_embedded)
+                         : estimate_quality(code.on_separable, info.order, info.order_embedded);
+}
+
+std::string CodeChecks::first_failure(const Code& code) const {
+  const double order = sound_.info.order;
+  std::size_t at = 0;
+  std::string failure = order_failure(code.on_problem, order, grounds(), orders_, at);
+  if (failure.empty())
+    failure = order_failure(code.on_separable, order, separable_grounds(), orders_, at);
+  if (failure.empty())
+    failure = order_failure(code.on_second_order, order, second_order_grounds(), orders_, at);
+  if (!failure.empty()) return failure;
+  if (stability_ && !agrees_with_stability_function(code)) return "stability function";
+  if (map_ && !agrees_with_oscillator_map(code)) return "map of the oscillator";
+  if (tableau_ && !agrees_with_tableau(code)) return "interpreted tableau";
+  if (frame_ && !(moving_frame_defect(code) <= stability_tolerance(sound_))) return "moving frame";
+  const auto mechanics = on_mechanics(code);
+  if (symplectic_ && !(symplectic_defect(mechanics, structure_step) <= symplectic_rounding))
+    return "symplectic form";
+  if (returns_ && !(return_defect(mechanics, structure_step) <= return_rounding)) return "return";
+  const std::vector<EstimateQuality> found = estimates(code);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (estimates_[i].right_exponent() && !found[i].right_exponent())
+      return "order of the error estimate";
+  return {};
+}
+
+double difference_between(const Code& one, const Code& other) {
+  return std::max(
+      {difference_on(one.on_problem, other.on_problem, grounds().back()),
+       difference_on(one.on_separable, other.on_separable, separable_grounds().back()),
+       difference_on(one.on_second_order, other.on_second_order, second_order_grounds().back())});
+}
+
+}  // namespace odeum::proof

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/embedded_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "odeum/proof/grounds.hpp"
+#include "odeum/study/order_fit.hpp"
+
+namespace odeum::proof {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Ground<FunctionProblem> quadrature() {
+  Ground<FunctionProblem> g;
+  g.id = "quadrature";
+  g.problem.unknowns = 1;
+  g.problem.f = [](double t, const double*, double* f) {
+    f[0] = std::exp(std::sin(2 * t)) * std::cos(2 * t);
+  };
+  g.problem.f_y = [](double, const double*, double* j) { j[0] = 0; };
+  g.problem.f_t = [](double t, const double*, double* d) {
+    const double c = std::cos(2 * t), s = std::sin(2 * t);
+    d[0] = 2 * std::exp(s) * (c * c - s);
+  };
+  g.truth = [](double t, double* y) { y[0] = std::exp(std::sin(2 * t)) / 2; };
+  return g;
+}
+
+double norm(const std::vector<double>& x) {
+  double sum = 0;
+  for (const double component : x) sum += component * component;
+  return std::sqrt(sum);
+}
+
+/// Sizes at one h, root mean square over several places on the solution, so that a zero of the
+/// error at one of them means nothing.
+struct Sizes {
+  double h = 0, estimate = 0, lower_error = 0, kept_error = 0, scale = 0;
+};
+
+template <class P>
+Sizes sizes_at(AnyStepper& stepper, const Ground<P>& ground, double h, bool kept_is_lower) {
+  constexpr int places = 8;
+  Sizes sizes{.h = h};
+  const std::size_t n = ground.problem.size();
+  for (int place = 0; place < places; ++place) {
+    const double t = ground.t0 + 0.23 * place;
+    std::vector<double> y(n), exact(n), error(n), lower(n), kept(n);
+    ground.truth(t, y.data());
+    ground.truth(t + h, exact.data());
+    stepper.start(t, h, y);
+    if (stepper.step(t, h, y, error) != Status::ok) return {h, nan, nan, nan, nan};
+    for (std::size_t i = 0; i < n; ++i) {
+      kept[i] = y[i] - exact[i];
+      lower[i] = kept_is_lower ? kept[i] : kept[i] - error[i];
+    }
+    const auto add = [](double& sum, double x) { sum += x * x / places; };
+    add(sizes.estimate, norm(error));
+    add(sizes.lower_error, norm(lower));
+    add(sizes.kept_error, norm(kept));
+    sizes.scale = std::max(sizes.scale, norm(exact));
+  }
+  for (double* x : {&sizes.estimate, &sizes.lower_error, &sizes.kept_error}) *x = std::sqrt(*x);
+  return sizes;
+}
+
+template <class P>
+EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, int order_embedded) {
+  EstimateQuality quality;
+  quality.ground = ground.id;
+  quality.expected_exponent = std::min(order, order_embedded) + 1;
+  quality.exponent = quality.ratio = quality.margin = nan;
+  std::vector<study::ErrorPoint> points;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 28; ++k) {
+    const Sizes s = sizes_at(stepper, ground, std::pow(2.0, -k / 3.0), order <= order_embedded);
+    points.push_back({.step = s.h,
+                      .error = s.estimate,
+                      .steps = 1,
+                      .rounding_unit = s.scale * std::numeric_limits<double>::epsilon() / 2});
+    const bool seen = s.estimate > 100 * points.back().rounding_unit ||
+                      s.lower_error > 100 * points.back().rounding_unit;
+    const double larger = std::max(s.estimate, s.lower_error);
+    if (const double distance = std::abs(std::log(larger / 1e-6)); seen && distance < nearest) {
+      nearest = distance;
+      quality.ratio = s.estimate / s.lower_error;
+      quality.margin = s.estimate / s.kept_error;
+    }
+  }
+  quality.exponent = study::fit_order(points, quality.expected_exponent,
+                                      study::fixed_step_tolerance(quality.expected_exponent))
+                         .order;
+  return quality;
+}
+
+template <class P>
+std::vector<EstimateQuality> judge_on(const std::vector<Ground<P>>& where,
+                                      const MakeStepper<P>& make, int order, int order_embedded) {
+  std::vector<EstimateQuality> all;
+  for (const Ground<P>& ground : where)
+    all.push_back(judge(*make(ground.problem), ground, order, order_embedded));
+  return all;
+}
+
+}  // namespace
+
+bool EstimateQuality::good() const {
+  return right_exponent() && ratio >= ratio_low && ratio <= ratio_high;
+}
+bool EstimateQuality::right_exponent() const {
+  return std::abs(exponent - expected_exponent) <= 0.06 * expected_exponent;
+}
+
+std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionProblem>& make, int order,
+                                              int order_embedded) {
+  std::vector<Ground<FunctionProblem>> where = grounds();
+  where.push_back(quadrature());
+  return judge_on(where, make, order, order_embedded);
+}
+
+std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionMechanics<false>>& make,
+                                              int order, int order_embedded) {
+  return judge_on(separable_grounds(), make, order, order_embedded);
+}
+
+}  // namespace odeum::proof

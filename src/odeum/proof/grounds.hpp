@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/problem/function_problem.hpp"
+
+/// Where methods are put to the proof: small problems with closed solutions, so that a whole
+/// catalogue and thousands of mutants can be measured in seconds. The cases are for the contest.
+namespace odeum::proof {
+
+template <class P>
+struct Ground {
+  std::string id;  ///< linear, nonlinear, non_autonomous, ...
+  P problem;
+  double t0 = 0, horizon = 2;  ///< of a run; solutions last for four times that
+  std::vector<double> y0;
+  std::function<void(double t, double* y)> truth;  ///< the exact solution through (t0, y0)
+};
+
+/// - `linear`: z' = M z, a damped rotation that is not normal;
+/// - `nonlinear`: the same flow in bent coordinates y = (z_1, z_2 + g(z_1)), in which every
+///   elementary differential is at work;
+/// - `non_autonomous`: that in a time of varying pace, and beside it a pure quadrature
+///   y_3' = cos 3t, in which a wrong node shows alone.
+const std::vector<Ground<FunctionProblem>>& grounds();
+
+/// Separable problems q'' = a(t, q): `linear`, an oscillator; `nonlinear`, Kepler's ellipse with
+/// e = 0.3; `non_autonomous`, a driven pendulum.
+const std::vector<Ground<FunctionMechanics<false>>>& separable_grounds();
+
+/// With velocities in the acceleration: `linear`, a damped oscillator; `nonlinear`, a rotation
+/// under a force that grows with the speed; `non_autonomous`, a driven pendulum with damping.
+const std::vector<Ground<FunctionMechanics<true>>>& second_order_grounds();
+
+}  // namespace odeum::proof

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/proof/code_checks.hpp"
+#include "odeum/proof/mutant.hpp"
+
+namespace odeum::proof {
+namespace {
+
+/// How a problem answers wrongly.
+struct Lie {
+  enum class Time { right, stands_still, late } time = Time::right;
+  int evaluation = -1;  ///< which one of a step; -1: none
+  enum class Value { scaled, negated, stale } value = Value::scaled;
+  double jacobian = 1, time_derivative = 1;  ///< factors
+  bool euler_start = false;
+};
+
+/// Where the stepper is, told to the problem that it steps on.
+struct Moment {
+  double t = 0, h = 0;
+  int evaluations = 0;
+  std::vector<double> last;  ///< the value of the last evaluation
+};
+
+double time_told(const Lie& lie, const Moment& now, double t) {
+  switch (lie.time) {
+    case Lie::Time::stands_still:
+      return now.t;
+    case Lie::Time::late:
+      return t + now.h / 100;
+    default:
+      return t;
+  }
+}
+
+void spoil(const Lie& lie, Moment& now, double* value, std::size_t n) {
+  if (now.evaluations++ == lie.evaluation) {
+    if (lie.value == Lie::Value::stale && now.last.size() == n)
+      std::copy(now.last.begin(), now.last.end(), value);
+    else
+      for (std::size_t i = 0; i < n; ++i) value[i] *= lie.value == Lie::Value::negated ? -1 : 1.001;
+  }
+  now.last.assign(value, value + n);
+}
+
+template <class P>
+P lying(const P& problem, const Lie& lie, const std::shared_ptr<Moment>& now) {
+  P p = problem;
+  const std::size_t n = problem.size();
+  p.f = [=, f = problem.f](double t, const double* y, double* out) {
+    f(time_told(lie, *now, t), y, out);
+    spoil(lie, *now, out, n);
+  };
+  p.f_y = [=, f_y = problem.f_y](double t, const double* y, double* j) {
+    f_y(time_told(lie, *now, t), y, j);
+    for (std::size_t i = 0; i < n * n; ++i) j[i] *= lie.jacobian;
+  };
+  p.f_t = [=, f_t = problem.f_t](double t, const double* y, double* d) {
+    f_t(time_told(lie, *now, t), y, d);
+    for (std::size_t i = 0; i < n; ++i) d[i] *= lie.time_derivative;
+  };
+  if constexpr (requires { p.a; })
+    p.a = [=, a = problem.a](double t, const double* q, const double* v, double* out) {
+      a(time_told(lie, *now, t), q, v, out);
+      spoil(lie, *now, out, n / 2);
+    };
+  return p;
+}
+
+/// A sound stepper on a problem that lies to it.
+template <class P>
+class Deceived : public AnyStepper {
+ public:
+  Deceived(const MakeStepper<P>& make, const P& problem, const Lie& lie)
+      : lie_(lie),
+        now_(std::make_shared<Moment>()),
+        honest_(problem),
+        problem_(lying(problem, lie, now_)),
+        stepper_(make(problem_)) {}
+
+  void start(double t, double h, const std::vector<double>& y) override {
+    *now_ = {t, h, -1'000'000, {}};  // evaluations of a start are no part of a step
+    stepper_->start(t, h, y);
+    first_ = true;
+  }
+  Status step(double t, double h, std::vector<double>& y) override {
+    begin(t, h);
+    if (!lie_.euler_start || !std::exchange(first_, false)) return stepper_->step(t, h, y);
+    std::vector<double> f(y.size()), euler = y;
+    honest_.rhs(t, y.data(), f.data());
+    for (std::size_t i = 0; i < y.size(); ++i) euler[i] += h * f[i];
+    const Status status = stepper_->step(t, h, y);
+    y = euler;
+    return status;
+  }
+  Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
+    begin(t, h);
+    return stepper_->step(t, h, y, error);
+  }
+  int evaluations() const { return now_->evaluations; }
+
+ private:
+  void begin(double t, double h) {
+    now_->t = t;
+    now_->h = h;
+    now_->evaluations = 0;
+  }
+  Lie lie_;
+  std::shared_ptr<Moment> now_;
+  const P& honest_;
+  P problem_;
+  std::unique_ptr<AnyStepper> stepper_;
+  bool first_ = true;
+};
+
+template <class P>
+MakeStepper<P> deceived(const MakeStepper<P>& make, const Lie& lie) {
+  if (!make) return {};
+  return
+      [make, lie](const P& problem) { return std::make_unique<Deceived<P>>(make, problem, lie); };
+}
+
+Code deceived(const MethodFacts& method, const Lie& lie) {
+  return {deceived(method.on_problem, lie), deceived(method.on_separable, lie),
+          deceived(method.on_second_order, lie)};
+}
+
+/// How many evaluations a step takes once the method is on its way.
+template <class P>
+int evaluations_of(const MakeStepper<P>& make, const Ground<P>& ground) {
+  Deceived<P> stepper(make, ground.problem, {});
+  std::vector<double> y = ground.y0;
+  const double h = 0.05;
+  stepper.start(ground.t0, h, y);
+  for (int i = 0; i < 8; ++i) stepper.step(ground.t0 + i * h, h, y);
+  return stepper.evaluations();
+}
+
+int evaluations_of(const MethodFacts& method) {
+  if (method.on_problem) return evaluations_of(method.on_problem, grounds().back());
+  if (method.on_separable) return evaluations_of(method.on_separable, separable_grounds().back());
+  return 0;
+}
+
+constexpr int most_evaluations = 24;  // of extrapolation methods, the first ones
+
+struct Named {
+  const char* kind;
+  std::string change;
+  Lie lie;
+};
+
+std::vector<Named> lies_to(const MethodFacts& method) {
+  std::vector<Named> all{
+      {"time", "every evaluation at the start of the step", {.time = Lie::Time::stands_still}},
+      {"time", "every evaluation a hundredth of a step late", {.time = Lie::Time::late}}};
+  const std::string_view family = method.info.family;
+  if (family == "linearly_implicit") {
+    all.push_back({"derivative", "Jacobian larger by 1 %", {.jacobian = 1.01}});
+    all.push_back({"derivative", "df/dt left out", {.time_derivative = 0}});
+  }
+  if (!method.info.one_step && family == "multistep")
+    all.push_back({"start", "first step by explicit Euler", {.euler_start = true}});
+  // An iteration heals what one of its evaluations suffers: no mutants of single ones there.
+  if (family == "implicit_rk" || family == "functional_iteration" ||
+      (method.tableau && !method.tableau->is_explicit()))
+    return all;
+  const int evaluations = std::min(evaluations_of(method), most_evaluations);
+  for (int k = 0; k < evaluations; ++k) {
+    const std::string name = fmt::format("evaluation {} ", k + 1);
+    all.push_back(
+        {"evaluation", name + "larger by 0.1 %", {.evaluation = k, .value = Lie::Value::scaled}});
+    all.push_back(
+        {"evaluation", name + "negated", {.evaluation = k, .value = Lie::Value::negated}});
+    all.push_back(
+        {"evaluation", name + "forgotten", {.evaluation = k, .value = Lie::Value::stale}});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Mutant> mutate_answers(const MethodFacts& method) {
+  std::vector<Mutant> mutants;
+  if (!method.on_problem && !method.on_separable) return mutants;
+  if (method.info.order == 0) return mutants;
+  const CodeChecks checks(method);
+  for (const Named& named : lies_to(method)) {
+    Mutant mutant{method.id(), named.kind, named.change, 0, {}, {}};
+    const Code code = deceived(method, named.lie);
+    mutant.caught_by = checks.first_failure(code);
+    // The lie changed nothing: it was about something that the method does not ask for.
+    if (!mutant.caught() && difference_between(code, code_of(method)) <= 1e-15)
+      mutant.equivalent = "no result depends on it";
+    mutants.push_back(std::move(mutant));
+  }
+  return mutants;
+}
+
+}  // namespace odeum::proof

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "odeum/proof/code_checks.hpp"
+#include "odeum/proof/embedded_check.hpp"
+#include "odeum/proof/mutant.hpp"
+#include "odeum/tableau/character.hpp"
+#include "odeum/tableau/row_order.hpp"
+
+namespace odeum::proof {
+namespace {
+
+using Coefficients = DynamicTableau<double>;
+
+/// What is held against a mutant: all of it follows from the sound tableau.
+struct Claims {
+  Coefficients tableau;
+  Structure structure;
+  StabilityClass stability;
+  std::vector<study::OrderFit> orders, orders_hat;  ///< as running shows them, ground by ground
+};
+
+bool has_order(const Coefficients& t, const std::vector<double>& row, int order) {
+  const RowOrder<double> found =
+      order_of_row(t, row, double_rounding, std::min(order + 1, highest_order_checked));
+  return found.order == order;
+}
+
+bool same(const Structure& x, const Structure& y) {
+  return x.kind == y.kind && x.one_diagonal == y.one_diagonal &&
+         x.first_stage_explicit == y.first_stage_explicit &&
+         x.first_same_as_last == y.first_same_as_last && x.stiffly_accurate == y.stiffly_accurate &&
+         x.symplectic == y.symplectic && x.symmetric == y.symmetric;
+}
+
+// 0.01 degrees: ten times what the angle is found to.
+bool same(const StabilityClass& x, const StabilityClass& y) {
+  return x.a_stable() == y.a_stable() && std::abs(x.angle - y.angle) <= 0.01 &&
+         x.vanishes_at_infinity() == y.vanishes_at_infinity();
+}
+
+bool nodes_are_row_sums(const Coefficients& t) {
+  for (std::size_t i = 0; i < t.stages; ++i)
+    if (std::abs(t.c[i] - t.row_sum(i)) > 1e-13) return false;
+  return true;
+}
+
+using Orders = std::vector<study::OrderFit>;
+
+Orders orders_by_running(const Coefficients& t, int order) {
+  Orders fits;
+  for (const Ground<FunctionProblem>& ground : grounds())
+    fits.push_back(measure_order(interpreted(t), order, ground));
+  return fits;
+}
+
+Coefficients estimating(const Coefficients& t) {
+  Coefficients other = t;
+  other.b = t.b_hat;
+  other.b_hat.clear();
+  return other;
+}
+
+// By what follows from the coefficients alone, which costs little; then by what must be run, or is
+// seen only in nodes that are written down.
+std::string caught_early(const Coefficients& mutant, const Claims& sound) {
+  const Coefficients& t = sound.tableau;
+  if (!has_order(mutant, mutant.b, t.order)) return "order conditions of b";
+  if (t.embedded() && !has_order(mutant, mutant.b_hat, t.order_hat))
+    return "order conditions of b_hat";
+  if (!same(structure_of(mutant), sound.structure)) return "structure";
+  if (!same(stability_class(mutant), sound.stability)) return "stability class";
+  return {};
+}
+
+std::string difference_in(const Orders& found, const Orders& expected, const char* of) {
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!same_order(found[i], expected[i]))
+      return fmt::format("order {}on {}: {}", of, grounds()[i].id,
+                         study::to_string(found[i].verdict));
+  return {};
+}
+
+std::string caught_by_running(const Coefficients& mutant, const Claims& sound) {
+  const Coefficients& t = sound.tableau;
+  std::string by;
+  if (mutant.a != t.a || mutant.b != t.b || mutant.c != t.c)
+    by = difference_in(orders_by_running(mutant, t.order), sound.orders, "");
+  if (by.empty() && t.embedded())
+    by = difference_in(orders_by_running(estimating(mutant), t.order_hat), sound.orders_hat,
+                       "of b_hat ");
+  return by;
+}
+
+std::string caught_late(const Coefficients& mutant, const Claims& sound) {
+  if (std::string by = caught_by_running(mutant, sound); !by.empty()) return by;
+  if (!nodes_are_row_sums(mutant)) return "nodes against row sums";
+  return {};
+}
+
+Code code_running(const Coefficients& t) { return {interpreted(t), {}, {}}; }
+
+class Maker {
+ public:
+  Maker(const MethodFacts& method, Checks checks)
+      : id_(method.id()),
+        checks_(checks),
+        sound_{*method.tableau,
+               structure_of(*method.tableau),
+               stability_class(*method.tableau),
+               orders_by_running(*method.tableau, method.tableau->order),
+               {}} {
+    const Coefficients& t = sound_.tableau;
+    if (t.embedded()) sound_.orders_hat = orders_by_running(estimating(t), t.order_hat);
+  }
+
+  std::vector<Mutant> all() {
+    const Coefficients& t = sound_.tableau;
+    for (std::size_t i = 0; i < t.stages; ++i) {
+      for (std::size_t j = 0; j < t.stages; ++j)
+        alter(fmt::format("a[{}][{}]", i + 1, j + 1),
+              [&](Coefficients& m) -> double& { return m.at(i, j); });
+      alter(fmt::format("b[{}]", i + 1), [&](Coefficients& m) -> double& { return m.b[i]; });
+      if (t.embedded())
+        alter(fmt::format("b_hat[{}]", i + 1),
+              [&](Coefficients& m) -> double& { return m.b_hat[i]; });
+    }
+    for (std::size_t i = 0; i < t.stages; ++i) {
+      drop(i);
+      move_node(i, t.c[i] + 0.01, "a hundredth late");
+      if (t.c[i] != 0) move_node(i, 0, "at the start of the step");
+    }
+    return std::move(mutants_);
+  }
+
+ private:
+  template <class Entry>
+  void alter(const std::string& name, Entry&& entry) {
+    if (Coefficients probe = sound_.tableau; entry(probe) == 0) return;
+    const auto with = [&](auto&& change, const char* kind, double size, const std::string& text) {
+      Coefficients m = sound_.tableau;
+      double& value = entry(m);
+      value = change(value);
+      m.set_nodes_to_row_sums();
+      judge(m, {id_, kind, text, size, {}, {}});
+    };
+    for (const double size : mutation_sizes) {
+      if (checks_ == Checks::running_only && size < 1e-3) break;
+      with([&](double x) { return x * (1 + size); }, "coefficient", size,
+           fmt::format("{} by {:g}", name, size));
+    }
+    with([](double x) { return -x; }, "sign", 0, fmt::format("{} negated", name));
+  }
+
+  void drop(std::size_t stage) {
+    Coefficients m = sound_.tableau;
+    m.b[stage] = 0;
+    if (m.embedded()) m.b_hat[stage] = 0;
+    for (std::size_t i = 0; i < m.stages; ++i) m.at(i, stage) = 0;
+    m.set_nodes_to_row_sums();
+    judge(m, {id_, "stage", fmt::format("stage {} dropped", stage + 1), 0, {}, {}});
+  }
+
+  void move_node(std::size_t i, double c, const char* how) {
+    Coefficients m = sound_.tableau;
+    m.c[i] = c;
+    judge(m, {id_, "node", fmt::format("c[{}] {}", i + 1, how), 0, {}, {}});
+  }
+
+  void judge(const Coefficients& m, Mutant mutant) {
+    if (checks_ == Checks::quickest_first) mutant.caught_by = caught_early(m, sound_);
+    if (!mutant.caught()) {
+      // What no result depends on cannot be seen in one. 1e-15: the sums are formed the same way.
+      if (difference_between(code_running(m), code_running(sound_.tableau)) <= 1e-15)
+        mutant.equivalent = "no result depends on it";
+      else if (checks_ == Checks::running_only)
+        mutant.caught_by = caught_by_running(m, sound_);
+      else
+        mutant.caught_by = caught_late(m, sound_);
+    }
+    mutants_.push_back(std::move(mutant));
+  }
+
+  std::string id_;
+  Checks checks_;
+  Claims sound_;
+  std::vector<Mutant> mutants_;
+};
+
+}  // namespace
+
+std::vector<Mutant> mutate_tableau(const MethodFacts& method, Checks checks) {
+  if (!method.tableau) return {};
+  return Maker(method, checks).all();
+}
+
+}  // namespace odeum::proof

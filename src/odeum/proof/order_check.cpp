@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/order_check.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace odeum::proof {
+namespace {
+
+/// How the order is looked for. High orders fall to rounding within a few steps: they are given a
+/// longer way, and step counts that lie closer together.
+struct Plan {
+  double horizon, ratio, start;
+  int count;
+  std::uint64_t stops;  ///< where errors are looked at; step counts are multiples of it
+};
+Plan plan_for(double order) {
+  if (order <= 2) return {1, 2, 16, 9, 4};
+  if (order <= 4) return {1, std::sqrt(2.0), 16, 14, 4};
+  if (order <= 6) return {1, std::cbrt(2.0), 8, 17, 4};
+  return {2, std::pow(2.0, 1. / 6), 8, 24, 2};
+}
+
+/// Step counts from coarse to fine.
+std::vector<std::uint64_t> ladder(const Plan& plan) {
+  std::vector<std::uint64_t> steps;
+  for (int k = 0; k < plan.count; ++k) {
+    const auto units =
+        std::llround(plan.start * std::pow(plan.ratio, k) / static_cast<double>(plan.stops));
+    const std::uint64_t n = static_cast<std::uint64_t>(std::max(units, 1LL)) * plan.stops;
+    if (steps.empty() || n > steps.back()) steps.push_back(n);
+  }
+  return steps;
+}
+
+}  // namespace
+
+study::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
+                              const std::vector<double>& y0,
+                              const std::function<void(double t, double* y)>& truth) {
+  const Plan plan = plan_for(claimed_order);
+  horizon *= plan.horizon;
+  std::vector<study::ErrorPoint> points;
+  std::vector<double> exact(y0.size());
+  int at_rounding = 0;
+  for (const std::uint64_t steps : ladder(plan)) {
+    const double n = static_cast<double>(steps), h = horizon / n;
+    study::ErrorPoint point{.step = h, .error = 0, .steps = n};
+    std::vector<double> y = y0;
+    stepper.start(t0, h, y);
+    for (std::uint64_t i = 0; i < steps; ++i) {
+      if (stepper.step(t0 + static_cast<double>(i) * h, h, y) != Status::ok) {
+        point.error = std::numeric_limits<double>::quiet_NaN();
+        break;
+      }
+      if ((i + 1) % (steps / plan.stops) != 0) continue;
+      truth(t0 + static_cast<double>(i + 1) * h, exact.data());
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        const double error = std::abs(y[k] - exact[k]);
+        // NaN stays, as the largest error there is
+        if (!(error <= point.error)) point.error = error;
+        point.rounding_unit = std::max(
+            point.rounding_unit, std::abs(exact[k]) * std::numeric_limits<double>::epsilon() / 2);
+      }
+    }
+    points.push_back(point);
+    at_rounding = point.error <= point.typical_rounding() ? at_rounding + 1 : 0;
+    if (at_rounding >= 2 && points.size() >= 6) break;
+  }
+  return study::fit_order(points, claimed_order, study::fixed_step_tolerance(claimed_order));
+}
+
+}  // namespace odeum::proof

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/stability_check.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "odeum/proof/grounds.hpp"
+#include "odeum/tableau/character.hpp"
+
+namespace odeum::proof {
+namespace {
+
+constexpr int points = 64;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+FunctionProblem dahlquist(std::complex<double> z) {
+  FunctionProblem p;
+  p.unknowns = 2;
+  p.f = [z](double, const double* y, double* f) {
+    f[0] = z.real() * y[0] - z.imag() * y[1];
+    f[1] = z.imag() * y[0] + z.real() * y[1];
+  };
+  p.f_y = [z](double, const double*, double* j) {
+    j[0] = j[3] = z.real();
+    j[1] = -z.imag();
+    j[2] = z.imag();
+  };
+  p.f_t = [](double, const double*, double* d) { d[0] = d[1] = 0; };
+  return p;
+}
+
+FunctionMechanics<false> oscillator(double w) {
+  FunctionMechanics<false> p;
+  p.unknowns = 2;
+  p.a = [w](double, const double* q, const double*, double* a) { a[0] = -w * w * q[0]; };
+  p.f = [w](double, const double* y, double* f) {
+    f[0] = y[1];
+    f[1] = -w * w * y[0];
+  };
+  p.f_y = [w](double, const double*, double* j) {
+    j[0] = j[3] = 0;
+    j[1] = 1;
+    j[2] = -w * w;
+  };
+  p.f_t = [](double, const double*, double* d) { d[0] = d[1] = 0; };
+  return p;
+}
+
+void note(StabilityAgreement& found, double difference, std::complex<double> z) {
+  ++found.points;
+  if (difference <= found.difference) return;
+  found.difference = difference;  // NaN stays, as the largest there is
+  found.worst = z;
+}
+
+}  // namespace
+
+std::complex<double> running_growth(const MakeStepper<FunctionProblem>& make,
+                                    std::complex<double> z) {
+  const FunctionProblem problem = dahlquist(z);
+  const auto stepper = make(problem);
+  std::vector<double> y{1, 0};
+  stepper->start(0, 1, y);
+  if (stepper->step(0, 1, y) != Status::ok) return {nan, nan};
+  return {y[0], y[1]};
+}
+
+StabilityAgreement compare_stability(const MakeStepper<FunctionProblem>& make,
+                                     const MethodFacts& theory) {
+  StabilityAgreement found;
+  if (!theory.tableau && !theory.amplification) return found;
+  const bool polynomial = theory.tableau && theory.tableau->is_explicit();
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> near_re(-3, 0.5), imaginary(-3, 3), size(0, 3);
+  for (int i = 0; i < points; ++i) {
+    std::complex<double> z{near_re(random), imaginary(random)};
+    // Far out, to |z| = 1000, for methods that are used there.
+    if (i % 2 == 1 && !polynomial)
+      z = {-std::pow(10, size(random)), imaginary(random) * std::pow(10, size(random) - 1)};
+    const std::complex<double> code = running_growth(make, z);
+    if (theory.tableau) {
+      const std::complex<double> r = stability_function(*theory.tableau, z);
+      note(found, std::abs(code - r) / (1 + std::abs(r)), z);
+      continue;
+    }
+    const double r = theory.amplification(z.real(), z.imag());
+    // An iteration that gives up must be known to give up.
+    if (!std::isfinite(r) && !std::isfinite(code.real())) continue;
+    note(found, std::abs(std::abs(code) - r) / (1 + r), z);
+  }
+  return found;
+}
+
+StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<false>>& make,
+                                          const MethodFacts& theory) {
+  StabilityAgreement found;
+  if (!theory.oscillator_map) return found;
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> frequency(0.05, 2.5);
+  for (int i = 0; i < points; ++i) {
+    const double w = frequency(random);
+    const OscillatorMap map = theory.oscillator_map(w);
+    const FunctionMechanics<false> problem = oscillator(w);
+    for (const int column : {0, 1}) {
+      std::vector<double> y{column == 0 ? 1 / w : 0, column == 0 ? 0.0 : 1.0};
+      const auto stepper = make(problem);
+      stepper->start(0, 1, y);
+      if (stepper->step(0, 1, y) != Status::ok) y = {nan, nan};
+      const double difference =
+          std::max(std::abs(w * y[0] - map[column]), std::abs(y[1] - map[2 + column]));
+      note(found, difference / (1 + std::abs(map[0]) + std::abs(map[3])), w);
+    }
+  }
+  return found;
+}
+
+double compare_with_tableau(const MakeStepper<FunctionProblem>& make,
+                            const DynamicTableau<double>& tableau, bool with_estimate) {
+  const Ground<FunctionProblem>& ground = grounds().back();
+  const auto code = make(ground.problem);
+  InterpretedStepper theory(tableau, ground.problem);
+  std::vector<double> y = ground.y0, z = y, error, estimate;
+  double difference = 0;
+  const double h = 0.1;
+  code->start(0, h, y);
+  for (const double t : {0.0, h}) {
+    Status status{}, expected{};
+    if (with_estimate && tableau.embedded()) {
+      status = code->step(t, h, y, error);
+      expected = theory.step(t, h, z, estimate);
+    } else {
+      status = code->step(t, h, y);
+      expected = theory.step(t, h, z);
+    }
+    if (status != Status::ok || expected != Status::ok) return nan;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      difference = std::max(difference, std::abs(y[i] - z[i]));
+      if (!error.empty()) difference = std::max(difference, std::abs(error[i] - estimate[i]));
+      if (std::isnan(y[i])) return nan;
+    }
+  }
+  return difference;
+}
+
+}  // namespace odeum::proof

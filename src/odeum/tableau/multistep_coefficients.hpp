@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstddef>
+
+/// Coefficients of linear multistep formulas, derived at compile time (Hairer, Norsett, Wanner,
+/// Solving ODEs I, III.1):
+///
+///     sum_i alpha_i y_{n+1-i} = h sum_i beta_i f_{n+1-i},   i = 0 is the new point.
+namespace odeum {
+
+template <std::size_t K>
+struct MultistepCoefficients {
+  static constexpr std::size_t steps = K;
+  std::array<double, K + 1> alpha{}, beta{};
+};
+
+/// Integrals from 0 to 1 of Lagrange's polynomials on the nodes first, first - 1, ...
+template <std::size_t Count>
+constexpr std::array<double, Count> lagrange_integrals(int first) {
+  std::array<double, Count> integrals{};
+  for (std::size_t j = 0; j < Count; ++j) {
+    std::array<long double, Count> l{1};
+    for (std::size_t m = 0, degree = 0; m < Count; ++m) {
+      if (m == j) continue;
+      const long double node = first - static_cast<int>(m);
+      const long double scale = 1 / (static_cast<long double>(m) - static_cast<long double>(j));
+      ++degree;
+      for (std::size_t k = degree + 1; k-- > 0;)
+        l[k] = ((k > 0 ? l[k - 1] : 0) - (k < degree ? node * l[k] : 0)) * scale;
+    }
+    long double sum = 0;
+    for (std::size_t k = 0; k < Count; ++k) sum += l[k] / static_cast<long double>(k + 1);
+    integrals[j] = static_cast<double>(sum);
+  }
+  return integrals;
+}
+
+/// y_{n+1} = y_n + h times the integral of the polynomial through f_n, ..., f_{n+1-K}. Order K.
+template <std::size_t K>
+constexpr MultistepCoefficients<K> adams_bashforth_coefficients() {
+  MultistepCoefficients<K> c;
+  c.alpha[0] = 1;
+  c.alpha[1] = -1;
+  const auto beta = lagrange_integrals<K>(0);
+  for (std::size_t i = 0; i < K; ++i) c.beta[i + 1] = beta[i];
+  return c;
+}
+
+/// The same through f_{n+1}, f_n, ..., f_{n+1-K}. Order K + 1.
+template <std::size_t K>
+constexpr MultistepCoefficients<K> adams_moulton_coefficients() {
+  MultistepCoefficients<K> c;
+  c.alpha[0] = 1;
+  c.alpha[1] = -1;
+  c.beta = lagrange_integrals<K + 1>(1);
+  return c;
+}
+
+/// sum_{j=1}^K nabla^j y_{n+1} / j = h f_{n+1}. Order K.
+template <std::size_t K>
+constexpr MultistepCoefficients<K> backward_difference_coefficients() {
+  MultistepCoefficients<K> c;
+  c.beta[0] = 1;
+  for (std::size_t j = 1; j <= K; ++j) {
+    double binomial = 1;  // of j over i, with alternating sign
+    for (std::size_t i = 0; i <= j; ++i) {
+      c.alpha[i] += binomial / static_cast<double>(j);
+      binomial *= -static_cast<double>(j - i) / static_cast<double>(i + 1);
+    }
+  }
+  return c;
+}
+
+/// Whether the formula is exact for polynomials of degree `order` and no more ((III.2.6)).
+template <std::size_t K>
+consteval bool multistep_proven(const MultistepCoefficients<K>& c, int order) {
+  const auto violation = [&](int q) {
+    double sum = 0, largest = 1;
+    for (std::size_t i = 0; i <= K; ++i) {
+      const double x = 1 - static_cast<double>(i);  // t_{n+1-i}, h = 1, t_n = 0
+      double power = 1;                             // x^(q-1)
+      for (int k = 1; k < q; ++k) power *= x;
+      const double value = q == 0 ? c.alpha[i] : c.alpha[i] * power * x - q * c.beta[i] * power;
+      sum += value;
+      largest = value > largest ? value : -value > largest ? -value : largest;
+    }
+    return (sum < 0 ? -sum : sum) / largest;
+  };
+  for (int q = 0; q <= order; ++q)
+    if (violation(q) > 1e-14) return false;
+  return violation(order + 1) > 1e-10;
+}
+
+}  // namespace odeum

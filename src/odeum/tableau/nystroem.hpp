@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "odeum/tableau/order_conditions.hpp"
+
+/// Runge-Kutta-Nystroem coefficients for q'' = a(t, q) as data, and their order conditions (Hairer,
+/// Norsett, Wanner, Solving ODEs I, II.14).
+namespace odeum {
+
+///     g_i = q + c_i h v + h^2 sum_j a_ij a(t + c_j h, g_j),
+///     q <- q + h v + h^2 sum_i b_q_i a(t + c_i h, g_i),   v <- v + h sum_i b_v_i a(t + c_i h,
+///     g_i),
+/// with an embedded pair of rows where `order_hat` is not 0.
+template <std::size_t S>
+struct NystroemTableau {
+  static constexpr std::size_t stages = S;
+  std::array<double, S> c{};
+  std::array<std::array<double, S>, S> a{};
+  std::array<double, S> b_q{}, b_v{};
+  int order = 0;
+  std::array<double, S> b_q_hat{}, b_v_hat{};
+  int order_hat = 0;
+
+  constexpr bool has_embedded_rows() const { return order_hat != 0; }
+  /// The last stage is the first of the next step.
+  constexpr bool reuses_last_stage() const {
+    for (std::size_t j = 0; j < S; ++j)
+      if (a[S - 1][j] != b_q[j]) return false;
+    return c[0] == 0 && c[S - 1] == 1;
+  }
+};
+
+/// The special Nystroem trees with at most MaxOrder nodes, each made from an earlier one by adding
+/// to its root a velocity (`grafted` = velocity) or a smaller tree. A tree of n nodes contributes
+/// to v at h^n and to q at h^(n+1).
+template <int MaxOrder>
+struct NystroemTrees {
+  static constexpr std::array<std::size_t, 11> count_to{0, 1, 2, 4, 7, 13, 23, 43, 79, 151, 288};
+  static_assert(MaxOrder >= 1 && MaxOrder <= 10);
+  static constexpr std::size_t count = count_to[MaxOrder];
+  static constexpr std::size_t velocity = count;
+
+  std::array<int, count> nodes{};
+  std::array<std::size_t, count> base{}, grafted{};
+  /// The exact solution's factor: a stage at theta has theta^(n-1) times it.
+  std::array<double, count> factor{};
+
+  consteval NystroemTrees() {
+    nodes[0] = 1;
+    factor[0] = 1;
+    std::size_t made = 1;
+    const auto add = [&](int n, std::size_t l, std::size_t r) {
+      nodes[made] = n;
+      base[made] = l;
+      grafted[made] = r;
+      factor[made] = factor[l] * (r == velocity ? 1 : factor[r] / (nodes[r] * (nodes[r] + 1)));
+      ++made;
+    };
+    for (int n = 2; n <= MaxOrder; ++n) {
+      const std::size_t smaller = made;
+      for (std::size_t l = 0; l < smaller; ++l) {
+        // Velocities last, trees in non-increasing order before them: each tree once.
+        if (nodes[l] + 1 == n) add(n, l, velocity);
+        if (l != 0 && grafted[l] == velocity) continue;
+        for (std::size_t r = 0; r < smaller; ++r)
+          if (nodes[l] + nodes[r] + 1 == n && (l == 0 || r <= grafted[l])) add(n, l, r);
+      }
+    }
+    if (made != count) throw "Nystroem trees miscounted";
+  }
+};
+
+template <int MaxOrder>
+inline constexpr NystroemTrees<MaxOrder> nystroem_trees{};
+
+/// The largest violation of the conditions of each order n = 1..Order: those on the velocity's row
+/// by the trees of n nodes, those on the position's row by the trees of n - 1 nodes.
+template <int Order, std::size_t S>
+constexpr std::array<double, Order + 1> nystroem_residuals(const NystroemTableau<S>& tableau,
+                                                           const std::array<double, S>& row_q,
+                                                           const std::array<double, S>& row_v) {
+  constexpr auto& trees = nystroem_trees<Order>;
+  double phi[trees.count][S]{};
+  std::array<double, Order + 1> worst{};
+  const auto note = [&worst](int n, double violation) {
+    double& w = worst[static_cast<std::size_t>(n)];
+    w = violation > w ? violation : (-violation > w ? -violation : w);
+  };
+  for (std::size_t tau = 0; tau < trees.count; ++tau) {
+    const std::size_t r = trees.grafted[tau];
+    double sum_q = 0, sum_v = 0;
+    for (std::size_t i = 0; i < S; ++i) {
+      double graft = tableau.c[i];
+      if (tau != 0 && r != trees.velocity) {
+        graft = 0;
+        for (std::size_t j = 0; j < S; ++j) graft += tableau.a[i][j] * phi[r][j];
+      }
+      phi[tau][i] = tau == 0 ? 1 : phi[trees.base[tau]][i] * graft;
+      sum_q += row_q[i] * phi[tau][i];
+      sum_v += row_v[i] * phi[tau][i];
+    }
+    const int n = trees.nodes[tau];
+    note(n, sum_v - trees.factor[tau] / n);
+    if (n < Order) note(n + 1, sum_q - trees.factor[tau] / (n * (n + 1)));
+  }
+  return worst;
+}
+
+/// Whether the rows meet every condition up to `order` (at most 8) and fail one of the next.
+template <std::size_t S>
+constexpr bool has_exactly_order(const NystroemTableau<S>& tableau,
+                                 const std::array<double, S>& row_q,
+                                 const std::array<double, S>& row_v, int order) {
+  const auto residuals = nystroem_residuals<9>(tableau, row_q, row_v);
+  for (int n = 1; n <= order; ++n)
+    if (!(residuals[static_cast<std::size_t>(n)] < order_rounding)) return false;
+  return order <= 8 && residuals[static_cast<std::size_t>(order) + 1] > order_rounding;
+}
+
+/// For static_assert beside a tableau: explicit, and both pairs of rows have the orders stated.
+template <std::size_t S>
+consteval bool proven(const NystroemTableau<S>& tableau) {
+  for (std::size_t i = 0; i < S; ++i)
+    for (std::size_t j = i; j < S; ++j)
+      if (tableau.a[i][j] != 0) return false;
+  return has_exactly_order(tableau, tableau.b_q, tableau.b_v, tableau.order) &&
+         (!tableau.has_embedded_rows() ||
+          has_exactly_order(tableau, tableau.b_q_hat, tableau.b_v_hat, tableau.order_hat));
+}
+
+}  // namespace odeum

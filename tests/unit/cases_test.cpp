@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each case says of its problem agrees with what its right-hand side does, and with the
+// independent reference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "support/catalogue.hpp"
+
+namespace odeum {
+namespace {
+
+/// The states of a case at its start and at every time that its truth knows.
+std::vector<std::pair<double, std::vector<double>>> along(const Case& c) {
+  std::vector<std::pair<double, std::vector<double>>> points{{c.t0, c.y0}};
+  std::vector<double> times = c.stops;
+  times.insert(times.end(), c.timed_stops.begin(), c.timed_stops.end());
+  for (const double t : times) {
+    std::vector<double> y(c.y0.size());
+    if (c.truth.at(t, y.data())) points.emplace_back(t, y);
+  }
+  return points;
+}
+
+double largest(const std::vector<double>& x) {
+  double norm = 0;
+  for (const double component : x) norm = std::max(norm, std::abs(component));
+  return norm;
+}
+
+/// A derivative by central differences with steps of `reach`, and how far it may be off: what its
+/// values lose to rounding, and what four-fold smaller steps change, which bounds its truncation.
+struct Difference {
+  std::vector<double> value, uncertainty;
+};
+template <class Function>
+Difference difference(std::size_t n, double reach, Function&& f) {
+  const auto central = [&](double h, std::vector<double>& size) {
+    std::vector<double> up(n), down(n), value(n);
+    f(h, up.data());
+    f(-h, down.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      value[i] = (up[i] - down[i]) / (2 * h);
+      size[i] = std::max(std::abs(up[i]), std::abs(down[i]));
+    }
+    return value;
+  };
+  std::vector<double> size(n);
+  const std::vector<double> rough = central(reach, size), fine = central(reach / 4, size);
+  Difference d{fine, std::vector<double>(n)};
+  const double all = largest(size);
+  for (std::size_t i = 0; i < n; ++i)
+    d.uncertainty[i] = std::abs(fine[i] - rough[i]) + 1e-13 * all / reach;
+  return d;
+}
+
+class EveryCase : public testing::TestWithParam<const Case*> {};
+
+TEST_P(EveryCase, JacobianIsTheDerivative) {
+  const OdeView& p = GetParam()->problem.view;
+  if (!p.jacobian) GTEST_SKIP() << "has none";
+  const std::size_t n = p.dimension;
+  for (const auto& [t, y] : along(*GetParam())) {
+    std::vector<double> j(n * n);
+    p.jacobian(p.problem, t, y.data(), j.data());
+    std::vector<double> moved = y;
+    for (std::size_t k = 0; k < n; ++k) {
+      // Components may be tiny where the solution is stiff: steps relative to their own size.
+      const double reach = 1e-3 * std::max(std::abs(y[k]), 1e-6 * std::max(1.0, largest(y)));
+      const Difference d = difference(n, reach, [&](double h, double* f) {
+        moved[k] = y[k] + h;
+        p.rhs(p.problem, t, moved.data(), f);
+        moved[k] = y[k];
+      });
+      for (std::size_t i = 0; i < n; ++i) {
+        const double entry = j[i * n + k];
+        EXPECT_NEAR(entry, d.value[i], d.uncertainty[i] + 1e-9 * std::abs(entry))
+            << "d f_" << i << " / d y_" << k << " at t = " << t;
+        // The test must be able to fail: an entry that matters is known to a tenth.
+        if (std::abs(entry) > 1e-3 * largest(j) && largest(j) < 1e9) {
+          EXPECT_LT(d.uncertainty[i], 0.1 * std::abs(entry)) << i << ", " << k << " at t = " << t;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(EveryCase, TimeDerivativeIsTheDerivative) {
+  const OdeView& p = GetParam()->problem.view;
+  const std::size_t n = p.dimension;
+  for (const auto& [t, y] : along(*GetParam())) {
+    std::vector<double> exact(n, 0.0);
+    if (p.time_derivative) p.time_derivative(p.problem, t, y.data(), exact.data());
+    // A thousandth of the fastest period of any explicit time: 1/(100 pi) s.
+    const Difference d = difference(
+        n, 1e-6, [&, at = t](double h, double* f) { p.rhs(p.problem, at + h, y.data(), f); });
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(exact[i], d.value[i], d.uncertainty[i] + 1e-9 * std::abs(exact[i]))
+          << "t = " << t;
+  }
+}
+
+TEST_P(EveryCase, AccelerationIsTheSecondHalfOfTheRightHandSide) {
+  const OdeView& p = GetParam()->problem.view;
+  if (!p.second_order()) GTEST_SKIP() << "of first order";
+  const std::size_t half = p.degrees_of_freedom;
+  ASSERT_EQ(2 * half, p.dimension);
+  for (const auto& [t, y] : along(*GetParam())) {
+    std::vector<double> f(p.dimension), a(half);
+    p.rhs(p.problem, t, y.data(), f.data());
+    // A separable acceleration is not given the velocity at all.
+    p.acceleration(p.problem, t, y.data(), p.velocity_dependent ? y.data() + half : nullptr,
+                   a.data());
+    for (std::size_t i = 0; i < half; ++i) {
+      EXPECT_EQ(f[i], y[half + i]);
+      EXPECT_EQ(f[half + i], a[i]);
+    }
+  }
+}
+
+TEST_P(EveryCase, InvariantsAreKeptByTheReference) {
+  const Case& c = *GetParam();
+  const auto holds = [&](const std::string& name, const auto& value) {
+    const double start = value(c.y0.data());
+    double gradient = 0;  // how much a change of the state by its last digit moves the value
+    for (const auto& [t, y] : along(c)) {
+      std::vector<double> moved = y;
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        const double h = 1e-6 * std::max(1.0, largest(y));
+        moved[k] = y[k] + h;
+        gradient = std::max(gradient, std::abs(value(moved.data()) - value(y.data())) / h);
+        moved[k] = y[k];
+      }
+    }
+    for (const auto& [t, y] : along(c)) {
+      // The state is known to its floor and rounded to double; so is the value, a sum of n terms.
+      const double floor = std::max(c.truth.floor, c.timed_floor) + 4e-16 * largest(y);
+      const auto n = static_cast<double>(y.size());
+      EXPECT_NEAR(value(y.data()), start, 4 * n * gradient * floor + 4e-16 * n * std::abs(start))
+          << name << " at t = " << t;
+    }
+  };
+  for (const Invariant& invariant : c.invariants) holds(invariant.name, invariant.value);
+  // An energy is lost where there is damping or a cloth's friction.
+  if (c.energy && c.has_tag("separable")) holds("energy", c.energy);
+}
+
+TEST_P(EveryCase, StopsLieOnItsStepsAndAreKnown) {
+  const Case& c = *GetParam();
+  std::vector<double> y(c.y0.size());
+  Request request;
+  request.stops = c.stops;
+  request.steps = c.steps_multiple;
+  if (c.no_fixed_steps.empty()) EXPECT_TRUE(FixedGrid(c.t0, request).fits());
+  for (const double t : c.stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
+  for (const double t : c.timed_stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
+  EXPECT_EQ(c.coarsest_steps % c.steps_multiple, 0U);
+}
+
+std::vector<const Case*> every_case() {
+  std::vector<const Case*> cases;
+  for (const Case& c : all_cases()) cases.push_back(&c);
+  return cases;
+}
+INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, testing::ValuesIn(every_case()),
+                         [](const auto& info) { return info.param->id; });
+
+/// The index of the references: problem, parameters, floors.
+nlohmann::json index() {
+  std::ifstream file(ODEUM_SOURCE_DIR "/cases/reference/index.json");
+  return nlohmann::json::parse(file);
+}
+
+/// A number of the index, or one of the few formulas that stand there for one.
+double number(const std::string& text, double eccentricity) {
+  if (text == "1-e") return 1 - eccentricity;
+  if (text == "sqrt((1+e)/(1-e))") return std::sqrt((1 + eccentricity) / (1 - eccentricity));
+  if (text == "cos(1.1)") return std::cos(1.1);
+  if (text == "sin(1.1)") return std::sin(1.1);
+  return std::stod(text);
+}
+
+bool spelt_out(const nlohmann::json& state) {
+  return std::none_of(state.begin(), state.end(), [](const auto& entry) {
+    const auto text = entry.template get<std::string>();
+    return text.find(':') != std::string::npos || text.find('j') != std::string::npos ||
+           text.find('=') != std::string::npos;
+  });
+}
+
+/// Every reference is the truth of a case, which starts where the reference starts and claims no
+/// more digits than the index grants.
+TEST(Reference, IsTheTruthOfACase) {
+  for (const auto& entry : index()) {
+    const auto name = entry["problem"].get<std::string>();
+    const std::string source = "cases/reference/" + entry["csv"].get<std::string>();
+    const Case* found = nullptr;
+    for (const Case& c : all_cases())
+      if (c.truth.source == source) found = &c;
+    // The damped oscillators of other parameters have closed forms of their own.
+    ASSERT_NE(found, nullptr) << name << " is no case";
+    const auto& state = entry["initial_state"];
+    if (state.size() != found->y0.size() || !spelt_out(state)) continue;
+    const double e = entry["parameters"].contains("e")
+                         ? std::stod(entry["parameters"]["e"].get<std::string>())
+                         : 0;
+    for (std::size_t i = 0; i < state.size(); ++i)
+      EXPECT_DOUBLE_EQ(found->y0[i], number(state[i].get<std::string>(), e)) << name << ", " << i;
+    if (!entry["double_input_floor_rel_normwise"].is_object()) continue;
+    for (const auto& [time, floor] : entry["double_input_floor_rel_normwise"].items()) {
+      const double t = std::stod(time);
+      const auto granted = [&](const std::vector<double>& stops, double claimed) {
+        if (std::find(stops.begin(), stops.end(), t) == stops.end()) return;
+        std::vector<double> y(found->y0.size());
+        ASSERT_TRUE(found->truth.at(t, y.data()));
+        double squares = 0;
+        for (const double component : y) squares += component * component;
+        const double absolute = std::stod(floor.get<std::string>()) * std::sqrt(squares);
+        // Below 1e-25, the digits of the reference, every floor is alike.
+        EXPECT_GE(claimed * 1.05, std::min(absolute, 1e-16)) << name << " at t = " << t;
+        if (absolute > 1e-16) EXPECT_GE(claimed * 1.05, absolute) << name << " at t = " << t;
+      };
+      granted(found->stops, found->truth.floor);
+      if (!found->timed_stops.empty()) granted(found->timed_stops, found->timed_floor);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace odeum

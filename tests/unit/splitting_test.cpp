@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Symplectic splittings and Runge-Kutta-Nystroem methods of q'' = a(t, q).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/control/embedded_pair.hpp"
+#include "odeum_methods.hpp"
+#include "support/order.hpp"
+
+namespace odeum::tests {
+namespace {
+
+template <class M>
+concept IsSplitting = requires {
+  M::splitting.symmetric();
+};
+template <class M>
+concept IsNystroem = requires {
+  M::nystroem.reuses_last_stage();
+};
+
+template <class Visit>
+void for_each_splitting(Visit&& visit) {
+  methods::All::for_each([&]<class M>() {
+    if constexpr (IsSplitting<M>) visit.template operator()<M>();
+  });
+}
+template <class Visit>
+void for_each_nystroem(Visit&& visit) {
+  methods::All::for_each([&]<class M>() {
+    if constexpr (IsNystroem<M>) visit.template operator()<M>();
+  });
+}
+
+template <class M>
+void expect_claimed_order() {
+  const int p = M::info.order;
+  // Of a halving of steps that are short but not tiny the next power of h shows too.
+  EXPECT_NEAR(measured_order<M::template Stepper>(Kepler{}, 0.2, 2.3, p), p, 0.3) << M::info.id;
+  EXPECT_NEAR(measured_order<M::template Stepper>(Driven{}, 0.2, 1.7, p), p, 0.3) << M::info.id;
+}
+
+TEST(Splitting, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
+  int checked = 0;
+  for_each_splitting([&]<class M>() {
+    expect_claimed_order<M>();
+    ++checked;
+  });
+  EXPECT_GE(checked, 9);
+}
+
+TEST(Nystroem, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
+  int checked = 0;
+  for_each_nystroem([&]<class M>() {
+    expect_claimed_order<M>();
+    ++checked;
+  });
+  EXPECT_GE(checked, 2);
+}
+
+// --- order conditions ---
+
+TEST(NystroemTrees, CountsAreThoseOfTheLiterature) {
+  // Hairer, Norsett, Wanner, Solving ODEs I, table II.14.3: special Nystroem trees by nodes.
+  constexpr std::array<int, 10> known{1, 1, 2, 3, 6, 10, 20, 36, 72, 137};
+  constexpr auto& trees = nystroem_trees<10>;
+  for (int n = 1; n <= 10; ++n) {
+    int count = 0;
+    for (const int nodes : trees.nodes) count += nodes == n;
+    EXPECT_EQ(count, known[static_cast<std::size_t>(n - 1)]) << n;
+  }
+}
+
+TEST(NystroemConditions, HoldForRungeKuttaInDisguise) {
+  // RK4 on [q, v] is a Nystroem method with a = A A, b_q = b A: order 4, by theory.
+  constexpr auto& rk = methods::rk4_tableau;
+  NystroemTableau<4> n{.order = 4};
+  for (std::size_t i = 0; i < 4; ++i) {
+    n.c[i] = rk.c(i);
+    n.b_v[i] = rk.b[i];
+    for (std::size_t j = 0; j < 4; ++j) {
+      n.b_q[i] += rk.b[j] * rk.a[j][i];
+      for (std::size_t k = 0; k < 4; ++k) n.a[i][j] += rk.a[i][k] * rk.a[k][j];
+    }
+  }
+  EXPECT_TRUE(has_exactly_order(n, n.b_q, n.b_v, 4));
+  EXPECT_FALSE(has_exactly_order(n, n.b_q, n.b_v, 3));
+  EXPECT_FALSE(has_exactly_order(n, n.b_q, n.b_v, 5));
+}
+
+TEST(NystroemConditions, SeeEveryCoefficient) {
+  int altered = 0;
+  for_each_nystroem([&]<class M>() {
+    constexpr auto& good = M::nystroem;
+    using Tableau = std::remove_cvref_t<decltype(good)>;
+    const auto accepted = [](const Tableau& t) {
+      return has_exactly_order(t, t.b_q, t.b_v, t.order) &&
+             has_exactly_order(t, t.b_q_hat, t.b_v_hat, t.order_hat) && t.reuses_last_stage();
+    };
+    ASSERT_TRUE(accepted(good));
+    const auto alter = [&](auto&& entry) {
+      Tableau mutant = good;
+      if (entry(mutant) == 0) return;
+      entry(mutant) += 1e-6;
+      EXPECT_FALSE(accepted(mutant)) << M::info.id;
+      ++altered;
+    };
+    for (std::size_t i = 0; i < good.stages; ++i) {
+      alter([i](auto& t) -> double& { return t.c[i]; });
+      alter([i](auto& t) -> double& { return t.b_q[i]; });
+      alter([i](auto& t) -> double& { return t.b_v[i]; });
+      alter([i](auto& t) -> double& { return t.b_q_hat[i]; });
+      alter([i](auto& t) -> double& { return t.b_v_hat[i]; });
+      for (std::size_t j = 0; j < i; ++j) alter([i, j](auto& t) -> double& { return t.a[i][j]; });
+    }
+  });
+  EXPECT_GE(altered, 80);
+}
+
+TEST(Splitting, ConditionsSeeEveryCoefficient) {
+  for_each_splitting([&]<class M>() {
+    constexpr auto& good = M::splitting;
+    using Rows = std::remove_cvref_t<decltype(good)>;
+    const auto accepted = [](const Rows& s) {
+      const auto n = s.as_nystroem();
+      return std::abs(s.c(s.stages - 1) + s.drift.back() - 1) < order_rounding &&
+             has_exactly_order(n, n.b_q, n.b_v, s.order);
+    };
+    ASSERT_TRUE(accepted(good));
+    for (std::size_t i = 0; i < good.stages; ++i)
+      for (const bool kick : {true, false}) {
+        Rows mutant = good;
+        double& value = (kick ? mutant.kick : mutant.drift)[i];
+        if (value == 0) continue;
+        value += 1e-6;
+        EXPECT_FALSE(accepted(mutant)) << M::info.id << (kick ? " kick " : " drift ") << i;
+      }
+  });
+}
+
+// --- structure ---
+
+/// d(end)/d(start) of one step, by central differences of Kepler's problem.
+template <class M>
+std::array<std::array<double, 4>, 4> derivative(const State<Kepler>& y, double h) {
+  const Kepler problem;
+  std::array<std::array<double, 4>, 4> d{};
+  constexpr double epsilon = 1e-5;
+  for (std::size_t j = 0; j < 4; ++j) {
+    State<Kepler> ends[2];
+    for (const int side : {0, 1}) {
+      State<Kepler> moved = y;
+      moved[j] += side == 0 ? -epsilon : epsilon;
+      typename M::template Stepper<Kepler> stepper(problem);
+      if constexpr (requires { stepper.start(0, h, moved); }) stepper.start(0, h, moved);
+      stepper.step(0, h, moved);
+      ends[side] = moved;
+    }
+    for (std::size_t i = 0; i < 4; ++i) d[i][j] = (ends[1][i] - ends[0][i]) / (2 * epsilon);
+  }
+  return d;
+}
+
+template <class M>
+double symplectic_defect() {
+  const auto d = derivative<M>(Kepler::exact(0.4), 0.3);
+  double worst = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      double form = 0;  // sum over degrees of freedom of dq ^ dv
+      for (const std::size_t k : {0U, 1U}) form += d[k][i] * d[k + 2][j] - d[k + 2][i] * d[k][j];
+      const double expected = j == i + 2 ? 1 : i == j + 2 ? -1 : 0;
+      worst = std::max(worst, std::abs(form - expected));
+    }
+  return worst;
+}
+
+TEST(Splitting, KeepsTheSymplecticForm) {
+  // Differences of steps of 1e-5: 1e-10 times third derivatives of some tens, doubled by products.
+  for_each_splitting([&]<class M>() { EXPECT_LT(symplectic_defect<M>(), 5e-8) << M::info.id; });
+  EXPECT_GT(symplectic_defect<methods::rk4>(), 1e-6) << "the measure sees what is not symplectic";
+}
+
+TEST(Splitting, UndoesItsStepWhereItIsSymmetric) {
+  int symmetric = 0;
+  for_each_splitting([&]<class M>() {
+    const Driven problem;
+    const double t = 0.4, h = 0.3;
+    const State<Driven> y0{0.8, -0.5};
+    State<Driven> y = y0;
+    for (const double sign : {1, -1}) {
+      typename M::template Stepper<Driven> stepper(problem);
+      const double from = sign > 0 ? t : t + h;
+      if constexpr (requires { stepper.start(from, sign * h, y); })
+        stepper.start(from, sign * h, y);
+      stepper.step(from, sign * h, y);
+    }
+    if (M::splitting.symmetric()) {
+      EXPECT_LT(distance(y, y0), 1e-14) << M::info.id;  // some tens of roundings of size one
+      ++symmetric;
+    } else {
+      EXPECT_GT(distance(y, y0), 1e-8) << M::info.id;
+    }
+  });
+  EXPECT_GE(symmetric, 6);
+}
+
+struct Oscillator {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = false;
+  double w;
+  void acceleration(double, const double* q, const double*, double* a) const {
+    a[0] = -w * w * q[0];
+  }
+  void rhs(double t, const double* y, double* dydt) const {
+    second_order_rhs(*this, 1, t, y, dydt);
+  }
+};
+
+template <class M>
+void expect_map_to_be_the_step(double w) {
+  const Oscillator problem{w};
+  const OscillatorMap map = M::oscillator_map(w);
+  for (const std::size_t column : {0U, 1U}) {
+    State<Oscillator> y{column == 0 ? 1 / w : 0, column == 1 ? 1.0 : 0};
+    typename M::template Stepper<Oscillator> stepper(problem);
+    if constexpr (requires { stepper.start(0, 1, y); }) stepper.start(0, 1, y);
+    stepper.step(0, 1, y);
+    // Some tens of roundings of products of coefficients of up to ten.
+    EXPECT_NEAR(w * y[0], map[column], 1e-12) << M::info.id;
+    EXPECT_NEAR(y[1], map[2 + column], 1e-12) << M::info.id;
+  }
+}
+
+TEST(OscillatorMap, IsTheStepOnTheOscillator) {
+  for (const double w : {0.3, 1.7}) {
+    for_each_splitting([&]<class M>() {
+      expect_map_to_be_the_step<M>(w);
+      const OscillatorMap m = M::oscillator_map(w);
+      EXPECT_NEAR(m[0] * m[3] - m[1] * m[2], 1, 1e-12) << M::info.id << ": an area";
+    });
+    for_each_nystroem([&]<class M>() { expect_map_to_be_the_step<M>(w); });
+  }
+}
+
+// --- cost, and the embedded pairs ---
+
+struct Counted : Kepler {
+  int* count;
+  void acceleration(double t, const double* q, const double* v, double* a) const {
+    ++*count;
+    Kepler::acceleration(t, q, v, a);
+  }
+};
+
+template <class M>
+int evaluations_of_ten_steps() {
+  int count = 0;
+  const Counted problem{{}, &count};
+  typename M::template Stepper<Counted> stepper(problem);
+  State<Counted> y = Kepler::exact(0);
+  if constexpr (requires { stepper.start(0, 0.1, y); }) stepper.start(0, 0.1, y);
+  for (int i = 0; i < 10; ++i) stepper.step(0.1 * i, 0.1, y);
+  return count;
+}
+
+TEST(Splitting, SharesTheKickBetweenSteps) {
+  EXPECT_EQ(evaluations_of_ten_steps<methods::yoshida4>(), 1 + 10 * 3);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::suzuki4>(), 1 + 10 * 5);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::yoshida6>(), 1 + 10 * 7);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::yoshida8>(), 1 + 10 * 15);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::blanes_moan4>(), 1 + 10 * 6);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::blanes_moan6>(), 1 + 10 * 11);
+  EXPECT_EQ(evaluations_of_ten_steps<methods::mclachlan_atela4>(), 10 * 4);
+}
+
+template <class M>
+void expect_pair_to_adapt() {
+  const auto run = [](double tolerance, Counters& counters) {
+    const Kepler problem;
+    Request request;
+    request.mode = Mode::adaptive;
+    request.tolerance = tolerance;
+    request.stops = {3, 20};
+    Guard guard(4, request.budget);
+    const Guarded<Kepler> guarded(problem, guard);
+    Outcome outcome = run_embedded_pair<typename M::template Stepper<Guarded<Kepler>>>(
+        guarded, 0, Kepler::exact(0), request, M::info.order_embedded);
+    guard.conclude(request, outcome);
+    EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
+    counters = outcome.counters;
+    const State<Kepler> end{outcome.states[4], outcome.states[5], outcome.states[6],
+                            outcome.states[7]};
+    return distance(end, Kepler::exact(20));
+  };
+  Counters coarse_cost, fine_cost;
+  const double coarse = run(1e-6, coarse_cost), fine = run(1e-9, fine_cost);
+  // h goes as tol^(1/(q+1)), the error as h^p: the slope is p / (q + 1) = 6/5 and 8/7.
+  const double slope = M::info.order / (M::info.order_embedded + 1.0);
+  EXPECT_NEAR(std::log10(coarse / fine) / 3, slope, 0.35) << M::info.id;
+  const auto stages = static_cast<std::uint64_t>(M::nystroem.stages);
+  EXPECT_EQ(coarse_cost.rhs_evaluations,
+            3 + (stages - 1) * (coarse_cost.steps + coarse_cost.rejected_steps))
+      << M::info.id << ": the last stage is the first of the next step";
+}
+
+TEST(Nystroem, PairsFollowTheTolerance) {
+  expect_pair_to_adapt<methods::dormand_nystroem64>();
+  expect_pair_to_adapt<methods::dormand_nystroem86>();
+}
+
+template <class M>
+double estimate_power() {
+  const Kepler problem;
+  typename M::template Stepper<Kepler> stepper(problem);
+  const auto estimate = [&](double h) {
+    State<Kepler> y = Kepler::exact(0.3), error{};
+    stepper.step(0.3, h, y, error);
+    return distance(error, State<Kepler>{});
+  };
+  return std::log2(estimate(0.2) / estimate(0.05)) / 2;
+}
+
+TEST(Nystroem, EstimateFallsWithThePowerOfTheLowerOrder) {
+  // The next power of h adds about h.
+  EXPECT_NEAR(estimate_power<methods::dormand_nystroem64>(), 5, 0.3);
+  EXPECT_NEAR(estimate_power<methods::dormand_nystroem86>(), 7, 0.3);
+}
+
+}  // namespace
+}  // namespace odeum::tests

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/spring_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "odeum/scene/lanes.hpp"
+#include "odeum/scene/mass_spring.hpp"
+
+namespace odeum::scene {
+namespace {
+
+struct Grid {
+  std::size_t rows, columns;
+  bool tension_only;
+};
+
+Scene make_scene(const Grid& grid) {
+  Scene scene;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+  for (std::size_t r = 0; r < grid.rows; ++r)
+    for (std::size_t c = 0; c < grid.columns; ++c)
+      scene.particles.push_back(
+          {.position = {static_cast<double>(r) + jitter(random),
+                        static_cast<double>(c) + jitter(random), jitter(random)},
+           .velocity = {jitter(random), jitter(random), jitter(random)},
+           .mass = 0.1});
+  const auto join = [&](std::size_t r, std::size_t c, int dr, int dc) {
+    const int row = static_cast<int>(r) + dr, column = static_cast<int>(c) + dc;
+    if (row < 0 || column < 0 || row >= static_cast<int>(grid.rows) ||
+        column >= static_cast<int>(grid.columns))
+      return;
+    const auto b = static_cast<std::size_t>(row) * grid.columns + static_cast<std::size_t>(column);
+    scene.springs.push_back({.a = r * grid.columns + c,
+                             .b = b,
+                             .stiffness = 10.0 * (1 + std::abs(dr)) + dc,
+                             .damping = 0.1 * (2 + dc),
+                             .rest_length = std::hypot(dr, dc),
+                             .tension_only = grid.tension_only});
+  };
+  for (std::size_t r = 0; r < grid.rows; ++r)
+    for (std::size_t c = 0; c < grid.columns; ++c)
+      for (const int reach : {1, 2}) {
+        join(r, c, 0, reach);
+        join(r, c, reach, -reach);
+        join(r, c, reach, 0);
+        join(r, c, reach, reach);
+      }
+  return scene;
+}
+
+std::vector<double> state_of(const Scene& scene) {
+  std::vector<double> y;
+  for (const Particle& p : scene.particles) y.insert(y.end(), p.position.begin(), p.position.end());
+  for (const Particle& p : scene.particles) y.insert(y.end(), p.velocity.begin(), p.velocity.end());
+  return y;
+}
+
+/// The same springs with one more, of no stiffness, that spoils the grid.
+Scene spoiled(Scene scene) {
+  scene.springs.push_back({.a = 0, .b = scene.size() - 1, .rest_length = 1});
+  return scene;
+}
+
+class SpringGrid : public testing::TestWithParam<Grid> {};
+
+TEST_P(SpringGrid, GathersWhatTheEdgesGive) {
+  const Scene scene = make_scene(GetParam());
+  const MassSpring grid(scene), edges(spoiled(scene));
+  ASSERT_NE(grid.grid(), nullptr);
+  ASSERT_EQ(edges.grid(), nullptr);
+  const std::vector<double> y = state_of(scene);
+  std::vector<double> x(y.size()), by_grid(y.size()), by_edges(y.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::sin(static_cast<double>(i));
+  // Accelerations up to some 2000 m/s^2, sums of sixteen in another order: 1.1e-16 * 2000 * 16.
+  constexpr double rounding = 4e-12;
+  grid.rhs(0, y.data(), by_grid.data());
+  edges.rhs(0, y.data(), by_edges.data());
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(by_grid[i], by_edges[i], rounding) << i;
+  grid.jacobian_times(0, y.data(), x.data(), by_grid.data());
+  edges.jacobian_times(0, y.data(), x.data(), by_edges.data());
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(by_grid[i], by_edges[i], rounding) << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, SpringGrid,
+                         testing::Values(Grid{11, 11, false}, Grid{3, 5, false}, Grid{8, 16, false},
+                                         Grid{17, 9, true}, Grid{5, 33, true}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.rows) + "x" +
+                                  std::to_string(test.param.columns) +
+                                  (test.param.tension_only ? "_tension_only" : "");
+                         });
+
+TEST(SpringGrid, NeverLooksAtItsMargins) {
+  const Scene scene = make_scene({6, 10, false});
+  const auto structure = find_grid(scene);
+  ASSERT_TRUE(structure);
+  const GridLayout layout(structure->rows, structure->columns);
+  const GridSprings<double> springs(layout, structure->kinds);
+  const std::vector<double> y = state_of(scene);
+  std::vector<double> results[2];
+  for (const double margin : {0.0, 1e6}) {
+    std::vector<double> q(3 * layout.size, margin), v(q), force(q.size());
+    layout.scatter(y.data(), q.data());
+    layout.scatter(y.data() + y.size() / 2, v.data());
+    springs.forces(q.data(), v.data(), force.data(), 0, layout.rows);
+    std::vector<double>& result = results[margin != 0];
+    result.resize(y.size() / 2);
+    layout.gather(force.data(), result.data());
+  }
+  EXPECT_EQ(results[0], results[1]);  // to the bit
+}
+
+TEST(SpringGrid, InSinglePrecisionAgreesToSinglePrecision) {
+  const Scene scene = make_scene({12, 12, false});
+  const auto structure = find_grid(scene);
+  const GridLayout layout(structure->rows, structure->columns);
+  const std::vector<double> y = state_of(scene);
+  std::vector<double> wide(y.size() / 2), narrow(y.size() / 2);
+  const auto run = [&]<class Real>(Real, std::vector<double>& out) {
+    const GridSprings<Real> springs(layout, structure->kinds);
+    std::vector<Real> q(3 * layout.size), v(q), force(q);
+    layout.scatter(y.data(), q.data());
+    layout.scatter(y.data() + y.size() / 2, v.data());
+    springs.forces(q.data(), v.data(), force.data(), 0, layout.rows);
+    layout.gather(force.data(), out.data());
+  };
+  run(double{}, wide);
+  run(float{}, narrow);
+  // Differences of positions up to 12, sixteen springs of up to 40 N/m: 6e-8 * 12 * 40 * 16.
+  for (std::size_t i = 0; i < wide.size(); ++i) EXPECT_NEAR(narrow[i], wide[i], 5e-4) << i;
+}
+
+TEST(SpringGrid, IsFoundOnlyWhereEverySpringIsInItsPlace) {
+  const Scene whole = make_scene({7, 9, false});
+  ASSERT_TRUE(find_grid(whole));
+  EXPECT_EQ(find_grid(whole)->rows, 7U);
+  EXPECT_EQ(find_grid(whole)->columns, 9U);
+  EXPECT_EQ(find_grid(whole)->kinds.size(), 8U);
+  Scene torn = whole;
+  torn.springs.erase(torn.springs.begin() + 5);
+  EXPECT_FALSE(find_grid(torn));
+  Scene doubled = whole;
+  doubled.springs.push_back(doubled.springs.front());
+  EXPECT_FALSE(find_grid(doubled));
+  Scene uneven = whole;
+  uneven.springs[3].stiffness *= 1.001;
+  EXPECT_FALSE(find_grid(uneven));
+  Scene loose;
+  loose.particles.resize(9);
+  EXPECT_FALSE(find_grid(loose));
+}
+
+// A spring of no length has no direction; its neighbours are not to hear of it as NaN.
+TEST(SpringGrid, ASpringOfNoLengthExertsNoForce) {
+  Scene scene = make_scene({4, 4, false});
+  scene.particles[5].position = scene.particles[6].position;
+  scene.particles[5].velocity = scene.particles[6].velocity;
+  const MassSpring grid(scene), edges(spoiled(scene));
+  ASSERT_NE(grid.grid(), nullptr);
+  const std::vector<double> y = state_of(scene);
+  std::vector<double> by_grid(y.size()), by_edges(y.size());
+  grid.rhs(0, y.data(), by_grid.data());
+  edges.rhs(0, y.data(), by_edges.data());
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(by_grid[i], by_edges[i], 1e-12) << i;
+}
+
+TEST(Lanes, InverseSquareRootIsRightToTwoRoundings) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> exponent(-300, 300);
+  double worst = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Vector<double> x{};
+    for (std::size_t i = 0; i < Lanes<double>::count; ++i) x[i] = std::pow(10, exponent(random));
+    const Vector<double> y = inverse_sqrt<double>(x);
+    for (std::size_t i = 0; i < Lanes<double>::count; ++i)
+      worst = std::max(worst, std::abs(y[i] * std::sqrt(x[i]) - 1));
+  }
+  EXPECT_LT(worst, 5e-16);  // two roundings of 1.1e-16, and two more of the check itself
+  EXPECT_GT(worst, 0);
+}
+
+}  // namespace
+}  // namespace odeum::scene
