@@ -25,6 +25,7 @@ constexpr const char* introduction =
     "Bullet, on the same cases, against an independent truth.\n"
     "\n"
     "  odeum run damped_oscillator_undamped --solver rk4 --step 0.01\n"
+    "  odeum run hanging_cloth --out /tmp/cloth\n"
     "  odeum converge --case 'lotka*' --solver 'odeum/*' --out /tmp/odeum\n"
     "  odeum list solvers\n"
     "\n"
