@@ -71,6 +71,22 @@ TEST_F(CommandLine, ExplainsItselfWithoutArguments) {
   EXPECT_NE(result.output.find("odeum run damped_oscillator_undamped"), std::string::npos);
 }
 
+TEST_F(CommandLine, RunsASceneAndWritesItsFiles) {
+  const Result result = shell("odeum run spinning_pair --until 0.5 --out " + in("pair"));
+  EXPECT_EQ(result.code, 0) << result.output;
+  for (const char* line : {"scene      spinning pair", "term       springs", "separable, nonlinear",
+                           "kernel     edge list", "fits  ", "status     ok"})
+    EXPECT_NE(result.output.find(line), std::string::npos) << line << "\n" << result.output;
+  for (const char* name : {"final.csv", "trajectory.csv", "energy.csv", "replay.html",
+                           "trajectory.vtk.series", "vtk/frame_000000.vtk"})
+    EXPECT_TRUE(fs::exists(fs::path(in("pair")) / name)) << name;
+  EXPECT_NE(shell("odeum list scenes").output.find("hanging_cloth"), std::string::npos);
+  // What fails leaves what was reached, and no final state.
+  EXPECT_EQ(shell("odeum run stiff_rope --solver rk4 --step 0.01 --out " + in("rope")).code, 3);
+  EXPECT_FALSE(fs::exists(in("rope/final.csv")));
+  EXPECT_TRUE(fs::exists(in("rope/energy.csv")));
+}
+
 struct Misuse {
   const char* command;
   const char* sentence;  ///< part of what is said
@@ -93,6 +109,12 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"odeum run lotka_volterra --solver rk5 --step 0.1", "did you mean odeum/rk4?"},
         Misuse{"odeum run lotka_volterra --solver rk4", "--step or --tol"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step 0.1 --tol 1e-3", "excludes"},
+        Misuse{"odeum run lotka_volterra --step 0.1", "--solver is required"},
+        Misuse{"odeum run hanging_clot", "did you mean hanging_cloth?"},
+        Misuse{"odeum run /nonexistent.yaml",
+               "/nonexistent.yaml:1:1: scene: cannot be read; got No such file or directory"},
+        Misuse{"odeum run jelly_cube --solver leapfrog --step 0.01", "does not fit this scene"},
+        Misuse{"odeum run chain --until 1 --step 2", "at most the horizon 1"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step 0",
                "got 0, expected a positive number"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step -1", "got -1"},

@@ -88,30 +88,33 @@ TEST(SceneRun, ADropReachesItsTerminalVelocity) {
   EXPECT_NEAR(-result.frames.back().y[5], end, 2e-5) << "2 v e^(-2 g t / v) is left";
 }
 
+// w h = 0.1. Explicit Euler multiplies the energy by 1 + (w h)^2 each step, exactly, until the mass
+// swings through the wall; symplectic Euler keeps it within w h / 2, and midpoint gains (w h)^4 / 4
+// a step: 1 % in 400.
 TEST(SceneRun, OneSpringUnderThreeMethods) {
-  const auto worst = [](const std::string& scene, const std::string& method) {
-    const RunResult result = run(built_in_scene(scene), 400, method);
+  const auto worst = [](const std::string& method, std::uint64_t steps) {
+    const RunResult result =
+        run(built_in_scene("spring_" + method), steps, method, 0.05 * static_cast<double>(steps));
     double worst = 0;
     for (const scene::Frame& frame : result.frames)
       worst = std::max(worst, std::abs(total(frame) / total(result.frames.front()) - 1));
     return worst;
   };
-  // w h = 0.1: explicit Euler multiplies the energy by 1 + 0.01 each step (1.01^400 = 53), the
-  // others keep it within w h / 2, and midpoint gains (w h)^4 / 4 a step: 1 % in 400.
-  EXPECT_NEAR(worst("spring_explicit_euler", "explicit_euler") / (std::pow(1.01, 400) - 1), 1, 0.1);
-  EXPECT_LT(worst("spring_symplectic_euler", "symplectic_euler"), 0.06);
-  EXPECT_GT(worst("spring_symplectic_euler", "symplectic_euler"), 0.005);
-  EXPECT_NEAR(worst("spring_midpoint", "midpoint"), 0.01, 0.005);
+  EXPECT_NEAR(worst("explicit_euler", 100) / (std::pow(1.01, 100) - 1), 1, 1e-9);
+  EXPECT_LT(worst("symplectic_euler", 400), 0.06);
+  EXPECT_GT(worst("symplectic_euler", 400), 0.005);
+  EXPECT_NEAR(worst("midpoint", 400), 0.01, 0.001);
 }
 
-// Verlet keeps the energy of an undamped scene to O(h^2) without drift, and of a free one all of
-// its momentum but rounding.
+// The pair vibrates at w h = 0.08, where RK4 loses (w h)^6 / 72 of that energy a step: 7e-6 in
+// 2000. Momentum is kept by every Runge-Kutta method. Verlet keeps the energy of the chain to
+// O(h^2).
 TEST(SceneRun, UndampedScenesKeepEnergyAndMomentum) {
   const RunResult pair = run(built_in_scene("spinning_pair"), 2000, "rk4");
   for (const scene::Frame& frame : pair.frames) {
-    EXPECT_NEAR(total(frame), total(pair.frames.front()), 1e-6 * total(pair.frames.front()));
+    EXPECT_NEAR(total(frame), total(pair.frames.front()), 1e-5 * total(pair.frames.front()));
     for (const double component : frame.momentum) EXPECT_NEAR(component, 0, 1e-12);
-    EXPECT_NEAR(frame.angular_momentum[2], pair.frames.front().angular_momentum[2], 1e-6);
+    EXPECT_NEAR(frame.angular_momentum[2], pair.frames.front().angular_momentum[2], 1e-4);
   }
   const RunResult coarse = run(built_in_scene("chain"), 1000, "velocity_verlet", 0.5);
   const RunResult fine = run(built_in_scene("chain"), 2000, "velocity_verlet", 0.5);

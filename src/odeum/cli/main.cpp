@@ -25,6 +25,7 @@ constexpr const char* introduction =
     "Bullet, on the same cases, against an independent truth.\n"
     "\n"
     "  odeum run damped_oscillator_undamped --solver rk4 --step 0.01\n"
+    "  odeum run hanging_cloth --out /tmp/cloth\n"
     "  odeum converge --case 'lotka*' --solver 'odeum/*' --out /tmp/odeum\n"
     "  odeum list solvers\n"
     "\n"
@@ -39,6 +40,7 @@ int run(int argc, char** argv) {
   add_run(app, result);
   add_converge(app, result);
   add_stability(app, result);
+  add_precision(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);
