@@ -38,7 +38,7 @@ std::vector<Case> rc_circuit() {
   c.steps_multiple = 20;
   c.coarsest_steps = 20;
   c.finest_steps = 20480;
-  c.truth = reference_truth("rc_sine", 1e-16);
+  c.truth = reference_truth("rc_sine", 7.5e-16);
   set_stage(c, RcCircuit{});
   return {c};
 }

@@ -64,6 +64,42 @@ ${calls}    return list;
   set(ODEUM_CASE_FILES ${files} ${ODEUM_GENERATED}/odeum_cases.cpp PARENT_SCOPE)
 endfunction()
 
+# odeum_inlined.hpp/.cpp: inlined_solvers() from every file in cases/inlined, its stem the function.
+function(odeum_generate_inlined)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.cpp)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS files)
+    get_filename_component(stem ${file} NAME_WE)
+    string(APPEND declarations "std::vector<Entrant> ${stem}(const Case&);\n")
+    string(APPEND calls "  add(cases::inlined::${stem}(c));\n")
+  endforeach()
+  set(odeint "")
+  if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT)
+    set(odeint "#define ODEUM_INLINED_ODEINT\n")
+  endif()
+  odeum_write(${ODEUM_GENERATED}/odeum_inlined.hpp "#pragma once\n${odeint}")
+  odeum_write(${ODEUM_GENERATED}/odeum_inlined.cpp
+"#include <iterator>
+#include <utility>
+
+#include \"odeum/harness/inlined.hpp\"
+
+namespace odeum {
+namespace cases::inlined {
+${declarations}}
+std::vector<Entrant> inlined_solvers(const Case& c) {
+  std::vector<Entrant> list;
+  const auto add = [&](std::vector<Entrant> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(list));
+  };
+${calls}  return list;
+}
+}
+")
+  set(ODEUM_INLINED_FILES ${files} ${ODEUM_GENERATED}/odeum_inlined.cpp PARENT_SCOPE)
+endfunction()
+
 # odeum_reference.hpp/.cpp: the text of every file in cases/reference, so that the program needs
 # no file beside it.
 function(odeum_generate_reference)

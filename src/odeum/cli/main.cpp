@@ -40,6 +40,7 @@ int run(int argc, char** argv) {
   add_run(app, result);
   add_converge(app, result);
   add_stability(app, result);
+  add_precision(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);

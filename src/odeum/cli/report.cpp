@@ -36,7 +36,8 @@ void run(const Options& options) {
     stability.peer_grid = 17;
   }
   data.stability = study::measure_stability(stability, &stable);
-  data.proofs = study::prove({.quick = options.quick, .jobs = options.jobs_or_cores()});
+  data.proofs =
+      study::prove({.solvers = {}, .quick = options.quick, .jobs = options.jobs_or_cores()});
   write_csv(data.convergence, folder);
   write_csv(data.stability, folder);
   write_csv(data.proofs, folder);

@@ -19,15 +19,19 @@ template <Ode P>
 class VariableBdf {
  public:
   VariableBdf(const Guarded<P>& problem, double t0, const State<P>& y0, const Request& request)
-      : problem_(problem), request_(request), system_(problem), t_(t0) {
+      : problem_(problem),
+        request_(request),
+        tolerance_(request.tolerance / 20),
+        system_(problem),
+        t_(t0) {
     for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
     difference_.fill(y_);
-    h_ = initial_step(problem, t0, y0, request.stops.back(), 1, request.tolerance);
+    h_ = initial_step(problem, t0, y0, request.stops.back(), 1, tolerance_);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
     for (double& component : difference_[1]) component *= h_;
-    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / request.tolerance,
-                                 std::min(0.03, std::sqrt(request.tolerance)));
+    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_,
+                                 std::min(0.03, std::sqrt(tolerance_)));
   }
 
   Outcome run() {
@@ -88,7 +92,7 @@ class VariableBdf {
       y_[n] = predicted;
       d_[n] = 0;
       psi_[n] = psi / alpha;
-      scale_[n] = 1 / (request_.tolerance * (1 + std::abs(predicted)));
+      scale_[n] = 1 / (tolerance_ * (1 + std::abs(predicted)));
     }
     int iterations = 0;
     if (!converge(t_new, c, iterations)) {
@@ -239,6 +243,9 @@ class VariableBdf {
 
   const Guarded<P>& problem_;
   const Request& request_;
+  /// Small steps of a low order leave errors that add up: a fraction of what is asked, locally, for
+  /// what is asked at the end.
+  double tolerance_;
   ShiftedSystem<Guarded<P>> system_;
   double t_, h_ = 0, newton_tolerance_ = 0, factored_for_ = 0;
   int order_ = 1, equal_steps_ = 0;

@@ -126,7 +126,8 @@ CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
   measure_orders(code.on_problem, order, grounds(), orders_);
   measure_orders(code.on_separable, order, separable_grounds(), orders_);
   measure_orders(code.on_second_order, order, second_order_grounds(), orders_);
-  stability_ = code.on_problem && sound.info.one_step && agrees_with_stability_function(code);
+  stability_ = code.on_problem && (sound.info.one_step || sound.recurrence) &&
+               agrees_with_stability_function(code);
   map_ = code.on_separable && agrees_with_oscillator_map(code);
   tableau_ = code.on_problem && sound.tableau && agrees_with_tableau(code);
   estimates_ = estimates(code);
@@ -138,6 +139,8 @@ CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
 }
 
 bool CodeChecks::agrees_with_stability_function(const Code& code) const {
+  if (sound_.recurrence)
+    return compare_recurrence(code.on_problem, sound_).difference <= stability_tolerance(sound_);
   return compare_stability(code.on_problem, sound_).difference <= stability_tolerance(sound_);
 }
 bool CodeChecks::agrees_with_oscillator_map(const Code& code) const {

@@ -2,6 +2,7 @@
 // The one translation unit that compiles every own method for the proofs.
 #include "odeum/proof/facts.hpp"
 
+#include "odeum/kernel/multistep.hpp"
 #include "odeum_methods.hpp"
 
 namespace odeum::proof {
@@ -17,6 +18,39 @@ MakeStepper<P> maker() {
     return {};
 }
 
+// The recurrence of a multistep method, read from the type of its stepper.
+template <class Stepper>
+struct Recurrence {
+  static constexpr bool known = false;
+};
+template <std::size_t K, class P, class OneStep>
+struct Recurrence<BackwardDifferences<K, P, OneStep>> {
+  static constexpr bool known = true;
+  static std::vector<std::complex<double>> at(std::complex<double> z) {
+    constexpr auto formula = backward_difference_coefficients<K>();
+    std::vector<std::complex<double>> c(K);
+    for (std::size_t i = 0; i < K; ++i) c[i] = -formula.alpha[i + 1] / (formula.alpha[0] - z);
+    return c;
+  }
+};
+template <std::size_t K, bool Correct, class P, class OneStep>
+struct Recurrence<Adams<K, Correct, P, OneStep>> {
+  static constexpr bool known = true;
+  static std::vector<std::complex<double>> at(std::complex<double> z) {
+    constexpr auto bashforth = adams_bashforth_coefficients<K>();
+    constexpr auto moulton = adams_moulton_coefficients<(K > 1 ? K - 1 : 1)>();
+    std::vector<std::complex<double>> predicted(K), c(K);
+    for (std::size_t i = 0; i < K; ++i)
+      predicted[i] = (i == 0 ? 1.0 : 0.0) + z * bashforth.beta[i + 1];
+    if (!Correct) return predicted;
+    for (std::size_t i = 0; i < K; ++i) {
+      c[i] = (i == 0 ? 1.0 : 0.0) + z * moulton.beta[0] * predicted[i];
+      if (i + 1 < K) c[i] += z * moulton.beta[i + 1];
+    }
+    return c;
+  }
+};
+
 template <class M>
 MethodFacts facts_of() {
   MethodFacts facts;
@@ -27,6 +61,10 @@ MethodFacts facts_of() {
   if constexpr (requires { M::amplification(0.0, 0.0); }) facts.amplification = M::amplification;
   if constexpr (requires { M::oscillator_map(0.0); }) facts.oscillator_map = M::oscillator_map;
   facts.on_problem = maker<M, FunctionProblem>();
+  if constexpr (requires { typename M::template Stepper<FunctionProblem>; }) {
+    using Rule = Recurrence<typename M::template Stepper<FunctionProblem>>;
+    if constexpr (Rule::known) facts.recurrence = Rule::at;
+  }
   if (!facts.on_problem) {
     if constexpr (!M::template fits<FunctionProblem>) {
       facts.on_separable = maker<M, FunctionMechanics<false>>();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ struct MethodFacts {
   std::optional<DynamicTableau<double>> tableau;              ///< of a Runge-Kutta method
   std::function<double(double re, double im)> amplification;  ///< |R(z)|; may be empty
   std::function<OscillatorMap(double)> oscillator_map;        ///< may be empty
+
+  /// Of a linear multistep method on y' = z y at h = 1, from its coefficients: c_i such that
+  /// y_{n+1} = sum_i c_i y_{n-i}. Its largest root is what |R(z)| is to a one-step method. May be
+  /// empty.
+  std::function<std::vector<std::complex<double>>(std::complex<double> z)> recurrence;
 
   /// Fixed steps of the running code; empty where the method does not fit such problems.
   MakeStepper<FunctionProblem> on_problem;

@@ -22,6 +22,7 @@ struct Lie {
 /// Where the stepper is, told to the problem that it steps on.
 struct Moment {
   double t = 0, h = 0;
+  bool jacobian_asked = false;
   int evaluations = 0;
   std::vector<double> last;  ///< the value of the last evaluation
 };
@@ -56,6 +57,7 @@ P lying(const P& problem, const Lie& lie, const std::shared_ptr<Moment>& now) {
     spoil(lie, *now, out, n);
   };
   p.f_y = [=, f_y = problem.f_y](double t, const double* y, double* j) {
+    now->jacobian_asked = true;
     f_y(time_told(lie, *now, t), y, j);
     for (std::size_t i = 0; i < n * n; ++i) j[i] *= lie.jacobian;
   };
@@ -83,7 +85,7 @@ class Deceived : public AnyStepper {
         stepper_(make(problem_)) {}
 
   void start(double t, double h, const std::vector<double>& y) override {
-    *now_ = {t, h, -1'000'000, {}};  // evaluations of a start are no part of a step
+    *now_ = {t, h, false, -1'000'000, {}};  // evaluations of a start are no part of a step
     stepper_->start(t, h, y);
     first_ = true;
   }
@@ -102,6 +104,7 @@ class Deceived : public AnyStepper {
     return stepper_->step(t, h, y, error);
   }
   int evaluations() const { return now_->evaluations; }
+  bool asked_for_jacobian() const { return now_->jacobian_asked; }
 
  private:
   void begin(double t, double h) {
@@ -129,21 +132,25 @@ Code deceived(const MethodFacts& method, const Lie& lie) {
           deceived(method.on_second_order, lie)};
 }
 
-/// How many evaluations a step takes once the method is on its way.
+/// What a step asks for once the method is on its way.
+struct Demand {
+  int evaluations = 0;
+  bool jacobian = false;
+};
+
 template <class P>
-int evaluations_of(const MakeStepper<P>& make, const Ground<P>& ground) {
+Demand demand_of(const MakeStepper<P>& make, const Ground<P>& ground) {
   Deceived<P> stepper(make, ground.problem, {});
   std::vector<double> y = ground.y0;
   const double h = 0.05;
   stepper.start(ground.t0, h, y);
   for (int i = 0; i < 8; ++i) stepper.step(ground.t0 + i * h, h, y);
-  return stepper.evaluations();
+  return {stepper.evaluations(), stepper.asked_for_jacobian()};
 }
 
-int evaluations_of(const MethodFacts& method) {
-  if (method.on_problem) return evaluations_of(method.on_problem, grounds().back());
-  if (method.on_separable) return evaluations_of(method.on_separable, separable_grounds().back());
-  return 0;
+Demand demand_of(const MethodFacts& method) {
+  if (method.on_problem) return demand_of(method.on_problem, grounds().back());
+  return demand_of(method.on_separable, separable_grounds().back());
 }
 
 constexpr int most_evaluations = 24;  // of extrapolation methods, the first ones
@@ -166,10 +173,11 @@ std::vector<Named> lies_to(const MethodFacts& method) {
   if (!method.info.one_step && family == "multistep")
     all.push_back({"start", "first step by explicit Euler", {.euler_start = true}});
   // An iteration heals what one of its evaluations suffers: no mutants of single ones there.
-  if (family == "implicit_rk" || family == "functional_iteration" ||
-      (method.tableau && !method.tableau->is_explicit()))
-    return all;
-  const int evaluations = std::min(evaluations_of(method), most_evaluations);
+  // Methods that solve linear systems only have no iteration.
+  const Demand demand = demand_of(method);
+  const bool linear_systems = family == "linearly_implicit" || family == "extrapolation";
+  if (family == "functional_iteration" || (demand.jacobian && !linear_systems)) return all;
+  const int evaluations = std::min(demand.evaluations, most_evaluations);
   for (int k = 0; k < evaluations; ++k) {
     const std::string name = fmt::format("evaluation {} ", k + 1);
     all.push_back(
@@ -196,6 +204,8 @@ std::vector<Mutant> mutate_answers(const MethodFacts& method) {
     // The lie changed nothing: it was about something that the method does not ask for.
     if (!mutant.caught() && difference_between(code, code_of(method)) <= 1e-15)
       mutant.equivalent = "no result depends on it";
+    else if (!mutant.caught() && named.lie.euler_start && method.info.order <= 2)
+      mutant.equivalent = "one Euler step leaves an error of order 2, which the method has anyway";
     mutants.push_back(std::move(mutant));
   }
   return mutants;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/proof/stability_check.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -90,6 +91,52 @@ StabilityAgreement compare_stability(const MakeStepper<FunctionProblem>& make,
     note(found, std::abs(std::abs(code) - r) / (1 + r), z);
   }
   return found;
+}
+
+StabilityAgreement compare_recurrence(const MakeStepper<FunctionProblem>& make,
+                                      const MethodFacts& theory) {
+  StabilityAgreement found;
+  if (!theory.recurrence) return found;
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> re(-1.5, 0.2), im(-1.5, 1.5);
+  for (int i = 0; i < points; ++i) {
+    const std::complex<double> z{re(random), im(random)};
+    const std::vector<std::complex<double>> c = theory.recurrence(z);
+    const FunctionProblem problem = dahlquist(z);
+    const auto stepper = make(problem);
+    std::vector<double> y{1, 0};
+    std::vector<std::complex<double>> states{{1, 0}};  // newest first
+    stepper->start(0, 1, y);
+    double difference = 0;
+    for (std::size_t n = 0; n < c.size() + 4; ++n) {
+      if (stepper->step(static_cast<double>(n), 1, y) != Status::ok) return {1, nan, z};
+      const std::complex<double> code(y[0], y[1]);
+      if (n + 1 >= c.size()) {
+        std::complex<double> expected = 0;
+        double size = 1;
+        for (std::size_t k = 0; k < c.size(); ++k) {
+          expected += c[k] * states[k];
+          size += std::abs(c[k] * states[k]);
+        }
+        const double apart = std::abs(code - expected) / size;
+        if (!(apart <= difference)) difference = apart;
+      }
+      states.insert(states.begin(), code);
+    }
+    note(found, difference, z);
+  }
+  return found;
+}
+
+double largest_root(const std::vector<std::complex<double>>& recurrence) {
+  const auto k = static_cast<Eigen::Index>(recurrence.size());
+  if (k == 1) return std::abs(recurrence[0]);
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(k, k);
+  for (Eigen::Index i = 0; i < k; ++i) {
+    companion(0, i) = recurrence[static_cast<std::size_t>(i)];
+    if (i > 0) companion(i, i - 1) = 1;
+  }
+  return companion.eigenvalues().cwiseAbs().maxCoeff();
 }
 
 StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<false>>& make,

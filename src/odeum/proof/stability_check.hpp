@@ -23,6 +23,14 @@ std::complex<double> running_growth(const MakeStepper<FunctionProblem>& make,
 StabilityAgreement compare_stability(const MakeStepper<FunctionProblem>& make,
                                      const MethodFacts& theory);
 
+/// The code of a linear multistep method against its recurrence: the state that a step leaves,
+/// against the one that the recurrence makes of the last states that the code left.
+StabilityAgreement compare_recurrence(const MakeStepper<FunctionProblem>& make,
+                                      const MethodFacts& theory);
+
+/// The modulus of the largest root of a recurrence.
+double largest_root(const std::vector<std::complex<double>>& recurrence);
+
 /// The code of a second-order method against the map of the oscillator that its file states, at
 /// random omega h.
 StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<false>>& make,

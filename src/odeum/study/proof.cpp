@@ -43,12 +43,18 @@ void prove_stability(const MethodFacts& method, ProofRow& row) {
   proof::StabilityAgreement found;
   if (method.on_problem && method.info.one_step)
     found = proof::compare_stability(method.on_problem, method);
+  else if (method.recurrence)
+    found = proof::compare_recurrence(method.on_problem, method);
   else if (method.on_separable)
     found = proof::compare_oscillator_map(method.on_separable, method);
   row.stability_points = found.points;
   if (found.points > 0) row.stability_difference = found.difference;
   if (method.tableau) {
     row.stability = stability_class(*method.tableau);
+    row.has_stability_class = true;
+  } else if (method.recurrence) {
+    row.stability = stability_class(
+        [&](std::complex<double> z) { return proof::largest_root(method.recurrence(z)); });
     row.has_stability_class = true;
   } else if (method.amplification) {
     row.stability = stability_class(

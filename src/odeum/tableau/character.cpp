@@ -122,12 +122,11 @@ std::complex<double> stability_function(const DynamicTableau<double>& t, std::co
 
 StabilityClass stability_class(const std::function<double(std::complex<double>)>& amplification) {
   StabilityClass found;
-  const double far = amplification(-1e8), farther = amplification(-1e11);
-  // A value that falls like 1/|z| goes to zero, one that stays is the limit, one that rises has
-  // none.
-  found.at_infinity = farther < far / 100 || farther < 1e-10 ? 0
-                      : farther > far * 100 ? std::numeric_limits<double>::infinity()
-                                            : farther;
+  // The roots of a multistep method vanish as slowly as |z|^(-1/6): hence so far out.
+  const double far = amplification(-1e40), farther = amplification(-1e80);
+  found.at_infinity = farther < 1e-9         ? 0
+                      : farther <= far * 100 ? farther
+                                             : std::numeric_limits<double>::infinity();
   const auto bounded = [&](double angle) { return bounded_on_ray(amplification, angle); };
   if (!bounded(0)) return found;
   if (bounded(90) && bounded(30) && bounded(60)) {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+/// How a time is taken.
+namespace odeum::study {
+
+/// Keeps the calling thread on the processor that it is on, where the system can, until the end of
+/// its life: a thread that moves finds cold caches and another clock frequency.
+class Pinned {
+ public:
+  Pinned();
+  ~Pinned();
+  Pinned(const Pinned&) = delete;
+  Pinned& operator=(const Pinned&) = delete;
+  bool held() const { return held_; }
+
+ private:
+  bool held_ = false;
+  std::vector<unsigned char> before_;
+};
+
+/// Nanoseconds that a fixed piece of arithmetic takes now, the least of several runs: what the
+/// machine was like when the times beside it were taken.
+double calibration_ns();
+
+/// Wall times of one thing, taken at different moments.
+struct Times {
+  std::vector<double> ns;
+
+  double min() const;     ///< NaN where there is none
+  double median() const;  ///< NaN where there is none
+};
+
+/// Wall time of one call of work, in nanoseconds; short work is called as often as fills 20
+/// microseconds, `guess_ns` being what a call is thought to take.
+double time_call(const std::function<void()>& work, double guess_ns);
+
+}  // namespace odeum::study

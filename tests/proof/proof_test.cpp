@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that the table of proofs says of each own method, held to what the method claims.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "odeum/proof/code_checks.hpp"
+#include "odeum/proof/stability_check.hpp"
+#include "odeum/proof/structure_check.hpp"
+#include "odeum/study/proof.hpp"
+#include "odeum/tableau/row_order.hpp"
+
+namespace odeum::tests {
+namespace {
+
+using study::ProofRow;
+
+const study::ProofResult& proofs() {
+  static const study::ProofResult result = study::prove({.quick = true, .jobs = 2});
+  return result;
+}
+
+const ProofRow* proof_of(const std::string& method) {
+  for (const ProofRow& row : proofs().rows)
+    if (row.method == method) return &row;
+  return nullptr;
+}
+
+TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
+  for (const ProofRow& row : proofs().rows) {
+    int confirmed = 0, as_next = 0;
+    for (const study::ProvenOrder& order : row.orders) {
+      confirmed += order.fit.verdict == study::Verdict::confirmed;
+      as_next += order.passes_as_next;
+      // Linear problems ask for few conditions, and above order 8 the leading term does not yet
+      // lead where rounding begins; no method may fall short of its order.
+      EXPECT_TRUE(order.fit.verdict == study::Verdict::confirmed ||
+                  order.fit.verdict == study::Verdict::higher)
+          << row.method << " on " << order.ground << ": " << order.fit.reason;
+    }
+    const int grounds = static_cast<int>(row.orders.size());
+    EXPECT_GE(confirmed, grounds - grounds / 3) << row.method;
+    if (grounds > 0) EXPECT_LT(as_next, grounds) << row.method << " passes for an order higher";
+    if (row.conditions >= 0) EXPECT_EQ(row.conditions, row.order) << row.method;
+  }
+}
+
+TEST(Proofs, CodeIsItsTableauAndItsStabilityFunction) {
+  int compared = 0;
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    const ProofRow& row = *proof_of(method.id());
+    if (row.stability_points > 0) {
+      EXPECT_LE(row.stability_difference, proof::stability_tolerance(method)) << row.method;
+      ++compared;
+    }
+    if (row.code_difference == row.code_difference)
+      EXPECT_LE(row.code_difference, proof::tableau_rounding) << row.method;
+  }
+  EXPECT_GE(compared, 15);
+}
+
+// Known from the literature: Hairer, Wanner, Solving ODEs II, sections IV.3, IV.5, IV.6, V.2.
+TEST(Proofs, StabilityClassesAreThoseOfTheTextbooks) {
+  const std::map<std::string, double> angles{{"implicit_euler", 90},
+                                             {"implicit_midpoint", 90},
+                                             {"trapezoidal", 90},
+                                             {"gauss4", 90},
+                                             {"gauss6", 90},
+                                             {"radau_iia3", 90},
+                                             {"radau_iia5", 90},
+                                             {"radau_iia9", 90},
+                                             {"lobatto_iiic4", 90},
+                                             {"sdirk2", 90},
+                                             {"tr_bdf2", 90},
+                                             {"rodas4", 90},
+                                             {"bdf1", 90},
+                                             {"bdf2", 90},
+                                             {"bdf3", 86.03},
+                                             {"bdf4", 73.35},
+                                             {"bdf5", 51.84},
+                                             {"bdf6", 17.84},
+                                             {"rk4", 0},
+                                             {"explicit_euler", 0}};
+  const std::set<std::string> undamped{"implicit_midpoint", "trapezoidal", "gauss4", "gauss6"};
+  int seen = 0;
+  for (const auto& [method, angle] : angles) {
+    const ProofRow* row = proof_of(method);
+    if (!row || !row->has_stability_class) continue;
+    ++seen;
+    EXPECT_NEAR(row->stability.angle, angle, 0.01) << method;  // the books give two decimals
+    if (angle == 90)
+      EXPECT_EQ(row->stability.vanishes_at_infinity(), !undamped.contains(method)) << method;
+  }
+  EXPECT_GE(seen, 3);
+}
+
+TEST(Proofs, SymplecticMethodsAndNoOthersKeepTheForm) {
+  int symplectic = 0;
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    const ProofRow& row = *proof_of(method.id());
+    if (row.symplectic_defect != row.symplectic_defect) continue;
+    const bool claimed =
+        row.family == "symplectic" || (method.tableau && structure_of(*method.tableau).symplectic);
+    EXPECT_EQ(row.symplectic(), claimed) << row.method << ": " << row.symplectic_defect;
+    symplectic += claimed;
+    if (method.tableau && structure_of(*method.tableau).symmetric)
+      EXPECT_TRUE(row.reversible()) << row.method << ": " << row.return_defect;
+    if (claimed) {
+      EXPECT_LE(row.energy_last, 1.5 * row.energy_first + 1e-10) << row.method;
+      EXPECT_LT(row.energy_first, 0.5) << row.method;
+    }
+  }
+  EXPECT_GE(symplectic, 5);
+  EXPECT_TRUE(proof_of("velocity_verlet")->reversible());
+  EXPECT_FALSE(proof_of("symplectic_euler")->reversible());
+  EXPECT_FALSE(proof_of("rk4")->symplectic());
+}
+
+TEST(Proofs, EnergyStaysBoundedOverAHundredThousandPeriods) {
+  int watched = 0;
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    // Implicit ones take a hundred times as long: a hundredth of the periods, above.
+    if (method.info.family != "symplectic" || !method.on_separable) continue;
+    const proof::EnergyWatch watch = proof::watch_energy(method.on_separable, 16, 1e5);
+    EXPECT_TRUE(watch.bounded()) << method.id() << ": " << watch.first << ", " << watch.last;
+    ++watched;
+  }
+  EXPECT_GE(watched, 5);
+  // The same watch sees the energy of a method that is not symplectic drift away.
+  for (const proof::MethodFacts& method : proof::all_method_facts())
+    if (method.info.id == "rk4")
+      EXPECT_FALSE(proof::watch_energy(method.on_mechanics(), 16, 1e3).bounded());
+}
+
+TEST(Proofs, EstimatesHaveTheirOrderAndSize) {
+  // Pairs that are blind to a kind of problem, as the page shows; anything else is a fault.
+  const std::set<std::string> blind{
+      "fehlberg78 quadrature",  // b - b_hat = 41/840 (-1, 0, ..., 1, 1): c is 0, 1, 0, 1 there
+      "ros3p linear",           // both rows have the same R(z)
+  };
+  int pairs = 0;
+  for (const ProofRow& row : proofs().rows)
+    for (const proof::EstimateQuality& q : row.estimates) {
+      ++pairs;
+      EXPECT_EQ(q.good(), !blind.contains(row.method + " " + q.ground))
+          << row.method << " on " << q.ground << ": exponent " << q.exponent << " for "
+          << q.expected_exponent << ", ratio " << q.ratio;
+    }
+  EXPECT_GE(pairs, 4);
+}
+
+// b_hat = b + 1e-5 (an error row of order 4): every condition of order 4 holds, and the estimate is
+// a hundred thousandth of what it should be.
+TEST(Proofs, AnEstimateThatMeetsEveryConditionAndIsFarTooSmallIsSeen) {
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    if (method.info.id != "cash_karp54") continue;
+    DynamicTableau<double> t = *method.tableau;
+    for (std::size_t i = 0; i < t.stages; ++i) t.b_hat[i] = t.b[i] + 1e-5 * (t.b_hat[i] - t.b[i]);
+    ASSERT_EQ(order_of_row(t, t.b_hat, double_rounding).order, 4);
+    for (const proof::EstimateQuality& q : proof::estimate_quality(proof::interpreted(t), 5, 4))
+      EXPECT_FALSE(q.ratio >= proof::ratio_low && q.margin >= 1) << q.ground << " " << q.ratio;
+  }
+}
+
+}  // namespace
+}  // namespace odeum::tests

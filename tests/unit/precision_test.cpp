@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/study/precision.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/study/stopwatch.hpp"
+
+namespace odeum::study {
+namespace {
+
+PrecisionRow row(const char* library, const char* solver, double error, double ns) {
+  PrecisionRow row;
+  row.case_id = "made_up";
+  row.library = library;
+  row.solver = solver;
+  row.status = "ok";
+  row.error = error;
+  row.wall_ns_min = ns;
+  row.wall_ns_median = 1.1 * ns;
+  row.repetitions = 3;
+  return row;
+}
+
+const PrecisionSummary& at(const std::vector<PrecisionSummary>& lines, double error) {
+  for (const PrecisionSummary& line : lines)
+    if (std::abs(line.error / error - 1) < 1e-9) return line;
+  throw std::runtime_error("no such error");
+}
+
+TEST(Summary, InterpolatesBetweenTwoSettingsOfASolver) {
+  // Time grows as error^-1/2: at 1e-4 half-way in logarithms between 1e-3 and 1e-5.
+  const auto lines = summarise({row("odeum", "a", 1e-3, 100), row("odeum", "a", 1e-5, 1000),
+                                row("gsl", "b", 1e-3, 400), row("gsl", "b", 1e-5, 4000)},
+                               1e-16);
+  const PrecisionSummary& line = at(lines, 1e-4);
+  EXPECT_EQ(line.own, "odeum/a");
+  EXPECT_EQ(line.peer, "gsl/b");
+  EXPECT_NEAR(line.own_ns, std::sqrt(100.0 * 1000), 1e-9);
+  EXPECT_NEAR(line.ratio, 4, 1e-12);
+  // The medians were made 1.1 times the least times.
+  EXPECT_NEAR(line.ratio_low, 4 / 1.1, 1e-12);
+  EXPECT_NEAR(line.ratio_high, 4 * 1.1, 1e-12);
+  EXPECT_EQ(line.reason, "");
+}
+
+TEST(Summary, NeverExtrapolates) {
+  const auto lines = summarise({row("odeum", "a", 1e-3, 100), row("gsl", "b", 1e-5, 50)}, 1e-16);
+  // A solver that is more exact than asked has reached the error.
+  EXPECT_EQ(at(lines, 1e-2).own_ns, 100);
+  EXPECT_EQ(at(lines, 1e-2).peer_ns, 50);
+  EXPECT_EQ(at(lines, 1e-4).own, "");
+  EXPECT_EQ(at(lines, 1e-4).reason, "no own solver reaches it");
+  EXPECT_TRUE(std::isnan(at(lines, 1e-4).ratio));
+  EXPECT_EQ(at(lines, 1e-9).reason, "nobody reaches it");
+}
+
+TEST(Summary, BelowTheFloorNobodyIsFaster) {
+  const auto lines = summarise({row("odeum", "a", 1e-12, 100), row("gsl", "b", 1e-12, 50)}, 2e-11);
+  EXPECT_EQ(at(lines, 1e-10).ratio, 0.5);
+  EXPECT_EQ(at(lines, 1e-11).reason, "at the truth's floor");
+  EXPECT_TRUE(std::isnan(at(lines, 1e-11).ratio));
+}
+
+TEST(Pareto, KeepsWhoIsFasterOrMoreExactThanAllOthers) {
+  std::vector<PrecisionRow> rows{row("odeum", "fast", 1e-2, 10), row("gsl", "beaten", 1e-2, 20),
+                                 row("gsl", "exact", 1e-6, 100), row("odeum", "both", 1e-4, 50),
+                                 row("gsl", "failed", std::nan(""), 1)};
+  mark_pareto(rows);
+  EXPECT_TRUE(rows[0].pareto);
+  EXPECT_FALSE(rows[1].pareto);
+  EXPECT_TRUE(rows[2].pareto);
+  EXPECT_TRUE(rows[3].pareto);
+  EXPECT_FALSE(rows[4].pareto);
+}
+
+TEST(Times, MedianIsTheMiddle) {
+  EXPECT_EQ((Times{{3, 1, 2}}.median()), 2);
+  EXPECT_EQ((Times{{4, 1, 2, 3}}.median()), 2.5);
+  EXPECT_EQ((Times{{3, 1, 2}}.min()), 1);
+  EXPECT_TRUE(std::isnan(Times{}.min()));
+}
+
+/// Two solvers on a small case: counted, timed, and what does not fit has a row with its reason.
+TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
+  const PrecisionResult result =
+      measure_precision({.cases = {"lotka_volterra"},
+                         .solvers = {"odeum/cash_karp54", "gsl/rkck", "odeum/leapfrog"},
+                         .seconds_per_case = 0.05});
+  int ok = 0, unfit = 0;
+  double last = 1;
+  for (const PrecisionRow& each : result.rows) {
+    if (each.status == "not_applicable") {
+      ++unfit;
+      EXPECT_EQ(each.solver, "leapfrog");
+      EXPECT_NE(each.detail, "");
+      continue;
+    }
+    ASSERT_EQ(each.status, "ok") << each.detail;
+    ++ok;
+    EXPECT_GT(each.counters.rhs_evaluations, 0U);
+    EXPECT_GE(each.repetitions, 1U);
+    EXPECT_GT(each.wall_ns_min, 0);
+    EXPECT_GE(each.wall_ns_median, each.wall_ns_min);
+    if (each.library == "odeum") {
+      EXPECT_LT(each.setting, last);
+      last = each.setting;
+    }
+    // Timed and counted runs are one and the same here, whatever the machine.
+    EXPECT_EQ(each.detail.find("ended"), std::string::npos) << each.detail;
+  }
+  EXPECT_EQ(ok % 10, 0);  // ten tolerances each
+  EXPECT_GE(ok, 10);
+  EXPECT_EQ(unfit, 1);
+  EXPECT_EQ(result.summary.size(), 11U);
+}
+
+}  // namespace
+}  // namespace odeum::study
