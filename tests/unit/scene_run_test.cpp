@@ -96,10 +96,10 @@ TEST(SceneRun, OneSpringUnderThreeMethods) {
   const auto worst = [](const std::string& method, std::uint64_t steps) {
     const RunResult result =
         run(built_in_scene("spring_" + method), steps, method, 0.05 * static_cast<double>(steps));
-    double worst = 0;
+    double most = 0;
     for (const scene::Frame& frame : result.frames)
-      worst = std::max(worst, std::abs(total(frame) / total(result.frames.front()) - 1));
-    return worst;
+      most = std::max(most, std::abs(total(frame) / total(result.frames.front()) - 1));
+    return most;
   };
   EXPECT_NEAR(worst("explicit_euler", 100) / (std::pow(1.01, 100) - 1), 1, 1e-9);
   EXPECT_LT(worst("symplectic_euler", 400), 0.06);
@@ -120,10 +120,10 @@ TEST(SceneRun, UndampedScenesKeepEnergyAndMomentum) {
   const RunResult coarse = run(built_in_scene("chain"), 1000, "velocity_verlet", 0.5);
   const RunResult fine = run(built_in_scene("chain"), 2000, "velocity_verlet", 0.5);
   const auto worst = [](const RunResult& result) {
-    double worst = 0;
+    double most = 0;
     for (const scene::Frame& frame : result.frames)
-      worst = std::max(worst, std::abs(total(frame) - total(result.frames.front())));
-    return worst;
+      most = std::max(most, std::abs(total(frame) - total(result.frames.front())));
+    return most;
   };
   EXPECT_NEAR(worst(coarse) / worst(fine), 4, 1) << "order 2, seen at frames only";
 }
