@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "odeum/cli/run.hpp"
@@ -11,6 +12,7 @@
 #include "odeum/report/html.hpp"
 #include "odeum/report/output_folder.hpp"
 #include "odeum/report/scene_files.hpp"
+#include "odeum/scene/emission.hpp"
 #include "odeum/scene/run.hpp"
 #include "support/scene_stage.hpp"
 
@@ -43,6 +45,14 @@ Lines describe_model(const Description& description, const SceneProblem& problem
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
   return lines;
+}
+
+// With those that are born at once: a scene of emitters alone has nobody to enrol solvers on.
+Description at_start(Description description) {
+  for (const auto& born :
+       scene::emitted_particles(description.emitters, std::numeric_limits<double>::min()))
+    description.particles.push_back(born.particle);
+  return description;
 }
 
 // How many solvers fit, and for each reason who does not.
@@ -131,7 +141,7 @@ void write_files(const report::OutputFolder& folder, const Description& descript
 int run_read(const scene::ReadScene& read, const RunOptions& options) {
   const Description& description = read.description;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-  const auto whole = std::make_shared<const SceneProblem>(description);
+  const auto whole = std::make_shared<const SceneProblem>(at_start(description));
   const auto entrants = cases::enroll_scene(whole);
   const Entrant& entrant = choose(entrants, options, description);
   const Request request = make_request(settings_of(options, description), 0,
