@@ -107,7 +107,9 @@ TEST_P(Order, IsAsClaimed) {
     // Neighbouring orders are told apart by the order conditions instead (tests/proof).
     EXPECT_NE(fit.verdict, study::Verdict::floors);
     EXPECT_NE(fit.verdict, study::Verdict::failed);
-    if (!std::isnan(fit.order)) EXPECT_NEAR(fit.order, pair.claimed, 1);
+    if (!std::isnan(fit.order)) {
+      EXPECT_NEAR(fit.order, pair.claimed, 1);
+    }
     return;
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15
