@@ -62,7 +62,8 @@ TEST(Limits, EveryOwnMethodHasARowOnEveryAxisAndAReasonWhereItDoesNotFit) {
 TEST(Limits, OwnOneStepMethodsMeetTheirStabilityFunction) {
   std::size_t compared = 0;
   methods::All::for_each([&]<class M>() {
-    if (!M::info.one_step) return;
+    // Multistep methods of one step have no tableau to take a theory from.
+    if (!M::info.one_step || M::info.family == "multistep") return;
     for (const StabilityLimit& row : own().limits) {
       if (row.solver != M::info.id || row.status == "not_applicable") continue;
       EXPECT_FALSE(std::isnan(row.theory)) << row.solver << " has no theory on " << row.axis;

@@ -277,9 +277,13 @@ TEST(Adaptive, ErrorFollowsTheTolerance) {
     // pair or, under step doubling, the method's own; over the orbit h^p remains. Steps that come
     // in powers of two leave either end uncertain by a factor of two: 2 log10(2) / 4. From order 6
     // on a run takes ten to thirty steps, and how the last one falls weighs as much as that again.
+    // Controllers with a memory, and estimates that change their order along the way, as much.
     const double p = std::isnan(entrant.info.order) ? 1 : entrant.info.order;
-    const double theory = p / (lower_order(entrant.info) + 1);
-    EXPECT_NEAR(slope, theory, p < 6 ? 0.15 : 0.3);
+    const double theory = std::isfinite(lower_order(entrant.info)) && lower_order(entrant.info) > 0
+                              ? p / (lower_order(entrant.info) + 1)
+                              : 1;  // its own order goes along with the tolerance
+    const bool plain = entrant.info.controller == "step doubling" && p < 6;
+    EXPECT_NEAR(slope, theory, plain ? 0.15 : 0.4);
     ++checked;
   }
   EXPECT_GE(checked, 8);

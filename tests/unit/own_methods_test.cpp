@@ -70,7 +70,7 @@ TEST(OwnMethods, ReportANonFiniteRightHandSideWithItsTimeAndComponent) {
     for (const Entrant& entrant : own_methods_on({bad, one, one}, 0, {1, 0})) {
       ASSERT_TRUE(entrant.solve) << entrant.info.id() << ": " << entrant.unfit;
       for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
-        if (mode == Mode::adaptive && !entrant.info.adaptive) continue;
+        if (!(mode == Mode::fixed ? entrant.info.fixed : entrant.info.adaptive)) continue;
         SCOPED_TRACE(entrant.info.id() + " " + to_string(mode) + " " + name);
         const Outcome outcome = entrant.solve(mode == Mode::fixed ? fixed_request(10, {1})
                                                                   : adaptive_request(1e-5, {1}));
@@ -90,6 +90,7 @@ TEST(OwnMethods, ReportANonFiniteRightHandSideWithItsTimeAndComponent) {
 
 TEST(OwnMethods, ReportAStartThatIsBadAtOnce) {
   for (const Entrant& entrant : own_methods_on({bad_after<0>, one, one}, 5, {1, 0})) {
+    if (!entrant.info.fixed) continue;
     const Outcome outcome = entrant.solve(fixed_request(10, {6}));
     EXPECT_EQ(outcome.status, Status::non_finite) << entrant.info.id();
     EXPECT_EQ(outcome.t, 5) << entrant.info.id();
@@ -99,6 +100,7 @@ TEST(OwnMethods, ReportAStartThatIsBadAtOnce) {
 TEST(OwnMethods, StopAtTheirBudget) {
   const auto sum = [](double t, double q) { return t + q; };
   for (const Entrant& entrant : own_methods_on({sum, one, one}, 0, {1, 0})) {
+    if (!entrant.info.fixed) continue;
     Request request = fixed_request(1000, {1});
     request.budget.evaluations = 100;
     const Outcome outcome = entrant.solve(request);
@@ -110,9 +112,10 @@ TEST(OwnMethods, StopAtTheirBudget) {
 
 TEST(OwnMethods, CountTheirEvaluations) {
   struct Cost {
-    std::uint64_t a_step, to_start, jacobians_a_step;
+    std::uint64_t a_step, to_start, jacobians;
   };
-  // The problem is linear: implicit Euler corrects once and looks once more.
+  // The problem is linear: implicit Euler corrects once and looks once more, with one Jacobian for
+  // all steps.
   const std::map<std::string, Cost> costs{{"explicit_euler", {1, 0, 0}},
                                           {"midpoint", {2, 0, 0}},
                                           {"heun", {2, 0, 0}},
@@ -132,7 +135,7 @@ TEST(OwnMethods, CountTheirEvaluations) {
                                           {"leapfrog", {1, 1, 0}},
                                           {"stormer_verlet", {1, 1, 0}},
                                           {"implicit_euler", {2, 0, 1}},
-                                          {"implicit_euler_linearised", {1, 0, 1}}};
+                                          {"implicit_euler_linearised", {1, 0, 16}}};
   std::size_t checked = 0;
   const auto sum = [](double t, double q) { return t + q; };
   for (const Entrant& entrant : own_methods_on({sum, one, one}, 0, {1, 0})) {
@@ -143,7 +146,7 @@ TEST(OwnMethods, CountTheirEvaluations) {
     const auto& [a_step, to_start, jacobians] = cost->second;
     EXPECT_EQ(outcome.counters.steps, 16U) << entrant.info.id();
     EXPECT_EQ(outcome.counters.rhs_evaluations, 16 * a_step + to_start) << entrant.info.id();
-    EXPECT_EQ(outcome.counters.jacobian_evaluations, 16 * jacobians) << entrant.info.id();
+    EXPECT_EQ(outcome.counters.jacobian_evaluations, jacobians) << entrant.info.id();
     ++checked;
   }
   EXPECT_EQ(checked, costs.size());
@@ -222,6 +225,7 @@ TEST(OwnMethods, TakeTheStepOfTheTextbook) {
   const State2 y{1.1, -0.6};
   std::size_t checked = 0;
   for (const Entrant& entrant : own_methods_on({pendulum, pendulum_q, pendulum_t}, t, {y.q, y.v})) {
+    if (!entrant.info.fixed) continue;
     const Outcome outcome = entrant.solve(fixed_request(1, {t + h}));
     ASSERT_EQ(outcome.status, Status::ok) << entrant.info.id() << ": " << outcome.detail;
     const auto step = textbook().find(entrant.info.method);

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "odeum/harness/outcome.hpp"
 #include "odeum/linear/shifted_solver.hpp"
@@ -105,7 +106,9 @@ class Newton {
     if (accuracy_ == 0) {
       const double size = max_norm(correction_);
       if (size == 0) return 0;  // of a state that may be zero too
-      return size / (iteration_tolerance * std::max(max_norm(y), max_norm(base)));
+      // A state that has decayed to the smallest numbers has no digits left to converge in.
+      return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base),
+                                                     std::numeric_limits<double>::min() * 1e15}));
     }
     double sum = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {

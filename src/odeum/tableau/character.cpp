@@ -88,35 +88,45 @@ std::string describe(const Structure& s) {
   return text;
 }
 
-std::complex<double> stability_function(const DynamicTableau<double>& t, std::complex<double> at) {
-  using Complex = std::complex<long double>;
-  const Complex z(at.real(), at.imag());
-  const std::size_t s = t.stages, width = s + 1;
-  std::vector<Complex> m(s * width);
-  for (std::size_t i = 0; i < s; ++i) {
-    for (std::size_t j = 0; j < s; ++j)
-      m[i * width + j] = (i == j ? 1.0L : 0.0L) - z * static_cast<long double>(t.at(i, j));
-    m[i * width + s] = 1.0L;
-  }
+namespace {
+
+using LongComplex = std::complex<long double>;
+
+/// The pivots of Gaussian elimination; their product is the determinant. See tableau.hpp.
+std::vector<LongComplex> pivots_of(std::vector<LongComplex> m, std::size_t s) {
+  std::vector<LongComplex> pivots(s);
   for (std::size_t k = 0; k < s; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < s; ++i)
-      if (std::abs(m[i * width + k]) > std::abs(m[pivot * width + k])) pivot = i;
-    for (std::size_t j = 0; j < width; ++j) std::swap(m[k * width + j], m[pivot * width + j]);
+      if (std::abs(m[i * s + k]) > std::abs(m[pivot * s + k])) pivot = i;
+    if (pivot != k)
+      for (std::size_t j = 0; j < s; ++j) std::swap(m[k * s + j], m[pivot * s + j]);
+    pivots[k] = pivot == k ? m[k * s + k] : -m[k * s + k];
+    if (m[k * s + k] == LongComplex(0)) continue;
     for (std::size_t i = k + 1; i < s; ++i) {
-      const Complex factor = m[i * width + k] / m[k * width + k];
-      if (factor == Complex(0)) continue;
-      for (std::size_t j = k; j < width; ++j) m[i * width + j] -= factor * m[k * width + j];
+      const LongComplex factor = m[i * s + k] / m[k * s + k];
+      if (factor == LongComplex(0)) continue;
+      for (std::size_t j = k; j < s; ++j) m[i * s + j] -= factor * m[k * s + j];
     }
   }
-  Complex result = 1.0L;
-  std::vector<Complex> x(s);
-  for (std::size_t i = s; i-- > 0;) {
-    Complex sum = m[i * width + s];
-    for (std::size_t j = i + 1; j < s; ++j) sum -= m[i * width + j] * x[j];
-    x[i] = sum / m[i * width + i];
-    result += z * static_cast<long double>(t.b[i]) * x[i];
-  }
+  return pivots;
+}
+
+}  // namespace
+
+std::complex<double> stability_function(const DynamicTableau<double>& t, std::complex<double> at) {
+  const LongComplex z(at.real(), at.imag());
+  const std::size_t s = t.stages;
+  std::vector<LongComplex> below(s * s), above(s * s);
+  for (std::size_t i = 0; i < s; ++i)
+    for (std::size_t j = 0; j < s; ++j) {
+      const long double a = t.at(i, j), b = t.b[j];
+      below[i * s + j] = (i == j ? 1.0L : 0.0L) - z * a;
+      above[i * s + j] = (i == j ? 1.0L : 0.0L) - z * (a - b);
+    }
+  const auto numerator = pivots_of(above, s), denominator = pivots_of(below, s);
+  LongComplex result = 1;
+  for (std::size_t k = 0; k < s; ++k) result *= numerator[k] / denominator[k];
   return {static_cast<double>(result.real()), static_cast<double>(result.imag())};
 }
 

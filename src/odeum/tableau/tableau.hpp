@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <utility>
 
 /// Runge-Kutta coefficients as data. Everything that follows from A and b is derived: the nodes c
 /// (row sums), explicit or not, first-same-as-last, the stability function.
@@ -50,33 +51,40 @@ struct Tableau {
   }
 };
 
-/// R(z) = 1 + z b^T (I - z A)^{-1} 1, by Gaussian elimination with partial pivoting.
-template <std::size_t S>
-std::complex<double> stability_function(const Tableau<S>& tableau, std::complex<double> z) {
-  using Complex = std::complex<double>;
-  std::array<std::array<Complex, S + 1>, S> m{};
-  for (std::size_t i = 0; i < S; ++i) {
-    for (std::size_t j = 0; j < S; ++j) m[i][j] = (i == j ? 1.0 : 0.0) - z * tableau.a[i][j];
-    m[i][S] = 1.0;
-  }
+/// The pivots of Gaussian elimination with partial pivoting; their product is the determinant.
+template <class Complex, std::size_t S>
+std::array<Complex, S> pivots_of(std::array<std::array<Complex, S>, S> m) {
+  std::array<Complex, S> pivots{};
   for (std::size_t k = 0; k < S; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < S; ++i)
       if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
     std::swap(m[k], m[pivot]);
+    pivots[k] = pivot == k ? m[k][k] : -m[k][k];
+    if (m[k][k] == Complex(0)) continue;
     for (std::size_t i = k + 1; i < S; ++i) {
       const Complex factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j <= S; ++j) m[i][j] -= factor * m[k][j];
+      if (factor == Complex(0)) continue;
+      for (std::size_t j = k; j < S; ++j) m[i][j] -= factor * m[k][j];
     }
   }
+  return pivots;
+}
+
+/// R(z) = det(I - z A + z 1 b^T) / det(I - z A), which unlike 1 + z b^T (I - z A)^{-1} 1 loses no
+/// digits where z is large (Hairer, Wanner, Solving ODEs II, (IV.3.3)).
+template <std::size_t S>
+std::complex<double> stability_function(const Tableau<S>& tableau, std::complex<double> z) {
+  using Complex = std::complex<double>;
+  std::array<std::array<Complex, S>, S> below{}, above{};
+  for (std::size_t i = 0; i < S; ++i)
+    for (std::size_t j = 0; j < S; ++j) {
+      below[i][j] = (i == j ? 1.0 : 0.0) - z * tableau.a[i][j];
+      above[i][j] = (i == j ? 1.0 : 0.0) - z * (tableau.a[i][j] - tableau.b[j]);
+    }
+  const auto numerator = pivots_of(above), denominator = pivots_of(below);
   Complex result = 1.0;
-  std::array<Complex, S> x{};
-  for (std::size_t i = S; i-- > 0;) {
-    Complex sum = m[i][S];
-    for (std::size_t j = i + 1; j < S; ++j) sum -= m[i][j] * x[j];
-    x[i] = sum / m[i][i];
-    result += z * tableau.b[i] * x[i];
-  }
+  for (std::size_t k = 0; k < S; ++k) result *= numerator[k] / denominator[k];
   return result;
 }
 
