@@ -52,14 +52,15 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
            Fault{"A: [[]]\nb: [.nan]\n", "t.yaml:2:5: b[1]: no number"},
            Fault{"A: [[]]\nb: [010]\n", "a leading zero"},
            Fault{"A: [[]]\nb: [1]\n---\nA: [[]]\n", "a second document"},
-           Fault{"a: &x [*x]\n", "t.yaml:1:4: an anchor"},
-           Fault{"A: [[]]\nb: [1, 2]\n", "got a list of 2; expected a list of 1"},
+           Fault{"a: &x [*x]\n", "an anchor"},
+           Fault{"A: [[]]\nb: [1, 2]\n", "got a list of 2, expected a list of 1"},
            Fault{"A: [[1, 2]]\nb: [1]\n", "t.yaml:1:5: A[1]: got a list of 2"},
            Fault{"A: [[]]\nb: [1]\nordre: 1\n", "did you mean order?"},
-           Fault{"A: [[]]\nb: [1]\norder: 1.5\n", "expected a whole number from 1 to 10"},
+           Fault{"A: [[]]\nb: [1]\norder: 1.5\n",
+                 "got '1.5', expected a whole number from 1 to 10"},
            Fault{"A: [[]]\nb: [1]\norder_embedded: 1\n", "a claim about no row"},
            Fault{"b: [1]\n", "A: missing"},
-           Fault{"[1, 2]", "expected a map with A and b"},
+           Fault{"[1, 2]", "got a list of 2, expected a map with A and b"},
            Fault{"", "an empty file"},
            Fault{"A: [\n", "no YAML"},
            Fault{"A: \x01\n", "no text"},
@@ -129,8 +130,9 @@ TEST(RowOrder, AgreesWithTheConditionsAtCompileTime) {
       const auto t = dynamic_tableau(M::tableau);
       // The order that static_assert(proven(...)) in the method's file holds each row to.
       EXPECT_EQ(order_of_row(t, t.b, double_rounding).order, t.order) << M::info.id;
-      if (t.embedded())
+      if (t.embedded()) {
         EXPECT_EQ(order_of_row(t, t.b_hat, double_rounding).order, t.order_hat) << M::info.id;
+      }
       ++rows;
     }
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scene reader: what it takes, and how it refuses the rest.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -139,8 +140,8 @@ std::string springs(const std::string& entry) {
 std::string bomb() {
   std::string text = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
   for (int k = 1; k < 12; ++k) {
-    text += "a" + std::to_string(k) + ": &a" + std::to_string(k) + " [";
-    for (int i = 0; i < 10; ++i) text += (i ? ", *a" : "*a") + std::to_string(k - 1);
+    text += fmt::format("a{0}: &a{0} [*a{1}", k, k - 1);
+    for (int i = 1; i < 10; ++i) text += fmt::format(", *a{}", k - 1);
     text += "]\n";
   }
   return text;

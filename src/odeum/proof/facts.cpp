@@ -23,7 +23,7 @@ template <class Stepper>
 struct Recurrence {
   static constexpr bool known = false;
 };
-template <std::size_t K, class P, class OneStep>
+template <std::size_t K, Ode P, class OneStep>
 struct Recurrence<BackwardDifferences<K, P, OneStep>> {
   static constexpr bool known = true;
   static std::vector<std::complex<double>> at(std::complex<double> z) {
@@ -33,7 +33,7 @@ struct Recurrence<BackwardDifferences<K, P, OneStep>> {
     return c;
   }
 };
-template <std::size_t K, bool Correct, class P, class OneStep>
+template <std::size_t K, bool Correct, Ode P, class OneStep>
 struct Recurrence<Adams<K, Correct, P, OneStep>> {
   static constexpr bool known = true;
   static std::vector<std::complex<double>> at(std::complex<double> z) {

@@ -151,8 +151,9 @@ std::string YamlTree::described() const {
 
 void fail_at(const std::string& file, const YamlTree& place, const std::string& key,
              const std::string& what, const std::string& expected) {
+  const char* join = what.find("got ") == std::string::npos ? "; expected " : ", expected ";
   throw InputError(fmt::format("{}: {}: {}{}{}", place_of(file, place.line, place.column), key,
-                               what, expected.empty() ? "" : "; expected ", expected));
+                               what, expected.empty() ? "" : join, expected));
 }
 
 YamlTree read_yaml_text(const std::string& text, const std::string& name) {
