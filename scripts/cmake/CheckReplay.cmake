@@ -27,8 +27,8 @@ foreach(scene IN ITEMS spinning_pair fountain cloth_on_sphere)
     message(FATAL_ERROR "${scene}: WebGL reports an error: ${root}")
   endif()
   string(REGEX REPLACE ".*data-lit=\"([0-9]+)\".*" "\\1" lit "${root}")
-  # A few pixels for each particle at the least.
-  if(NOT lit MATCHES "^[0-9]+$" OR lit LESS 100)
+  # At the start the fountain is a single particle, of some 130 pixels; an empty picture has none.
+  if(NOT lit MATCHES "^[0-9]+$" OR lit LESS 50)
     message(FATAL_ERROR "${scene}: the picture is empty: ${root}")
   endif()
   message("${scene}: ${lit} pixels lit")
