@@ -41,8 +41,12 @@ TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
     }
     const int grounds = static_cast<int>(row.orders.size());
     EXPECT_GE(confirmed, grounds - grounds / 3) << row.method;
-    if (grounds > 0) EXPECT_LT(as_next, grounds) << row.method << " passes for an order higher";
-    if (row.conditions >= 0) EXPECT_EQ(row.conditions, row.order) << row.method;
+    if (grounds > 0) {
+      EXPECT_LT(as_next, grounds) << row.method << " passes for an order higher";
+    }
+    if (row.conditions >= 0) {
+      EXPECT_EQ(row.conditions, row.order) << row.method;
+    }
   }
 }
 
@@ -54,8 +58,9 @@ TEST(Proofs, CodeIsItsTableauAndItsStabilityFunction) {
       EXPECT_LE(row.stability_difference, proof::stability_tolerance(method)) << row.method;
       ++compared;
     }
-    if (row.code_difference == row.code_difference)
+    if (row.code_difference == row.code_difference) {
       EXPECT_LE(row.code_difference, proof::tableau_rounding) << row.method;
+    }
   }
   EXPECT_GE(compared, 15);
 }
@@ -89,8 +94,9 @@ TEST(Proofs, StabilityClassesAreThoseOfTheTextbooks) {
     if (!row || !row->has_stability_class) continue;
     ++seen;
     EXPECT_NEAR(row->stability.angle, angle, 0.01) << method;  // the books give two decimals
-    if (angle == 90)
+    if (angle == 90) {
       EXPECT_EQ(row->stability.vanishes_at_infinity(), !undamped.contains(method)) << method;
+    }
   }
   EXPECT_GE(seen, 3);
 }
@@ -104,8 +110,9 @@ TEST(Proofs, SymplecticMethodsAndNoOthersKeepTheForm) {
         row.family == "symplectic" || (method.tableau && structure_of(*method.tableau).symplectic);
     EXPECT_EQ(row.symplectic(), claimed) << row.method << ": " << row.symplectic_defect;
     symplectic += claimed;
-    if (method.tableau && structure_of(*method.tableau).symmetric)
+    if (method.tableau && structure_of(*method.tableau).symmetric) {
       EXPECT_TRUE(row.reversible()) << row.method << ": " << row.return_defect;
+    }
     if (claimed) {
       EXPECT_LE(row.energy_last, 1.5 * row.energy_first + 1e-10) << row.method;
       EXPECT_LT(row.energy_first, 0.5) << row.method;
@@ -129,8 +136,9 @@ TEST(Proofs, EnergyStaysBoundedOverAHundredThousandPeriods) {
   EXPECT_GE(watched, 5);
   // The same watch sees the energy of a method that is not symplectic drift away.
   for (const proof::MethodFacts& method : proof::all_method_facts())
-    if (method.info.id == "rk4")
+    if (method.info.id == "rk4") {
       EXPECT_FALSE(proof::watch_energy(method.on_mechanics(), 16, 1e3).bounded());
+    }
 }
 
 TEST(Proofs, EstimatesHaveTheirOrderAndSize) {

@@ -130,8 +130,9 @@ TEST(RowOrder, AgreesWithTheConditionsAtCompileTime) {
       const auto t = dynamic_tableau(M::tableau);
       // The order that static_assert(proven(...)) in the method's file holds each row to.
       EXPECT_EQ(order_of_row(t, t.b, double_rounding).order, t.order) << M::info.id;
-      if (t.embedded())
+      if (t.embedded()) {
         EXPECT_EQ(order_of_row(t, t.b_hat, double_rounding).order, t.order_hat) << M::info.id;
+      }
       ++rows;
     }
   });
