@@ -23,7 +23,8 @@ TEST(Coefficient, ReadsWhatPeopleWrite) {
   EXPECT_FALSE(parse_coefficient("sqrt(2)").rational);
   EXPECT_DOUBLE_EQ(value_of("(2 - sqrt(2))/2"), (2 - std::sqrt(2.)) / 2);
   EXPECT_EQ(parse_coefficient("0.25").uncertainty, 0);  // short decimals are meant as they stand
-  EXPECT_EQ(parse_coefficient("0.333333333333333").uncertainty, 0.5e-15);  // 15 digits: rounded
+  EXPECT_DOUBLE_EQ(parse_coefficient("0.333333333333333").uncertainty,
+                   0.5e-15);  // 15 digits: rounded
 }
 
 TEST(Coefficient, RefusesWhatIsNoNumber) {
