@@ -81,7 +81,7 @@ double stability_tolerance(const MethodFacts& method) {
 }
 
 double moving_frame_defect(const Code& code) {
-  constexpr double t = 0.7, h = 0.3, slow = -0.8, fast = -5, w2 = 2;
+  constexpr double t = 0.7, h = 0.3, slow = -0.8, fast = -2, w2 = 2;
   double worst = 0;
   const auto stray = [&](AnyStepper& stepper, std::vector<double> y,
                          const std::vector<double>& to) {

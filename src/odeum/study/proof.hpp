@@ -63,8 +63,8 @@ struct ProofResult {
 };
 
 struct ProofOptions {
-  std::vector<std::string> solvers;  ///< globs on odeum/method; empty: all
-  bool quick = false;                ///< a hundredth of the periods for the energy
+  std::vector<std::string> solvers = {};  ///< globs on odeum/method; empty: all
+  bool quick = false;                     ///< a hundredth of the periods for the energy
   unsigned jobs = 1;
 };
 

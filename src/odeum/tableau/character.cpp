@@ -132,11 +132,13 @@ std::complex<double> stability_function(const DynamicTableau<double>& t, std::co
 
 StabilityClass stability_class(const std::function<double(std::complex<double>)>& amplification) {
   StabilityClass found;
-  // The roots of a multistep method vanish as slowly as |z|^(-1/6): hence so far out.
-  const double far = amplification(-1e40), farther = amplification(-1e80);
-  found.at_infinity = farther < 1e-9         ? 0
-                      : farther <= far * 100 ? farther
-                                             : std::numeric_limits<double>::infinity();
+  // Two decades: a value that goes to zero falls to a hundredth, and the roots of a six-step
+  // method, as |z|^(-1/6), to less than half; one that has a limit stays. Farther out, 1 + z b^T k
+  // would lose the limit to rounding.
+  const double far = amplification(-1e6), farther = amplification(-1e8);
+  found.at_infinity = farther < far / 2   ? 0
+                      : farther < 2 * far ? farther
+                                          : std::numeric_limits<double>::infinity();
   const auto bounded = [&](double angle) { return bounded_on_ray(amplification, angle); };
   if (!bounded(0)) return found;
   if (bounded(90) && bounded(30) && bounded(60)) {
