@@ -151,7 +151,7 @@ class FullyImplicitRungeKutta {
         largest = std::max(largest, max_norm(system_.z[i]));
       });
       if (!std::isfinite(size)) break;
-      if (size <= iteration_tolerance * largest) {
+      if (size <= iteration_tolerance * std::max(largest, smallest_state)) {
         finish(y);
         return Status::ok;
       }

@@ -14,6 +14,9 @@ namespace odeum {
 /// component of the state: far below any truncation error that a study resolves, far enough above
 /// rounding to be reached.
 inline constexpr double iteration_tolerance = 1e-13;
+/// A state that has decayed below this, towards the smallest numbers, has no digits left to
+/// converge in: corrections are then measured against it.
+inline constexpr double smallest_state = 1e15 * std::numeric_limits<double>::min();
 
 /// The largest modulus of the components; NaN where one is NaN.
 template <class S>
@@ -106,9 +109,7 @@ class Newton {
     if (accuracy_ == 0) {
       const double size = max_norm(correction_);
       if (size == 0) return 0;  // of a state that may be zero too
-      // A state that has decayed to the smallest numbers has no digits left to converge in.
-      return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base),
-                                                     std::numeric_limits<double>::min() * 1e15}));
+      return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
     }
     double sum = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {
