@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/cloth_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "odeum/methods/rk4.hpp"
+#include "odeum/methods/velocity_verlet.hpp"
+#include "odeum/scene/mass_spring.hpp"
+#include "support/scenes.hpp"
+
+namespace odeum::scene {
+namespace {
+
+/// n x n particles a spacing apart, springs along rows and columns, one edge fixed.
+Scene make_net(std::size_t n) {
+  Scene scene;
+  scene.gravity = {0, -9.8, 1};
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t c = 0; c < n; ++c) {
+      Particle particle{.position = {0.1 * static_cast<double>(r), 0.1 * static_cast<double>(c), 0},
+                        .mass = 0.02,
+                        .fixed = c == 0};
+      if (!particle.fixed) particle.velocity = {0.1, 0, std::sin(static_cast<double>(r + c))};
+      scene.particles.push_back(particle);
+    }
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t c = 0; c < n; ++c) {
+      const std::size_t a = r * n + c;
+      if (c + 1 < n)
+        scene.springs.push_back(
+            {.a = a, .b = a + 1, .stiffness = 20, .damping = 0.05, .rest_length = 0.1});
+      if (r + 1 < n)
+        scene.springs.push_back(
+            {.a = a, .b = a + n, .stiffness = 10, .damping = 0.05, .rest_length = 0.1});
+    }
+  return scene;
+}
+
+constexpr double h = 1e-3;
+constexpr std::size_t steps = 200;
+
+template <class Method>
+std::vector<double> by_method(const Scene& scene) {
+  const MassSpring problem(scene);
+  std::vector<double> y = tests::start_of(scene);
+  typename Method::template Stepper<MassSpring> stepper(problem);
+  if constexpr (requires { stepper.start(0, h, y); }) stepper.start(0, h, y);
+  for (std::size_t i = 0; i < steps; ++i) stepper.step(static_cast<double>(i) * h, h, y);
+  return y;
+}
+
+template <class Real>
+std::vector<double> by_engine(const Scene& scene, bool verlet, std::size_t threads = 1) {
+  ClothEngine<Real> engine(scene, threads);
+  if (verlet)
+    engine.velocity_verlet(h, steps);
+  else
+    engine.rk4(h, steps);
+  std::vector<double> y(6 * engine.particles());
+  engine.read(y.data());
+  return y;
+}
+
+void expect_near(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance) << i;
+}
+
+TEST(ClothEngine, TakesTheStepsOfTheMethods) {
+  const Scene scene = make_net(9);
+  // Two hundred steps of numbers up to ten, whose forces are summed in another order.
+  expect_near(by_engine<double>(scene, true), by_method<methods::velocity_verlet>(scene), 1e-12);
+  expect_near(by_engine<double>(scene, false), by_method<methods::rk4>(scene), 1e-12);
+}
+
+TEST(ClothEngine, InSinglePrecisionStaysNearDouble) {
+  const Scene scene = make_net(9);
+  // Roundings of 6e-8 of numbers up to two, in 200 steps, grow little over a fifth of a second.
+  expect_near(by_engine<float>(scene, true), by_engine<double>(scene, true), 1e-4);
+  expect_near(by_engine<float>(scene, false), by_engine<double>(scene, false), 1e-4);
+}
+
+TEST(ClothEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Scene scene = make_net(9);
+  for (const bool verlet : {true, false}) {
+    const auto one = by_engine<double>(scene, verlet);
+    EXPECT_EQ(by_engine<double>(scene, verlet, 2), one);
+    EXPECT_EQ(by_engine<double>(scene, verlet, 3), one);
+  }
+}
+
+TEST(ClothEngine, RefusesWhatIsNoCloth) {
+  Scene scene = make_net(5);
+  EXPECT_THROW(ClothEngine<double>(scene, 0), std::invalid_argument);
+  EXPECT_EQ(ClothEngine<double>(scene).springs(), scene.springs.size());
+  scene.springs.pop_back();
+  EXPECT_THROW(ClothEngine<double>{scene}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace odeum::scene
