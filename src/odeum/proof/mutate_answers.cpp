@@ -206,9 +206,6 @@ std::vector<Mutant> mutate_answers(const MethodFacts& method) {
       mutant.equivalent = "no result depends on it";
     else if (!mutant.caught() && named.lie.euler_start && method.info.order <= 2)
       mutant.equivalent = "one Euler step leaves an error of order 2, which the method has anyway";
-    else if (!mutant.caught() && named.kind == std::string_view("time") && method.info.order == 1)
-      mutant.equivalent =
-          "an Euler step whose time is less than a step off is of order 1 all the same";
     mutants.push_back(std::move(mutant));
   }
   return mutants;
