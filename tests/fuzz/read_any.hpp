@@ -23,7 +23,7 @@ inline bool read_any(const std::string& text) {
           spring.a == spring.b || !std::isfinite(spring.rest_length))
         return false;
     return true;
-  } catch (const scene::SceneError& error) {
+  } catch (const InputError& error) {
     const std::string what = error.what();
     std::size_t at = 2;
     for (int part = 0; part < 2; ++part) {

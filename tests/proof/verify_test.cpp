@@ -35,7 +35,7 @@ TEST(Coefficient, RefusesWhatIsNoNumber) {
 
 std::string error_of(const std::string& yaml) {
   try {
-    read_tableau(read_yaml_text(yaml, "t.yaml"), "t.yaml");
+    read_tableau("t.yaml", yaml);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -47,7 +47,7 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
     const char *yaml, *says;
   };
   for (const auto& [yaml, says] : {
-           Fault{"A: [[]]\nb: [x]\n", "t.yaml:2:5: b[1]: no number; got 'x', expected a number"},
+           Fault{"A: [[]]\nb: [x]\n", "t.yaml:2:5: b[1]: no number; got x, expected a number"},
            Fault{"A: [[]]\nb: [1]\nb: [1]\n",
                  "t.yaml:3:1: b: a second time; the first is in line 2"},
            Fault{"A: [[]]\nb: [.nan]\n", "t.yaml:2:5: b[1]: no number"},
@@ -57,24 +57,21 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
            Fault{"A: [[]]\nb: [1, 2]\n", "got a list of 2, expected a list of 1"},
            Fault{"A: [[1, 2]]\nb: [1]\n", "t.yaml:1:5: A[1]: got a list of 2"},
            Fault{"A: [[]]\nb: [1]\nordre: 1\n", "did you mean order?"},
-           Fault{"A: [[]]\nb: [1]\norder: 1.5\n",
-                 "got '1.5', expected a whole number from 1 to 10"},
+           Fault{"A: [[]]\nb: [1]\norder: 1.5\n", "got 1.5, expected a whole number from 1 to 10"},
            Fault{"A: [[]]\nb: [1]\norder_embedded: 1\n", "a claim about no row"},
            Fault{"b: [1]\n", "A: missing"},
-           Fault{"[1, 2]", "got a list of 2, expected a map with A and b"},
-           Fault{"", "an empty file"},
+           Fault{"[1, 2]", "got a list of 2, expected a mapping with A and b"},
+           Fault{"", "t.yaml:1:1: tableau: empty"},
            Fault{"A: [\n", "no YAML"},
-           Fault{"A: \x01\n", "no text"},
-           Fault{"A: [[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]", "nested deeper"},
+           Fault{"A: \x01\n", "t.yaml:1:4: tableau: a binary file or a control character"},
+           Fault{"A: [[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]", "nested too deeply"},
        })
     EXPECT_NE(error_of(yaml).find(says), std::string::npos) << yaml << "\n-> " << error_of(yaml);
   EXPECT_THROW(read_tableau_file("/nonexistent.yaml"), InputError);
   EXPECT_THROW(read_tableau_file("/"), InputError);
 }
 
-TableauFile tableau_of(const std::string& yaml) {
-  return read_tableau(read_yaml_text(yaml, "t.yaml"), "t.yaml");
-}
+TableauFile tableau_of(const std::string& yaml) { return read_tableau("t.yaml", yaml); }
 
 const char* const heun_euler =
     "order: 2\norder_embedded: 1\nc: [0, 1]\nA: [[], [1]]\nb: [1/2, 1/2]\nb_hat: [1, 0]\n";

@@ -20,7 +20,7 @@ using tests::with_particles;
 std::string error_of(const std::string& text, const scene::ReadOptions& options = {}) {
   try {
     read_scene("s.yaml", text, options);
-  } catch (const scene::SceneError& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "";
@@ -283,7 +283,7 @@ TEST(SceneReader, RefusesWhatIsNoFile) {
   const auto error_of_file = [](const std::string& path, const scene::ReadOptions& options = {}) {
     try {
       scene::read_scene_file(path, options);
-    } catch (const scene::SceneError& error) {
+    } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string();

@@ -112,7 +112,7 @@ const Entrant& choose(const std::vector<Entrant>& entrants, const RunOptions& op
   } catch (const UsageError& error) {
     throw UsageError(fmt::format("{}: {}; got {}, expected a solver that fits",
                                  description.solver->where, error.what(),
-                                 scene::shown(description.solver->type)));
+                                 shown(description.solver->type)));
   }
 }
 
@@ -206,7 +206,7 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
     return run_read(source.text ? scene::read_scene(source.file, *source.text, read_options)
                                 : scene::read_scene_file(source.file, read_options),
                     options);
-  } catch (const scene::SceneError& error) {
+  } catch (const InputError& error) {
     remark(error.what());
     return usage;
   }

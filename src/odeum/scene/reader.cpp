@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/reader.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
+#include "odeum/input/text_file.hpp"
 #include "odeum/scene/reader_fields.hpp"
 
 namespace odeum::scene {
@@ -106,54 +102,19 @@ void read_all(Context& context, const YamlNode& root) {
   warn_of_duplicates(context);
 }
 
-std::string contents(const std::string& path, std::size_t most_bytes) {
-  const auto refuse = [&](const std::string& what, const std::string& got,
-                          const std::string& expected) {
-    return SceneError(path, {}, fmt::format("scene: {}; got {}, expected {}", what, got, expected));
-  };
-  // Not blocking: a FIFO that nobody writes to would wait for ever.
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (file < 0) throw refuse("cannot be read", std::strerror(errno), "a file");
-  struct Closer {
-    int file;
-    ~Closer() { ::close(file); }
-  } const closer{file};
-  struct stat status {};
-  if (::fstat(file, &status) != 0) throw refuse("cannot be read", std::strerror(errno), "a file");
-  if (!S_ISREG(status.st_mode))
-    throw refuse("no regular file",
-                 S_ISDIR(status.st_mode)    ? "a directory"
-                 : S_ISFIFO(status.st_mode) ? "a FIFO"
-                                            : "a device",
-                 "a file");
-  const auto too_large = [&] {
-    return refuse("too large", fmt::format("more than {} bytes", most_bytes),
-                  "at most that (--max-megabytes raises it)");
-  };
-  if (static_cast<std::uintmax_t>(status.st_size) > most_bytes) throw too_large();
-  std::string text;
-  char buffer[1 << 16];
-  while (true) {
-    const ssize_t n = ::read(file, buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw refuse("cannot be read", std::strerror(errno), "a file");
-    if (n == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
-    if (text.size() > most_bytes) throw too_large();
-  }
-}
-
 }  // namespace
 
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options) {
-  return read_scene(path, contents(path, options.most_bytes), options);
+  return read_scene(path,
+                    read_text_file(path, "scene", options.most_bytes, "--max-megabytes raises it"),
+                    options);
 }
 
 ReadScene read_scene(const std::string& file, const std::string& text, const ReadOptions& options) {
   Context context;
   context.file = file;
   context.options = options;
-  const auto root = parse_yaml(file, text, {});
+  const auto root = parse_yaml(file, text, {.name = "scene"});
   read_all(context, *root);
   return {std::move(context.scene), std::move(context.warnings)};
 }

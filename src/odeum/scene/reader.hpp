@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "odeum/input/yaml_tree.hpp"
 #include "odeum/scene/description.hpp"
-#include "odeum/scene/yaml_tree.hpp"
 
 namespace odeum::scene {
 
@@ -21,7 +21,7 @@ struct ReadScene {
   std::vector<std::string> warnings;  ///< `file:line:column: key: what is odd`
 };
 
-/// Reads a scene file; its format is described in README.md. Throws SceneError for everything that
+/// Reads a scene file; its format is described in README.md. Throws InputError for everything that
 /// is wrong with the path, the text or the numbers.
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options = {});
 /// The same from a text; `file` is what errors call it.

@@ -78,7 +78,7 @@ void Value::fail(const std::string& what, const std::string& expected) const {
 
 void Value::fail(const std::string& what, const std::string& got,
                  const std::string& expected) const {
-  throw SceneError(context_->file, node_->place,
+  throw InputError(context_->file, node_->place,
                    fmt::format("{}: {}; got {}, expected {}", key_, what, got, expected));
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "odeum/harness/glob.hpp"
+#include "odeum/input/text_file.hpp"
 
 namespace odeum {
 namespace {
@@ -22,10 +23,10 @@ struct Written {
 
 class Reader {
  public:
-  Reader(const YamlTree& tree, const std::string& file) : tree_(tree), file_(file) {
-    if (tree.kind != YamlTree::Kind::map)
-      fail_at(file, tree, "tableau", "got " + tree.described(), "a map with A and b");
-    for (const auto& [key, value] : tree.entries) check_key(key);
+  Reader(const YamlNode& root, const std::string& file) : root_(root), file_(file) {
+    if (root.kind != YamlNode::Kind::mapping)
+      fail_at(root, "tableau", got(root), "a mapping with A and b");
+    for (std::size_t i = 0; i < root.items.size(); i += 2) check_key(i);
   }
 
   TableauFile read() {
@@ -36,14 +37,14 @@ class Reader {
     w.stages = needed("A").items.size();
     w.a = matrix(needed("A"), w);
     w.b = row(needed("b"), "b", w.stages);
-    if (const YamlTree* c = find("c")) {
+    if (const YamlNode* c = find("c")) {
       w.c = row(*c, "c", w.stages);
       result.has_nodes = true;
     }
-    if (const YamlTree* b_hat = find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
+    if (const YamlNode* b_hat = find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
     const int order = claim("order"), order_hat = claim("order_embedded");
     if (order_hat != 0 && w.b_hat.empty())
-      fail_at(file_, *find("order_embedded"), "order_embedded", "a claim about no row", "b_hat");
+      fail_at(*find("order_embedded"), "order_embedded", "a claim about no row", "b_hat");
 
     const bool exact = all_of(w, [](const Coefficient& x) { return x.rational; });
     if (exact)
@@ -69,86 +70,99 @@ class Reader {
   }
 
  private:
-  const YamlTree* find(const std::string& name) const {
-    for (const auto& [key, value] : tree_.entries)
-      if (key.text == name) return &value;
+  static std::string got(const YamlNode& node) { return "got " + node.kind_name(); }
+
+  [[noreturn]] void fail_at(const YamlNode& at, const std::string& key, const std::string& what,
+                            const std::string& expected) const {
+    const char* join = what.find("got ") == std::string::npos ? "; expected " : ", expected ";
+    throw InputError(file_, at.place, fmt::format("{}: {}{}{}", key, what, join, expected));
+  }
+
+  const YamlNode* find(const std::string& name) const {
+    for (std::size_t i = 0; i < root_.items.size(); i += 2)
+      if (root_.items[i]->text == name) return root_.items[i + 1].get();
     return nullptr;
   }
-  const YamlTree& needed(const std::string& name) const {
-    const YamlTree* value = find(name);
-    if (!value) fail_at(file_, tree_, name, "missing", "a list");
-    if (value->kind != YamlTree::Kind::list || value->items.empty())
-      fail_at(file_, *value, name, "got " + value->described(), "a list with an entry a stage");
+  const YamlNode& needed(const std::string& name) const {
+    const YamlNode* value = find(name);
+    if (!value) fail_at(root_, name, "missing", "a list");
+    if (value->kind != YamlNode::Kind::sequence || value->items.empty())
+      fail_at(*value, name, got(*value), "a list with an entry a stage");
     return *value;
   }
 
-  void check_key(const YamlTree& key) const {
+  /// The key whose place among the root's items is `i`.
+  void check_key(std::size_t i) const {
+    const YamlNode& key = *root_.items[i];
+    if (key.kind != YamlNode::Kind::scalar) fail_at(key, "tableau", got(key), "a word as a key");
+    for (std::size_t k = 0; k < i; k += 2)
+      if (root_.items[k]->text == key.text)
+        fail_at(key, key.text,
+                fmt::format("a second time; the first is in line {}", root_.items[k]->place.line),
+                "one");
     if (std::count(keys.begin(), keys.end(), key.text)) return;
     const std::string near = nearest(key.text, keys);
-    fail_at(file_, key, key.text,
+    fail_at(key, shown(key.text),
             "unknown key" + (near.empty() ? "" : fmt::format(", did you mean {}?", near)),
             fmt::format("one of {}", fmt::join(keys, ", ")));
   }
 
   std::string text_of(const std::string& name) const {
-    const YamlTree* value = find(name);
+    const YamlNode* value = find(name);
     if (!value) return {};
-    if (value->kind != YamlTree::Kind::scalar)
-      fail_at(file_, *value, name, "got " + value->described(), "a text");
+    if (value->kind != YamlNode::Kind::scalar) fail_at(*value, name, got(*value), "a text");
     return value->text;
   }
 
   int claim(const std::string& name) const {
-    const YamlTree* value = find(name);
+    const YamlNode* value = find(name);
     if (!value) return 0;
-    const bool digits = value->kind == YamlTree::Kind::scalar && !value->text.empty() &&
+    const bool digits = value->kind == YamlNode::Kind::scalar && !value->text.empty() &&
                         value->text.size() <= 2 && value->text[0] != '0' &&
                         std::all_of(value->text.begin(), value->text.end(),
                                     [](char c) { return c >= '0' && c <= '9'; });
     const int order = digits ? std::stoi(value->text) : 0;
     if (order < 1 || order > highest_order_checked)
-      fail_at(file_, *value, name, "got " + value->described(),
+      fail_at(*value, name, got(*value),
               fmt::format("a whole number from 1 to {}", highest_order_checked));
     return order;
   }
 
-  Coefficient number(const YamlTree& value, const std::string& name) const {
-    if (value.kind != YamlTree::Kind::scalar)
-      fail_at(file_, value, name, "got " + value.described(), "a number");
+  Coefficient number(const YamlNode& value, const std::string& name) const {
+    if (value.kind != YamlNode::Kind::scalar) fail_at(value, name, got(value), "a number");
     try {
       return parse_coefficient(value.text);
     } catch (const CoefficientError& error) {
-      fail_at(file_, value, name, fmt::format("{}; got {}", error.what(), value.described()),
+      fail_at(value, name, fmt::format("{}; {}", error.what(), got(value)),
               "a number such as 2/9, 0.25, 1e-3 or (2 - sqrt(2))/2");
     }
   }
 
-  std::vector<Coefficient> row(const YamlTree& value, const std::string& name,
+  std::vector<Coefficient> row(const YamlNode& value, const std::string& name,
                                std::size_t stages) const {
-    if (value.kind != YamlTree::Kind::list || value.items.size() != stages)
-      fail_at(file_, value, name, "got " + value.described(),
-              fmt::format("a list of {}, as many as A has rows", stages));
+    if (value.kind != YamlNode::Kind::sequence || value.items.size() != stages)
+      fail_at(value, name, got(value), fmt::format("a list of {}, as many as A has rows", stages));
     std::vector<Coefficient> numbers;
     for (std::size_t i = 0; i < stages; ++i)
-      numbers.push_back(number(value.items[i], fmt::format("{}[{}]", name, i + 1)));
+      numbers.push_back(number(*value.items[i], fmt::format("{}[{}]", name, i + 1)));
     return numbers;
   }
 
-  std::vector<Coefficient> matrix(const YamlTree& value, const Written& w) const {
+  std::vector<Coefficient> matrix(const YamlNode& value, const Written& w) const {
     if (w.stages > most_stages)
-      fail_at(file_, value, "A", fmt::format("got {} rows", w.stages),
+      fail_at(value, "A", fmt::format("got {} rows", w.stages),
               fmt::format("at most {}", most_stages));
     std::vector<Coefficient> a;
     const Coefficient zero = parse_coefficient("0");
     for (std::size_t i = 0; i < w.stages; ++i) {
-      const YamlTree& line = value.items[i];
+      const YamlNode& line = *value.items[i];
       const std::string name = fmt::format("A[{}]", i + 1);
-      if (line.kind != YamlTree::Kind::list || line.items.size() > w.stages)
-        fail_at(file_, line, name, "got " + line.described(),
+      if (line.kind != YamlNode::Kind::sequence || line.items.size() > w.stages)
+        fail_at(line, name, got(line),
                 fmt::format("a list of at most {}, the number of rows", w.stages));
       for (std::size_t j = 0; j < w.stages; ++j)
         a.push_back(j < line.items.size()
-                        ? number(line.items[j], fmt::format("A[{}][{}]", i + 1, j + 1))
+                        ? number(*line.items[j], fmt::format("A[{}][{}]", i + 1, j + 1))
                         : zero);
     }
     return a;
@@ -179,18 +193,19 @@ class Reader {
     return t;
   }
 
-  const YamlTree& tree_;
+  const YamlNode& root_;
   const std::string& file_;
 };
 
 }  // namespace
 
-TableauFile read_tableau(const YamlTree& tree, const std::string& file) {
-  return Reader(tree, file).read();
+TableauFile read_tableau(const std::string& file, const std::string& text) {
+  return Reader(*parse_yaml(file, text, {.name = "tableau", .depth = 16, .aliases = false}), file)
+      .read();
 }
 
 TableauFile read_tableau_file(const std::string& path) {
-  return read_tableau(read_yaml_file(path), path);
+  return read_tableau(path, read_text_file(path, "tableau", 1 << 20));
 }
 
 }  // namespace odeum

@@ -3,10 +3,10 @@
 #include <string>
 #include <variant>
 
+#include "odeum/input/yaml_tree.hpp"
 #include "odeum/tableau/coefficient.hpp"
 #include "odeum/tableau/dynamic_tableau.hpp"
 #include "odeum/tableau/row_order.hpp"
-#include "odeum/tableau/yaml_tree.hpp"
 
 namespace odeum {
 
@@ -33,8 +33,10 @@ struct TableauFile {
 /// Most stages that a file may have.
 inline constexpr std::size_t most_stages = 40;
 
-/// Throws InputError.
-TableauFile read_tableau(const YamlTree& tree, const std::string& file);
+/// Reads a file of at most 1 MiB. Throws InputError for everything that is wrong with the path, the
+/// text or the numbers; for anchors and aliases, which no tableau needs.
 TableauFile read_tableau_file(const std::string& path);
+/// The same from a text; `file` is what errors call it.
+TableauFile read_tableau(const std::string& file, const std::string& text);
 
 }  // namespace odeum

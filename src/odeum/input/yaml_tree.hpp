@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
-namespace odeum::scene {
+namespace odeum {
 
 /// A place in a text, from 1; columns count characters.
 struct Place {
   std::size_t line = 1, column = 1;
 };
 
-/// A scene that cannot be used: `file:line:column: key: what is wrong; got X, expected Y`.
-class SceneError : public std::runtime_error {
+/// A file that cannot be used: `file:line:column: key: what is wrong; got X, expected Y`.
+class InputError : public std::runtime_error {
  public:
   /// `rest` is all after the place.
-  SceneError(const std::string& file, Place place, const std::string& rest);
+  InputError(const std::string& file, Place place, const std::string& rest);
 };
 
 /// What was found, for an error: `text` on one line, without control characters, not too long.
@@ -40,16 +40,18 @@ struct YamlNode {
   std::string kind_name() const;
 };
 
-/// How large a scene file may be.
-struct YamlLimits {
-  std::size_t depth = 32;
+/// What a YAML file is for, and how large it may be.
+struct YamlFormat {
+  std::string name;                ///< "scene", for sentences about the whole of it
+  std::size_t depth = 32;          ///< levels of nesting
   std::size_t nodes = 20'000'000;  ///< with aliases written out
+  bool aliases = true;             ///< whether it may have anchors and aliases
 };
 
-/// Parses one document. Throws SceneError (with `file` for its text) for what is no YAML, no UTF-8
-/// or binary, empty, more than one document, deeper or larger than the limits once aliases are
-/// written out, or an alias within what its anchor names; for tags.
+/// Parses one document. Throws InputError (with `file` for its text) for what is no YAML, no UTF-8
+/// or binary, empty, more than one document, deeper or larger than the format allows once aliases
+/// are written out, or an alias within what its anchor names; for tags.
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::string& text,
-                                           const YamlLimits& limits);
+                                           const YamlFormat& format);
 
-}  // namespace odeum::scene
+}  // namespace odeum

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/yaml_tree.hpp"
+#include "odeum/input/yaml_tree.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <unordered_map>
 
-namespace odeum::scene {
+namespace odeum {
 namespace {
 
 Place place_of(const YAML::Mark& mark) {
@@ -22,7 +22,7 @@ Place place_of(const YAML::Mark& mark) {
 /// Builds the tree from yaml-cpp's events and enforces the limits as they come.
 class Builder final : public YAML::EventHandler {
  public:
-  Builder(const std::string& file, const YamlLimits& limits) : file_(file), limits_(limits) {}
+  Builder(const std::string& file, const YamlFormat& format) : file_(file), format_(format) {}
 
   std::shared_ptr<const YamlNode> root() const { return root_; }
   Place start() const { return start_; }
@@ -68,7 +68,7 @@ class Builder final : public YAML::EventHandler {
   };
 
   [[noreturn]] void fail(Place place, const std::string& what) const {
-    throw SceneError(file_, place, "scene: " + what);
+    throw InputError(file_, place, format_.name + ": " + what);
   }
   [[noreturn]] void fail(const YAML::Mark& mark, const std::string& what) const {
     fail(place_of(mark), what);
@@ -83,12 +83,17 @@ class Builder final : public YAML::EventHandler {
     if (!tag.empty() && tag != "?" && tag != "!")
       fail(mark, "a tag; got " + shown(tag) + ", expected none");
   }
+  void check_anchor(Place place, YAML::anchor_t anchor) const {
+    if (anchor && !format_.aliases)
+      fail(place, "an anchor; got one, expected the values themselves");
+  }
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
             YamlNode::Kind kind) {
     check_tag(mark, tag == "!" ? "" : tag);
-    if (open_.size() >= limits_.depth)
+    check_anchor(place_of(mark), anchor);
+    if (open_.size() >= format_.depth)
       fail(mark, fmt::format("nested too deeply; got more than {} levels, expected at most that",
-                             limits_.depth));
+                             format_.depth));
     open_.push_back({make(mark, kind), anchor});
   }
   void close() {
@@ -97,6 +102,7 @@ class Builder final : public YAML::EventHandler {
     add(done.node, done.anchor);
   }
   void add(std::shared_ptr<YamlNode> node, YAML::anchor_t anchor) {
+    check_anchor(node->place, anchor);
     if (anchor) anchors_[anchor] = node;
     const Place place = node->place;
     attach(std::move(node), place);
@@ -108,15 +114,15 @@ class Builder final : public YAML::EventHandler {
     }
     YamlNode& parent = *open_.back().node;
     parent.size += node->size;
-    if (parent.size > limits_.nodes)
+    if (parent.size > format_.nodes)
       fail(place, fmt::format("too much once its aliases are written out; got more than {} "
                               "entries, expected at most that",
-                              limits_.nodes));
+                              format_.nodes));
     parent.items.push_back(std::move(node));
   }
 
   const std::string& file_;
-  YamlLimits limits_;
+  const YamlFormat& format_;
   std::vector<Open> open_;
   std::unordered_map<YAML::anchor_t, std::shared_ptr<const YamlNode>> anchors_;
   std::shared_ptr<const YamlNode> root_;
@@ -144,21 +150,21 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
-void require_text(const std::string& file, std::string_view text) {
+void require_text(const std::string& file, std::string_view text, const std::string& name) {
   Place place;
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
     const std::size_t length = utf8_length(text.substr(i));
     if (length == 0)
-      throw SceneError(
-          file, place,
-          fmt::format("scene: no UTF-8 text; got the byte 0x{:02x}, expected UTF-8", unsigned{c}));
+      throw InputError(file, place,
+                       fmt::format("{}: no UTF-8 text; got the byte 0x{:02x}, expected UTF-8", name,
+                                   unsigned{c}));
     const bool blank = c == '\t' || c == '\n' || c == '\r';
     if ((c < 0x20 && !blank) || c == 0x7f)
-      throw SceneError(file, place,
-                       fmt::format("scene: a binary file or a control character; got the byte "
+      throw InputError(file, place,
+                       fmt::format("{}: a binary file or a control character; got the byte "
                                    "0x{:02x}, expected text",
-                                   unsigned{c}));
+                                   name, unsigned{c}));
     place.column = c == '\n' ? 1 : place.column + 1;
     if (c == '\n') ++place.line;
     i += length;
@@ -167,7 +173,7 @@ void require_text(const std::string& file, std::string_view text) {
 
 }  // namespace
 
-SceneError::SceneError(const std::string& file, Place place, const std::string& rest)
+InputError::InputError(const std::string& file, Place place, const std::string& rest)
     : std::runtime_error(fmt::format("{}:{}:{}: {}", file, place.line, place.column, rest)) {}
 
 std::string shown(std::string_view text) {
@@ -201,25 +207,27 @@ std::string YamlNode::kind_name() const {
 }
 
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::string& text,
-                                           const YamlLimits& limits) {
-  require_text(file, text);
-  Builder builder(file, limits);
+                                           const YamlFormat& format) {
+  require_text(file, text, format.name);
+  Builder builder(file, format);
   try {
     std::istringstream in(text);
     YAML::Parser parser(in);
     if (!parser.HandleNextDocument(builder) || !builder.root() ||
         builder.root()->kind == YamlNode::Kind::null)
-      throw SceneError(file, {}, "scene: empty; got no entry, expected a mapping of keys");
+      throw InputError(file, {}, format.name + ": empty; got no entry, expected a mapping of keys");
     const auto root = builder.root();
-    Builder second(file, limits);
+    Builder second(file, format);
     if (parser.HandleNextDocument(second))
-      throw SceneError(file, second.start(),
-                       "scene: a second document; got more after ---, expected one document");
+      throw InputError(
+          file, second.start(),
+          format.name + ": a second document; got more after ---, expected one document");
     return root;
   } catch (const YAML::Exception& error) {
-    throw SceneError(file, place_of(error.mark),
-                     "scene: no YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
+    throw InputError(
+        file, place_of(error.mark),
+        format.name + ": no YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
   }
 }
 
-}  // namespace odeum::scene
+}  // namespace odeum
