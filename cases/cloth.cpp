@@ -88,7 +88,7 @@ Case make_variant(const Variant& variant) {
   c.coarsest_steps = variant.coarsest_steps;
   c.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
   // Half a second or less. The smooth one has room for every own method to show its order.
-  c.evaluation_budget = variant.tension_only ? 6'000 : variant.stiffness > 100 ? 12'000 : 52'000;
+  c.evaluation_budget = variant.tension_only ? 12'000 : variant.stiffness > 100 ? 20'000 : 100'000;
   c.truth = reference_truth(variant.reference, variant.digits_floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

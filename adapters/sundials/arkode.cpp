@@ -94,8 +94,6 @@ SolverInfo describe_table(std::string method, const char* family, int order, int
   info.family = family;
   info.order = order;
   info.adaptive = order_embedded != 0;
-  // Each product of GMRES with the Jacobian is made orthogonal to all before it, at the same price.
-  if (info.family == "implicit_rk") info.work_per_evaluation = 2;
   if (info.adaptive) info.controller = "embedded pair, the library's default (PID) controller";
   info.source = std::move(source);
   return info;

@@ -9,6 +9,24 @@
 #include <cstdlib>
 
 namespace odeum::adapters::sundials {
+namespace {
+
+int cvode_newton_point(void* memory, Module::NewtonPoint& point) {
+  N_Vector predicted = nullptr, f = nullptr, zn1 = nullptr;
+  double rl1 = 0;
+  void* data = nullptr;
+  return CVodeGetNonlinearSystemData(memory, &point.t, &predicted, &point.y, &f, &point.gamma, &rl1,
+                                     &zn1, &data);
+}
+
+int arkstep_newton_point(void* memory, Module::NewtonPoint& point) {
+  N_Vector predicted = nullptr, f = nullptr, rest = nullptr;
+  void* data = nullptr;
+  return ARKStepGetNonlinearSystemData(memory, &point.t, &predicted, &point.y, &f, &point.gamma,
+                                       &rest, &data);
+}
+
+}  // namespace
 
 const Module cvode_module{
     .set_error_handler = CVodeSetErrHandlerFn,
@@ -29,6 +47,7 @@ const Module cvode_module{
     .set_linear_solver = CVodeSetLinearSolver,
     .set_jacobian = CVodeSetJacFn,
     .set_jacobian_times = CVodeSetJacTimes,
+    .newton_point = cvode_newton_point,
     .set_convergence_coefficient = CVodeSetNonlinConvCoef,
     .set_max_iterations = CVodeSetMaxNonlinIters,
 };
@@ -52,6 +71,7 @@ const Module erkstep_module{
     .set_linear_solver = nullptr,
     .set_jacobian = nullptr,
     .set_jacobian_times = nullptr,
+    .newton_point = nullptr,
     .set_convergence_coefficient = nullptr,
     .set_max_iterations = nullptr,
 };
@@ -75,6 +95,7 @@ const Module arkstep_module{
     .set_linear_solver = ARKStepSetLinearSolver,
     .set_jacobian = ARKStepSetJacFn,
     .set_jacobian_times = ARKStepSetJacTimes,
+    .newton_point = arkstep_newton_point,
     .set_convergence_coefficient = ARKStepSetNonlinConvCoef,
     .set_max_iterations = ARKStepSetMaxNonlinIters,
 };

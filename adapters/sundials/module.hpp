@@ -21,6 +21,11 @@ struct Module {
   using JacobianTimesSetup = int (*)(double t, N_Vector y, N_Vector f, void* data);
   using JacobianTimes = int (*)(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector f,
                                 void* data, N_Vector);
+  /// Where Newton's iteration is: its system is I - gamma df/dy at (t, y).
+  struct NewtonPoint {
+    double t = 0, gamma = 0;
+    N_Vector y = nullptr;
+  };
 
   int (*set_error_handler)(void*, ErrorHandler, void* data);
   int (*set_user_data)(void*, void* data);
@@ -42,6 +47,7 @@ struct Module {
   int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
   int (*set_jacobian)(void*, Jacobian);
   int (*set_jacobian_times)(void*, JacobianTimesSetup, JacobianTimes);
+  int (*newton_point)(void*, NewtonPoint&);
   int (*set_convergence_coefficient)(void*, double);
   int (*set_max_iterations)(void*, int);
 };

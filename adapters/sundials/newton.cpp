@@ -9,6 +9,8 @@
 
 #include <utility>
 
+#include "odeum/harness/counted_solver.hpp"
+
 namespace odeum::adapters::sundials {
 namespace {
 
@@ -32,6 +34,34 @@ int jacobian_times(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector,
 
 bool dense(const Session& session) { return session.dimension() <= dense_dimension_limit; }
 
+Session& session_of(SUNLinearSolver solver) { return *static_cast<Session*>(solver->content); }
+
+int solve_embedded(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double) {
+  Session& session = session_of(solver);
+  Module::NewtonPoint at;
+  if (session.module().newton_point(session.integrator(), at) < 0) return SUNLS_MEM_NULL;
+  N_VScale(1, b, x);
+  ShiftedSolver& own = *session.shifted_solver();
+  const bool solved = own.factorise(at.t, NV_DATA_S(at.y), at.gamma) && own.solve(NV_DATA_S(x));
+  if (session.problem().guard().tripped()) return SUNLS_PACKAGE_FAIL_UNREC;
+  return solved ? SUNLS_SUCCESS : SUNLS_LUFACT_FAIL;  // the latter asks for a smaller step
+}
+
+/// A linear solver of the library's kind that calls the problem's own.
+SUNLinearSolver embedded(Session& session) {
+  SUNLinearSolver const solver = SUNLinSolNewEmpty(session.context());
+  if (!solver) return nullptr;
+  solver->content = &session;
+  solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };
+  solver->ops->solve = solve_embedded;
+  solver->ops->free = [](SUNLinearSolver self) {
+    self->content = nullptr;  // the session's own
+    SUNLinSolFreeEmpty(self);
+    return 0;
+  };
+  return solver;
+}
+
 }  // namespace
 
 void attach_linear_solver(Session& session) {
@@ -43,6 +73,10 @@ void attach_linear_solver(Session& session) {
     const auto n = static_cast<sunindextype>(session.dimension());
     matrix.reset(SUNDenseMatrix(n, n, session.context()));
     solver.reset(SUNLinSol_Dense(session.y(), matrix.get(), session.context()));
+  } else if (view.shifted_solver) {
+    session.keep(counted(std::unique_ptr<ShiftedSolver>(view.shifted_solver(view.problem)),
+                         session.problem().guard()));
+    solver.reset(embedded(session));
   } else {
     // Room for 60 directions: the default, 5, is meant for use with a preconditioner.
     constexpr int directions = 60, restarts = 2;
@@ -55,7 +89,7 @@ void attach_linear_solver(Session& session) {
         "attaching the linear solver");
   if (dense(session) && view.jacobian)
     check(module.set_jacobian(integrator, dense_jacobian), "setting the Jacobian");
-  if (!dense(session) && view.jacobian_times)
+  if (!dense(session) && !session.shifted_solver() && view.jacobian_times)
     check(module.set_jacobian_times(integrator, nullptr, jacobian_times),
           "setting the Jacobian-vector product");
   session.keep(std::move(solver), std::move(matrix));

@@ -6,7 +6,9 @@ namespace odeum::adapters::sundials {
 
 /// Gives the session's integrator a linear solver for the library's own Newton iteration: dense LU
 /// with the problem's Jacobian (the library's difference quotient where it offers none); beyond
-/// dense_dimension_limit restarted GMRES with the problem's Jacobian-vector product.
+/// dense_dimension_limit the problem's own solver of such systems, which own methods use too (a
+/// matrix-embedded linear solver in the library's words), or restarted GMRES with the problem's
+/// Jacobian-vector product where it has none.
 void attach_linear_solver(Session& session);
 
 /// What a step held by us is solved to, relative to max(1, |y|) in effect: far below the error of

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "odeum/harness/guard.hpp"
 #include "odeum/harness/solver.hpp"
+#include "odeum/linear/shifted_solver.hpp"
 #include "sundials/handles.hpp"
 #include "sundials/module.hpp"
 
@@ -25,6 +28,9 @@ class Session {
   /// Keeps a linear solver, and a matrix where it has one, alive as long as the integrator.
   void keep(LinearSolver solver, Matrix matrix);
   void keep(NonlinearSolver solver);
+  /// The problem's own solver of linear systems, where it is used instead of one of the library.
+  void keep(std::unique_ptr<ShiftedSolver> solver) { shifted_solver_ = std::move(solver); }
+  ShiftedSolver* shifted_solver() const { return shifted_solver_.get(); }
 
   const Module& module() const { return module_; }
   const Request& request() const { return request_; }
@@ -62,6 +68,7 @@ class Session {
   Matrix matrix_;
   LinearSolver linear_solver_;
   NonlinearSolver nonlinear_solver_;
+  std::unique_ptr<ShiftedSolver> shifted_solver_;
   void* integrator_ = nullptr;
   std::string message_;  ///< the library's last error message, which would else go to stderr
 };

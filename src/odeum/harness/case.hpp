@@ -63,8 +63,8 @@ struct Case {
   std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins
   std::uint64_t finest_steps = 16384;  ///< and where it ends at most
 
-  /// What one solve may cost, in evaluations of the right-hand side (or of its derivative times a
-  /// vector).
+  /// What one solve may cost, in evaluations of the right-hand side and products of its derivative
+  /// with a vector, those of the problem's own solver of linear systems among them.
   std::uint64_t evaluation_budget = 500'000;
 
   std::vector<Entrant> entrants;
@@ -72,12 +72,6 @@ struct Case {
   /// of it, independent of every other one, so that threads may each have their own.
   std::string plane;
   std::function<Probe()> probe;
-
-  /// The budget of one solve by a solver.
-  Budget budget_for(const SolverInfo& info) const {
-    const bool many = y0.size() > dense_dimension_limit;
-    return {.evaluations = evaluation_budget / (many ? info.work_per_evaluation : 1)};
-  }
 
   bool has_tag(const std::string& tag) const {
     return std::find(tags.begin(), tags.end(), tag) != tags.end();

@@ -17,8 +17,9 @@ bool Guard::exhaust(std::string why) {
 bool Guard::may_go_on() {
   if (interrupted) return exhaust("interrupted");
   if (spent() >= budget_.evaluations)
-    return exhaust(
-        fmt::format("more than {} evaluations of the right-hand side", budget_.evaluations));
+    return exhaust(fmt::format("more than {} evaluations of the right-hand side{}",
+                               budget_.evaluations,
+                               products_ ? " and products of its derivative" : ""));
   if (seconds() > budget_.seconds) return exhaust(fmt::format("more than {} s", budget_.seconds));
   return true;
 }
@@ -37,6 +38,7 @@ bool Guard::latch(double t, const double* values, std::size_t n, std::size_t fir
 void Guard::conclude(const Request& request, Outcome& outcome) const {
   outcome.counters.rhs_evaluations = rhs_evaluations_;
   outcome.counters.jacobian_evaluations = jacobian_evaluations_;
+  outcome.counters.work = spent();
   if (tripped_) {
     outcome.status = status_;
     outcome.detail = detail_;

@@ -41,7 +41,7 @@ class Guard {
 
   void count_jacobian() { ++jacobian_evaluations_; }
   /// A product of the Jacobian with a vector is paid like an evaluation.
-  void count_product() { ++products_; }
+  void count_products(std::uint64_t count) { products_ += count; }
 
   bool tripped() const { return tripped_; }
   Status status() const { return status_; }
@@ -102,7 +102,7 @@ class GuardedView {
       for (std::size_t i = 0; i < view_.dimension; ++i) dfdt[i] = 0;
   }
   int jacobian_times(double t, const double* y, const double* x, double* product) {
-    guard_.count_product();
+    guard_.count_products(1);
     view_.jacobian_times(view_.problem, t, y, x, product);
     return guard_.tripped() ? 1 : 0;
   }

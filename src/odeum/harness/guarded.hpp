@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/harness/counted_solver.hpp"
 #include "odeum/harness/guard.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/shared.hpp"
@@ -66,7 +67,9 @@ class Guarded {
     if (order > 0) guard_.inspect(t, c + n);
   }
   void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
-  auto shifted_solver() const requires WithShiftedSolver<P> { return problem_.shifted_solver(); }
+  std::unique_ptr<ShiftedSolver> shifted_solver() const requires WithShiftedSolver<P> {
+    return counted(problem_.shifted_solver(), guard_);
+  }
 
   bool tripped() const { return guard_.tripped(); }
   Guard& guard() const { return guard_; }

@@ -63,6 +63,8 @@ struct Counters {
   std::uint64_t rejected_steps = 0;
   std::uint64_t rhs_evaluations = 0;  ///< counted by Odeum's guard, not by the library
   std::uint64_t jacobian_evaluations = 0;
+  /// Evaluations, and products of the derivative with a vector: what a budget counts.
+  std::uint64_t work = 0;
 };
 
 /// What came out. `states` holds the state at each stop reached, one after the other.

@@ -48,8 +48,6 @@ SolverInfo info_of_own() {
   else if (M::info.one_step)
     info.controller = "step doubling";
   info.needs = M::needs;
-  if (info.family == "implicit_rk" || info.family == "linearly_implicit")
-    info.work_per_evaluation = 4;
   info.source = M::info.source;
   if constexpr (requires { M::amplification(0.0, 0.0); }) {
     info.amplification = M::amplification;

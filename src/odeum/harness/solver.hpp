@@ -31,9 +31,6 @@ struct SolverInfo {
   std::string controller;       ///< adaptive: who chooses the step, in a few words
   std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
   std::string source;  ///< paper and table, or the library's documentation
-  /// With many unknowns: what linear algebra that no count shows adds to each evaluation, as a
-  /// multiple of it. Budgets are divided by it.
-  std::uint64_t work_per_evaluation = 1;
   StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
   /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
   std::function<double(double omega_h)> oscillator_amplification;

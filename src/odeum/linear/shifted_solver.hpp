@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "odeum/linear/small_inverse.hpp"
@@ -19,6 +20,8 @@ class ShiftedSolver {
   virtual bool factorise(double t, const double* y, double gamma_h) = 0;
   /// Overwrites x = r by the solution.
   virtual bool solve(double* x) = 0;
+  /// Products with a matrix as sparse as J that all solves took so far; 0 where they are direct.
+  virtual std::uint64_t products() const { return 0; }
 };
 
 /// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where

@@ -21,11 +21,12 @@ GridStructure require_grid(const Scene& scene) {
 
 template <class Real>
 ClothEngine<Real>::ClothEngine(const Scene& scene, std::size_t threads)
-    : layout_([&] {
-        const GridStructure grid = require_grid(scene);
-        return GridLayout(grid.rows, grid.columns);
-      }()),
-      springs_(layout_, find_grid(scene)->kinds),
+    : ClothEngine(scene, require_grid(scene), threads) {}
+
+template <class Real>
+ClothEngine<Real>::ClothEngine(const Scene& scene, const GridStructure& grid, std::size_t threads)
+    : layout_(grid.rows, grid.columns),
+      springs_(layout_, grid.kinds),
       threads_(threads),
       inverse_mass_(3 * layout_.size),
       gravity_(inverse_mass_),

@@ -31,6 +31,8 @@ class ClothEngine {
   void read(double* y) const;
 
  private:
+  ClothEngine(const Scene& scene, const GridStructure& grid, std::size_t threads);
+
   using Arrays = std::vector<Real>;  // three components of GridLayout
 
   /// Runs body(first row, last row, wait) on each thread's rows; `wait()` waits for all others.

@@ -4,8 +4,10 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <algorithm>
 
 #include "odeum/linear/conjugate_gradients.hpp"
+#include "odeum/scene/grid_matrix.hpp"
 #include "odeum/scene/mass_spring.hpp"
 
 namespace odeum::scene {
@@ -67,6 +69,8 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
     for (std::size_t i = 0; i < n_; ++i) xq[i] += gamma_h_ * xv[i];
     return true;
   }
+
+  std::uint64_t products() const override { return cg_.products(); }
 
  private:
   bool free(std::size_t particle) const { return problem_.inverse_masses()[particle] != 0; }
@@ -144,9 +148,80 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
   double gamma_h_ = 0;
 };
 
+/// The same on a regular grid, in the grid's layout; what is indefinite is left to the other.
+class GridShiftedSolver final : public ShiftedSolver {
+ public:
+  explicit GridShiftedSolver(const MassSpring& problem)
+      : problem_(problem),
+        layout_(problem.grid()->layout()),
+        matrix_(*problem.grid(), masses(problem).data()),
+        xq_(3 * layout_.size),
+        xv_(xq_),
+        b_(xq_),
+        scratch_(xq_) {}
+
+  bool factorise(double t, const double* y, double gamma_h) override {
+    const std::size_t n = 6 * problem_.particles();
+    t_ = t;
+    y_.assign(y, y + n);
+    gamma_h_ = gamma_h;
+    directly_.reset();
+    layout_.scatter(y, scratch_.data());
+    matrix_.assemble(scratch_.data(), gamma_h);
+    return Eigen::Map<const Eigen::VectorXd>(y, static_cast<Eigen::Index>(n / 2)).allFinite();
+  }
+
+  bool solve(double* x) override {
+    double* const v = x + 3 * problem_.particles();
+    if (directly_) return directly_->solve(x);
+    layout_.scatter(x, xq_.data());
+    layout_.scatter(v, xv_.data());
+    matrix_.mass_times(xv_.data(), b_.data());
+    if (gamma_h_ != 0) {
+      matrix_.stiffness_times(xq_.data(), scratch_.data());
+      for (std::size_t i = 0; i < b_.size(); ++i) b_[i] += scratch_[i];
+    }
+    matrix_.clear_free(xv_.data());
+    constexpr double tolerance = 1e-12;  // under the Newton tolerance once scaled by a correction
+    if (!matrix_.solve(b_.data(), xv_.data(), tolerance)) {
+      directly_ = std::make_unique<MassSpringShiftedSolver>(problem_);
+      return directly_->factorise(t_, y_.data(), gamma_h_) && directly_->solve(x);
+    }
+    for (std::size_t i = 0; i < xq_.size(); ++i) xq_[i] += gamma_h_ * xv_[i];
+    layout_.gather(xq_.data(), x);
+    layout_.gather(xv_.data(), v);
+    return true;
+  }
+
+  std::uint64_t products() const override {
+    return matrix_.products() + (directly_ ? directly_->products() : 0);
+  }
+
+ private:
+  static std::vector<double> masses(const MassSpring& problem) {
+    std::vector<double> masses;
+    for (const double inverse : problem.inverse_masses())
+      masses.push_back(inverse != 0 ? 1 / inverse : 0);
+    return masses;
+  }
+
+  const MassSpring& problem_;
+  GridLayout layout_;
+  GridMatrix matrix_;
+  std::vector<double> xq_, xv_, b_, scratch_;
+  std::unique_ptr<MassSpringShiftedSolver> directly_;
+  std::vector<double> y_;
+  double t_ = 0, gamma_h_ = 0;
+};
+
 }  // namespace
 
 std::unique_ptr<ShiftedSolver> MassSpring::shifted_solver() const {
+  const auto negative = [](const Spring& spring) {
+    return spring.stiffness * spring.rest_length < 0;
+  };
+  if (grid_ && std::none_of(springs_.begin(), springs_.end(), negative))
+    return std::make_unique<GridShiftedSolver>(*this);
   return std::make_unique<MassSpringShiftedSolver>(*this);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "odeum/scene/lanes.hpp"
@@ -124,13 +125,35 @@ void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::s
          });
 }
 
-// The derivative of k (1 - L/l) u in the direction w is k (1 - L/l) w + k L/l^3 (u . w) u.
+namespace {
+
+/// The derivative of k (1 - L/l) u: across w + along n (n . w) in the direction w, where n is the
+/// direction of u. Nothing of slack springs, nor of those of no length.
+template <class Real>
+struct Stiffness {
+  Vector<Real> nx, ny, nz, across, along;
+
+  [[gnu::always_inline]] Stiffness(Vector<Real> ux, Vector<Real> uy, Vector<Real> uz,
+                                   Real stiffness, Real stiffness_length, Real least) {
+    constexpr Real shortest = std::numeric_limits<Real>::min();
+    const Vector<Real> squared = ux * ux + (uy * uy + (uz * uz + shortest));
+    const Vector<Real> inverse_length = inverse_sqrt<Real>(squared);
+    nx = ux * inverse_length, ny = uy * inverse_length, nz = uz * inverse_length;
+    along = stiffness_length * inverse_length;
+    across = stiffness - along;
+    const auto none = (across < least) | (squared <= shortest);
+    along = none ? Vector<Real>{} : along;
+    across = none ? Vector<Real>{} : across;
+  }
+};
+
+}  // namespace
+
 template <class Real>
 void GridSprings<Real>::derivative(const Real* q, const Real* dq, const Real* dv, Real* change,
                                    std::size_t begin, std::size_t end) const {
   using V = Vector<Real>;
   const std::size_t n = layout_.size;
-  constexpr Real shortest = std::numeric_limits<Real>::min();
   gather(begin, end,
          [&](std::size_t i, std::size_t c, const Neighbour* near, const Neighbour* end_near) {
            const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
@@ -140,33 +163,52 @@ void GridSprings<Real>::derivative(const Real* q, const Real* dq, const Real* dv
              const Real* const qj = q + i + near->offset;
              const Real* const dqj = dq + i + near->offset;
              const Real* const dvj = dv + i + near->offset;
-             V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
+             const Stiffness<Real> k(load(qj) - x, load(qj + n) - y, load(qj + 2 * n) - z,
+                                     near->stiffness, near->stiffness_length, near->least);
              const V wx = load(dqj) - dx, wy = load(dqj + n) - dy, wz = load(dqj + 2 * n) - dz;
-             const V inverse_length =
-                 inverse_sqrt<Real>(ux * ux + (uy * uy + (uz * uz + shortest)));
              const V mask = load(near->mask + c);
-             const V shrunk = near->stiffness_length * inverse_length;
-             const V pull = near->stiffness - shrunk;
-             ux *= inverse_length, uy *= inverse_length, uz *= inverse_length;
-             V along = shrunk * (ux * wx + uy * wy + uz * wz) * mask;
-             V across = larger<Real>(pull, near->least) * mask;
-             along = pull < near->least ? V{} : along;
+             const V along = k.along * (k.nx * wx + k.ny * wy + k.nz * wz) * mask;
+             const V across = k.across * mask;
              const V d = near->damping * mask;
              damping += d;
              fx += across * wx;
-             fx += along * ux;
+             fx += along * k.nx;
              fx += d * load(dvj);
              fy += across * wy;
-             fy += along * uy;
+             fy += along * k.ny;
              fy += d * load(dvj + n);
              fz += across * wz;
-             fz += along * uz;
+             fz += along * k.nz;
              fz += d * load(dvj + 2 * n);
            }
            store<Real>(change + i, fx - damping * load(dv + i));
            store<Real>(change + n + i, fy - damping * load(dv + n + i));
            store<Real>(change + 2 * n + i, fz - damping * load(dv + 2 * n + i));
          });
+}
+
+template <class Real>
+void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, Real* across, Real* s) const {
+  const std::size_t n = layout_.size;
+  const Neighbour& near = neighbours_[2 * kind];  // seen from a
+  const auto rows =
+      layout_.rows - std::min(layout_.rows, static_cast<std::size_t>(near.row_offset));
+  for (std::size_t r = 0; r < rows; ++r)
+    for (std::size_t c = 0; c < layout_.columns; c += Lanes<Real>::count) {
+      const std::size_t i = layout_.row(r) + c;
+      const Real* const qj = q + i + near.offset;
+      const Stiffness<Real> k(load(qj) - load(q + i), load(qj + n) - load(q + n + i),
+                              load(qj + 2 * n) - load(q + 2 * n + i), near.stiffness,
+                              near.stiffness_length, near.least);
+      const Vector<Real> mask = load(near.mask + c);
+      Vector<Real> root = k.along * mask;
+      for (std::size_t lane = 0; lane < Lanes<Real>::count; ++lane)
+        root[lane] = std::sqrt(root[lane]);
+      store<Real>(across + i, k.across * mask);
+      store<Real>(s + i, root * k.nx);
+      store<Real>(s + n + i, root * k.ny);
+      store<Real>(s + 2 * n + i, root * k.nz);
+    }
 }
 
 template class GridSprings<double>;

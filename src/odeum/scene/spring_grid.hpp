@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -7,6 +8,14 @@
 #include "odeum/scene/scene.hpp"
 
 namespace odeum::scene {
+
+/// All springs of one offset (rows, columns) between their ends: the same everywhere on the grid.
+/// The offset is at most 2 each way and points down the rows, or along one.
+struct SpringKind {
+  int row_offset = 0, column_offset = 0;  ///< from a to b
+  double stiffness = 0, damping = 0, rest_length = 0;
+  bool tension_only = false;
+};
 
 /// Where a grid of rows x columns particles lies in memory: one array a component, row after row,
 /// with a margin of two rows and columns around it, so that no neighbour lies outside.
@@ -19,19 +28,26 @@ struct GridLayout {
   GridLayout() = default;
   GridLayout(std::size_t rows, std::size_t columns);
   std::size_t row(std::size_t r) const { return (r + margin) * stride + margin; }
+  /// From the place of end a of a spring to that of end b.
+  std::size_t offset(const SpringKind& kind) const {
+    return static_cast<std::size_t>(kind.row_offset) * stride +
+           static_cast<std::size_t>(kind.column_offset);
+  }
+  /// Calls visit(place of end a) for each spring of one kind.
+  template <class Visit>
+  void each_spring(const SpringKind& kind, Visit&& visit) const {
+    const int dr = kind.row_offset, dc = kind.column_offset;
+    const int most_rows = static_cast<int>(rows), most_columns = static_cast<int>(columns);
+    for (int r = 0; r + dr < most_rows; ++r)
+      for (int c = std::max(0, -dc); c < most_columns - std::max(0, dc); ++c)
+        visit(row(static_cast<std::size_t>(r)) + static_cast<std::size_t>(c));
+  }
 
   /// From x y z of particle after particle to three arrays of this layout, and back.
   template <class Real>
   void scatter(const double* particles, Real* arrays) const;
   template <class Real>
   void gather(const Real* arrays, double* particles) const;
-};
-
-/// All springs of one offset (rows, columns) between their ends: the same everywhere on the grid.
-struct SpringKind {
-  int row_offset = 0, column_offset = 0;  ///< from a to b; each at most 2 in size
-  double stiffness = 0, damping = 0, rest_length = 0;
-  bool tension_only = false;
 };
 
 /// Springs on a regular grid, computed by gathering: each particle sums up what all its neighbours
@@ -51,6 +67,11 @@ class GridSprings {
   /// Its derivative at q in the direction (dq, dv).
   void derivative(const Real* q, const Real* dq, const Real* dv, Real* change, std::size_t begin,
                   std::size_t end) const;
+  /// Of the springs of one kind, each at the place of its end a: the derivative of the force on a
+  /// with respect to the position of b is across I + s s^T. `across` has layout().size numbers,
+  /// `s` three times as many; where there is no spring they are zero in the rows, and not
+  /// written in the margins. No rest length may be negative.
+  void stiffness(std::size_t kind, const Real* q, Real* across, Real* s) const;
 
  private:
   struct Neighbour {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/convergence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,80 +11,17 @@
 #include "odeum/harness/parallel.hpp"
 #include "odeum/harness/progress.hpp"
 #include "odeum/study/judge.hpp"
-#include "odeum/study/record.hpp"
+#include "odeum/study/pair_result.hpp"
+#include "odeum/study/settings.hpp"
 
 namespace odeum::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// One solver on one case in one mode: the unit of work, and of the journal.
-struct Pair {
-  const Case* c;
-  const Entrant* entrant;
-  Mode mode;
-};
-
 double claimed_order(const Pair& pair) {
   const SolverInfo& info = pair.entrant->info;
   return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
-}
-
-struct PairResult {
-  std::vector<ConvergenceRow> rows;
-  std::vector<TimeRow> times;
-  OrderRow order;
-};
-
-// Orders are seen on the smooth cases and on the cloths. The hard ones show who gets there at all:
-// eight settings and a small budget do, and leave a full report its five minutes.
-bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
-constexpr std::uint64_t hard_budget = 10'000;
-
-// Step counts from coarse to fine. A factor of two between steps shows a low order well; a high
-// one falls to rounding within a few halvings, so its steps lie closer together, and start coarser.
-std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
-  const double p = std::isnan(order) ? 2 : order;
-  const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
-  const int count = p <= 2 ? 11 : p <= 4 ? 16 : 20;
-  const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : 2);
-  std::vector<std::uint64_t> ladder;
-  for (int k = 0; k < count; ++k) {
-    const double wanted = start * std::pow(ratio, k);
-    if (quick && p > 2 && k % 2 == 1) continue;
-    const auto units = std::llround(wanted / static_cast<double>(c.steps_multiple));
-    const std::uint64_t steps = static_cast<std::uint64_t>(std::max(units, 1LL)) * c.steps_multiple;
-    if (steps > c.finest_steps && ladder.size() >= 8) break;
-    if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
-  }
-  const std::size_t most = quick ? 6 : shows_orders(c) ? ladder.size() : 8;
-  if (ladder.size() > most) ladder.resize(most);
-  return ladder;
-}
-
-std::vector<Request> requests_for(const Pair& pair, bool quick) {
-  std::vector<Request> requests;
-  Request request;
-  request.mode = pair.mode;
-  request.stops = pair.c->stops;
-  request.budget = pair.c->budget_for(pair.entrant->info);
-  const bool many = pair.c->y0.size() > dense_dimension_limit;
-  if (!shows_orders(*pair.c))
-    request.budget.evaluations = std::min(request.budget.evaluations, hard_budget);
-  if (quick) request.budget.evaluations /= many ? 32 : 8;
-  if (pair.mode == Mode::fixed) {
-    for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
-      request.steps = steps;
-      requests.push_back(request);
-    }
-  } else {
-    const int finest = quick ? 8 : many || !shows_orders(*pair.c) ? 10 : 12;
-    for (int exponent = 3; exponent <= finest; ++exponent) {
-      request.tolerance = std::pow(10.0, -exponent);
-      requests.push_back(request);
-    }
-  }
-  return requests;
 }
 
 ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
@@ -146,14 +85,25 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
   PairResult result;
   std::vector<ErrorPoint> points;
   int at_floor = 0;
-  for (const Request& request : requests_for(pair, quick)) {
+  std::vector<Cost> costs;
+  for (const Request& request : convergence_settings(pair, quick)) {
+    const double foreseen = foreseen_work(costs, request);
     Outcome outcome;
     if (!result.rows.empty() && result.rows.back().status == to_string(Status::over_budget)) {
       outcome.status = Status::over_budget;
       outcome.detail = "not run: a coarser setting was over budget already";
+    } else if (foreseen > static_cast<double>(request.budget.evaluations)) {
+      outcome.status = Status::over_budget;
+      outcome.detail = fmt::format(
+          "not run: coarser settings say that it takes more than {} evaluations and products",
+          request.budget.evaluations);
     } else {
       outcome = pair.entrant->solve(request);
     }
+    if (outcome.status == Status::ok)
+      costs.push_back(
+          {pair.mode == Mode::fixed ? static_cast<double>(request.steps) : 1 / request.tolerance,
+           static_cast<double>(outcome.counters.work)});
     ConvergenceRow row = make_row(pair, request, outcome);
     ErrorPoint point{.step = row.step, .error = nan};
     if (outcome.status == Status::ok) {
@@ -179,75 +129,6 @@ PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
       pair.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
   if (result.order.fit.verdict == Verdict::failed)
     result.order.fit.reason += ": " + result.rows.back().status + ", " + result.rows.back().detail;
-  return result;
-}
-
-// The journal's form of a pair's result.
-template <class Record, class Row>
-void fields(Record& record, Row& row) requires requires {
-  row.counters;
-}
-{
-  record.field(row.status);
-  record.field(row.detail);
-  record.field(row.step);
-  record.field(row.tolerance);
-  record.field(row.steps);
-  record.field(row.error_max);
-  record.field(row.error_rms);
-  record.field(row.energy_error);
-  record.field(row.counters.steps);
-  record.field(row.counters.rejected_steps);
-  record.field(row.counters.rhs_evaluations);
-  record.field(row.counters.jacobian_evaluations);
-}
-template <class Record, class Row>
-void fields(Record& record, Row& row) requires requires {
-  row.energy;
-}
-{
-  record.field(row.step);
-  record.field(row.time);
-  record.field(row.error_max);
-  record.field(row.error_rms);
-  record.field(row.energy);
-  record.field(row.energy_error);
-}
-template <class Record, class Fit>
-void fit_fields(Record& record, Fit& fit) {
-  record.field(fit.reason);
-  record.field(fit.order);
-  record.field(fit.low);
-  record.field(fit.high);
-  record.field(fit.points);
-  record.field(fit.step_coarsest);
-  record.field(fit.step_finest);
-  record.field(fit.floor);
-}
-
-std::string write_record(const PairResult& result) {
-  RecordWriter record;
-  record.field(static_cast<int>(result.order.fit.verdict));
-  fit_fields(record, result.order.fit);
-  record.field(result.rows.size());
-  for (const ConvergenceRow& row : result.rows) fields(record, row);
-  record.field(result.times.size());
-  for (const TimeRow& row : result.times) fields(record, row);
-  return record.text();
-}
-
-PairResult read_record(const std::string& text) {
-  RecordReader record(text);
-  PairResult result;
-  int verdict = 0;
-  record.field(verdict);
-  result.order.fit.verdict = static_cast<Verdict>(verdict);
-  fit_fields(record, result.order.fit);
-  std::size_t count = 0;
-  record.field(count);
-  for (; count > 0; --count) fields(record, result.rows.emplace_back());
-  record.field(count);
-  for (; count > 0; --count) fields(record, result.times.emplace_back());
   return result;
 }
 

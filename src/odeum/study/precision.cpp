@@ -61,7 +61,7 @@ std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
   std::vector<Request> requests;
   Request request;
   request.stops = stage.stops;
-  request.budget = stage.c.budget_for(info);
+  request.budget.evaluations = stage.c.evaluation_budget;
   const bool many = stage.c.y0.size() > dense_dimension_limit;
   request.budget.evaluations =
       many ? request.budget.evaluations / 8

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "odeum/harness/case.hpp"
+
+namespace odeum::study {
+
+/// One solver on one case in one mode: the unit of work, and of the journal.
+struct Pair {
+  const Case* c;
+  const Entrant* entrant;
+  Mode mode;
+};
+
+/// The settings at which a study of convergence runs a pair, from coarse to fine: numbers of steps,
+/// or tolerances from 1e-3 on.
+std::vector<Request> convergence_settings(const Pair& pair, bool quick);
+
+/// What a solve cost, in the units of a budget.
+struct Cost {
+  double setting;  ///< number of steps, or 1 / tolerance
+  double work;
+};
+
+/// At least what the next setting will cost, to go by those that were run before it; 0 where
+/// nothing is known.
+double foreseen_work(const std::vector<Cost>& coarser, const Request& next);
+
+}  // namespace odeum::study
