@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "odeum/harness/counted_solver.hpp"
+#include "odeum/kernel/newton.hpp"
 
 namespace odeum::adapters::sundials {
 namespace {
@@ -42,7 +43,8 @@ int solve_embedded(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, do
   if (session.module().newton_point(session.integrator(), at) < 0) return SUNLS_MEM_NULL;
   N_VScale(1, b, x);
   ShiftedSolver& own = *session.shifted_solver();
-  const bool solved = own.factorise(at.t, NV_DATA_S(at.y), at.gamma) && own.solve(NV_DATA_S(x));
+  const bool solved = own.factorise(at.t, NV_DATA_S(at.y), at.gamma) &&
+                      own.solve(NV_DATA_S(x), correction_accuracy);
   if (session.problem().guard().tripped()) return SUNLS_PACKAGE_FAIL_UNREC;
   return solved ? SUNLS_SUCCESS : SUNLS_LUFACT_FAIL;  // the latter asks for a smaller step
 }

@@ -15,6 +15,9 @@ struct Pair {
   std::string case_id, method;
   Mode mode;
   double claimed;
+  friend std::ostream& operator<<(std::ostream& out, const Pair& x) {
+    return out << x.method << " on " << x.case_id;
+  }
 };
 
 std::vector<Pair> own_pairs() {
@@ -54,7 +57,6 @@ constexpr const char* blind = "its embedded estimate sees no error on linear pro
 constexpr const char* mean_step = "the mean step is no yardstick: steps vary with the tolerance";
 constexpr const char* cloth_window =
     "slopes still move to the claim at the finest steps of the case (3.7 to 5.5)";
-constexpr const char* cloth_budget = "three steps within the case's budget";
 constexpr Exception exceptions[] = {
     {"rodas5p", "*", Mode::fixed, sixth_on_linear},
     {"rodas5p", "*", Mode::adaptive, sixth_on_linear},
@@ -79,12 +81,9 @@ constexpr Exception exceptions[] = {
     {"adams_bashforth_moulton4", "cloth11_two_way", Mode::fixed, cloth_window},
     {"adams_bashforth_moulton5", "cloth11_two_way", Mode::fixed, cloth_window},
     {"bdf6", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"esdirk43", "cloth11_two_way", Mode::fixed, cloth_budget},
+    {"esdirk43", "cloth11_two_way", Mode::fixed, cloth_window},
     {"fehlberg45", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"rodas4", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"sdirk2", "cloth11_two_way", Mode::fixed, cloth_budget},
-    {"sdirk4", "cloth11_two_way", Mode::fixed, cloth_budget},
-    {"tr_bdf2", "cloth11_two_way", Mode::fixed, cloth_budget},
+    {"sdirk4", "cloth11_two_way", Mode::fixed, cloth_window},
     {"tsitouras54", "cloth11_two_way", Mode::fixed, cloth_window},
 };
 
@@ -105,11 +104,15 @@ class Order : public testing::TestWithParam<Pair> {};
 
 TEST_P(Order, IsAsClaimed) {
   const Pair& pair = GetParam();
-  if (const Exception* exception = exception_for(pair)) GTEST_SKIP() << exception->reason;
   const study::ConvergenceResult result = study::converge(
       {.cases = {pair.case_id}, .solvers = {"odeum/" + pair.method}, .modes = {pair.mode}});
   ASSERT_EQ(result.orders.size(), 1U);
   const study::OrderFit& fit = result.orders.front().fit;
+  if (const Exception* exception = exception_for(pair)) {
+    const bool of_many = std::string_view(exception->case_id) == "*";
+    EXPECT_TRUE(fit.verdict != study::Verdict::confirmed || of_many) << "needs no exception";
+    GTEST_SKIP() << exception->reason;
+  }
   if (fit.verdict == study::Verdict::higher && std::isnan(fit.order)) {
     // Exact but for rounding: polynomials of low degree, linear problems for a propagator.
     EXPECT_TRUE(pair.case_id == "free_fall" || pair.method == "exponential_propagator");

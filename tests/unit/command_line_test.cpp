@@ -91,6 +91,7 @@ TEST_F(CommandLine, RunsASceneAndWritesItsFiles) {
 struct Misuse {
   const char* command;
   const char* sentence;  ///< part of what is said
+  friend std::ostream& operator<<(std::ostream& out, const Misuse& x) { return out << x.command; }
 };
 
 class BadInput : public testing::TestWithParam<Misuse> {};

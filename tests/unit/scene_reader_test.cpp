@@ -116,6 +116,7 @@ struct Fault {
   const char* name;
   std::string text;
   const char* message;  ///< what the error begins with after the file, or holds
+  friend std::ostream& operator<<(std::ostream& out, const Fault& x) { return out << x.name; }
 };
 
 class SceneFault : public testing::TestWithParam<Fault> {};
@@ -245,6 +246,7 @@ struct Oddity {
   const char* name;
   std::string text;
   const char* warning;
+  friend std::ostream& operator<<(std::ostream& out, const Oddity& x) { return out << x.name; }
 };
 class SceneOddity : public testing::TestWithParam<Oddity> {};
 TEST_P(SceneOddity, IsAWarning) {

@@ -17,9 +17,9 @@ class CountedSolver final : public ShiftedSolver {
   bool factorise(double t, const double* y, double gamma_h) override {
     return solver_->factorise(t, y, gamma_h);
   }
-  bool solve(double* x) override {
+  bool solve(double* x, double relative) override {
     const std::uint64_t before = solver_->products();
-    const bool solved = solver_->solve(x);
+    const bool solved = solver_->solve(x, relative);
     guard_.count_products(solver_->products() - before);
     return solved;
   }

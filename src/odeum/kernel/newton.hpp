@@ -18,6 +18,10 @@ inline constexpr double iteration_tolerance = 1e-13;
 /// converge in: corrections are then measured against it.
 inline constexpr double smallest_state = 1e15 * std::numeric_limits<double>::min();
 
+/// To what Newton's linear systems need be solved: the next correction mends the rest, and this is
+/// far below the contraction that the iteration is content with.
+inline constexpr double correction_accuracy = 1e-8;
+
 /// The largest modulus of the components; NaN where one is NaN.
 template <class S>
 double max_norm(const S& x) {
@@ -62,7 +66,7 @@ class Newton {
       problem_.rhs(t, y.data(), correction_.data());
       for (std::size_t i = 0; i < y.size(); ++i)
         correction_[i] = base[i] + gamma_h * correction_[i] - y[i];
-      if (!system_.solve(correction_.data())) return fail();
+      if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
       for (std::size_t i = 0; i < y.size(); ++i) y[i] += correction_[i];
       const double size = measure(base, y);
       if (size <= 1) return Status::ok;

@@ -18,9 +18,13 @@ class ConjugateGradients {
   template <class Apply, class Precondition>
   bool solve(Apply&& apply, Precondition&& precondition, const double* b, double* x,
              double relative_tolerance) {
-    apply(x, ap_.data());
-    ++products_;
-    for (std::size_t i = 0; i < n_; ++i) r_[i] = b[i] - ap_[i];
+    if (dot(x, x) == 0) {
+      r_.assign(b, b + n_);
+    } else {
+      apply(x, ap_.data());
+      ++products_;
+      for (std::size_t i = 0; i < n_; ++i) r_[i] = b[i] - ap_[i];
+    }
     const double target = relative_tolerance * relative_tolerance * dot(b, b);
     if (dot(r_.data(), r_.data()) <= target) return true;
     precondition(r_.data(), z_.data());

@@ -18,8 +18,10 @@ class ShiftedSolver {
   virtual ~ShiftedSolver() = default;
   /// Evaluates J at (t, y) and factorises; false where the matrix cannot be used.
   virtual bool factorise(double t, const double* y, double gamma_h) = 0;
-  /// Overwrites x = r by the solution.
-  virtual bool solve(double* x) = 0;
+  /// Overwrites x = r by the solution: its residual is `relative` of r at most where the solver
+  /// iterates, of the size of rounding where it is direct.
+  virtual bool solve(double* x, double relative) = 0;
+  static constexpr double exact = 1e-12;  ///< for solutions that nothing corrects later
   /// Products with a matrix as sparse as J that all solves took so far; 0 where they are direct.
   virtual std::uint64_t products() const { return 0; }
 };
@@ -53,7 +55,7 @@ class DenseShiftedSolver final : public ShiftedSolver {
     return factorise(gamma_h);
   }
 
-  bool solve(double* x) override {
+  bool solve(double* x, double = exact) override {
     solver_.solve(x);
     return true;
   }
@@ -93,7 +95,7 @@ class ShiftedSystem {
   explicit ShiftedSystem(const P& problem) : dense_(problem) {}
   void linearise(double t, const State<P>& y) { dense_.linearise(t, y.data()); }
   bool factorise(double gamma_h) { return dense_.factorise(gamma_h); }
-  bool solve(double* x) { return dense_.solve(x); }
+  bool solve(double* x, double = ShiftedSolver::exact) { return dense_.solve(x); }
 
  private:
   DenseShiftedSolver<P> dense_;
@@ -114,7 +116,9 @@ class ShiftedSystem<P> {
   bool factorise(double gamma_h) {
     return dense_ ? dense_->factorise(gamma_h) : own_->factorise(t_, y_.data(), gamma_h);
   }
-  bool solve(double* x) { return dense_ ? dense_->solve(x) : own_->solve(x); }
+  bool solve(double* x, double relative = ShiftedSolver::exact) {
+    return dense_ ? dense_->solve(x) : own_->solve(x, relative);
+  }
 
  private:
   std::unique_ptr<ShiftedSolver> own_;

@@ -33,7 +33,7 @@ struct implicit_euler_linearised : ForAnyProblem {
       if (!shifted_->factorise(t + h, y.data(), h)) return Status::newton_failed;
       problem_.rhs(t + h, y.data(), dy_.data());
       for (double& component : dy_) component *= h;
-      if (!shifted_->solve(dy_.data())) return Status::newton_failed;
+      if (!shifted_->solve(dy_.data(), ShiftedSolver::exact)) return Status::newton_failed;
       for (std::size_t i = 0; i < y.size(); ++i) y[i] += dy_[i];
       return Status::ok;
     }

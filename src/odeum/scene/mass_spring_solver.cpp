@@ -53,10 +53,9 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
     return Eigen::Map<const Eigen::VectorXd>(y, static_cast<Eigen::Index>(n_)).allFinite();
   }
 
-  bool solve(double* x) override {
+  bool solve(double* x, double relative) override {
     double *const xq = x, *const xv = x + n_;
     form_right_side(xq, xv);
-    constexpr double tolerance = 1e-12;  // under the Newton tolerance once scaled by a correction
     const auto apply = [this](const double* p, double* ap) { multiply(p, ap); };
     const auto precondition = [this](const double* r, double* z) {
       for (std::size_t i = 0; i < problem_.particles(); ++i)
@@ -64,7 +63,7 @@ class MassSpringShiftedSolver final : public ShiftedSolver {
     };
     for (std::size_t i = 0; i < n_; ++i)
       if (free(i / 3)) xv[i] = 0;
-    if (!cg_.solve(apply, precondition, right_side_.data(), xv, tolerance) && !solve_directly(xv))
+    if (!cg_.solve(apply, precondition, right_side_.data(), xv, relative) && !solve_directly(xv))
       return false;
     for (std::size_t i = 0; i < n_; ++i) xq[i] += gamma_h_ * xv[i];
     return true;
@@ -171,9 +170,9 @@ class GridShiftedSolver final : public ShiftedSolver {
     return Eigen::Map<const Eigen::VectorXd>(y, static_cast<Eigen::Index>(n / 2)).allFinite();
   }
 
-  bool solve(double* x) override {
+  bool solve(double* x, double relative) override {
     double* const v = x + 3 * problem_.particles();
-    if (directly_) return directly_->solve(x);
+    if (directly_) return directly_->solve(x, relative);
     layout_.scatter(x, xq_.data());
     layout_.scatter(v, xv_.data());
     matrix_.mass_times(xv_.data(), b_.data());
@@ -182,10 +181,9 @@ class GridShiftedSolver final : public ShiftedSolver {
       for (std::size_t i = 0; i < b_.size(); ++i) b_[i] += scratch_[i];
     }
     matrix_.clear_free(xv_.data());
-    constexpr double tolerance = 1e-12;  // under the Newton tolerance once scaled by a correction
-    if (!matrix_.solve(b_.data(), xv_.data(), tolerance)) {
+    if (!matrix_.solve(b_.data(), xv_.data(), relative)) {
       directly_ = std::make_unique<MassSpringShiftedSolver>(problem_);
-      return directly_->factorise(t_, y_.data(), gamma_h_) && directly_->solve(x);
+      return directly_->factorise(t_, y_.data(), gamma_h_) && directly_->solve(x, relative);
     }
     for (std::size_t i = 0; i < xq_.size(); ++i) xq_[i] += gamma_h_ * xv_[i];
     layout_.gather(xq_.data(), x);

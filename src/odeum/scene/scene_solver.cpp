@@ -62,7 +62,7 @@ class SceneShiftedSolver final : public ShiftedSolver {
     return lu_.info() == Eigen::Success;
   }
 
-  bool solve(double* x) override {
+  bool solve(double* x, double) override {
     Eigen::Map<Eigen::VectorXd> xq(x, n_), xv(x + n_, n_);
     right_.noalias() = g_ * (k_ * xq);
     for (Eigen::Index i = 0; i < n_; ++i) {
