@@ -42,6 +42,7 @@ struct Projectile {
     for (int i = 0; i < 16; ++i) j[i] = 0;
     j[2] = j[7] = 1;
   }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
   /// Per unit mass, J/kg.
   double energy(const double* y) const { return (y[2] * y[2] + y[3] * y[3]) / 2 + g * y[1]; }
 };

@@ -14,6 +14,7 @@ struct DahlquistReal {
 
   void rhs(double, const double* y, double* dydt) const { dydt[0] = lambda * y[0]; }
   void jacobian(double, const double*, double* j) const { j[0] = lambda; }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
 };
 
 /// y' = lambda y, lambda = re + i im complex, as the real 2 x 2 block on (Re y, Im y).
@@ -30,6 +31,7 @@ struct DahlquistComplex {
     j[1] = -im;
     j[2] = im;
   }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
 };
 
 /// For physics engines: a particle in a medium that answers its velocity with the force

@@ -19,6 +19,7 @@ struct FreeFall {
     j[1] = 1;
     j[2] = j[3] = 0;
   }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
   /// Per unit mass, J/kg.
   double energy(const double* y) const { return y[1] * y[1] / 2 - g * y[0]; }
 };

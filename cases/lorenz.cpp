@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -25,6 +27,21 @@ struct Lorenz {
     j[6] = y[1];
     j[7] = y[0];
     j[8] = -b;
+  }
+  void taylor(double, const double* y, int order, double* c) const {
+    std::copy_n(y, 3, c);
+    for (int k = 0; k < order; ++k) {
+      double xy = 0, xz = 0;  // products of series
+      for (int j = 0; j <= k; ++j) {
+        xy += c[3 * j] * c[3 * (k - j) + 1];
+        xz += c[3 * j] * c[3 * (k - j) + 2];
+      }
+      const double* const now = c + 3 * k;
+      double* const next = c + 3 * (k + 1);
+      next[0] = s * (now[1] - now[0]) / (k + 1);
+      next[1] = (r * now[0] - xz - now[1]) / (k + 1);
+      next[2] = (xy - b * now[2]) / (k + 1);
+    }
   }
 };
 

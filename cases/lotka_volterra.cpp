@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -19,6 +21,15 @@ struct LotkaVolterra {
     j[1] = -b * y[0];
     j[2] = d * y[1];
     j[3] = d * y[0] - c;
+  }
+  void taylor(double, const double* y, int order, double* series) const {
+    std::copy_n(y, 2, series);
+    for (int k = 0; k < order; ++k) {
+      double product = 0;  // of the two series
+      for (int j = 0; j <= k; ++j) product += series[2 * j] * series[2 * (k - j) + 1];
+      series[2 * k + 2] = (a * series[2 * k] - b * product) / (k + 1);
+      series[2 * k + 3] = (d * product - c * series[2 * k + 1]) / (k + 1);
+    }
   }
 };
 

@@ -46,6 +46,7 @@ struct SumAndDifference {
       j[12 + column] = a[1];
     }
   }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
   double energy(const double* y) const {
     const double kinetic = m_same() * (y[2] * y[2] + y[3] * y[3]) / 2 + m_cross() * y[2] * y[3];
     const double elastic =

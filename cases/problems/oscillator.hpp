@@ -24,6 +24,7 @@ struct UnitOscillator {
     j[2] = -1;
     j[3] = -c;
   }
+  void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
   double energy(const double* y) const { return (y[0] * y[0] + y[1] * y[1]) / 2; }
 };
 

@@ -60,6 +60,50 @@ Difference difference(std::size_t n, double reach, Function&& f) {
 
 class EveryCase : public testing::TestWithParam<const Case*> {};
 
+TEST_P(EveryCase, LinearMatrixIsThatOfTheRightHandSide) {
+  const OdeView& p = GetParam()->problem.view;
+  if (!p.linear_matrix) GTEST_SKIP() << "is not linear with constant coefficients";
+  const std::size_t n = p.dimension;
+  std::vector<double> a(n * n), y(n), zero(n), f(n), b(n);
+  for (std::size_t i = 0; i < n; ++i) y[i] = std::sin(1.0 + static_cast<double>(i));
+  p.linear_matrix(p.problem, a.data());
+  p.rhs(p.problem, 3, y.data(), f.data());
+  p.rhs(p.problem, 0, zero.data(), b.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = b[i], size = std::abs(b[i]);
+    for (std::size_t j = 0; j < n; ++j) {
+      sum += a[i * n + j] * y[j];
+      size += std::abs(a[i * n + j] * y[j]);
+    }
+    EXPECT_NEAR(f[i], sum, 4e-16 * size * static_cast<double>(n + 1)) << i;  // roundings of the sum
+  }
+}
+
+// Along its series the solution obeys the equation: d/dh of it is the right-hand side there.
+TEST_P(EveryCase, TaylorSeriesSolvesTheEquation) {
+  const OdeView& p = GetParam()->problem.view;
+  if (!p.taylor) GTEST_SKIP() << "offers no Taylor series";
+  const std::size_t n = p.dimension;
+  const std::vector<double>& y0 = GetParam()->y0;
+  constexpr std::size_t order = 24;
+  std::vector<double> c((order + 1) * n), y(n), rate(n), f(n);
+  p.taylor(p.problem, 0, y0.data(), order, c.data());
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(c[order * n + i]));
+  const double h = 0.2 * std::pow(largest, -1.0 / order);  // a fifth of the radius of convergence
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = order + 1; k-- > 0;) {
+      y[i] = y[i] * h + c[k * n + i];
+      if (k > 0) rate[i] = rate[i] * h + static_cast<double>(k) * c[k * n + i];
+    }
+  }
+  p.rhs(p.problem, h, y.data(), f.data());
+  double size = 0;
+  for (const double component : f) size = std::max(size, std::abs(component));
+  for (std::size_t i = 0; i < n; ++i)  // 0.2^24 is nothing; sums of some ten terms of that size
+    EXPECT_NEAR(rate[i], f[i], 1e-13 * size) << i;
+}
+
 TEST_P(EveryCase, JacobianIsTheDerivative) {
   const OdeView& p = GetParam()->problem.view;
   if (!p.jacobian) GTEST_SKIP() << "has none";

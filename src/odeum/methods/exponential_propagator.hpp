@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "odeum/harness/guarded.hpp"
@@ -11,8 +12,11 @@
 
 namespace odeum::methods {
 
-/// The exact propagator y <- e^(h A) y of y' = A y with a constant A: rounding is its only error,
-/// so it claims no order. To a tolerance it goes from stop to stop.
+/// The exact propagator of y' = A y + b with constant A and b: with
+///
+///     B = [A b; 0 0],   (y, 1) <- e^(h B) (y, 1),
+///
+/// rounding is its only error, so it claims no order. To a tolerance it goes from stop to stop.
 struct exponential_propagator {
   static constexpr MethodInfo info{
       .id = "exponential_propagator",
@@ -22,29 +26,30 @@ struct exponential_propagator {
       .source =
           "Moler, Van Loan, SIAM Rev. 45 (2003) 3-49; Higham, SIAM J. Matrix Anal. Appl. 26 "
           "(2005) 1179-1193, algorithm 2.3"};
-  static constexpr std::string_view needs = "a linear problem y' = A y with a constant matrix A";
+  static constexpr std::string_view needs = "a linear problem y' = A y + b with constant A and b";
   template <class P>
   static constexpr bool fits = LinearConstant<P>;
+  template <class P>
+  static bool fits_problem(const P& problem) {
+    if constexpr (requires { problem.offers_linear_matrix(); })
+      return problem.offers_linear_matrix();
+    return true;
+  }
 
   template <class P>
   class Stepper {
    public:
     explicit Stepper(const P& problem) : problem_(problem), product_(make_state(problem)) {}
 
-    /// non_finite where e^(h A) overflows: there is no state to show.
+    /// non_finite where e^(h B) overflows: there is no state to show.
     Status step(double /*t*/, double h, State<P>& y) {
       const std::size_t n = y.size();
-      if (!(h == h_)) {
-        std::vector<double> a(n * n);
-        problem_.linear_matrix(a.data());
-        for (double& x : a) x *= h;
-        propagator_ = linear::matrix_exponential(std::move(a), n);
-        h_ = h;
-      }
+      if (!(h == h_)) make_propagator(n, h);
       if (propagator_.empty()) return Status::non_finite;
       for (std::size_t i = 0; i < n; ++i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < n; ++j) sum += propagator_[i * n + j] * y[j];
+        const double* const row = propagator_.data() + i * (n + 1);
+        double sum = row[n];
+        for (std::size_t j = 0; j < n; ++j) sum += row[j] * y[j];
         product_[i] = sum;
       }
       y = product_;
@@ -52,6 +57,20 @@ struct exponential_propagator {
     }
 
    private:
+    void make_propagator(std::size_t n, double h) {
+      std::vector<double> a(n * n), matrix((n + 1) * (n + 1));
+      problem_.linear_matrix(a.data());
+      const State<P> zero = make_state(problem_);
+      State<P> b = zero;
+      problem_.rhs(0, zero.data(), b.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) matrix[i * (n + 1) + j] = h * a[i * n + j];
+        matrix[i * (n + 1) + n] = h * b[i];
+      }
+      propagator_ = linear::matrix_exponential(std::move(matrix), n + 1);
+      h_ = h;
+    }
+
     const P& problem_;
     double h_ = std::nan("");
     std::vector<double> propagator_;
@@ -69,7 +88,7 @@ struct exponential_propagator {
       outcome.t = t;
       outcome.status = stepper.step(t, stop - t, y);
       if (outcome.status != Status::ok) {
-        outcome.detail = "e^(h A) overflows at t = " + std::to_string(t);
+        outcome.detail = "the propagator overflows at t = " + std::to_string(t);
         return outcome;
       }
       t = stop;

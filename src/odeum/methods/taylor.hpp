@@ -29,6 +29,11 @@ struct taylor {
   static constexpr std::string_view needs = "a problem that offers its Taylor series";
   template <class P>
   static constexpr bool fits = WithTaylorSeries<P>;
+  template <class P>
+  static bool fits_problem(const P& problem) {
+    if constexpr (requires { problem.offers_taylor(); }) return problem.offers_taylor();
+    return true;
+  }
 
   /// y <- sum_k c_k h^k by Horner's rule, with c as WithTaylorSeries has it.
   template <class S>
@@ -77,7 +82,8 @@ struct taylor {
   template <class P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {
-    const int order = std::max(3, static_cast<int>(std::ceil(1 - std::log(request.tolerance) / 2)));
+    const int order = std::clamp(static_cast<int>(std::ceil(1 - std::log(request.tolerance) / 2)),
+                                 3, highest_taylor_order);
     const std::size_t n = y0.size();
     std::vector<double> c((static_cast<std::size_t>(order) + 1) * n);
     Outcome outcome;

@@ -84,14 +84,17 @@ concept WithShiftedSolver = Ode<P> && requires(const P& p) {
 };
 
 /// Offers its Taylor series: `taylor(t, y, order, c)` fills c[k * dimension + i] with the k-th
-/// coefficient y_i^(k)(t) / k! of the solution through y at t, for k = 0, ..., order.
+/// coefficient y_i^(k)(t) / k! of the solution through y at t, for k = 0, ..., order, which is at
+/// most highest_taylor_order.
+inline constexpr int highest_taylor_order = 63;
 template <class P>
 concept WithTaylorSeries = Ode<P> &&
     requires(const P& p, double t, const double* y, int order, double* c) {
   p.taylor(t, y, order, c);
 };
 
-/// y' = A y with a constant A, which `linear_matrix` fills, dense and row-major.
+/// y' = A y + b with constant A and b. `linear_matrix` fills A, dense and row-major; b is what the
+/// right-hand side says at y = 0.
 template <class P>
 concept LinearConstant = Ode<P> && requires(const P& p, double* a) {
   p.linear_matrix(a);
@@ -163,6 +166,14 @@ OdeView view_of(const P& problem) {
   if constexpr (WithShiftedSolver<P>)
     view.shifted_solver = [](const void* p) -> ShiftedSolver* {
       return static_cast<const P*>(p)->shifted_solver().release();
+    };
+  if constexpr (WithTaylorSeries<P>)
+    view.taylor = [](const void* p, double t, const double* y, int order, double* c) {
+      static_cast<const P*>(p)->taylor(t, y, order, c);
+    };
+  if constexpr (LinearConstant<P>)
+    view.linear_matrix = [](const void* p, double* a) {
+      static_cast<const P*>(p)->linear_matrix(a);
     };
   if constexpr (SecondOrder<P>) {
     view.degrees_of_freedom = view.dimension / 2;

@@ -25,6 +25,11 @@ struct OdeView {
   /// linear/shifted_solver.hpp.
   ShiftedSolver* (*shifted_solver)(const void* problem) = nullptr;
 
+  /// The coefficients of the solution's Taylor series at (t, y), see WithTaylorSeries.
+  void (*taylor)(const void* problem, double t, const double* y, int order, double* c) = nullptr;
+  /// Linear problems with constant coefficients: the matrix, see LinearConstant.
+  void (*linear_matrix)(const void* problem, double* a) = nullptr;
+
   /// Second-order problems q'' = a(t, q, q') have y = [q, q'] and degrees_of_freedom = dimension/2.
   std::size_t degrees_of_freedom = 0;
   bool velocity_dependent = false;  ///< whether a depends on q'

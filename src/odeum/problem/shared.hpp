@@ -51,6 +51,14 @@ class SharedOde {
                                                                : nullptr);
   }
 
+  // Not to be made up for: a method that needs one asks `offers` first, in its fits_problem.
+  bool offers_taylor() const { return view_.taylor != nullptr; }
+  void taylor(double t, const double* y, int order, double* c) const {
+    view_.taylor(view_.problem, t, y, order, c);
+  }
+  bool offers_linear_matrix() const { return view_.linear_matrix != nullptr; }
+  void linear_matrix(double* a) const { view_.linear_matrix(view_.problem, a); }
+
  private:
   OdeView view_;
   std::shared_ptr<const void> keep_alive_;
