@@ -6,10 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "odeum/methods/implicit_euler.hpp"
 #include "odeum/methods/rk4.hpp"
 #include "odeum/methods/velocity_verlet.hpp"
+#include "odeum/scene/implicit_cloth.hpp"
 #include "odeum/scene/mass_spring.hpp"
 #include "support/scenes.hpp"
+#include "support/square_cloth.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -90,6 +93,42 @@ TEST(ClothEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
     EXPECT_EQ(by_engine<double>(scene, verlet, 2), one);
     EXPECT_EQ(by_engine<double>(scene, verlet, 3), one);
   }
+}
+
+// Coordinates of size one round by 1e-16, rest lengths of 1/255 with them: by 3e-14 of themselves.
+TEST(ClothEngine, FindsAFineGrid) {
+  for (const std::size_t n : {11U, 64U, 101U, 256U})
+    EXPECT_TRUE(find_grid(cases::square_cloth(n, 10))) << n;
+}
+
+// Springs of no rest length are linear: one Newton step of backward Euler solves it.
+TEST(ImplicitCloth, SolvesBackwardEulerOfALinearCloth) {
+  Scene scene = make_net(7);
+  for (Spring& spring : scene.springs) spring.rest_length = 0;
+  ImplicitCloth cloth(scene);
+  ASSERT_TRUE(cloth.step(h, steps, 1e-13));
+  std::vector<double> y(6 * scene.size());
+  cloth.read(y.data());
+  expect_near(y, by_method<methods::implicit_euler>(scene), 1e-9);
+}
+
+TEST(ImplicitCloth, IsOfOrderOneAndStableAtLargeSteps) {
+  const Scene scene = cases::square_cloth(11, 10);
+  const auto end = [&](std::size_t n) {
+    ImplicitCloth cloth(scene);
+    EXPECT_TRUE(cloth.step(0.25 / static_cast<double>(n), n, 1e-10));
+    std::vector<double> y(6 * scene.size());
+    cloth.read(y.data());
+    return y;
+  };
+  const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size() / 2; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+  };
+  const auto coarse = end(400), medium = end(800), fine = end(1600);
+  EXPECT_NEAR(std::log2(distance(coarse, medium) / distance(medium, fine)), 1, 0.1);
+  for (const double x : end(5)) EXPECT_LT(std::abs(x), 20);  // h = 0.05 s, at explicit's limit
 }
 
 TEST(ClothEngine, RefusesWhatIsNoCloth) {

@@ -7,18 +7,6 @@
 #include <thread>
 
 namespace odeum::scene {
-namespace {
-
-GridStructure require_grid(const Scene& scene) {
-  auto grid = find_grid(scene);
-  if (!grid) throw std::invalid_argument("the springs of the scene form no regular grid");
-  if (scene.velocity_matrix != std::array<double, 9>{})
-    throw std::invalid_argument("a cloth has no medium (velocity_matrix)");
-  return *grid;
-}
-
-}  // namespace
-
 template <class Real>
 ClothEngine<Real>::ClothEngine(const Scene& scene, std::size_t threads)
     : ClothEngine(scene, require_grid(scene), threads) {}

@@ -2,20 +2,32 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <stdexcept>
 
 #include "odeum/scene/spring_grid.hpp"
 
 namespace odeum::scene {
 namespace {
 
-// Rest lengths come from differences of positions, which round differently along a grid.
 bool alike(double a, double b) {
   return std::abs(a - b) <= 1e-14 * std::max(std::abs(a), std::abs(b));
 }
 
-bool alike(const SpringKind& kind, const Spring& spring) {
+// Rest lengths come from differences of positions, which round differently along a grid.
+bool alike(const SpringKind& kind, const Spring& spring, double rounding) {
   return alike(kind.stiffness, spring.stiffness) && alike(kind.damping, spring.damping) &&
-         alike(kind.rest_length, spring.rest_length) && kind.tension_only == spring.tension_only;
+         std::abs(kind.rest_length - spring.rest_length) <= rounding &&
+         kind.tension_only == spring.tension_only;
+}
+
+/// A few roundings of the largest coordinate.
+double rounding_of_positions(const Scene& scene) {
+  double largest = 0;
+  for (const Particle& particle : scene.particles)
+    for (const double coordinate : particle.position)
+      largest = std::max(largest, std::abs(coordinate));
+  return 8 * std::numeric_limits<double>::epsilon() * largest;
 }
 
 /// The offset of a spring, pointing down the rows or along one.
@@ -31,6 +43,7 @@ SpringKind kind_of(const Spring& spring, std::size_t columns) {
 
 std::optional<GridStructure> as_grid(const Scene& scene, std::size_t columns) {
   GridStructure grid{.rows = scene.size() / columns, .columns = columns, .kinds = {}};
+  const double rounding = rounding_of_positions(scene);
   std::vector<std::vector<bool>> seen;  // by kind, by the first end
   for (const Spring& spring : scene.springs) {
     const SpringKind wanted = kind_of(spring, columns);
@@ -42,7 +55,7 @@ std::optional<GridStructure> as_grid(const Scene& scene, std::size_t columns) {
       kind = grid.kinds.insert(kind, wanted);
       seen.emplace_back(scene.size());
     }
-    if (!alike(*kind, spring)) return std::nullopt;
+    if (!alike(*kind, spring, rounding)) return std::nullopt;
     auto place = seen[static_cast<std::size_t>(kind - grid.kinds.begin())].begin() +
                  static_cast<std::ptrdiff_t>(std::min(spring.a, spring.b));
     if (*place) return std::nullopt;  // two springs between the same ends
@@ -67,6 +80,14 @@ std::optional<GridStructure> find_grid(const Scene& scene) {
     if (scene.size() % columns == 0)
       if (auto grid = as_grid(scene, columns)) return grid;
   return std::nullopt;
+}
+
+GridStructure require_grid(const Scene& scene) {
+  auto grid = find_grid(scene);
+  if (!grid) throw std::invalid_argument("the springs of the scene form no regular grid");
+  if (scene.velocity_matrix != std::array<double, 9>{})
+    throw std::invalid_argument("a cloth has no medium (velocity_matrix)");
+  return *grid;
 }
 
 }  // namespace odeum::scene

@@ -40,13 +40,13 @@ GridMatrix::GridMatrix(const GridSprings<double>& springs, const double* mass)
   for (std::vector<double>& entry : inverse_) entry = zeros;
 }
 
-void GridMatrix::assemble(const double* q, double g) {
+void GridMatrix::assemble(const double* q, double g, bool clamped) {
   g_ = g;
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     Kind& kind = kinds_[k];
     double *const c = kind.components.data(), *const s = c + layout_.size;
     double* const stiffness = kind.stiffness.data();
-    springs_.stiffness(k, q, stiffness, s);
+    springs_.stiffness(k, q, clamped, stiffness, s);
     for (std::size_t i = 0; i < 3 * layout_.size; ++i) s[i] *= g;
     for (std::size_t i = 0; i < layout_.size; ++i) {
       stiffness[i] *= g * g;

@@ -21,8 +21,9 @@ class GridMatrix {
   /// have no negative stiffness * rest_length.
   GridMatrix(const GridSprings<double>& springs, const double* mass);
 
-  /// Takes the springs as they are at q.
-  void assemble(const double* q, double g);
+  /// Takes the springs as they are at q; `clamped` as GridSprings::stiffness has it: A is positive
+  /// definite then, whatever the springs.
+  void assemble(const double* q, double g, bool clamped = false);
   /// product = g K x on free particles, 0 on fixed ones. After an assemble() with g != 0.
   void stiffness_times(const double* x, double* product) const;
   /// product = A x on free particles, 0 on fixed ones.

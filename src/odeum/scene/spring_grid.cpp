@@ -188,7 +188,8 @@ void GridSprings<Real>::derivative(const Real* q, const Real* dq, const Real* dv
 }
 
 template <class Real>
-void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, Real* across, Real* s) const {
+void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, bool clamped, Real* across,
+                                  Real* s) const {
   const std::size_t n = layout_.size;
   const Neighbour& near = neighbours_[2 * kind];  // seen from a
   const auto rows =
@@ -204,7 +205,9 @@ void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, Real* across,
       Vector<Real> root = k.along * mask;
       for (std::size_t lane = 0; lane < Lanes<Real>::count; ++lane)
         root[lane] = std::sqrt(root[lane]);
-      store<Real>(across + i, k.across * mask);
+      store<Real>(
+          across + i,
+          larger<Real>(k.across, clamped ? Real(0) : std::numeric_limits<Real>::lowest()) * mask);
       store<Real>(s + i, root * k.nx);
       store<Real>(s + n + i, root * k.ny);
       store<Real>(s + 2 * n + i, root * k.nz);

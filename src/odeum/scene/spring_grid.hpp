@@ -70,8 +70,9 @@ class GridSprings {
   /// Of the springs of one kind, each at the place of its end a: the derivative of the force on a
   /// with respect to the position of b is across I + s s^T. `across` has layout().size numbers,
   /// `s` three times as many; where there is no spring they are zero in the rows, and not
-  /// written in the margins. No rest length may be negative.
-  void stiffness(std::size_t kind, const Real* q, Real* across, Real* s) const;
+  /// written in the margins. No rest length may be negative. `clamped`: without the part across a
+  /// compressed spring, which is negative, so that what all springs add up to is semidefinite.
+  void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const;
 
  private:
   struct Neighbour {
@@ -94,11 +95,15 @@ extern template class GridSprings<double>;
 extern template class GridSprings<float>;
 
 /// The grid that all particles and springs of a scene form, if they do: particle r * columns + c
-/// at row r and column c, every kind of spring at every place, alike to a few roundings.
+/// at row r and column c, every kind of spring at every place, alike to a
+/// few roundings (rest lengths: of the coordinates).
 struct GridStructure {
   std::size_t rows = 0, columns = 0;
   std::vector<SpringKind> kinds;
 };
 std::optional<GridStructure> find_grid(const Scene& scene);
+/// The same for who can do nothing else: throws std::invalid_argument where the scene is no grid,
+/// or has a velocity_matrix, which springs on a grid do not know.
+GridStructure require_grid(const Scene& scene);
 
 }  // namespace odeum::scene

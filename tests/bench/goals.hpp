@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The table of speed goals: each row one comparison, made now, on this machine.
+namespace odeum::bench {
+
+struct Row {
+  std::string what;          ///< who against whom, at what
+  double goal = 0;           ///< NaN: shown for information
+  double measured = 0;       ///< NaN where it could not be measured; `note` then says why
+  double low = 0, high = 0;  ///< interval: the least time of one against the median of the other
+  bool at_most = false;      ///< the goal is an upper bound
+  std::string unit = "x";
+  std::string note{};
+
+  bool met() const { return at_most ? measured <= goal : measured >= goal; }
+};
+
+/// Wall times in seconds of one thing, taken in turns with its rivals.
+struct Timing {
+  double min = 0, median = 0;
+};
+/// Runs all in turn, each at least three times and for `seconds` in all, on one pinned processor
+/// unless they bring their own threads.
+std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
+                               bool pinned = true);
+/// How many times as long as `ours` the other takes.
+Row compare(std::string what, double goal, const Timing& ours, const Timing& theirs,
+            std::string note = {});
+
+std::vector<Row> cloth_kernel_rows();
+std::vector<Row> cloth_step_rows();
+std::vector<Row> cloth_error_rows();
+std::vector<Row> fixed_step_rows();
+std::vector<Row> precision_rows();
+
+}  // namespace odeum::bench

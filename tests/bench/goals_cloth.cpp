@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a step of a cloth costs, in forces and in all.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "cloth_stage.hpp"
+#include "goals.hpp"
+#include "odeum/scene/cloth_engine.hpp"
+#include "odeum/scene/implicit_cloth.hpp"
+#include "odeum/scene/lanes.hpp"
+#include "odeum/scene/mass_spring.hpp"
+#include "support/square_cloth.hpp"
+
+namespace odeum::bench {
+namespace {
+
+using cases::square_cloth;
+using scene::Scene;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class Real>
+struct GridForces {
+  scene::GridLayout layout;
+  scene::GridSprings<Real> springs;
+  std::vector<Real> q, v, f;
+
+  explicit GridForces(const Scene& scene) : GridForces(scene, scene::require_grid(scene)) {}
+  GridForces(const Scene& scene, const scene::GridStructure& grid)
+      : layout(grid.rows, grid.columns),
+        springs(layout, grid.kinds),
+        q(3 * layout.size),
+        v(q),
+        f(q) {
+    std::vector<double> positions, velocities;
+    for (const auto& p : scene.particles)
+      for (int d = 0; d < 3; ++d) {
+        positions.push_back(p.position[d]);
+        velocities.push_back(p.velocity[d]);
+      }
+    layout.scatter(positions.data(), q.data());
+    layout.scatter(velocities.data(), v.data());
+  }
+  void forces() { springs.forces(q.data(), v.data(), f.data(), 0, layout.rows); }
+};
+
+/// Vector instructions a second of a loop of independent fused multiply-adds.
+template <class Real>
+double peak_instructions() {
+  using V = scene::Vector<Real>;
+  constexpr int chains = 12, rounds = 2'000'000;
+  volatile Real seed = Real(0.5);
+  const auto spin = [&] {
+    V x[chains];
+    for (int k = 0; k < chains; ++k) x[k] = V{} + seed + static_cast<Real>(k);
+    const V a = V{} + seed, b = V{} + seed;
+    for (int i = 0; i < rounds; ++i)
+      for (int k = 0; k < chains; ++k) x[k] = x[k] * a + b;
+    V sum{};
+    for (int k = 0; k < chains; ++k) sum += x[k];
+    seed = seed + sum[0] * Real(1e-30);
+  };
+  return static_cast<double>(chains) * rounds / interleave({spin}, 0.3)[0].min;
+}
+
+/// Arithmetic vector instructions of GridSprings::forces for one neighbour of a vector of
+/// particles, read off spring_grid.cpp: 3 differences, 3 for the squared length, 2 and the series
+/// for 1/sqrt, 3 for the pull, 2 for the damping, 6 for the force.
+template <class Real>
+constexpr double instructions_a_neighbour = std::is_same_v<Real, double> ? 23 : 21;
+
+}  // namespace
+
+std::vector<Row> cloth_kernel_rows() {
+  std::vector<Row> rows;
+  for (const std::size_t n : {std::size_t{11}, std::size_t{64}, std::size_t{256}}) {
+    const Scene scene = square_cloth(n, 10);
+    PlainCloth plain(scene);
+    GridForces<double> grid(scene);
+    GridForces<float> single(scene);
+    const int times = static_cast<int>(4'000'000 / scene.springs.size()) + 1;
+    const auto repeat = [times](auto& cloth) {
+      return [&cloth, times] {
+        for (int i = 0; i < times; ++i) cloth.forces();
+      };
+    };
+    const auto t = interleave({repeat(plain), repeat(grid), repeat(single)}, 2);
+    const double each =
+        1e9 / static_cast<double>(times) / static_cast<double>(scene.springs.size());
+    const bool goal = n == 64;
+    rows.push_back(compare(
+        fmt::format("{0} x {0}: plain loop / grid kernel, f64", n), goal ? 3 : nan, t[1], t[0],
+        fmt::format("{:.2f} / {:.2f} ns a spring", each * t[0].min, each * t[1].min)));
+    rows.push_back(compare(fmt::format("{0} x {0}: plain loop / grid kernel, f32", n),
+                           goal ? 7 : nan, t[2], t[0],
+                           fmt::format("{:.2f} ns a spring", each * t[2].min)));
+    if (!goal) continue;
+    const auto used = [&]<class Real>(const GridForces<Real>& forces, const Timing& time) {
+      const double vectors = static_cast<double>(forces.layout.rows) *
+                             std::ceil(static_cast<double>(n) / scene::Lanes<Real>::count);
+      return 100 * vectors * 16 * instructions_a_neighbour<Real> * times / time.min /
+             peak_instructions<Real>();
+    };
+    for (const auto& [name, share] :
+         {std::pair{"f64", used(grid, t[1])}, {"f32", used(single, t[2])}})
+      rows.push_back(
+          {.what = fmt::format("{0} x {0}: share of the measured FMA rate, {1}", n, name),
+           .goal = 55,
+           .measured = share,
+           .unit = " %",
+           .note = "instructions of the kernel, read off its source"});
+  }
+  return rows;
+}
+
+std::vector<Row> cloth_step_rows() {
+  std::vector<Row> rows;
+  constexpr double h = 1.0 / 1024;
+  const struct {
+    std::size_t n;
+    double explicit_goal, implicit_goal;
+    std::uint64_t bullet_steps, own_steps;
+  } sizes[] = {{11, 25, 12, 400, 20'000}, {32, 40, 20, 60, 2'000}, {64, 60, 25, 20, 500}};
+  for (const auto& size : sizes) {
+    const ClothStage stage(size.n, 10), plain(size.n, 10, Forces::plain);
+    scene::ClothEngine<double> engine(stage.scene());
+    // Of a run of a peer the set-up is taken off: three quarters of it are steps alone.
+    const auto steps_of = [](const ClothStage& on, const std::string& id, std::uint64_t steps) {
+      return [&on, id, steps] { on.fixed(id, h * static_cast<double>(steps), steps); };
+    };
+    const auto per_step = [](const Timing& whole, const Timing& quarter, std::uint64_t steps) {
+      const double n = 0.75 * static_cast<double>(steps);
+      return Timing{(whole.min - quarter.min) / n, (whole.median - quarter.median) / n};
+    };
+    const std::uint64_t b = size.bullet_steps, s = size.own_steps;
+    const auto t = interleave(
+        {[&] { engine.velocity_verlet(h / 64, s); },
+         steps_of(stage, "bullet/deformable_explicit", b),
+         steps_of(stage, "bullet/deformable_explicit", b / 4), [&] { engine.rk4(h / 64, s / 4); },
+         steps_of(stage, "odeint/runge_kutta4", s / 4),
+         steps_of(stage, "odeint/runge_kutta4", s / 16),
+         steps_of(plain, "odeint/runge_kutta4", s / 4),
+         steps_of(plain, "odeint/runge_kutta4", s / 16)},
+        3);
+    const auto scaled = [](const Timing& x, double by) {
+      return Timing{x.min / by, x.median / by};
+    };
+    const Timing verlet = scaled(t[0], static_cast<double>(s)),
+                 rk4 = scaled(t[3], static_cast<double>(s / 4));
+    rows.push_back(compare(
+        fmt::format("{0} x {0}: Bullet deformable explicit / velocity Verlet, a step", size.n),
+        size.explicit_goal, verlet, per_step(t[1], t[2], b),
+        fmt::format("{:.3g} us", 1e6 * verlet.min)));
+    rows.push_back(
+        compare(fmt::format("{0} x {0}: odeint rk4 on the plain loop / RK4, a step", size.n),
+                size.n == 64 ? 4 : nan, rk4, per_step(t[6], t[7], s / 4),
+                fmt::format("{:.3g} us; {:.2f} where odeint is given our forces", 1e6 * rk4.min,
+                            per_step(t[4], t[5], s / 4).min / rk4.min)));
+  }
+  // One frame at 60 a second; the step that is stable: 0.566 sqrt(m/k) and 0.092 m/d, measured.
+  for (const auto& [n, threads, limit] : {std::tuple{std::size_t{128}, std::size_t{1}, 5.0},
+                                          {std::size_t{256}, std::size_t{2}, 16.7}}) {
+    const Scene scene = square_cloth(n, 10);
+    const double m = scene.particles[0].mass;
+    const double largest = std::min(0.566 * std::sqrt(m / 10), 0.092 * m / 0.05);
+    const auto steps = static_cast<std::size_t>(std::ceil(1.0 / 60 / largest));
+    scene::ClothEngine<float> engine(scene, threads);
+    const double frame = 1.0 / 60;
+    const auto t = interleave(
+        {[&] { engine.velocity_verlet(frame / static_cast<double>(steps), steps); }}, 2, false);
+    rows.push_back(
+        {.what = fmt::format("{0} x {0}: a frame at 60 a second, f32, {1} thread{2}", n, threads,
+                             threads > 1 ? "s" : ""),
+         .goal = limit,
+         .measured = 1e3 * t[0].min,
+         .low = 1e3 * t[0].min,
+         .high = 1e3 * t[0].median,
+         .at_most = true,
+         .unit = " ms",
+         .note = fmt::format("{} steps: damping 0.05 N s/m allows no larger ones", steps)});
+  }
+  for (const std::size_t n : {11, 32, 64, 128, 256, 512}) {
+    scene::ClothEngine<double> engine(square_cloth(n, 10));
+    const std::size_t steps = 2'000'000 / (n * n) + 2;
+    const auto t = interleave({[&] { engine.velocity_verlet(1e-6, steps); }}, 0.5);
+    rows.push_back({.what = fmt::format("{0} x {0}: velocity Verlet, f64, a particle and step", n),
+                    .goal = nan,
+                    .measured = 1e9 * t[0].min / static_cast<double>(steps * n * n),
+                    .unit = " ns"});
+  }
+  return rows;
+}
+
+}  // namespace odeum::bench

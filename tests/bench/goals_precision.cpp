@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "goals.hpp"
+#include "odeum/study/precision.hpp"
+
+namespace odeum::bench {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A goal from an error on, down to the next one of the same case.
+struct Level {
+  const char* case_id;
+  int from_exponent;  ///< error 1e-from
+  double goal;
+};
+// Van der Pol "from 1e-9" and the like as shared by all error levels below.
+constexpr Level levels[] = {{"osc_undamped", 6, 2}, {"kepler_e06", 3, 1.5}, {"pleiades", 3, 1.5},
+                            {"pleiades", 11, 2},    {"vdp_eps1e_6", 3, 4},  {"vdp_eps1e_6", 9, 8},
+                            {"vdp_mu1000", 3, 4},   {"vdp_mu1000", 9, 8},   {"robertson_40", 3, 5},
+                            {"robertson", 3, 4},    {"robertson", 9, 2},    {"hires", 3, 7},
+                            {"hires", 11, 5}};
+
+double goal_at(const std::string& case_id, int exponent) {
+  double goal = nan;
+  for (const Level& level : levels)
+    if (level.case_id == case_id && exponent >= level.from_exponent) goal = level.goal;
+  return goal;
+}
+
+}  // namespace
+
+std::vector<Row> precision_rows() {
+  std::vector<Row> rows;
+  std::vector<std::string> done;
+  for (const Level& level : levels) {
+    if (std::count(done.begin(), done.end(), level.case_id)) continue;
+    done.emplace_back(level.case_id);
+    const study::PrecisionResult result =
+        study::measure_precision({.cases = {level.case_id}, .solvers = {}, .jobs = 2});
+    for (const study::PrecisionSummary& line : result.summary) {
+      const int exponent = static_cast<int>(std::lround(-std::log10(line.error)));
+      if (exponent != 3 && exponent != 6 && exponent != 9 && exponent != 11) continue;
+      Row row{.what = fmt::format("{} at 1e-{}", line.case_id, exponent),
+              .goal = goal_at(line.case_id, exponent),
+              .measured = line.ratio,
+              .low = line.ratio_low,
+              .high = line.ratio_high,
+              .note = line.reason.empty() ? line.own + " / " + line.peer : line.reason};
+      if (!line.own.empty() && line.peer.empty()) row.note += ": " + line.own + " does";
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace odeum::bench
