@@ -9,6 +9,7 @@
 #include "odeum/methods/implicit_euler.hpp"
 #include "odeum/methods/rk4.hpp"
 #include "odeum/methods/velocity_verlet.hpp"
+#include "odeum/scene/imex_cloth.hpp"
 #include "odeum/scene/implicit_cloth.hpp"
 #include "odeum/scene/mass_spring.hpp"
 #include "support/scenes.hpp"
@@ -112,23 +113,73 @@ TEST(ImplicitCloth, SolvesBackwardEulerOfALinearCloth) {
   expect_near(y, by_method<methods::implicit_euler>(scene), 1e-9);
 }
 
+std::vector<double> end_of(auto& cloth, const Scene& scene) {
+  std::vector<double> y(6 * scene.size());
+  cloth.read(y.data());
+  return y;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size() / 2; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+/// The order that three runs of n, 2 n and 4 n steps show.
+double order_of_runs(std::size_t n, const auto& end) {
+  const auto coarse = end(n), medium = end(2 * n), fine = end(4 * n);
+  return std::log2(distance(coarse, medium) / distance(medium, fine));
+}
+
 TEST(ImplicitCloth, IsOfOrderOneAndStableAtLargeSteps) {
   const Scene scene = cases::square_cloth(11, 10);
   const auto end = [&](std::size_t n) {
     ImplicitCloth cloth(scene);
     EXPECT_TRUE(cloth.step(0.25 / static_cast<double>(n), n, 1e-10));
-    std::vector<double> y(6 * scene.size());
-    cloth.read(y.data());
-    return y;
+    return end_of(cloth, scene);
   };
-  const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size() / 2; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum);
-  };
-  const auto coarse = end(400), medium = end(800), fine = end(1600);
-  EXPECT_NEAR(std::log2(distance(coarse, medium) / distance(medium, fine)), 1, 0.1);
+  EXPECT_NEAR(order_of_runs(400, end), 1, 0.1);
   for (const double x : end(5)) EXPECT_LT(std::abs(x), 20);  // h = 0.05 s, at explicit's limit
+}
+
+template <class Real>
+std::vector<double> by_imex(const Scene& scene, double t, std::size_t n, std::size_t threads = 1) {
+  ImexCloth<Real> cloth(scene, threads);
+  cloth.step(t / static_cast<double>(n), n, 1e-9);
+  return end_of(cloth, scene);
+}
+
+TEST(ImexCloth, IsOfOrderTwoToTheSameSolution) {
+  const Scene scene = cases::square_cloth(11, 10);
+  const auto end = [&](std::size_t n) { return by_imex<double>(scene, 0.25, n); };
+  EXPECT_NEAR(order_of_runs(100, end), 2, 0.15);
+  ClothEngine<double> engine(scene);
+  engine.rk4(0.25 / 400, 400);
+  EXPECT_LT(distance(end(1600), end_of(engine, scene)), 1e-5);
+  EXPECT_LT(distance(by_imex<float>(scene, 0.25, 400), end(400)), 1e-3);
+}
+
+TEST(ImexCloth, WithoutDampersIsVelocityVerlet) {
+  Scene scene = make_net(9);
+  for (Spring& spring : scene.springs) spring.damping = 0;
+  expect_near(by_imex<double>(scene, h * steps, steps), by_engine<double>(scene, true), 1e-12);
+}
+
+// Explicit methods need h < 0.092 m / d = 2e-5 s here, and at 1e-3 end in numbers without bound.
+TEST(ImexCloth, IsNotLimitedByDamping) {
+  Scene scene = cases::square_cloth(11, 10);
+  for (Spring& spring : scene.springs) spring.damping = 5;
+  for (const double x : by_imex<double>(scene, 1, 1000)) EXPECT_LT(std::abs(x), 20);
+  ClothEngine<double> engine(scene);
+  engine.velocity_verlet(1e-3, 1000);
+  EXPECT_FALSE(distance(end_of(engine, scene), by_imex<double>(scene, 1, 1000)) < 1e3);
+}
+
+TEST(ImexCloth, GivesTheSameBitsOnAnyNumberOfThreads) {
+  const Scene scene = cases::square_cloth(11, 10);
+  const auto one = by_imex<double>(scene, 0.05, 20);
+  EXPECT_EQ(by_imex<double>(scene, 0.05, 20, 2), one);
+  EXPECT_EQ(by_imex<double>(scene, 0.05, 20, 3), one);
 }
 
 TEST(ClothEngine, RefusesWhatIsNoCloth) {

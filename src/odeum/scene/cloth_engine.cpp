@@ -2,11 +2,12 @@
 // Compiled for speed and for wide vectors in every build type, see CMakeLists.txt.
 #include "odeum/scene/cloth_engine.hpp"
 
-#include <barrier>
 #include <stdexcept>
-#include <thread>
+
+#include "odeum/scene/row_threads.hpp"
 
 namespace odeum::scene {
+
 template <class Real>
 ClothEngine<Real>::ClothEngine(const Scene& scene, std::size_t threads)
     : ClothEngine(scene, require_grid(scene), threads) {}
@@ -51,21 +52,6 @@ void ClothEngine<Real>::read(double* y) const {
 }
 
 template <class Real>
-void ClothEngine<Real>::on_rows(
-    const std::function<void(std::size_t, std::size_t, const std::function<void()>&)>& body) const {
-  const std::size_t threads = std::min(threads_, layout_.rows);
-  std::barrier<> meeting(static_cast<std::ptrdiff_t>(threads));
-  const std::function<void()> wait = [&] {
-    if (threads > 1) meeting.arrive_and_wait();
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < threads; ++k)
-    others.emplace_back(
-        [&, k] { body(layout_.rows * k / threads, layout_.rows * (k + 1) / threads, wait); });
-  body(0, layout_.rows / threads, wait);
-}
-
-template <class Real>
 template <class Update>
 void ClothEngine<Real>::each(std::size_t row, Update&& update) const {
   for (std::size_t d = 0; d < 3; ++d) {
@@ -88,27 +74,28 @@ template <class Real>
 void ClothEngine<Real>::velocity_verlet(double step, std::size_t steps) {
   const Real h = static_cast<Real>(step), half = h / 2;
   Arrays acceleration(v_.size()), next(v_.size()), predicted(v_.size());
-  on_rows([&](std::size_t begin, std::size_t end, const std::function<void()>& wait) {
-    Real *const q = q_.data(), *const v = v_.data(), *const a = acceleration.data(),
-                *const p = predicted.data(), *const b = next.data();
-    for (std::size_t r = begin; r < end; ++r) accelerate(q_, v_, acceleration, r);
-    for (std::size_t n = 0; n < steps; ++n) {
-      wait();  // for all who still read the positions
-      for (std::size_t r = begin; r < end; ++r)
-        each(r, [=](std::size_t i) {
-          q[i] += h * (v[i] + half * a[i]);
-          p[i] = v[i] + h * a[i];
-        });
-      wait();
-      for (std::size_t r = begin; r < end; ++r) {
-        accelerate(q_, predicted, next, r);
-        each(r, [=](std::size_t i) {
-          v[i] += half * (a[i] + b[i]);
-          a[i] = b[i];
-        });
-      }
-    }
-  });
+  on_rows(layout_.rows, threads_,
+          [&](std::size_t begin, std::size_t end, const std::function<void()>& wait) {
+            Real *const q = q_.data(), *const v = v_.data(), *const a = acceleration.data(),
+                        *const p = predicted.data(), *const b = next.data();
+            for (std::size_t r = begin; r < end; ++r) accelerate(q_, v_, acceleration, r);
+            for (std::size_t n = 0; n < steps; ++n) {
+              wait();  // for all who still read the positions
+              for (std::size_t r = begin; r < end; ++r)
+                each(r, [=](std::size_t i) {
+                  q[i] += h * (v[i] + half * a[i]);
+                  p[i] = v[i] + h * a[i];
+                });
+              wait();
+              for (std::size_t r = begin; r < end; ++r) {
+                accelerate(q_, predicted, next, r);
+                each(r, [=](std::size_t i) {
+                  v[i] += half * (a[i] + b[i]);
+                  a[i] = b[i];
+                });
+              }
+            }
+          });
 }
 
 template <class Real>
@@ -117,38 +104,40 @@ void ClothEngine<Real>::rk4(double step, std::size_t steps) {
   Arrays acceleration(v_.size());
   // The argument of a stage, and that of the next one: neighbours still read the former.
   Arrays stage_q[2] = {q_, q_}, stage_v[2] = {v_, v_};
-  on_rows([&](std::size_t begin, std::size_t end, const std::function<void()>& wait) {
-    Real *const q = q_.data(), *const v = v_.data(), *const a = acceleration.data();
-    Arrays sum_q(q_.size()), sum_v(q_.size());
-    Real *const sq = sum_q.data(), *const sv = sum_v.data();
-    constexpr Real weight[4] = {Real(1) / 6, Real(1) / 3, Real(1) / 3, Real(1) / 6};
-    const Real reach[3] = {h / 2, h / 2, h};
-    for (std::size_t n = 0; n < steps; ++n) {
-      for (std::size_t s = 0; s < 4; ++s) {
-        const Arrays &at_q = stage_q[s % 2], &at_v = stage_v[s % 2];
-        const Real* const k = at_v.data();
-        Real *const next_q = stage_q[(s + 1) % 2].data(), *const next_v =
-                                                              stage_v[(s + 1) % 2].data();
-        const Real w = weight[s], c = s < 3 ? reach[s] : 0;
-        for (std::size_t r = begin; r < end; ++r) {
-          accelerate(at_q, at_v, acceleration, r);
-          if (s == 0)
-            each(r, [=](std::size_t i) { sq[i] = w * k[i], sv[i] = w * a[i]; });
-          else
-            each(r, [=](std::size_t i) { sq[i] += w * k[i], sv[i] += w * a[i]; });
-          if (s < 3)
-            each(r,
-                 [=](std::size_t i) { next_q[i] = q[i] + c * k[i], next_v[i] = v[i] + c * a[i]; });
-          else
-            each(r, [=](std::size_t i) {
-              next_q[i] = q[i] += h * sq[i];
-              next_v[i] = v[i] += h * sv[i];
-            });
-        }
-        wait();
-      }
-    }
-  });
+  on_rows(layout_.rows, threads_,
+          [&](std::size_t begin, std::size_t end, const std::function<void()>& wait) {
+            Real *const q = q_.data(), *const v = v_.data(), *const a = acceleration.data();
+            Arrays sum_q(q_.size()), sum_v(q_.size());
+            Real *const sq = sum_q.data(), *const sv = sum_v.data();
+            constexpr Real weight[4] = {Real(1) / 6, Real(1) / 3, Real(1) / 3, Real(1) / 6};
+            const Real reach[3] = {h / 2, h / 2, h};
+            for (std::size_t n = 0; n < steps; ++n) {
+              for (std::size_t s = 0; s < 4; ++s) {
+                const Arrays &at_q = stage_q[s % 2], &at_v = stage_v[s % 2];
+                const Real* const k = at_v.data();
+                Real *const next_q = stage_q[(s + 1) % 2].data(), *const next_v =
+                                                                      stage_v[(s + 1) % 2].data();
+                const Real w = weight[s], c = s < 3 ? reach[s] : 0;
+                for (std::size_t r = begin; r < end; ++r) {
+                  accelerate(at_q, at_v, acceleration, r);
+                  if (s == 0)
+                    each(r, [=](std::size_t i) { sq[i] = w * k[i], sv[i] = w * a[i]; });
+                  else
+                    each(r, [=](std::size_t i) { sq[i] += w * k[i], sv[i] += w * a[i]; });
+                  if (s < 3)
+                    each(r, [=](std::size_t i) {
+                      next_q[i] = q[i] + c * k[i], next_v[i] = v[i] + c * a[i];
+                    });
+                  else
+                    each(r, [=](std::size_t i) {
+                      next_q[i] = q[i] += h * sq[i];
+                      next_v[i] = v[i] += h * sv[i];
+                    });
+                }
+                wait();
+              }
+            }
+          });
 }
 
 template class ClothEngine<double>;

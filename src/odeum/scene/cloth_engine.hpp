@@ -35,9 +35,6 @@ class ClothEngine {
 
   using Arrays = std::vector<Real>;  // three components of GridLayout
 
-  /// Runs body(first row, last row, wait) on each thread's rows; `wait()` waits for all others.
-  void on_rows(const std::function<void(std::size_t, std::size_t, const std::function<void()>&)>&
-                   body) const;
   /// Accelerations of one row, at positions q and velocities v.
   void accelerate(const Arrays& q, const Arrays& v, Arrays& a, std::size_t row) const;
   /// Calls update(i) for every place of a row in each of the three components.

@@ -58,7 +58,8 @@ GridSprings<Real>::GridSprings(const GridLayout& layout, const std::vector<Sprin
       if (neighbour >= 0 && neighbour < static_cast<std::ptrdiff_t>(layout.columns))
         masks_[static_cast<std::size_t>(dc + 2) * width + c] = 1;
     }
-  for (const SpringKind& kind : kinds)
+  for (const SpringKind& kind : kinds) {
+    damped_ = damped_ || kind.damping != 0;
     for (const int side : {1, -1}) {
       const int dr = side * kind.row_offset, dc = side * kind.column_offset;
       neighbours_.push_back(
@@ -70,6 +71,7 @@ GridSprings<Real>::GridSprings(const GridLayout& layout, const std::vector<Sprin
            .least = kind.tension_only ? Real(0) : std::numeric_limits<Real>::lowest(),
            .mask = masks_.data() + static_cast<std::size_t>(dc + 2) * width});
     }
+  }
 }
 
 // Calls visit(place, column, neighbours in reach, their number) for each vector of particles.
@@ -91,18 +93,20 @@ void GridSprings<Real>::gather(std::size_t begin, std::size_t end, Visit&& visit
 // With u the vector to a neighbour and l its length, the spring pulls with k (1 - L/l) u. A spring
 // of no length has no direction: the bound under l^2 makes it exert no force instead of NaN.
 template <class Real>
-void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::size_t begin,
-                               std::size_t end) const {
+template <bool damped>
+void GridSprings<Real>::gather_forces(const Real* q, const Real* v, Real* force, std::size_t begin,
+                                      std::size_t end) const {
   using V = Vector<Real>;
   const std::size_t n = layout_.size;
   constexpr Real shortest = std::numeric_limits<Real>::min();
   gather(begin, end,
          [&](std::size_t i, std::size_t c, const Neighbour* near, const Neighbour* end_near) {
            const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
-           V fx{}, fy{}, fz{}, damping{};
+           V fx{}, fy{}, fz{};
+           [[maybe_unused]] V damping{};
            for (; near != end_near; ++near) {
              const Real* const qj = q + i + near->offset;
-             const Real* const vj = v + i + near->offset;
+             [[maybe_unused]] const Real* const vj = v + i + near->offset;
              const V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
              const V inverse_length =
                  inverse_sqrt<Real>(ux * ux + (uy * uy + (uz * uz + shortest)));
@@ -110,19 +114,35 @@ void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::s
              const V pull = larger<Real>(near->stiffness - near->stiffness_length * inverse_length,
                                          near->least) *
                             mask;
-             const V d = near->damping * mask;
-             damping += d;
              fx += pull * ux;
-             fx += d * load(vj);
              fy += pull * uy;
-             fy += d * load(vj + n);
              fz += pull * uz;
-             fz += d * load(vj + 2 * n);
+             if constexpr (damped) {
+               const V d = near->damping * mask;
+               damping += d;
+               fx += d * load(vj);
+               fy += d * load(vj + n);
+               fz += d * load(vj + 2 * n);
+             }
            }
-           store<Real>(force + i, fx - damping * load(v + i));
-           store<Real>(force + n + i, fy - damping * load(v + n + i));
-           store<Real>(force + 2 * n + i, fz - damping * load(v + 2 * n + i));
+           if constexpr (damped) {
+             fx -= damping * load(v + i);
+             fy -= damping * load(v + n + i);
+             fz -= damping * load(v + 2 * n + i);
+           }
+           store<Real>(force + i, fx);
+           store<Real>(force + n + i, fy);
+           store<Real>(force + 2 * n + i, fz);
          });
+}
+
+template <class Real>
+void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::size_t begin,
+                               std::size_t end) const {
+  if (damped_)
+    gather_forces<true>(q, v, force, begin, end);
+  else
+    gather_forces<false>(q, v, force, begin, end);
 }
 
 namespace {
@@ -214,6 +234,51 @@ void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, bool clamped,
     }
 }
 
+template <class Real>
+GridDampers<Real>::GridDampers(const GridLayout& layout, const std::vector<SpringKind>& kinds)
+    : layout_(layout), total_(layout.size) {
+  for (const SpringKind& kind : kinds) {
+    if (kind.damping == 0) continue;
+    Kind& added = kinds_.emplace_back();
+    added.offset = layout.offset(kind);
+    added.damping.resize(layout.size);
+    const Real d = static_cast<Real>(kind.damping);
+    layout.each_spring(kind, [&](std::size_t i) {
+      added.damping[i] = d;
+      total_[i] += d;
+      total_[i + added.offset] += d;
+    });
+  }
+}
+
+template <class Real>
+void GridDampers<Real>::times(const Real* v, Real* product, std::size_t begin,
+                              std::size_t end) const {
+  using V = Vector<Real>;
+  const std::size_t n = layout_.size;
+  for (std::size_t r = begin; r < end; ++r)
+    for (std::size_t c = 0; c < layout_.columns; c += Lanes<Real>::count) {
+      const std::size_t i = layout_.row(r) + c;
+      const V total = load(total_.data() + i);
+      V x = -total * load(v + i), y = -total * load(v + n + i), z = -total * load(v + 2 * n + i);
+      for (const Kind& kind : kinds_) {
+        const std::size_t after = i + kind.offset, before = i - kind.offset;
+        const V da = load(kind.damping.data() + i), db = load(kind.damping.data() + before);
+        x += da * load(v + after);
+        y += da * load(v + n + after);
+        z += da * load(v + 2 * n + after);
+        x += db * load(v + before);
+        y += db * load(v + n + before);
+        z += db * load(v + 2 * n + before);
+      }
+      store<Real>(product + i, x);
+      store<Real>(product + n + i, y);
+      store<Real>(product + 2 * n + i, z);
+    }
+}
+
+template class GridDampers<double>;
+template class GridDampers<float>;
 template class GridSprings<double>;
 template class GridSprings<float>;
 

@@ -75,6 +75,9 @@ class GridSprings {
   void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const;
 
  private:
+  template <bool damped>
+  void gather_forces(const Real* q, const Real* v, Real* force, std::size_t begin,
+                     std::size_t end) const;
   struct Neighbour {
     int row_offset;
     std::ptrdiff_t offset;  // in a component's array
@@ -89,8 +92,33 @@ class GridSprings {
   std::vector<SpringKind> kinds_;
   std::vector<Neighbour> neighbours_;
   std::vector<Real> masks_;  // of column offsets -2 ... 2
+  bool damped_ = false;
 };
 
+/// The dampers of springs on a regular grid alone: a constant matrix D, the same for the three
+/// components, with D v = sum over springs of d (v_b - v_a).
+template <class Real>
+class GridDampers {
+ public:
+  GridDampers(const GridLayout& layout, const std::vector<SpringKind>& kinds);
+
+  /// product = D v on rows [begin, end); arrays as GridSprings has them.
+  void times(const Real* v, Real* product, std::size_t begin, std::size_t end) const;
+  /// By place, layout.size numbers: the sum of d over a particle's springs, which is -D's diagonal.
+  const std::vector<Real>& total() const { return total_; }
+
+ private:
+  struct Kind {
+    std::size_t offset;         // to end b
+    std::vector<Real> damping;  // at the place of end a; 0 where there is no spring
+  };
+  GridLayout layout_;
+  std::vector<Kind> kinds_;
+  std::vector<Real> total_;
+};
+
+extern template class GridDampers<double>;
+extern template class GridDampers<float>;
 extern template class GridSprings<double>;
 extern template class GridSprings<float>;
 
