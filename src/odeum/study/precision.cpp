@@ -34,9 +34,10 @@ struct Trial {
   bool ok() const { return row.status == to_string(Status::ok); }
 };
 
-/// A solver on a case, with its settings from coarse to fine.
+/// A solver on a case in one mode, with its settings from coarse to fine.
 struct Contender {
   const Entrant* entrant;
+  Mode mode;
   const Entrant* inlined;  ///< the same for timed runs; null where there is none
   std::vector<Trial> trials;
 };
@@ -57,7 +58,7 @@ struct Stage {
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
 
-std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
+std::vector<Request> settings_of(const Stage& stage, Mode mode) {
   std::vector<Request> requests;
   Request request;
   request.stops = stage.stops;
@@ -69,15 +70,16 @@ std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
                  400'000, static_cast<std::uint64_t>(
                               stage.stretch() * static_cast<double>(request.budget.evaluations)));
   request.budget.seconds = 2;
-  if (info.adaptive) {
-    request.mode = Mode::adaptive;
-    for (int exponent = 3; exponent <= 12; ++exponent) {
+  request.mode = mode;
+  if (mode == Mode::adaptive) {
+    // Errors grow along a long horizon: only tolerances near rounding show what is in reach.
+    const int finest = stage.stretch() > 1 ? 14 : 12;
+    for (int exponent = 3; exponent <= finest; ++exponent) {
       request.tolerance = std::pow(10.0, -exponent);
       requests.push_back(request);
     }
     return requests;
   }
-  request.mode = Mode::fixed;
   const double coarsest = static_cast<double>(stage.c.coarsest_steps) * stage.stretch();
   for (int k = 0; k < 8; ++k) {
     const auto units =
@@ -88,19 +90,22 @@ std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
   return requests;
 }
 
-PrecisionRow blank_row(const Stage& stage, const SolverInfo& info) {
+PrecisionRow blank_row(const Stage& stage, const SolverInfo& info, Mode mode) {
   PrecisionRow row;
   row.case_id = stage.c.id;
   row.library = info.library;
   row.solver = info.method;
-  row.mode = info.adaptive ? Mode::adaptive : Mode::fixed;
+  row.mode = mode;
   row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
   return row;
 }
 
 /// The run that counts and judges.
 Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& request) {
-  Trial trial{.row = blank_row(stage, entrant.info), .request = request, .states = {}, .times = {}};
+  Trial trial{.row = blank_row(stage, entrant.info, request.mode),
+              .request = request,
+              .states = {},
+              .times = {}};
   trial.row.setting = request.mode == Mode::adaptive ? request.tolerance
                                                      : (request.stops.back() - stage.c.t0) /
                                                            static_cast<double>(request.steps);
@@ -122,16 +127,17 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
 
 void run_guarded(const Stage& stage, Contender& contender) {
   const Entrant& entrant = *contender.entrant;
-  const std::string& reason =
-      entrant.unfit.empty() && !entrant.info.adaptive ? stage.c.no_fixed_steps : entrant.unfit;
+  const std::string& reason = entrant.unfit.empty() && contender.mode == Mode::fixed
+                                  ? stage.c.no_fixed_steps
+                                  : entrant.unfit;
   if (!reason.empty()) {
     Trial& trial = contender.trials.emplace_back();
-    trial.row = blank_row(stage, entrant.info);
+    trial.row = blank_row(stage, entrant.info, contender.mode);
     trial.row.status = "not_applicable";
     trial.row.detail = reason;
     return;
   }
-  for (const Request& request : settings_of(stage, entrant.info)) {
+  for (const Request& request : settings_of(stage, contender.mode)) {
     contender.trials.push_back(run_guarded(stage, entrant, request));
     // Finer settings would only cost more.
     if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
@@ -181,6 +187,15 @@ void time_all(const Stage& stage, std::vector<Contender>& contenders, double sec
       }
 }
 
+/// Whether a solver is timed in a mode. Who can do both is run at fixed steps too where that may
+/// be the faster way: on smooth problems of few unknowns.
+bool runs(const Case& c, const SolverInfo& info, Mode mode) {
+  if (mode == Mode::adaptive) return info.adaptive;
+  const bool worth =
+      c.y0.size() <= dense_dimension_limit && c.no_fixed_steps.empty() && !c.has_tag("stiff");
+  return info.fixed && (!info.adaptive || worth);
+}
+
 std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& options) {
   const Stage stage(c);
   const std::vector<Entrant> inlined = inlined_solvers(c);
@@ -190,7 +205,9 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
     if (!any_glob_matches(options.solvers, id)) continue;
     const auto same = std::find_if(inlined.begin(), inlined.end(),
                                    [&](const Entrant& e) { return e.info.id() == id; });
-    contenders.push_back({&entrant, same == inlined.end() ? nullptr : &*same, {}});
+    for (const Mode mode : {Mode::adaptive, Mode::fixed})
+      if (runs(c, entrant.info, mode))
+        contenders.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, {}});
   }
   parallel_for(contenders.size(), options.jobs,
                [&](std::size_t i) { run_guarded(stage, contenders[i]); });

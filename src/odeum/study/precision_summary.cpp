@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
 #include <map>
 
@@ -58,9 +59,14 @@ void mark_pareto(std::vector<PrecisionRow>& rows) {
 std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor) {
   std::vector<PrecisionSummary> lines;
   if (rows.empty()) return lines;
-  std::map<std::pair<std::string, std::string>, std::vector<const PrecisionRow*>> solvers;
+  struct Name {
+    std::string library, solver;
+    Mode mode;
+    auto operator<=>(const Name&) const = default;
+  };
+  std::map<Name, std::vector<const PrecisionRow*>> solvers;
   for (const PrecisionRow& row : rows)
-    if (timed(row)) solvers[{row.library, row.solver}].push_back(&row);
+    if (timed(row)) solvers[{row.library, row.solver, row.mode}].push_back(&row);
   for (int exponent = 2; exponent <= 12; ++exponent) {
     PrecisionSummary line;
     line.case_id = rows.front().case_id;
@@ -69,11 +75,12 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
     if (line.error > floor) {
       for (const auto& [name, settings] : solvers) {
         const Least time = time_at(settings, line.error);
-        const bool is_own = name.first == "odeum";
+        const bool is_own = name.library == "odeum";
         Least& best = is_own ? own : peer;
         if (!(time.min < best.min)) continue;
         best = time;
-        (is_own ? line.own : line.peer) = name.first + "/" + name.second;
+        (is_own ? line.own : line.peer) =
+            name.library + "/" + name.solver + (name.mode == Mode::fixed ? " (fixed step)" : "");
       }
     }
     line.own_ns = line.own.empty() ? nan : own.min;
