@@ -33,11 +33,18 @@ class ImexCloth {
 
   ImexCloth(const Scene& scene, const GridStructure& grid, std::size_t threads);
 
+  /// Of the damping step's matrix over its diagonal.
+  double lowest_eigenvalue(double step) const;
+  /// Calls update(i) for every place of a row in each of the three components.
+  template <class Update>
+  void each(std::size_t row, Update&& update) const;
+
   GridLayout layout_;
   GridSprings<Real> springs_;  // elastic, without dampers
-  GridDampers<Real> dampers_;
+  GridSprings<Real> dampers_;  // all of it, for its dampers
   std::size_t threads_;
   Arrays mass_, inverse_mass_, gravity_;  // by place; zero where fixed and in the margins
+  Arrays damping_;                        // of each particle, the sum over its dampers
   Arrays q_, v_;
 };
 

@@ -145,6 +145,28 @@ void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::s
     gather_forces<false>(q, v, force, begin, end);
 }
 
+template <class Real>
+void GridSprings<Real>::damping(const Real* v, Real* force, std::size_t begin,
+                                std::size_t end) const {
+  using V = Vector<Real>;
+  const std::size_t n = layout_.size;
+  gather(begin, end,
+         [&](std::size_t i, std::size_t c, const Neighbour* near, const Neighbour* end_near) {
+           V x{}, y{}, z{}, total{};
+           for (; near != end_near; ++near) {
+             const Real* const vj = v + i + near->offset;
+             const V d = near->damping * load(near->mask + c);
+             total += d;
+             x += d * load(vj);
+             y += d * load(vj + n);
+             z += d * load(vj + 2 * n);
+           }
+           store<Real>(force + i, x - total * load(v + i));
+           store<Real>(force + n + i, y - total * load(v + n + i));
+           store<Real>(force + 2 * n + i, z - total * load(v + 2 * n + i));
+         });
+}
+
 namespace {
 
 /// The derivative of k (1 - L/l) u: across w + along n (n . w) in the direction w, where n is the
@@ -234,51 +256,6 @@ void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, bool clamped,
     }
 }
 
-template <class Real>
-GridDampers<Real>::GridDampers(const GridLayout& layout, const std::vector<SpringKind>& kinds)
-    : layout_(layout), total_(layout.size) {
-  for (const SpringKind& kind : kinds) {
-    if (kind.damping == 0) continue;
-    Kind& added = kinds_.emplace_back();
-    added.offset = layout.offset(kind);
-    added.damping.resize(layout.size);
-    const Real d = static_cast<Real>(kind.damping);
-    layout.each_spring(kind, [&](std::size_t i) {
-      added.damping[i] = d;
-      total_[i] += d;
-      total_[i + added.offset] += d;
-    });
-  }
-}
-
-template <class Real>
-void GridDampers<Real>::times(const Real* v, Real* product, std::size_t begin,
-                              std::size_t end) const {
-  using V = Vector<Real>;
-  const std::size_t n = layout_.size;
-  for (std::size_t r = begin; r < end; ++r)
-    for (std::size_t c = 0; c < layout_.columns; c += Lanes<Real>::count) {
-      const std::size_t i = layout_.row(r) + c;
-      const V total = load(total_.data() + i);
-      V x = -total * load(v + i), y = -total * load(v + n + i), z = -total * load(v + 2 * n + i);
-      for (const Kind& kind : kinds_) {
-        const std::size_t after = i + kind.offset, before = i - kind.offset;
-        const V da = load(kind.damping.data() + i), db = load(kind.damping.data() + before);
-        x += da * load(v + after);
-        y += da * load(v + n + after);
-        z += da * load(v + 2 * n + after);
-        x += db * load(v + before);
-        y += db * load(v + n + before);
-        z += db * load(v + 2 * n + before);
-      }
-      store<Real>(product + i, x);
-      store<Real>(product + n + i, y);
-      store<Real>(product + 2 * n + i, z);
-    }
-}
-
-template class GridDampers<double>;
-template class GridDampers<float>;
 template class GridSprings<double>;
 template class GridSprings<float>;
 

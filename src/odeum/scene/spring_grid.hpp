@@ -64,6 +64,8 @@ class GridSprings {
 
   /// Force on each particle of rows [begin, end); q, v and force have 3 * layout().size numbers.
   void forces(const Real* q, const Real* v, Real* force, std::size_t begin, std::size_t end) const;
+  /// The part of the dampers alone, D v with a constant D that is the same in all components.
+  void damping(const Real* v, Real* force, std::size_t begin, std::size_t end) const;
   /// Its derivative at q in the direction (dq, dv).
   void derivative(const Real* q, const Real* dq, const Real* dv, Real* change, std::size_t begin,
                   std::size_t end) const;
@@ -95,30 +97,6 @@ class GridSprings {
   bool damped_ = false;
 };
 
-/// The dampers of springs on a regular grid alone: a constant matrix D, the same for the three
-/// components, with D v = sum over springs of d (v_b - v_a).
-template <class Real>
-class GridDampers {
- public:
-  GridDampers(const GridLayout& layout, const std::vector<SpringKind>& kinds);
-
-  /// product = D v on rows [begin, end); arrays as GridSprings has them.
-  void times(const Real* v, Real* product, std::size_t begin, std::size_t end) const;
-  /// By place, layout.size numbers: the sum of d over a particle's springs, which is -D's diagonal.
-  const std::vector<Real>& total() const { return total_; }
-
- private:
-  struct Kind {
-    std::size_t offset;         // to end b
-    std::vector<Real> damping;  // at the place of end a; 0 where there is no spring
-  };
-  GridLayout layout_;
-  std::vector<Kind> kinds_;
-  std::vector<Real> total_;
-};
-
-extern template class GridDampers<double>;
-extern template class GridDampers<float>;
 extern template class GridSprings<double>;
 extern template class GridSprings<float>;
 
