@@ -7,6 +7,7 @@
 #include <cvode/cvode_ls.h>
 
 #include <cstdlib>
+#include <memory>
 
 namespace odeum::adapters::sundials {
 namespace {
@@ -131,11 +132,8 @@ Status status_of(int flag) {
 }
 
 std::string name_of(const Module& module, int flag) {
-  char* text = module.flag_name(flag);
-  if (text == nullptr) return "flag " + std::to_string(flag);
-  std::string name = text;
-  std::free(text);
-  return name;
+  const std::unique_ptr<char, decltype(&std::free)> text(module.flag_name(flag), std::free);
+  return text ? text.get() : "flag " + std::to_string(flag);
 }
 
 }  // namespace odeum::adapters::sundials

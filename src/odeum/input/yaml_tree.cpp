@@ -216,7 +216,7 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::s
     if (!parser.HandleNextDocument(builder) || !builder.root() ||
         builder.root()->kind == YamlNode::Kind::null)
       throw InputError(file, {}, format.name + ": empty; got no entry, expected a mapping of keys");
-    const auto root = builder.root();
+    auto root = builder.root();
     Builder second(file, format);
     if (parser.HandleNextDocument(second))
       throw InputError(

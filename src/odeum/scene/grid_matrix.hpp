@@ -44,7 +44,7 @@ class GridMatrix {
   /// Of the springs of one kind, each at the place of its end a: what it adds to A is
   /// (c I + s s^T) of the difference of its ends, and to -g^2 K the same with another c.
   struct Kind {
-    std::size_t offset;              // of b
+    std::size_t offset = 0;          // of b
     std::vector<double> damping;     // 0 where there is no spring
     std::vector<double> stiffness;   // c of -g^2 K
     std::vector<double> components;  // c of A, then the three of s

@@ -155,7 +155,7 @@ double ImexCloth<Real>::lowest_eigenvalue(double step) const {
   double low = 1;
   for (std::size_t i = 0; i < layout_.size; ++i)
     if (mass_[i] != 0) {
-      const double m = static_cast<double>(mass_[i]);
+      const auto m = static_cast<double>(mass_[i]);
       low = std::min(low, m / (m + step / 2 * static_cast<double>(damping_[i])));
     }
   return low;

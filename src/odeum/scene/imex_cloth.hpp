@@ -42,7 +42,7 @@ class ImexCloth {
   GridLayout layout_;
   GridSprings<Real> springs_;  // elastic, without dampers
   GridSprings<Real> dampers_;  // all of it, for its dampers
-  std::size_t threads_;
+  std::size_t threads_ = 1;
   Arrays mass_, inverse_mass_, gravity_;  // by place; zero where fixed and in the margins
   Arrays damping_;                        // of each particle, the sum over its dampers
   Arrays q_, v_;

@@ -19,7 +19,7 @@ inline constexpr std::size_t vector_bytes = 16;
 
 template <class Real>
 struct Lanes {
-  typedef Real Vector __attribute__((vector_size(vector_bytes)));
+  using Vector __attribute__((vector_size(vector_bytes))) = Real;
   static constexpr std::size_t count = vector_bytes / sizeof(Real);
 };
 template <class Real>
@@ -28,14 +28,14 @@ using Vector = typename Lanes<Real>::Vector;
 /// At any address: loads and stores go through a type that asks for no alignment.
 template <class Real>
 [[gnu::always_inline]] inline Vector<Real> load(const Real* from) {
-  typedef Real Anywhere
-      __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias));
+  using Anywhere __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias)) =
+      Real;
   return *reinterpret_cast<const Anywhere*>(from);
 }
 template <class Real>
 [[gnu::always_inline]] inline void store(Real* to, Vector<Real> v) {
-  typedef Real Anywhere
-      __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias));
+  using Anywhere __attribute__((vector_size(vector_bytes), aligned(alignof(Real)), may_alias)) =
+      Real;
   *reinterpret_cast<Anywhere*>(to) = v;
 }
 
@@ -44,7 +44,7 @@ inline Vector<double> guess_inverse_sqrt(Vector<double> x) {
 #if defined(__AVX512F__)
   return Vector<double>(_mm512_maskz_rsqrt14_pd(0xff, __m512d(x)));
 #else
-  typedef long long Bits __attribute__((vector_size(vector_bytes)));
+  using Bits __attribute__((vector_size(vector_bytes))) = long long;
   return Vector<double>(0x5fe6eb50c7b537a9 - (Bits(x) >> 1));
 #endif
 }
@@ -52,7 +52,7 @@ inline Vector<float> guess_inverse_sqrt(Vector<float> x) {
 #if defined(__AVX512F__)
   return Vector<float>(_mm512_maskz_rsqrt14_ps(0xffff, __m512(x)));
 #else
-  typedef int Bits __attribute__((vector_size(vector_bytes)));
+  using Bits __attribute__((vector_size(vector_bytes))) = int;
   return Vector<float>(0x5f375a86 - (Bits(x) >> 1));
 #endif
 }
