@@ -170,7 +170,8 @@ std::string case_body(PageContext& page, std::size_t index) {
          "not drawn. Axes are the same throughout a case. Thin lines show the slopes of the orders "
          "claimed; dashed curves are runs to a tolerance, plain ones runs at a fixed step.</p>\n"
          "<div class=\"panels\">\n" +
-         figures + "</div></section>\n" + cloth_part(page, c) + orders_table(orders);
+         figures + "</div></section>\n" + cloth_part(page, c) + precision_part(page, c) +
+         orders_table(orders);
 }
 
 }  // namespace odeum::report

@@ -83,6 +83,13 @@ std::string verdict_words(const VerdictCounts& counts);
 std::string head_section(const PageContext& page, const std::string& plots);
 std::string overview_section(const PageContext& page);
 std::string orders_section(const PageContext& page);
+/// Time against error: of all cases on index.html, and of one on its own page (empty where it was
+/// not measured).
+std::string precision_section(const PageContext& page);
+std::string precision_part(const PageContext& page, const CaseFacts& c);
+/// What adaptive solvers achieve of a tolerance, by group; with `each_solver`, by solver as well.
+std::string tolerance_table(const PageContext& page, const std::vector<study::PrecisionRow>& rows,
+                            bool each_solver);
 /// The body of the page of one case, which lies in a folder beside index.html.
 std::string case_body(PageContext& page, std::size_t index);
 /// Its part on a cloth in the course of time; empty where the case is none.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/precision.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "odeum/harness/glob.hpp"
@@ -19,7 +21,6 @@ namespace odeum::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double most_drift = 0.05;
 constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 
@@ -57,7 +58,7 @@ struct Stage {
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
 
-std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
+std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info, double seconds) {
   std::vector<Request> requests;
   Request request;
   request.stops = stage.stops;
@@ -68,7 +69,7 @@ std::vector<Request> settings_of(const Stage& stage, const SolverInfo& info) {
            : std::min<std::uint64_t>(
                  400'000, static_cast<std::uint64_t>(
                               stage.stretch() * static_cast<double>(request.budget.evaluations)));
-  request.budget.seconds = 2;
+  request.budget.seconds = seconds;
   if (info.adaptive) {
     request.mode = Mode::adaptive;
     for (int exponent = 3; exponent <= 12; ++exponent) {
@@ -120,7 +121,7 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
   return trial;
 }
 
-void run_guarded(const Stage& stage, Contender& contender) {
+void run_guarded(const Stage& stage, Contender& contender, double seconds) {
   const Entrant& entrant = *contender.entrant;
   const std::string& reason =
       entrant.unfit.empty() && !entrant.info.adaptive ? stage.c.no_fixed_steps : entrant.unfit;
@@ -131,7 +132,7 @@ void run_guarded(const Stage& stage, Contender& contender) {
     trial.row.detail = reason;
     return;
   }
-  for (const Request& request : settings_of(stage, entrant.info)) {
+  for (const Request& request : settings_of(stage, entrant.info, seconds)) {
     contender.trials.push_back(run_guarded(stage, entrant, request));
     // Finer settings would only cost more.
     if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
@@ -192,11 +193,14 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
                                    [&](const Entrant& e) { return e.info.id() == id; });
     contenders.push_back({&entrant, same == inlined.end() ? nullptr : &*same, {}});
   }
-  parallel_for(contenders.size(), options.jobs,
-               [&](std::size_t i) { run_guarded(stage, contenders[i]); });
+  parallel_for(contenders.size(), options.jobs, [&](std::size_t i) {
+    run_guarded(stage, contenders[i], options.seconds_per_solve);
+  });
 
+  const std::string measured =
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   double drift = 0;
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  for (int attempt = 0; attempt < options.attempts; ++attempt) {
     for (Contender& contender : contenders)
       for (Trial& trial : contender.trials) trial.times.ns.clear();
     const double before = calibration_ns();
@@ -211,6 +215,8 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       row.wall_ns_min = trial.times.min();
       row.wall_ns_median = trial.times.median();
       row.repetitions = trial.times.ns.size();
+      row.measured = measured;
+      if (row.repetitions) row.drift = drift;
       if (row.repetitions && std::abs(drift) > most_drift) {
         if (!row.detail.empty()) row.detail += "; ";
         row.detail += fmt::format("the machine's speed drifted by {:.0f} %", 100 * drift);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,10 @@ struct PrecisionRow {
   Counters counters;
   bool inlined = false;  ///< timed with the right-hand side compiled into the solver
   bool pareto = false;   ///< nobody is both faster and more exact
+  /// How the machine's own speed changed from before the timed runs of the case to after them, as
+  /// a part of it: what another program running does to times. NaN where nothing was timed.
+  double drift = std::numeric_limits<double>::quiet_NaN();
+  std::string measured;  ///< when the case was measured, UTC
 };
 
 /// Who is fastest at an error on a case, of Odeum and of all others: a line of
@@ -48,8 +54,13 @@ struct PrecisionOptions {
   std::vector<std::string> cases;    ///< globs on case ids; empty: all
   std::vector<std::string> solvers;  ///< globs on library/method; empty: all
   double seconds_per_case = 4;       ///< what the timed runs of a case may take, roughly
+  double seconds_per_solve = 2;      ///< a solve that takes longer ends over budget
+  int attempts = 2;                  ///< how often a case is timed at most, while the speed drifts
   unsigned jobs = 1;                 ///< for the runs that are not timed
 };
+
+/// A drift of the machine's speed beyond which the times of a case are marked.
+inline constexpr double most_drift = 0.05;
 
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
@@ -63,6 +74,19 @@ void mark_pareto(std::vector<PrecisionRow>& rows);
 /// settings of a solver by linear interpolation of log time over log error, never beyond them.
 /// Errors at or below the truth's floor are not compared.
 std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor);
+
+/// What an earlier run left in a precision.csv.
+struct EarlierPrecision {
+  std::vector<PrecisionRow> rows;
+  std::string problem;  ///< why a file that is there could not be used; a sentence
+};
+/// No rows and no problem where the file is missing.
+EarlierPrecision read_precision_csv(const std::filesystem::path& file);
+
+/// Adds the rows of an earlier run of cases that were not measured now; those of one case compare,
+/// as they were measured together. The summary of the added cases is made anew.
+void add_earlier(PrecisionResult& result, const std::vector<PrecisionRow>& earlier,
+                 const std::vector<Case>& cases);
 
 /// precision.csv, precision_summary.csv and tolerances.csv.
 void write_csv(const PrecisionResult& result, const report::OutputFolder& folder);
