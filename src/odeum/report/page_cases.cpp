@@ -137,6 +137,18 @@ std::string navigation(const PageContext& page, std::size_t index) {
   return html + "</nav>\n";
 }
 
+// Links to the parts that the page has.
+std::string contents(const std::string& html) {
+  std::string links;
+  for (const auto& [id, title] : {std::pair{"plots", "Error against step and cost"},
+                                  {"time", "In the course of time"},
+                                  {"precision", "Speed against error"},
+                                  {"orders", "Orders"}})
+    if (html.find(fmt::format("<section id=\"{}\"", id)) != std::string::npos)
+      links += fmt::format("<a href=\"#{}\">{}</a>", id, title);
+  return "<nav>" + links + "</nav>\n";
+}
+
 }  // namespace
 
 std::string case_body(PageContext& page, std::size_t index) {
@@ -156,6 +168,15 @@ std::string case_body(PageContext& page, std::size_t index) {
   if (figures.empty()) figures = "<p>Nothing to draw: no run of this case gave an error.</p>\n";
   const std::string floor =
       c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
+  const std::string parts =
+      "<section id=\"plots\"><h2>Error against step and cost</h2>\n<p>Errors are absolute, the "
+      "largest over all components and stops; those beyond a hundred times the initial state "
+      "are "
+      "not drawn. Axes are the same throughout a case. Thin lines show the slopes of the orders "
+      "claimed; dashed curves are runs to a tolerance, plain ones runs at a fixed step.</p>\n"
+      "<div class=\"panels\">\n" +
+      figures + "</div></section>\n" + cloth_part(page, c) + precision_part(page, c) +
+      orders_table(orders);
   return navigation(page, index) +
          fmt::format(
              "<h1>{}</h1>\n<p class=\"lead\"><code>{}</code></p>\n"
@@ -164,14 +185,7 @@ std::string case_body(PageContext& page, std::size_t index) {
              "<dt>Truth</dt><dd>{}{}</dd><dt>Orders</dt><dd>{} {}</dd></dl>\n",
              escape(c.title), escape(c.id), escape(c.equation), escape(c.source), escape(c.truth),
              floor, verdict_bar(counts), verdict_words(counts)) +
-         "<section id=\"plots\"><h2>Error against step and cost</h2>\n<p>Errors are absolute, the "
-         "largest over all components and stops; those beyond a hundred times the initial state "
-         "are "
-         "not drawn. Axes are the same throughout a case. Thin lines show the slopes of the orders "
-         "claimed; dashed curves are runs to a tolerance, plain ones runs at a fixed step.</p>\n"
-         "<div class=\"panels\">\n" +
-         figures + "</div></section>\n" + cloth_part(page, c) + precision_part(page, c) +
-         orders_table(orders);
+         contents(parts) + parts;
 }
 
 }  // namespace odeum::report

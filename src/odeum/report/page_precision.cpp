@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "odeum/report/html.hpp"
 #include "odeum/report/page_sections.hpp"
@@ -20,9 +21,12 @@ constexpr std::size_t most_diagrams = 8;
 // Errors beyond it tell nothing but that the run went astray.
 double worst_of(const CaseFacts& c) { return 10 * c.scale; }
 
-// Odeum first, so that it has the first colour whoever takes part.
+// Those that were timed; Odeum first, so that it has the first colour whoever takes part.
 std::vector<std::string> libraries_of(const ReportData& data) {
-  std::vector<std::string> names = library_names(data);
+  std::set<std::string> timed;
+  for (const PrecisionRow& row : data.precision.rows)
+    if (row.repetitions > 0) timed.insert(row.library);
+  std::vector<std::string> names(timed.begin(), timed.end());
   std::stable_partition(names.begin(), names.end(), [](const auto& n) { return n == "odeum"; });
   return names;
 }

@@ -27,14 +27,14 @@ std::string cell(std::vector<double> decades) {
   if (decades.empty()) return "<td class=\"zero\">·</td>";
   std::sort(decades.begin(), decades.end());
   const double median = decades[decades.size() / 2];
+  const double shown = std::abs(median) < 0.05 ? 0 : median;  // no "-0.0"
   const std::string title =
       decades.size() == 1
           ? fmt::format("achieved / requested = {:.2g}", std::pow(10, median))
           : fmt::format("achieved / requested: median {:.2g} of {} solvers, from {:.2g} to {:.2g}",
                         std::pow(10, median), decades.size(), std::pow(10, decades.front()),
                         std::pow(10, decades.back()));
-  return fmt::format("<td class=\"{}\" title=\"{}\">{:+.1f}</td>", colour_of(median), title,
-                     median);
+  return fmt::format("<td class=\"{}\" title=\"{}\">{:+.1f}</td>", colour_of(median), title, shown);
 }
 
 std::string row_html(const std::string& name, Misses& misses, const std::set<double>& tolerances) {

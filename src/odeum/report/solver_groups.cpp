@@ -23,6 +23,7 @@ std::vector<SolverGroup> make_groups(const std::vector<SolverInfo>& solvers) {
     const bool own = solver.library == "odeum";
     std::string title = own ? solver.family : solver.library;
     if (own) std::replace(title.begin(), title.end(), '_', ' ');
+    if (own && title.ends_with(" rk")) title.replace(title.size() - 2, 2, "RK");
     group_of(own ? families : peers, title, own).solvers.push_back(&solver);
   }
   std::stable_sort(families.begin(), families.end(), [](const auto& a, const auto& b) {

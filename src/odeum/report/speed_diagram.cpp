@@ -102,7 +102,10 @@ std::string front(std::vector<PrecisionRow> rows, const Axes& axes, double worst
   return fmt::format("<path class=\"{}\" d=\"{}H{}\"/>", style, path, width - right);
 }
 
-std::size_t style_of_library(std::size_t index) { return std::min(index, curves_per_panel - 1); }
+// The sixth colour is left out: it is too near the first, which is our own.
+std::size_t style_of_library(std::size_t index) {
+  return index < 5 ? index : std::min(index + 1, curves_per_panel - 1);
+}
 
 }  // namespace
 
@@ -137,7 +140,7 @@ std::string speed_diagram(const std::vector<PrecisionRow>& rows,
   if (floor > axes.error.low && floor < axes.error.high)
     html += fmt::format("<path class=\"guide\" stroke-dasharray=\"2 3\" d=\"M{} {:.1f}H{}\"/>",
                         left, axes.y(floor), width - right) +
-            svg_text(width - right, axes.y(floor) - 4, "end", "truth");
+            svg_text(left + 6, axes.y(floor) - 4, "start", "truth's floor");
   // Own points last, so that they lie on top.
   for (std::size_t i = libraries.size(); i-- > 0;)
     html += points(rows, libraries[i], style_of_library(i), axes, worst);
