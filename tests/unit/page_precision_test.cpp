@@ -42,6 +42,7 @@ PrecisionRow row(const std::string& case_id, const char* library, const char* so
   row.wall_ns_median = 1.1 * ns;
   row.repetitions = std::isnan(error) ? 0 : 3;
   row.drift = 0.01;
+  row.processor_share = 0.99;
   row.measured = "2026-01-01T00:00:00Z";
   return row;
 }
@@ -97,7 +98,7 @@ TEST(PagePrecision, ShowsDiagramsRatiosAndTolerances) {
     EXPECT_EQ(count(*html, "<title>odeum/explicit_method_1, tolerance"), 2U) << "a point a run";
     EXPECT_EQ(count(*html, "<title>gsl/stepper, tolerance"), 2U) << "none of the failed run";
     EXPECT_EQ(count(*html, "<path class=\"front\" d=\"M"), 2U) << "in the diagram and its key";
-    EXPECT_NE(html->find("machine speed drifted by +1.0 %"), std::string::npos);
+    EXPECT_NE(html->find("drift +1.0 %, processor 99 %"), std::string::npos);
     EXPECT_EQ(html->find("disturbed:"), std::string::npos);
     // 1e-3 asked and 1e-4 given would be -1; here 2e-3 came of 1e-4.
     EXPECT_NE(html->find(">+1.3</td>"), std::string::npos);
@@ -110,11 +111,14 @@ TEST(PagePrecision, ShowsDiagramsRatiosAndTolerances) {
 
 TEST(PagePrecision, MarksWhatTheMachineDisturbed) {
   ReportData data = small_data();
-  std::vector<PrecisionRow> rows = rows_of(data.cases[0].id);
-  for (PrecisionRow& each : rows) each.drift = -0.12;
-  measure(data, rows);
+  std::vector<PrecisionRow> drifted = rows_of(data.cases[0].id), shared = rows_of(data.cases[1].id);
+  for (PrecisionRow& each : drifted) each.drift = -0.12;
+  for (PrecisionRow& each : shared) each.processor_share = 0.6;
+  measure(data, drifted);
+  measure(data, shared);
   const Pages pages = pages_of(data);
-  EXPECT_NE(pages.index.find("⚠ disturbed: machine speed drifted by -12.0 %"), std::string::npos);
+  EXPECT_NE(pages.index.find("⚠ disturbed: drift -12.0 %, processor 99 %"), std::string::npos);
+  EXPECT_NE(pages.index.find("⚠ disturbed: drift +1.0 %, processor 60 %"), std::string::npos);
   EXPECT_NE(pages.of_case.find("⚠ disturbed:"), std::string::npos);
 }
 

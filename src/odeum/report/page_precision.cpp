@@ -43,12 +43,12 @@ std::string conditions(const std::vector<PrecisionRow>& rows) {
   const auto timed = std::find_if(rows.begin(), rows.end(),
                                   [](const PrecisionRow& row) { return row.repetitions > 0; });
   if (timed == rows.end()) return "<span class=\"dim\">nothing could be timed</span>";
-  const bool disturbed = std::abs(timed->drift) > study::most_drift;
+  const bool disturbed = study::disturbed(timed->drift, timed->processor_share);
   return fmt::format(
-      "<span class=\"{}\">{}machine speed drifted by {:+.1f} %</span> <span "
+      "<span class=\"{}\">{}drift {:+.1f} %, processor {:.0f} %</span> <span "
       "class=\"dim\">{}</span>",
       disturbed ? "chip lower" : "dim", disturbed ? "⚠ disturbed: " : "", 100 * timed->drift,
-      escape(timed->measured));
+      100 * timed->processor_share, escape(timed->measured));
 }
 
 // Faster or slower only where the whole interval says so.
@@ -158,10 +158,12 @@ std::string precision_section(const PageContext& page) {
       "<p>Time per solve, set-up included, with the plain right-hand side, on one processor: the "
       "least of interleaved repetitions. Compared is the time to reach the same error, absolute, "
       "never that at the same tolerance. <strong>Times are of this machine alone: another program "
-      "running at the same time distorts them.</strong> A fixed piece of arithmetic is timed "
-      "before "
-      "and after each case; where it drifted by more than 5 % the case is marked as "
-      "disturbed.</p>\n";
+      "running at the same time distorts them.</strong> The last column tells: how a fixed piece "
+      "of "
+      "arithmetic drifted from before the case to after it, and for what part of the time the "
+      "timed "
+      "runs had the processor. A case is marked as disturbed where the first is beyond 5 %, or the "
+      "second below 95 %; cases of another date are of an earlier run.</p>\n";
   if (data.precision_seconds_limit > 0)
     html += fmt::format(
         "<p>To keep a report short, a solve was given up after {:g} ms and repeated a few times "

@@ -199,14 +199,18 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
 
   const std::string measured =
       fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  double drift = 0;
+  double drift = 0, share = 1;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     for (Contender& contender : contenders)
       for (Trial& trial : contender.trials) trial.times.ns.clear();
     const double before = calibration_ns();
+    const double used = thread_seconds();
+    const auto start = std::chrono::steady_clock::now();
     time_all(stage, contenders, options.seconds_per_case);
+    share = (thread_seconds() - used) /
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     drift = calibration_ns() / before - 1;
-    if (std::abs(drift) <= most_drift) break;
+    if (!disturbed(drift, share)) break;
   }
   std::vector<PrecisionRow> rows;
   for (Contender& contender : contenders)
@@ -216,10 +220,16 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       row.wall_ns_median = trial.times.median();
       row.repetitions = trial.times.ns.size();
       row.measured = measured;
-      if (row.repetitions) row.drift = drift;
-      if (row.repetitions && std::abs(drift) > most_drift) {
+      if (row.repetitions) {
+        row.drift = drift;
+        row.processor_share = share;
+      }
+      if (disturbed(row.drift, row.processor_share)) {
         if (!row.detail.empty()) row.detail += "; ";
-        row.detail += fmt::format("the machine's speed drifted by {:.0f} %", 100 * drift);
+        row.detail += fmt::format(
+            "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "
+            "the processor for {:.0f} % of the time",
+            100 * drift, 100 * share);
       }
       rows.push_back(std::move(row));
     }
@@ -228,6 +238,10 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
 }
 
 }  // namespace
+
+bool disturbed(double drift, double processor_share) {
+  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
+}
 
 PrecisionResult measure_precision(const PrecisionOptions& options) {
   std::vector<const Case*> cases;

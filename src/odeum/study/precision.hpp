@@ -29,6 +29,9 @@ struct PrecisionRow {
   /// How the machine's own speed changed from before the timed runs of the case to after them, as
   /// a part of it: what another program running does to times. NaN where nothing was timed.
   double drift = std::numeric_limits<double>::quiet_NaN();
+  /// The part of the time of the case's timed runs that they had the processor: 1 where no other
+  /// program took it. NaN where nothing was timed.
+  double processor_share = std::numeric_limits<double>::quiet_NaN();
   std::string measured;  ///< when the case was measured, UTC
 };
 
@@ -59,12 +62,16 @@ struct PrecisionOptions {
   unsigned jobs = 1;                 ///< for the runs that are not timed
 };
 
-/// A drift of the machine's speed beyond which the times of a case are marked.
-inline constexpr double most_drift = 0.05;
+/// Beyond this drift of the machine's speed, or this loss of the processor to others, the times of
+/// a case are marked as disturbed.
+inline constexpr double most_disturbance = 0.05;
+/// False where nothing was timed.
+bool disturbed(double drift, double processor_share);
 
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
-/// than 5 % is timed once more, and marked where it drifts again. Throws Interrupted.
+/// than 5 %, or other programs had the processor for more than that, is timed once more, and marked
+/// where it is disturbed again. Throws Interrupted.
 PrecisionResult measure_precision(const PrecisionOptions& options);
 
 /// Marks the rows of one case that nobody beats in both time and error.

@@ -19,7 +19,8 @@ constexpr const char* texts[] = {"case",   "library",      "solver",          "s
 constexpr const char* numbers[] = {
     "schema",         "setting",        "error",           "wall_ns_min",
     "wall_ns_median", "repetitions",    "rhs_evaluations", "jacobian_evaluations",
-    "steps",          "rejected_steps", "pareto",          "drift"};
+    "steps",          "rejected_steps", "pareto",          "drift",
+    "processor_share"};
 
 // The row that the reader stands at. Throws std::bad_optional_access where a number is none.
 PrecisionRow row_of(const report::CsvReader& csv) {
@@ -46,6 +47,7 @@ PrecisionRow row_of(const report::CsvReader& csv) {
   row.inlined = csv.text("right_hand_side") == "inlined";
   row.pareto = number("pareto") != 0;
   row.drift = number("drift");
+  row.processor_share = number("processor_share");
   row.measured = csv.text("measured");
   return row;
 }
