@@ -101,8 +101,8 @@ void drop_markers(std::string& text) {
   text = std::move(kept);
 }
 
-// Coordinates to a tenth of a unit of the picture, which is less than a pixel: a tenth less to
-// load. Only within tags: the labels of ticks keep their digits.
+// Coordinates to a tenth of a unit of the picture, which is less than a pixel. Only within tags:
+// the labels of ticks keep their digits.
 void shorten_coordinates(std::string& text) {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string shorter;
