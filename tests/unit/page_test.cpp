@@ -36,7 +36,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 /// The first thing wrong with the nesting of a page's elements; empty where nothing is.
 std::string broken_nesting(const std::string& html) {
-  const std::vector<std::string> childless{"meta", "img", "!DOCTYPE"};
+  const std::vector<std::string> childless{"meta", "img", "br", "!DOCTYPE"};
   std::vector<std::string> open;
   std::size_t at = html.find("</style>");  // the style sheet is no markup
   open = {"html", "head", "style"};
@@ -79,6 +79,13 @@ class Page : public testing::Test {
     write_page(data, folder);
     return read(folder.path() / "index.html");
   }
+  /// The pages of the cases, one after the other.
+  std::vector<std::string> case_pages() const {
+    std::vector<std::string> pages;
+    for (const auto& entry : fs::directory_iterator(root_ / "out" / "cases"))
+      pages.push_back(read(entry.path()));
+    return pages;
+  }
   nlohmann::json manifest() const {
     return nlohmann::json::parse(read(root_ / "out" / "manifest.json"));
   }
@@ -114,10 +121,45 @@ TEST_F(Page, TellsOfEveryCaseAndSolver) {
 }
 
 TEST_F(Page, StandsAlone) {
-  const std::string html = page_of(test::fabricate_small_report());
-  for (const char* external : {"<script", "<link", "<iframe", "src=\"http", "url(http", "@import"})
-    EXPECT_EQ(html.find(external), std::string::npos) << external;
-  EXPECT_NE(html.find("prefers-color-scheme: dark"), std::string::npos);
+  std::vector<std::string> pages{page_of(test::fabricate_small_report())};
+  for (std::string& page : case_pages()) pages.push_back(std::move(page));
+  ASSERT_EQ(pages.size(), 3U);
+  for (const std::string& html : pages) {
+    for (const char* external :
+         {"<script", "<link", "<iframe", "src=\"http", "src=\"/", "url(http", "@import"})
+      EXPECT_EQ(html.find(external), std::string::npos) << external;
+    EXPECT_NE(html.find("prefers-color-scheme: dark"), std::string::npos);
+  }
+}
+
+// The folder is opened from a disk: an address that does not lead to a file is a dead link.
+TEST_F(Page, EveryAddressLeadsToAFile) {
+  const std::string index = page_of(test::fabricate_small_report());
+  std::size_t checked = 0;
+  const auto check = [&](const std::string& html, const fs::path& folder) {
+    for (const std::string attribute : {" href=\"", " src=\""})
+      for (std::size_t at = 0; (at = html.find(attribute, at)) != std::string::npos;) {
+        at += attribute.size();
+        const std::string address = html.substr(at, html.find_first_of("\"#", at) - at);
+        if (address.empty() || address.starts_with("http")) continue;
+        EXPECT_TRUE(fs::exists(folder / address)) << address;
+        ++checked;
+      }
+  };
+  check(index, root_ / "out");
+  for (const std::string& html : case_pages()) check(html, root_ / "out" / "cases");
+  EXPECT_GT(checked, 10U);
+}
+
+TEST_F(Page, CasesThatWouldShareAFileDoNot) {
+  search_only(root_);
+  ReportData data = test::fabricate_small_report();
+  data.cases[0].id = "a/b";
+  data.cases[1].id = "a?b";
+  const std::string html = page_of(data);
+  EXPECT_NE(html.find("href=\"cases/a_b.html\""), std::string::npos);
+  EXPECT_NE(html.find("href=\"cases/a_b_2.html\""), std::string::npos);
+  EXPECT_EQ(case_pages().size(), 2U);
 }
 
 TEST_F(Page, LinksToTheDataBesideIt) {
@@ -132,8 +174,13 @@ TEST_F(Page, HasPlotsWhereGnuplotIsFound) {
   const ReportData data = test::fabricate_small_report();
   const std::string html = page_of(data);
   EXPECT_EQ(broken_nesting(html), "");
-  EXPECT_GE(count(html, "<svg class=\"plot\""), 4U) << "two plots a case at least";
-  EXPECT_EQ(count(html, "src=\"data:image/png;base64,"), data.stability.regions.size());
+  ASSERT_EQ(case_pages().size(), 2U);
+  for (const std::string& page : case_pages()) {
+    EXPECT_EQ(broken_nesting(page), "");
+    EXPECT_GE(count(page, "<svg class=\"plot\""), 2U) << "by step and by cost at least";
+    EXPECT_EQ(page.find("class=\"missing\""), std::string::npos);
+  }
+  EXPECT_EQ(count(html, " src=\"stability/"), data.stability.regions.size());
   EXPECT_EQ(html.find("class=\"missing\""), std::string::npos);
   EXPECT_TRUE(manifest()["plots"].get<std::string>().starts_with("drawn by gnuplot"));
 }
@@ -197,6 +244,11 @@ TEST_F(Page, HostileTextStaysText) {
   EXPECT_GT(count(html, "&lt;/script&gt;&lt;img"), 20U) << "the text itself is shown";
   EXPECT_EQ(html.find("<img src=x"), std::string::npos);
   EXPECT_EQ(html.find_first_of("\x1b\x01\x02\xff"), std::string::npos);
+  for (const std::string& page : case_pages()) {
+    EXPECT_EQ(broken_nesting(page), "");
+    EXPECT_EQ(page.find("<img src=x"), std::string::npos);
+    EXPECT_EQ(page.find_first_of("\x1b\x01\x02\xff"), std::string::npos);
+  }
   EXPECT_FALSE(fs::exists(trap)) << "gnuplot ran a command from a name";
   EXPECT_EQ(manifest()["command_line"].get<std::string>().find("</script>"), 0U);
 }

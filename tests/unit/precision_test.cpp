@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "odeum/study/stopwatch.hpp"
 
@@ -83,6 +85,21 @@ TEST(Times, MedianIsTheMiddle) {
 }
 
 /// Two solvers on a small case: counted, timed, and what does not fit has a row with its reason.
+// The calibration takes the least of several short runs and does not see a neighbour that has the
+// processor in between; the processor time does.
+TEST(Times, ProcessorTimeStandsStillWhileTheThreadWaits) {
+  const double before = thread_seconds();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_LT(thread_seconds() - before, 0.01);
+  const double working = thread_seconds();
+  calibration_ns();
+  EXPECT_GT(thread_seconds() - working, 1e-4);
+  EXPECT_TRUE(disturbed(0, 0.6));
+  EXPECT_TRUE(disturbed(-0.1, 1));
+  EXPECT_FALSE(disturbed(0.04, 0.96));
+  EXPECT_FALSE(disturbed(std::nan(""), std::nan("")));
+}
+
 TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
   const PrecisionResult result =
       measure_precision({.cases = {"lotka_volterra"},

@@ -210,6 +210,8 @@ ReportData fabricate(std::size_t cases, std::size_t solvers_at_most) {
                         .source = "this test",
                         .truth = "closed form",
                         .truth_floor = 0,
+                        .timed_floor = 0,
+                        .timed_end = 10,
                         .scale = 1,
                         .tags = {}};
     if (c.id.starts_with("cloth")) {

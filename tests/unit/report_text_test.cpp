@@ -161,8 +161,16 @@ TEST(Plots, TidyingKeepsALonePointsMarkerAndDropsALines) {
   };
   EXPECT_NE(tidied(line + marker + marker).find("class=\"c3\""), std::string::npos);
   EXPECT_EQ(tidied(line + marker + marker).find("<use"), std::string::npos);
-  EXPECT_NE(tidied(marker).find("<use href=\"#m3\" x=\"1.00\" y=\"2.00\"/>"), std::string::npos);
+  EXPECT_NE(tidied(marker).find("<use href=\"#m3\" x=\"1\" y=\"2\"/>"), std::string::npos);
   EXPECT_EQ(tidy_svg("not an image", "d"), "");
+}
+
+TEST(Plots, TidyingShortensCoordinatesButNoLabel) {
+  const std::string tidied = tidy_svg(
+      "<svg><defs>x</defs><g><path d='M1.25,20.04 L.5,3'/><text>0.025</text></g></svg>", "d 1.25");
+  EXPECT_NE(tidied.find("M1.2,20 L.5,3"), std::string::npos) << tidied;
+  EXPECT_NE(tidied.find(">0.025<"), std::string::npos) << tidied;
+  EXPECT_NE(tidied.find("\"d 1.25\""), std::string::npos) << tidied;
 }
 
 }  // namespace

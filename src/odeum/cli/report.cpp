@@ -15,6 +15,30 @@ struct Options : StudyOptions {
   bool quick = false;
 };
 
+// One case of each kind: linear, orbits, many bodies, and three stiff ones.
+const std::vector<std::string> timed_cases{"osc_under",  "kepler_e06", "pleiades",
+                                           "vdp_mu1000", "hires",      "robertson_40"};
+
+// Times for the page. A quick report takes those that lie in the folder already; a full one
+// measures a few cases, with short limits, and keeps what an `odeum precision` left there of
+// others.
+void time_solvers(const Options& options, const report::OutputFolder& folder,
+                  report::ReportData& data) {
+  study::EarlierPrecision earlier = study::read_precision_csv(folder.path() / "precision.csv");
+  if (!options.quick) {
+    study::PrecisionOptions precision;
+    precision.cases = timed_cases;
+    precision.seconds_per_case = 2;
+    precision.seconds_per_solve = data.precision_seconds_limit = 0.02;
+    precision.attempts = 1;
+    precision.jobs = options.jobs_or_cores();
+    data.precision = study::measure_precision(precision);
+  }
+  study::add_earlier(data.precision, earlier.rows, all_cases());
+  data.precision_problem = earlier.problem;
+  if (!options.quick) write_csv(data.precision, folder);
+}
+
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const report::OutputFolder folder(options.out);
@@ -38,6 +62,7 @@ void run(const Options& options) {
   data.stability = study::measure_stability(stability, &stable);
   data.proofs =
       study::prove({.solvers = {}, .quick = options.quick, .jobs = options.jobs_or_cores()});
+  time_solvers(options, folder, data);
   write_csv(data.convergence, folder);
   write_csv(data.stability, folder);
   write_csv(data.proofs, folder);

@@ -16,12 +16,13 @@ namespace {
 
 constexpr char mark_begin = '\x01', mark_end = '\x02';
 
-std::string image_html(const Picture& picture, const std::string& image,
+std::string image_html(const Picture& picture, const std::string& image, const std::string& file,
                        const std::string& description) {
   if (image.empty()) return "<p class=\"missing\">not drawn</p>";
   if (picture.kind == Picture::Kind::svg) return tidy_svg(image, description);
-  return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">",
-                     picture.width, picture.height, escape(description), base64(image));
+  // Lazily: there are hundreds, each a file.
+  return fmt::format("<img loading=\"lazy\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">",
+                     picture.width, picture.height, escape(description), as_address(file));
 }
 
 // What the page and the manifest say about the pictures.
@@ -34,7 +35,14 @@ std::string plots_text(const Rendering& rendering) {
 
 }  // namespace
 
-std::string PictureBook::add(Picture picture, std::string description) {
+std::string PictureBook::add(Picture picture, std::string description, const std::string& stem) {
+  std::string file;
+  if (picture.kind == Picture::Kind::png) {
+    file = stem + ".png";
+    for (int number = 2; !taken_.insert(file).second; ++number)
+      file = fmt::format("{}_{}.png", stem, number);
+  }
+  files_.push_back(std::move(file));
   pictures_.push_back(std::move(picture));
   descriptions_.push_back(std::move(description));
   return fmt::format("{}{}{}", mark_begin, pictures_.size() - 1, mark_end);
@@ -47,10 +55,16 @@ std::string PictureBook::fill(const std::string& html) const {
     const auto end = html.find(mark_end, at);
     const std::size_t i = std::stoul(html.substr(at + 1, end - at - 1));
     filled.append(html, begin, at - begin);
-    filled += image_html(pictures_[i], rendering_.images[i], descriptions_[i]);
+    filled += image_html(pictures_[i], rendering_.images[i], files_[i], descriptions_[i]);
     begin = end + 1;
   }
   return filled.append(html, begin);
+}
+
+void PictureBook::write_files(const OutputFolder& folder) const {
+  for (std::size_t i = 0; i < pictures_.size(); ++i)
+    if (!files_[i].empty() && !rendering_.images[i].empty())
+      folder.write(files_[i], rendering_.images[i]);
 }
 
 Lookup::Lookup(const ReportData& data) {
@@ -82,7 +96,39 @@ const Lookup::Rows<study::TimeRow>& Lookup::times(const std::string& case_id,
   return found == times_.end() ? none : found->second;
 }
 
-std::string case_anchor(std::size_t index) { return fmt::format("case-{}", index); }
+std::string file_stem(std::string_view text) {
+  std::string stem;
+  for (const char c : text.substr(0, 80)) {
+    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-' || c == '_';
+    stem += kept ? c : '_';
+  }
+  return stem.empty() ? "_" : stem;
+}
+
+std::string PageContext::case_address(std::size_t index) const {
+  return as_address(case_files[index]);
+}
+
+std::string verdict_bar(const VerdictCounts& counts) {
+  std::string bar;
+  for (const VerdictStyle& style : verdict_styles)
+    if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
+        count > 0 && style.verdict != study::Verdict::not_applicable)
+      bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>",
+                         study::to_string(style.verdict), count);
+  return "<span class=\"bar\" aria-hidden=\"true\">" + bar + "</span>";
+}
+
+std::string verdict_words(const VerdictCounts& counts) {
+  std::string words;
+  for (const VerdictStyle& style : verdict_styles)
+    if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
+        count > 0 && style.verdict != study::Verdict::not_applicable)
+      words +=
+          fmt::format("{}{} {}", words.empty() ? "" : ", ", count, study::to_string(style.verdict));
+  return words.empty() ? "not run" : words;
+}
 
 std::string verdict_chip(study::Verdict verdict) {
   return fmt::format("<span class=\"chip {0}\">{1} {0}</span>", study::to_string(verdict),
@@ -100,26 +146,54 @@ std::string legend(const Panel& panel, const std::vector<bool>& shown) {
   return html + "</ul>";
 }
 
+namespace {
+
+// A whole page around its header and main part.
+std::string document(const std::string& title, const std::string& header, const std::string& main) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n"
+      "<style>\n{}</style>\n</head>\n<body>\n{}{}<main>\n{}</main>\n</body>\n</html>\n",
+      escape(title), page_style(), marker_symbols(), header, main);
+}
+
+std::vector<std::string> name_case_files(const std::vector<CaseFacts>& cases) {
+  std::vector<std::string> files;
+  std::set<std::string> taken;
+  for (const CaseFacts& c : cases) {
+    const std::string stem = "cases/" + file_stem(c.id);
+    std::string file = stem + ".html";
+    for (int number = 2; !taken.insert(file).second; ++number)
+      file = fmt::format("{}_{}.html", stem, number);
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+}  // namespace
+
 void write_page(const ReportData& data, const OutputFolder& folder) {
   PageContext page{.data = data,
                    .folder = folder,
                    .lookup = Lookup(data),
                    .panels = make_panels(data.solvers),
+                   .case_files = name_case_files(data.cases),
                    .pictures = {}};
-  std::string body = overview_section(page) + cases_section(page) + cloth_section(page) +
-                     stability_section(page) + proofs_section(page) + verdicts_section(page) +
-                     skipped_section(page) + findings_section();
+  const std::string body = overview_section(page) + precision_section(page) + orders_section(page) +
+                           stability_section(page) + proofs_section(page) + verdicts_section(page) +
+                           skipped_section(page) + findings_section();
+  std::vector<std::string> bodies;
+  for (std::size_t i = 0; i < data.cases.size(); ++i) bodies.push_back(case_body(page, i));
   page.pictures.draw(std::max(1U, std::thread::hardware_concurrency()));
   const std::string plots = plots_text(page.pictures.rendering());
+  page.pictures.write_files(folder);
+  for (std::size_t i = 0; i < data.cases.size(); ++i)
+    folder.write(page.case_files[i],
+                 document(data.cases[i].id + " – Odeum report", "", page.pictures.fill(bodies[i])));
   folder.write("manifest.json", manifest_json(data, plots));  // first: the page links to it
-  const std::string head = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Odeum report</title>\n"
-      "<style>\n{}</style>\n</head>\n<body>\n{}",
-      page_style(), marker_symbols());
-  folder.write("index.html", head + head_section(page, plots) + "<main>\n" +
-                                 page.pictures.fill(body) + "</main>\n</body>\n</html>\n");
+  folder.write("index.html",
+               document("Odeum report", head_section(page, plots), page.pictures.fill(body)));
 }
 
 }  // namespace odeum::report

@@ -5,10 +5,12 @@
 
 namespace odeum::report {
 
-/// Writes index.html and manifest.json beside the CSV files, which are there already. The page
-/// stands alone: one file without scripts, its pictures within; the names that it shows may be
-/// anybody's text. Pictures are drawn by gnuplot; without it the page is written all the same, and
-/// says so, as the manifest does. Throws FileError.
+/// Writes index.html, a page for each case in cases/, the pictures of stability/, and
+/// manifest.json beside the CSV files, which are there already. The folder stands alone: no
+/// scripts, nothing from elsewhere, addresses relative, so that it may be moved and opened from a
+/// disk. The names that the pages show may be anybody's text. Pictures are drawn by gnuplot;
+/// without it the page is written all the same, and says so, as the manifest does. Throws
+/// FileError.
 void write_page(const ReportData& data, const OutputFolder& folder);
 
 }  // namespace odeum::report

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -100,20 +99,6 @@ std::string panel_figure(PageContext& page, const CaseFacts& c, const CaseAxes& 
       escape(panel.library), escape(panel.contents), plots, legend(panel, shown));
 }
 
-std::string verdict_bar(const std::array<std::size_t, verdict_styles.size()>& counts) {
-  std::string bar, words;
-  for (const VerdictStyle& style : verdict_styles) {
-    const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
-    if (count == 0 || style.verdict == study::Verdict::not_applicable) continue;
-    const char* name = study::to_string(style.verdict);
-    bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", name, count);
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, name);
-  }
-  return fmt::format(
-      "<span class=\"bar\" aria-hidden=\"true\">{}</span><span class=\"dim\">{}</span>", bar,
-      words.empty() ? "not run" : words);
-}
-
 std::string order_row(const study::OrderRow& row) {
   const study::OrderFit& fit = row.fit;
   const auto fixed = [](double value) {
@@ -131,19 +116,44 @@ std::string order_row(const study::OrderRow& row) {
 
 std::string orders_table(const std::string& rows) {
   if (rows.empty()) return {};
-  return "<details><summary>Orders</summary><div class=\"wide\"><table class=\"numbers "
+  return "<section id=\"orders\"><h2>Orders</h2>\n<div class=\"wide\"><table class=\"numbers "
          "orders\"><thead>"
          "<tr><th>solver</th><th>mode</th><th>claimed</th><th>measured</th><th>95 % interval</th>"
          "<th>window, "
          "h</th><th>points</th><th>floor</th><th>verdict</th><th>reason</th></tr></thead>"
          "<tbody>\n" +
-         rows + "</tbody></table></div></details>\n";
+         rows + "</tbody></table></div></section>\n";
 }
 
-// The first case that was run stands open, so that the page shows what the others hold.
-std::string case_details(PageContext& page, std::size_t index, bool& one_is_open) {
+// From case to case and back to the whole, in the order of the overview.
+std::string navigation(const PageContext& page, std::size_t index) {
+  const auto link = [&](std::size_t i, const char* arrow) {
+    return fmt::format("<a href=\"../{}\">{}{}</a>", page.case_address(i), arrow,
+                       escape(page.data.cases[i].id));
+  };
+  std::string html = "<nav><a href=\"../index.html\">Odeum report</a>";
+  if (index > 0) html += link(index - 1, "← ");
+  if (index + 1 < page.data.cases.size()) html += link(index + 1, "→ ");
+  return html + "</nav>\n";
+}
+
+// Links to the parts that the page has.
+std::string contents(const std::string& html) {
+  std::string links;
+  for (const auto& [id, title] : {std::pair{"plots", "Error against step and cost"},
+                                  {"time", "In the course of time"},
+                                  {"precision", "Speed against error"},
+                                  {"orders", "Orders"}})
+    if (html.find(fmt::format("<section id=\"{}\"", id)) != std::string::npos)
+      links += fmt::format("<a href=\"#{}\">{}</a>", id, title);
+  return "<nav>" + links + "</nav>\n";
+}
+
+}  // namespace
+
+std::string case_body(PageContext& page, std::size_t index) {
   const CaseFacts& c = page.data.cases[index];
-  std::array<std::size_t, verdict_styles.size()> counts{};
+  VerdictCounts counts{};
   std::string orders;
   for (const study::OrderRow& row : page.data.convergence.orders) {
     if (row.case_id != c.id) continue;
@@ -155,32 +165,27 @@ std::string case_details(PageContext& page, std::size_t index, bool& one_is_open
   const CaseAxes axes = axes_of(page.data, c);
   if (!axes.error.empty())
     for (const Panel& panel : page.panels) figures += panel_figure(page, c, axes, panel);
+  if (figures.empty()) figures = "<p>Nothing to draw: no run of this case gave an error.</p>\n";
   const std::string floor =
       c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
-  const bool open = !figures.empty() && !one_is_open;
-  one_is_open |= open;
-  return fmt::format(
-      "<details class=\"case\" id=\"{}\"{}><summary><strong>{}</strong> "
-      "<code>{}</code>{}</summary>\n"
-      "<dl class=\"facts\"><dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
-      "<dt>Truth</dt><dd>{}{}</dd></dl>\n<div class=\"panels\">\n{}</div>\n{}</details>\n",
-      case_anchor(index), open ? " open" : "", escape(c.title), escape(c.id), verdict_bar(counts),
-      escape(c.equation), escape(c.source), escape(c.truth), floor, figures, orders_table(orders));
-}
-
-}  // namespace
-
-std::string cases_section(PageContext& page) {
-  std::string html =
-      "<section id=\"cases\">\n<h2>Cases</h2>\n<p>Open a case for its equation, its plots and its "
-      "orders. Errors are absolute, the largest over all components and stops; those beyond a "
-      "hundred times the initial state are not drawn. Axes are the same throughout a case. Thin "
-      "lines show the slopes of the orders claimed; dashed curves are runs to a tolerance, plain "
-      "ones runs at a fixed step.</p>\n";
-  bool one_is_open = false;
-  for (std::size_t i = 0; i < page.data.cases.size(); ++i)
-    html += case_details(page, i, one_is_open);
-  return html + "</section>\n";
+  const std::string parts =
+      "<section id=\"plots\"><h2>Error against step and cost</h2>\n<p>Errors are absolute, the "
+      "largest over all components and stops; those beyond a hundred times the initial state "
+      "are "
+      "not drawn. Axes are the same throughout a case. Thin lines show the slopes of the orders "
+      "claimed; dashed curves are runs to a tolerance, plain ones runs at a fixed step.</p>\n"
+      "<div class=\"panels\">\n" +
+      figures + "</div></section>\n" + cloth_part(page, c) + precision_part(page, c) +
+      orders_table(orders);
+  return navigation(page, index) +
+         fmt::format(
+             "<h1>{}</h1>\n<p class=\"lead\"><code>{}</code></p>\n"
+             "<dl "
+             "class=\"facts\"><dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
+             "<dt>Truth</dt><dd>{}{}</dd><dt>Orders</dt><dd>{} {}</dd></dl>\n",
+             escape(c.title), escape(c.id), escape(c.equation), escape(c.source), escape(c.truth),
+             floor, verdict_bar(counts), verdict_words(counts)) +
+         contents(parts) + parts;
 }
 
 }  // namespace odeum::report

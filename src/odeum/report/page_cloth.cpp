@@ -83,29 +83,21 @@ std::string panel_figure(PageContext& page, const CaseFacts& c, const Quantity& 
 
 }  // namespace
 
-std::string cloth_section(PageContext& page) {
+std::string cloth_part(PageContext& page, const CaseFacts& c) {
+  if (!c.has_tag("cloth")) return {};
   std::string html =
-      "<section id=\"cloth\">\n<h2>The cloth, in the course of time</h2>\n<p>How far the particles "
+      "<section id=\"time\">\n<h2>The cloth in the course of time</h2>\n<p>How far the particles "
       "are from where they should be (root mean square), and how far the energy is, against a "
       "fixed step, at each time of the reference.</p>\n";
-  bool first = true;
-  for (const CaseFacts& c : page.data.cases) {
-    if (!c.has_tag("cloth")) continue;
-    for (const Quantity& quantity : quantities) {
-      const TimeAxes axes = axes_of(page.data, c, quantity);
-      std::string figures;
-      if (!axes.error.empty())
-        for (const Panel& panel : page.panels)
-          figures += panel_figure(page, c, quantity, axes, panel);
-      if (figures.empty()) figures = "<p>Not measured in this run.</p>\n";
-      html += fmt::format(
-          "<details class=\"case\"{}><summary><strong>{}: {}</strong> <code>{}</code></summary>\n"
-          "<div class=\"panels\">{}</div></details>\n",
-          first ? " open" : "", escape(c.title), quantity.name, escape(c.id), figures);
-      first = false;
-    }
+  for (const Quantity& quantity : quantities) {
+    const TimeAxes axes = axes_of(page.data, c, quantity);
+    std::string figures;
+    if (!axes.error.empty())
+      for (const Panel& panel : page.panels)
+        figures += panel_figure(page, c, quantity, axes, panel);
+    if (figures.empty()) figures = "<p>Not measured in this run.</p>\n";
+    html += fmt::format("<h3>{}</h3>\n<div class=\"panels\">{}</div>\n", quantity.name, figures);
   }
-  if (first) html += "<p>No cloth takes part in this run.</p>\n";
   return html + "</section>\n";
 }
 

@@ -112,8 +112,9 @@ std::string head_section(const PageContext& page, const std::string& plots) {
   return fmt::format(
              "<header>\n<h1>Odeum</h1>\n<p class=\"lead\">{} from {} on {}: each solver runs the "
              "same problems, and is judged by the same independent truth.</p>\n"
-             "<nav><a href=\"#overview\">Overview</a><a href=\"#cases\">Cases</a>"
-             "<a href=\"#cloth\">Cloth</a><a href=\"#stability\">Stability</a><a "
+             "<nav><a href=\"#overview\">Overview and cases</a>"
+             "<a href=\"#precision\">Speed</a>"
+             "<a href=\"#orders\">Orders</a><a href=\"#stability\">Stability</a><a "
              "href=\"#proofs\">Proofs</a>"
              "<a href=\"#verdicts\">What did not confirm</a><a href=\"#skipped\">Skipped</a>"
              "<a href=\"#findings\">Findings</a></nav>\n",

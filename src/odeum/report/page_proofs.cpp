@@ -114,7 +114,8 @@ std::string proofs_section(const PageContext& page) {
       proof::ratio_low, proof::ratio_high, proofs.made(), proofs.caught(), proofs.equivalent(),
       proofs.made() - proofs.caught() - proofs.equivalent());
   html +=
-      "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>method</th><th>claimed</th>"
+      "<div class=\"wide\"><table class=\"numbers "
+      "proofs\"><thead><tr><th>method</th><th>claimed</th>"
       "<th>conditions</th><th>measured</th><th>code − R(z)</th><th>stability</th><th>structure</th>"
       "<th>energy</th><th>estimate / error</th><th>mutants caught</th></tr></thead><tbody>\n";
   for (const ProofRow& row : proofs.rows) html += row_html(row);

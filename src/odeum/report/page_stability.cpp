@@ -70,8 +70,11 @@ std::string thumbnails(PageContext& page, const std::string& library, const std:
     if (region.library != library || region.plane != plane) continue;
     const std::string picture =
         can_be_drawn(region)
-            ? page.pictures.add(draw(region), fmt::format("Stability region of {}/{}, {} plane",
-                                                          library, region.solver, plane))
+            ? page.pictures.add(
+                  draw(region),
+                  fmt::format("Stability region of {}/{}, {} plane", library, region.solver, plane),
+                  fmt::format("stability/{}_{}_{}", file_stem(library), file_stem(region.solver),
+                              plane))
             : fmt::format("<p class=\"missing\">{}</p>",
                           escape(region.detail.empty() ? region.status : region.detail));
     html += fmt::format("<figure class=\"region\">{}<figcaption>{}</figcaption></figure>\n",

@@ -101,6 +101,29 @@ void drop_markers(std::string& text) {
   text = std::move(kept);
 }
 
+// Coordinates to a tenth of a unit of the picture, which is less than a pixel. Only within tags:
+// the labels of ticks keep their digits.
+void shorten_coordinates(std::string& text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string shorter;
+  shorter.reserve(text.size());
+  bool in_tag = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<' || text[i] == '>') in_tag = text[i] == '<';
+    shorter += text[i];
+    if (!in_tag || text[i] != '.' || i == 0 || !is_digit(text[i - 1])) continue;
+    std::size_t end = i + 1;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    if (end == i + 1) continue;
+    if (text[i + 1] == '0')
+      shorter.pop_back();
+    else
+      shorter += text[i + 1];
+    i = end - 1;
+  }
+  text = std::move(shorter);
+}
+
 }  // namespace
 
 void LogRange::include(double value) {
@@ -176,6 +199,7 @@ std::string tidy_svg(const std::string& gnuplot_svg, const std::string& descript
         {"<g >", "<g>"},
         {"<g></g>", ""}})
     replace_all(text, from, to);
+  shorten_coordinates(text);
   return "<svg class=\"plot\" viewBox=\"0 0 290 215\" role=\"img\" aria-label=\"" +
          escape(description) + "\">" + text + "</svg>";
 }

@@ -6,6 +6,7 @@
 
 #include "odeum/harness/case.hpp"
 #include "odeum/study/convergence.hpp"
+#include "odeum/study/precision.hpp"
 #include "odeum/study/proof.hpp"
 #include "odeum/study/stability.hpp"
 
@@ -15,6 +16,8 @@ namespace odeum::report {
 struct CaseFacts {
   std::string id, title, equation, source, truth;
   double truth_floor = 0;  ///< absolute error below which the truth says nothing
+  double timed_floor = 0;  ///< the same where studies of time measure the error
+  double timed_end = 0;    ///< the time t at which these do
   double scale = 1;        ///< size of the initial state; an error of it is one of 100 %
   std::vector<std::string> tags;
 
@@ -26,6 +29,9 @@ struct ReportData {
   study::ConvergenceResult convergence;
   study::StabilityResult stability;
   study::ProofResult proofs;
+  study::PrecisionResult precision;
+  std::string precision_problem;       ///< why results of an earlier run could not be used
+  double precision_seconds_limit = 0;  ///< what one solve might take in this run; 0: none was timed
 
   std::vector<CaseFacts> cases;
   std::vector<SolverInfo> solvers;  ///< each once, in the order of enrolment

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/precision.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "odeum/harness/glob.hpp"
@@ -19,7 +21,6 @@ namespace odeum::study {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double most_drift = 0.05;
 constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 
@@ -58,7 +59,7 @@ struct Stage {
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
 
-std::vector<Request> settings_of(const Stage& stage, Mode mode) {
+std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) {
   std::vector<Request> requests;
   Request request;
   request.stops = stage.stops;
@@ -69,7 +70,7 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode) {
            : std::min<std::uint64_t>(
                  400'000, static_cast<std::uint64_t>(
                               stage.stretch() * static_cast<double>(request.budget.evaluations)));
-  request.budget.seconds = 2;
+  request.budget.seconds = seconds;
   request.mode = mode;
   if (mode == Mode::adaptive) {
     // Errors grow along a long horizon: only tolerances near rounding show what is in reach.
@@ -125,7 +126,7 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
   return trial;
 }
 
-void run_guarded(const Stage& stage, Contender& contender) {
+void run_guarded(const Stage& stage, Contender& contender, double seconds) {
   const Entrant& entrant = *contender.entrant;
   const std::string& reason = entrant.unfit.empty() && contender.mode == Mode::fixed
                                   ? stage.c.no_fixed_steps
@@ -137,7 +138,7 @@ void run_guarded(const Stage& stage, Contender& contender) {
     trial.row.detail = reason;
     return;
   }
-  for (const Request& request : settings_of(stage, contender.mode)) {
+  for (const Request& request : settings_of(stage, contender.mode, seconds)) {
     contender.trials.push_back(run_guarded(stage, entrant, request));
     // Finer settings would only cost more.
     if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
@@ -209,17 +210,24 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       if (runs(c, entrant.info, mode))
         contenders.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, {}});
   }
-  parallel_for(contenders.size(), options.jobs,
-               [&](std::size_t i) { run_guarded(stage, contenders[i]); });
+  parallel_for(contenders.size(), options.jobs, [&](std::size_t i) {
+    run_guarded(stage, contenders[i], options.seconds_per_solve);
+  });
 
-  double drift = 0;
-  for (int attempt = 0; attempt < 2; ++attempt) {
+  const std::string measured =
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  double drift = 0, share = 1;
+  for (int attempt = 0; attempt < options.attempts; ++attempt) {
     for (Contender& contender : contenders)
       for (Trial& trial : contender.trials) trial.times.ns.clear();
     const double before = calibration_ns();
+    const double used = thread_seconds();
+    const auto start = std::chrono::steady_clock::now();
     time_all(stage, contenders, options.seconds_per_case);
+    share = (thread_seconds() - used) /
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     drift = calibration_ns() / before - 1;
-    if (std::abs(drift) <= most_drift) break;
+    if (!disturbed(drift, share)) break;
   }
   std::vector<PrecisionRow> rows;
   for (Contender& contender : contenders)
@@ -228,9 +236,17 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       row.wall_ns_min = trial.times.min();
       row.wall_ns_median = trial.times.median();
       row.repetitions = trial.times.ns.size();
-      if (row.repetitions && std::abs(drift) > most_drift) {
+      row.measured = measured;
+      if (row.repetitions) {
+        row.drift = drift;
+        row.processor_share = share;
+      }
+      if (disturbed(row.drift, row.processor_share)) {
         if (!row.detail.empty()) row.detail += "; ";
-        row.detail += fmt::format("the machine's speed drifted by {:.0f} %", 100 * drift);
+        row.detail += fmt::format(
+            "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "
+            "the processor for {:.0f} % of the time",
+            100 * drift, 100 * share);
       }
       rows.push_back(std::move(row));
     }
@@ -239,6 +255,10 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
 }
 
 }  // namespace
+
+bool disturbed(double drift, double processor_share) {
+  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
+}
 
 PrecisionResult measure_precision(const PrecisionOptions& options) {
   std::vector<const Case*> cases;

@@ -8,7 +8,7 @@ void write_csv(const PrecisionResult& result, const report::OutputFolder& folder
   report::CsvTable precision(
       "case,library,solver,status,detail,setting_kind,setting,error,wall_ns_min,wall_ns_median,"
       "repetitions,rhs_evaluations,jacobian_evaluations,steps,rejected_steps,right_hand_side,"
-      "pareto");
+      "pareto,drift,processor_share,measured");
   report::CsvTable tolerances("case,library,solver,requested,achieved,achieved_over_requested");
   for (const PrecisionRow& row : result.rows) {
     precision.add(report::CsvRow()
@@ -28,7 +28,10 @@ void write_csv(const PrecisionResult& result, const report::OutputFolder& folder
                       .count(row.counters.steps)
                       .count(row.counters.rejected_steps)
                       .text(row.inlined ? "inlined" : "function pointer")
-                      .count(row.pareto));
+                      .count(row.pareto)
+                      .number(row.drift)
+                      .number(row.processor_share)
+                      .text(row.measured));
     if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
       tolerances.add(report::CsvRow()
                          .text(row.case_id)

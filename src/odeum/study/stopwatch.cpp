@@ -5,6 +5,8 @@
 #include <sched.h>
 #endif
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -62,6 +64,12 @@ double calibration_ns() {
     least = std::min(least, taken);
   }
   return least;
+}
+
+double thread_seconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 double Times::min() const { return ns.empty() ? nan : *std::min_element(ns.begin(), ns.end()); }

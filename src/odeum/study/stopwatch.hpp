@@ -26,6 +26,11 @@ class Pinned {
 /// machine was like when the times beside it were taken.
 double calibration_ns();
 
+/// Seconds of processor time that the calling thread has used so far. Over a stretch of work, its
+/// quotient with wall time tells whether another program took the processor in between, which a
+/// calibration between two such moments does not see.
+double thread_seconds();
+
 /// Wall times of one thing, taken at different moments.
 struct Times {
   std::vector<double> ns;
