@@ -41,6 +41,7 @@ int run(int argc, char** argv) {
   add_converge(app, result);
   add_stability(app, result);
   add_precision(app, result);
+  add_drift(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);

@@ -62,6 +62,7 @@ void add_run(CLI::App& app, int& result);
 void add_converge(CLI::App& app, int& result);
 void add_stability(CLI::App& app, int& result);
 void add_precision(CLI::App& app, int& result);
+void add_drift(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
 void add_verify(CLI::App& app, int& result);
 void add_doctor(CLI::App& app, int& result);
