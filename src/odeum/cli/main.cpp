@@ -42,6 +42,8 @@ int run(int argc, char** argv) {
   add_stability(app, result);
   add_precision(app, result);
   add_drift(app, result);
+  add_limits(app, result);
+  add_reduction(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);
