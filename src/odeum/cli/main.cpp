@@ -41,6 +41,9 @@ int run(int argc, char** argv) {
   add_converge(app, result);
   add_stability(app, result);
   add_precision(app, result);
+  add_drift(app, result);
+  add_limits(app, result);
+  add_reduction(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);
