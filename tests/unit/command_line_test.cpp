@@ -136,6 +136,12 @@ INSTANTIATE_TEST_SUITE_P(
                "fixed step only"},
         Misuse{"odeum converge --case nothing --out /dev/null/x", "no case matches"},
         Misuse{"odeum converge --solver odeum/rk9 --out /dev/null/x", "no solver matches"},
+        Misuse{"odeum drift --case keplr_e06 --out /dev/null/x", "did you mean kepler_e06"},
+        Misuse{"odeum drift --resume --out /dev/null/x", "keeps no journal"},
+        Misuse{"odeum limits --case nothing --out /dev/null/x", "no case matches"},
+        Misuse{"odeum limits --resume --out /dev/null/x", "keeps no journal"},
+        Misuse{"odeum reduction --solver odeum/rk9 --out /dev/null/x", "no solver matches"},
+        Misuse{"odeum reduction --resume --out /dev/null/x", "keeps no journal"},
         Misuse{"odeum converge --jobs 0", "jobs"}, Misuse{"odeum list solver", "solver"},
         Misuse{"odeum stability --grid 1", "grid"}));
 

@@ -22,7 +22,7 @@ struct Watch {
 
   explicit Watch(const Case& each)
       : c(each), kept(kept_quantities(each)), motion(harmonic_motion(each)) {
-    const std::uint64_t steps = c.y0.size() > 12 ? 2'000 : 10'000;
+    const std::uint64_t steps = c.y0.size() > 12 ? 1'000 : 10'000;
     step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.coarsest_steps));
     request.steps = steps;
     // Eight times a decade: a law of growth is a straight line over the logarithm of time.

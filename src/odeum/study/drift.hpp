@@ -49,7 +49,7 @@ struct DriftOptions {
 };
 
 /// Runs every fitting pair at a fixed step, half of that at which the case's study of convergence
-/// begins, over 10,000 steps (2,000 where there are more than 12 unknowns), and looks at what the
+/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and looks at what the
 /// exact solution keeps at some 35 times between the first step and the last. Cases tagged
 /// `chaotic` are run for their horizons besides. Results do not depend on `jobs`. Throws
 /// Interrupted.
