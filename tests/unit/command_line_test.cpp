@@ -214,5 +214,13 @@ TEST_F(CommandLine, AnInterruptIs130AndLeavesNoHalfFile) {
   EXPECT_FALSE(fs::exists(folder_ / "out" / "convergence.csv"));
 }
 
+TEST_F(CommandLine, AnInterruptPromisesNoJournalThatThereIsNot) {
+  const Result result = shell("timeout --foreground -s INT 0.5 '" ODEUM_BINARY "' drift --out " +
+                              in("out") + "; echo code $?");
+  EXPECT_NE(result.output.find("interrupted; no file was written"), std::string::npos)
+      << result.output;
+  EXPECT_FALSE(fs::exists(folder_ / "out" / "drift.csv"));
+}
+
 }  // namespace
 }  // namespace odeum

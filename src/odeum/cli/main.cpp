@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <new>
+#include <string_view>
 
 #include "odeum/cli/session.hpp"
 #include "odeum/harness/parallel.hpp"
@@ -62,6 +63,13 @@ int run(int argc, char** argv) {
   return result;
 }
 
+/// What to do after an interruption: some commands keep a journal.
+const char* how_to_go_on(std::string_view command) {
+  for (const std::string_view keeps : {"converge", "stability", "report"})
+    if (command == keeps) return "the same command with --resume goes on from here";
+  return "no file was written";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -77,7 +85,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     return file_failed;
   } catch (const odeum::Interrupted&) {
-    fmt::print(stderr, "odeum: interrupted; the same command with --resume goes on from here\n");
+    fmt::print(stderr, "odeum: interrupted; {}\n", how_to_go_on(argv[1]));
     return interrupted_code;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "odeum: out of memory\n");
