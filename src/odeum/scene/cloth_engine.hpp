@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "odeum/scene/spring_grid.hpp"
+#include "odeum/scene/cloth_state.hpp"
 
 namespace odeum::scene {
 
@@ -18,7 +18,7 @@ class ClothEngine {
   /// `threads` is 0.
   explicit ClothEngine(const Scene& scene, std::size_t threads = 1);
 
-  std::size_t particles() const { return layout_.rows * layout_.columns; }
+  std::size_t particles() const { return state_.particles(); }
   std::size_t springs() const;
 
   /// `steps` steps of h seconds of velocity Verlet (methods/velocity_verlet.hpp): one evaluation of
@@ -28,7 +28,7 @@ class ClothEngine {
   void rk4(double h, std::size_t steps);
 
   /// All positions x y z (m), then all velocities (m/s): 6 numbers a particle.
-  void read(double* y) const;
+  void read(double* y) const { state_.read(y); }
 
  private:
   ClothEngine(const Scene& scene, const GridStructure& grid, std::size_t threads);
@@ -37,15 +37,10 @@ class ClothEngine {
 
   /// Accelerations of one row, at positions q and velocities v.
   void accelerate(const Arrays& q, const Arrays& v, Arrays& a, std::size_t row) const;
-  /// Calls update(i) for every place of a row in each of the three components.
-  template <class Update>
-  void each(std::size_t row, Update&& update) const;
 
-  GridLayout layout_;
+  ClothState<Real> state_;
   GridSprings<Real> springs_;
   std::size_t threads_;
-  Arrays inverse_mass_, gravity_;  // by place; zero where fixed and in the margins
-  Arrays q_, v_;
 };
 
 extern template class ClothEngine<double>;

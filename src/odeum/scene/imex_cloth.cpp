@@ -30,68 +30,43 @@ ImexCloth<Real>::ImexCloth(const Scene& scene, std::size_t threads)
 
 template <class Real>
 ImexCloth<Real>::ImexCloth(const Scene& scene, const GridStructure& grid, std::size_t threads)
-    : layout_(grid.rows, grid.columns),
-      springs_(layout_, undamped(grid.kinds)),
-      dampers_(layout_, grid.kinds),
+    : state_(scene, grid),
+      springs_(state_.layout, undamped(grid.kinds)),
+      dampers_(state_.layout, grid.kinds),
       threads_(threads),
-      mass_(3 * layout_.size),
-      inverse_mass_(mass_),
-      gravity_(mass_),
-      damping_(mass_),
-      q_(mass_),
-      v_(mass_) {
+      damping_(3 * state_.layout.size) {
   if (threads == 0) throw std::invalid_argument("a cloth needs a thread to be stepped on");
-  std::vector<double> q, v, mass, inverse_mass, gravity;
-  for (const Particle& particle : scene.particles)
-    for (std::size_t d = 0; d < 3; ++d) {
-      q.push_back(particle.position[d]);
-      v.push_back(particle.velocity[d]);
-      mass.push_back(particle.fixed ? 0 : particle.mass);
-      inverse_mass.push_back(particle.fixed ? 0 : 1 / particle.mass);
-      gravity.push_back(particle.fixed ? 0 : scene.gravity[d]);
-    }
-  layout_.scatter(q.data(), q_.data());
-  layout_.scatter(v.data(), v_.data());
-  layout_.scatter(mass.data(), mass_.data());
-  layout_.scatter(inverse_mass.data(), inverse_mass_.data());
-  layout_.scatter(gravity.data(), gravity_.data());
   for (const SpringKind& kind : grid.kinds)
-    layout_.each_spring(kind, [&](std::size_t i) {
+    state_.layout.each_spring(kind, [&](std::size_t i) {
       for (std::size_t d = 0; d < 3; ++d)
-        for (const std::size_t end : {i, i + layout_.offset(kind)})
-          damping_[d * layout_.size + end] += static_cast<Real>(kind.damping);
+        for (const std::size_t end : {i, i + state_.layout.offset(kind)})
+          damping_[d * state_.layout.size + end] += static_cast<Real>(kind.damping);
     });
 }
 
 template <class Real>
-void ImexCloth<Real>::read(double* y) const {
-  layout_.gather(q_.data(), y);
-  layout_.gather(v_.data(), y + 3 * layout_.rows * layout_.columns);
-}
-
-template <class Real>
 void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
-  const std::size_t n = q_.size();
+  const std::size_t n = state_.q.size();
   Arrays acceleration(n), zero(n), residual(n), change[2] = {zero, zero}, damped(n), inverse(n);
   on_rows(
-      layout_.rows, threads_,
+      state_.layout.rows, threads_,
       [&](std::size_t begin, std::size_t end, const std::function<void()>& wait) {
-        Real *const q = q_.data(), *const v = v_.data(), *const a = acceleration.data();
+        Real *const q = state_.q.data(), *const v = state_.v.data(), *const a = acceleration.data();
         const auto each_row = [&](auto&& work) {
           for (std::size_t r = begin; r < end; ++r) work(r);
         };
         const auto accelerate = [&](std::size_t r) {
           springs_.forces(q, zero.data(), a, r, r + 1);
-          const Real *const m = inverse_mass_.data(), *const g = gravity_.data();
-          each(r, [=](std::size_t i) { a[i] = a[i] * m[i] + g[i]; });
+          const Real *const m = state_.inverse_mass.data(), *const g = state_.gravity.data();
+          state_.each(r, [=](std::size_t i) { a[i] = a[i] * m[i] + g[i]; });
         };
 
         // v += x with (M - step/2 D) x = step D v, by Chebyshev's iteration on the spectrum
         // [middle - half, middle + half] of Jacobi's matrix (Saad, algorithm 12.1).
         const auto damp = [&](double length) {
           const Real step = static_cast<Real>(length);
-          const Real *const m = mass_.data(), *const d = damping_.data(),
-                            *const free = inverse_mass_.data();
+          const Real *const m = state_.mass.data(), *const d = damping_.data(),
+                            *const free = state_.inverse_mass.data();
           Real *const r = residual.data(), *const w = damped.data(), *const inv = inverse.data();
           const double low = lowest_eigenvalue(length), middle = 1, half = 1 - low;
           const int rounds = chebyshev_rounds(low, 2 - low, relative);
@@ -99,7 +74,7 @@ void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
           each_row([&](std::size_t row) {
             dampers_.damping(v, r, row, row + 1);
             Real* const x = change[0].data();
-            each(row, [=](std::size_t i) {
+            state_.each(row, [=](std::size_t i) {
               inv[i] = free[i] != 0 ? 1 / (m[i] + step / 2 * d[i]) : 0;
               r[i] *= step;
               x[i] = inv[i] * r[i];
@@ -115,10 +90,10 @@ void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
                        add = static_cast<Real>(half > 0 ? 2 * factor / half : 0);
             const bool last = round + 1 == rounds;
             each_row([&](std::size_t row) {
-              each(row, [=](std::size_t i) { v[i] += x[i]; });
+              state_.each(row, [=](std::size_t i) { v[i] += x[i]; });
               if (last) return;
               dampers_.damping(x, w, row, row + 1);
-              each(row, [=](std::size_t i) {
+              state_.each(row, [=](std::size_t i) {
                 r[i] -= m[i] * x[i] - step / 2 * w[i];
                 next[i] = keep * x[i] + add * inv[i] * r[i];
               });
@@ -133,7 +108,7 @@ void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
         for (std::size_t k = 0; k < steps; ++k) {
           wait();  // for all who still read the positions
           each_row([&](std::size_t row) {
-            each(row, [=](std::size_t i) {
+            state_.each(row, [=](std::size_t i) {
               v[i] += half * a[i];
               q[i] += full * v[i];
             });
@@ -141,7 +116,7 @@ void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
           wait();
           each_row([&](std::size_t row) {
             accelerate(row);
-            each(row, [=](std::size_t i) { v[i] += half * a[i]; });
+            state_.each(row, [=](std::size_t i) { v[i] += half * a[i]; });
           });
           damp(k + 1 < steps ? h : h / 2);
         }
@@ -153,22 +128,12 @@ void ImexCloth<Real>::step(double h, std::size_t steps, double relative) {
 template <class Real>
 double ImexCloth<Real>::lowest_eigenvalue(double step) const {
   double low = 1;
-  for (std::size_t i = 0; i < layout_.size; ++i)
-    if (mass_[i] != 0) {
-      const auto m = static_cast<double>(mass_[i]);
+  for (std::size_t i = 0; i < state_.layout.size; ++i)
+    if (state_.mass[i] != 0) {
+      const auto m = static_cast<double>(state_.mass[i]);
       low = std::min(low, m / (m + step / 2 * static_cast<double>(damping_[i])));
     }
   return low;
-}
-
-template <class Real>
-template <class Update>
-void ImexCloth<Real>::each(std::size_t row, Update&& update) const {
-  for (std::size_t d = 0; d < 3; ++d) {
-    const std::size_t begin = d * layout_.size + layout_.row(row), end = begin + layout_.columns;
-#pragma GCC ivdep
-    for (std::size_t i = begin; i < end; ++i) update(i);
-  }
 }
 
 template class ImexCloth<double>;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "odeum/scene/spring_grid.hpp"
+#include "odeum/scene/cloth_state.hpp"
 
 namespace odeum::scene {
 
@@ -26,7 +26,7 @@ class ImexCloth {
   /// `steps` steps of h seconds; the error of each damping step falls to `relative` of it.
   void step(double h, std::size_t steps, double relative);
   /// All positions x y z (m), then all velocities (m/s): 6 numbers a particle.
-  void read(double* y) const;
+  void read(double* y) const { state_.read(y); }
 
  private:
   using Arrays = std::vector<Real>;  // three components of GridLayout
@@ -35,17 +35,12 @@ class ImexCloth {
 
   /// Of the damping step's matrix over its diagonal.
   double lowest_eigenvalue(double step) const;
-  /// Calls update(i) for every place of a row in each of the three components.
-  template <class Update>
-  void each(std::size_t row, Update&& update) const;
 
-  GridLayout layout_;
+  ClothState<Real> state_;
   GridSprings<Real> springs_;  // elastic, without dampers
   GridSprings<Real> dampers_;  // all of it, for its dampers
   std::size_t threads_ = 1;
-  Arrays mass_, inverse_mass_, gravity_;  // by place; zero where fixed and in the margins
-  Arrays damping_;                        // of each particle, the sum over its dampers
-  Arrays q_, v_;
+  Arrays damping_;  // of each particle, the sum over its dampers; by place
 };
 
 extern template class ImexCloth<double>;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "odeum/scene/cloth_state.hpp"
 #include "odeum/scene/grid_matrix.hpp"
 
 namespace odeum::scene {
@@ -25,7 +26,7 @@ class ImplicitCloth {
   /// right side. False where conjugate gradients do not end.
   bool step(double h, std::size_t steps, double relative);
   /// All positions x y z (m), then all velocities (m/s): 6 numbers a particle.
-  void read(double* y) const;
+  void read(double* y) const { state_.read(y); }
   /// Products with the matrix so far.
   std::uint64_t products() const { return matrix_.products(); }
 
@@ -34,11 +35,9 @@ class ImplicitCloth {
 
   ImplicitCloth(const Scene& scene, const GridStructure& grid);
 
-  GridLayout layout_;
+  ClothState<double> state_;
   GridSprings<double> springs_;
   GridMatrix matrix_;
-  Arrays mass_, gravity_;  // by place; gravity is a force, zero where fixed
-  Arrays q_, v_;
 };
 
 }  // namespace odeum::scene
