@@ -41,8 +41,7 @@ std::vector<Case> henon_heiles() {
   c.source = "Henon, Heiles, Astron. J. 69 (1964) 73";
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial", "smooth"};
   c.y0 = {0.1, 0, 0, 0.4};
-  c.stops = {1, 10};
-  c.steps_multiple = 10;
+  c.stops = {10};
   c.coarsest_steps = 40;
   c.finest_steps = 40960;
   c.timed_stops = {100};

@@ -55,33 +55,35 @@ constexpr const char* small_leading_term =
     "its leading error term is small: order 6 down to errors of 1e-9";
 constexpr const char* blind = "its embedded estimate sees no error on linear problems (findings)";
 constexpr const char* mean_step = "the mean step is no yardstick: steps vary with the tolerance";
-constexpr const char* cloth_window =
-    "slopes still move to the claim at the finest steps of the case (4.05 to 5.5)";
+// A thrown spring is shortest at t = 0.005 s, where its length has branch points 0.007 s off the
+// real axis: steps of 0.003 s and less see them, and errors of high order are near rounding there.
+constexpr const char* thrown =
+    "errors fall to 1e-13 before the steps resolve the throw, and to rounding soon after";
+constexpr const char* higher_to_rounding =
+    "its leading error term is small here: a higher order down to rounding";
 constexpr Exception exceptions[] = {
     {"rodas5p", "*", Mode::fixed, sixth_on_linear},
     {"rodas5p", "*", Mode::adaptive, sixth_on_linear},
     {"ros3p", "*", Mode::adaptive, blind},
-    {"bdf5", "kepler_e06", Mode::fixed, "stable at small steps only, whose slopes still rise"},
     {"bdf6", "lotka_volterra", Mode::fixed, "slopes still fall to 6 when errors meet rounding"},
-    {"tsitouras54", "damped_oscillator_critical", Mode::fixed, small_leading_term},
-    {"tsitouras54", "damped_oscillator_critical", Mode::adaptive, small_leading_term},
-    {"tsitouras54", "damped_oscillator_overdamped", Mode::adaptive, small_leading_term},
+    {"tsitouras54", "dahlquist_real", Mode::adaptive, small_leading_term},
     {"tsitouras54", "lotka_volterra", Mode::adaptive, small_leading_term},
     {"dormand_prince54", "kepler_e06", Mode::adaptive, small_leading_term},
-    {"dormand_prince54", "lotka_volterra", Mode::adaptive, small_leading_term},
     {"dormand_prince54_dead_band", "kepler_e06", Mode::adaptive, small_leading_term},
     {"dormand_prince54_dead_band", "lotka_volterra", Mode::adaptive, small_leading_term},
-    {"dormand_prince54_pi", "kepler_e06", Mode::adaptive, small_leading_term},
     {"gauss4", "lotka_volterra", Mode::adaptive, mean_step},
     {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, mean_step},
     {"sdirk4", "lotka_volterra", Mode::adaptive, mean_step},
-    {"radau_iia5", "damped_oscillator_critical", Mode::adaptive, mean_step},
     {"radau_iia5", "duffing_free", Mode::adaptive, mean_step},
-    {"seulex", "free_fall", Mode::fixed, "exact but for rounding, which extrapolation amplifies"},
-    {"bdf6", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"esdirk43", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"sdirk4", "cloth11_two_way", Mode::fixed, cloth_window},
-    {"tsitouras54", "cloth11_two_way", Mode::fixed, cloth_window},
+    {"dormand_prince853", "cloth11_two_way", Mode::fixed, thrown},
+    {"fehlberg78", "cloth11_two_way", Mode::fixed, thrown},
+    {"gragg_bulirsch_stoer", "cloth11_two_way", Mode::fixed, thrown},
+    {"verner98", "cloth11_two_way", Mode::fixed, thrown},
+    {"verner98", "duffing_free", Mode::fixed, higher_to_rounding},
+    {"verner98", "henon_heiles_regular", Mode::fixed, higher_to_rounding},
+    {"verner98", "rc_circuit", Mode::fixed, higher_to_rounding},
+    {"verner98", "damped_oscillator_overdamped", Mode::fixed,
+     "its error changes sign twice within a decade of rounding"},
 };
 
 const Exception* exception_for(const Pair& pair) {
@@ -114,16 +116,6 @@ TEST_P(Order, IsAsClaimed) {
     // Exact but for rounding: polynomials of low degree, linear problems for a propagator.
     EXPECT_TRUE(pair.case_id == "free_fall" || pair.method == "exponential_propagator");
     EXPECT_GE(pair.claimed, 2);
-    return;
-  }
-  if (pair.claimed > 6 && fit.verdict != study::Verdict::confirmed) {
-    // Few steps lie between the first that converges and rounding: slopes may not settle there.
-    // Neighbouring orders are told apart by the order conditions instead (tests/proof).
-    EXPECT_NE(fit.verdict, study::Verdict::floors);
-    EXPECT_NE(fit.verdict, study::Verdict::failed);
-    if (!std::isnan(fit.order)) {
-      EXPECT_NEAR(fit.order, pair.claimed, 1);
-    }
     return;
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15

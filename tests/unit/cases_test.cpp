@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "support/catalogue.hpp"
+#include "support/reference.hpp"
 
 namespace odeum {
 namespace {
@@ -238,6 +239,23 @@ bool spelt_out(const nlohmann::json& state) {
   });
 }
 
+/// Whether a case takes its truth from a longer version of a reference, which agrees with it.
+bool is_continued(const std::string& source, double digits) {
+  const std::string stem = source.substr(0, source.size() - std::string(".csv").size());
+  for (const Case& c : all_cases()) {
+    if (c.truth.source != stem + "_long.csv") continue;
+    const Truth shorter = cases::reference_truth(stem.substr(stem.rfind('/') + 1), digits);
+    for (const double t : c.stops) {
+      std::vector<double> y(c.y0.size()), expected(c.y0.size());
+      EXPECT_TRUE(c.truth.at(t, y.data()));
+      EXPECT_TRUE(shorter.at(t, expected.data()));
+      for (const std::size_t i : c.measured) EXPECT_NEAR(y[i], expected[i], digits) << t;
+    }
+    return true;
+  }
+  return false;
+}
+
 /// Every reference is the truth of a case, which starts where the reference starts and claims no
 /// more digits than the index grants.
 TEST(Reference, IsTheTruthOfACase) {
@@ -247,8 +265,11 @@ TEST(Reference, IsTheTruthOfACase) {
     const Case* found = nullptr;
     for (const Case& c : all_cases())
       if (c.truth.source == source) found = &c;
-    // The damped oscillators of other parameters have closed forms of their own.
-    ASSERT_NE(found, nullptr) << name << " is no case";
+    if (!found) {
+      const auto digits = entry["correct_digits"].get<int>();
+      EXPECT_TRUE(is_continued(source, std::pow(10.0, -digits))) << name << " is no case";
+      continue;
+    }
     const auto& state = entry["initial_state"];
     if (state.size() != found->y0.size() || !spelt_out(state)) continue;
     const double e = entry["parameters"].contains("e")

@@ -78,13 +78,41 @@ TEST(OrderFit, TheSameStepsTwiceAreOnePoint) {
   EXPECT_EQ(fit_fixed(exact, 3).verdict, Verdict::higher);
 }
 
-// The error constant of one step size and the next nearly cancel: slopes reach the order late.
-TEST(OrderFit, SlopesThatStillMoveAreFollowedToZero) {
-  const auto points =
-      ladder(1.26, 20, [](double h) { return std::abs(1e-4 * std::pow(h, 5) * (1 - 3.2 * h)); });
-  const OrderFit fit = fit_fixed(points, 5);
+// The first two terms of the error nearly cancel: slopes reach the order late.
+TEST(OrderFit, SlopesThatStillMoveAreExplainedByTheNextTerm) {
+  const auto near_cancellation = [](double h) {
+    return std::abs(1e-4 * std::pow(h, 5) * (1 - 3.2 * h));
+  };
+  const OrderFit fit = fit_fixed(ladder(1.26, 10, near_cancellation), 5);
   EXPECT_EQ(fit.verdict, Verdict::confirmed);
-  EXPECT_NEAR(fit.order, 5, 0.15);  // the next term, (3.2 h)^2, is 3 % at the window's middle
+  EXPECT_NEAR(fit.order, 5, 0.02);  // the error has two terms, and the fit both
+  // That is no licence to see another order in it.
+  EXPECT_EQ(fit_fixed(ladder(1.26, 10, near_cancellation), 6).verdict, Verdict::lower);
+  EXPECT_EQ(fit_fixed(ladder(1.26, 10, near_cancellation), 4).verdict, Verdict::higher);
+}
+
+// A term of lower order that takes over is not a next term.
+TEST(OrderFit, ALowerOrderThatTakesOverIsNotExplainedAway) {
+  const auto spoilt = [](double h) { return std::pow(h, 5) + 0.02 * std::pow(h, 3); };
+  EXPECT_EQ(fit_fixed(ladder(1.26, 20, spoilt), 5).verdict, Verdict::lower);
+}
+
+// Where a run shows how much rounding there is, errors between that and the usual estimate count.
+TEST(OrderFit, RoundingIsReadOffTheRunWhereItShows) {
+  const auto decayed = [](double h) { return std::max(1e-9 * std::pow(h, 9), 1e-19 / h); };
+  const auto points = ladder(1.26, 20, decayed);  // the usual estimate of rounding: some 1e-15
+  EXPECT_EQ(fit_fixed(points, 9).verdict, Verdict::confirmed);
+  // Without the points that show it: too few are clear of what it may be.
+  const std::vector<ErrorPoint> coarse(points.begin(), points.begin() + 6);
+  EXPECT_EQ(fit_fixed(coarse, 9).verdict, Verdict::undetermined);
+}
+
+// Four neighbours that agree by chance say nothing of an order: a window has a width.
+TEST(OrderFit, AWindowSpansSteps) {
+  const auto points = ladder(1.05, 4, [](double h) { return std::pow(h, 4); });
+  EXPECT_NE(fit_fixed(points, 4).verdict, Verdict::confirmed);
+  const auto wide = ladder(1.05, 8, [](double h) { return std::pow(h, 4); });
+  EXPECT_EQ(fit_fixed(wide, 4).verdict, Verdict::confirmed);
 }
 
 TEST(OrderFit, AScatterThatLeavesTheClaimOpenIsNotLower) {

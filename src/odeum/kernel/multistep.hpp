@@ -97,7 +97,8 @@ class Adams {
 };
 
 /// Backward differences of order K at a fixed step, by Newton's method from the polynomial through
-/// the last K states.
+/// the last K states. Both are summed from the newest state and the differences of neighbours,
+/// which are small and exact, so that rounding does not grow by the size of the alphas.
 template <std::size_t K, Ode P, class OneStep>
 class BackwardDifferences {
  public:
@@ -114,12 +115,13 @@ class BackwardDifferences {
     if (!states_.full()) return starting_.advance(t, h, y);
     for (std::size_t n = 0; n < y.size(); ++n) {
       double sum = 0, guess = 0;
-      for (std::size_t i = 0; i < K; ++i) {
-        sum -= formula.alpha[i + 1] * states_[i][n];
-        guess += extrapolation[i] * states_[i][n];
+      for (std::size_t i = K - 1; i-- > 0;) {
+        const double difference = states_[i][n] - states_[i + 1][n];
+        sum += base_weights[i] * difference;
+        guess += guess_weights[i] * difference;
       }
-      base_[n] = sum / formula.alpha[0];
-      y[n] = guess;
+      base_[n] = states_[0][n] + sum;
+      y[n] = states_[0][n] + guess;
     }
     return newton_.solve(t + h, h / formula.alpha[0], base_, y);
   }
@@ -127,15 +129,31 @@ class BackwardDifferences {
  private:
   static constexpr auto formula = backward_difference_coefficients<K>();
   static_assert(multistep_proven(formula, K));
+  /// Weights of K values that sum to one, as weights of the newest one and of the differences
+  /// between neighbours.
+  static constexpr auto by_differences(const std::array<double, K>& weights) {
+    std::array<double, K> result{};
+    double older = 0;
+    for (std::size_t i = K; i-- > 1;) {
+      older += weights[i];
+      result[i - 1] = -older;
+    }
+    return result;
+  }
+  static constexpr auto base_weights = [] {
+    std::array<double, K> weights{};
+    for (std::size_t i = 0; i < K; ++i) weights[i] = -formula.alpha[i + 1] / formula.alpha[0];
+    return by_differences(weights);
+  }();
   /// The polynomial through K values, one step beyond: signed binomials.
-  static constexpr std::array<double, K> extrapolation = [] {
-    std::array<double, K> e{};
+  static constexpr auto guess_weights = [] {
+    std::array<double, K> weights{};
     double binomial = K;
     for (std::size_t i = 0; i < K; ++i) {
-      e[i] = binomial;
+      weights[i] = binomial;
       binomial *= -static_cast<double>(K - i - 1) / static_cast<double>(i + 2);
     }
-    return e;
+    return by_differences(weights);
   }();
 
   Newton<P> newton_;

@@ -80,56 +80,124 @@ PairResult not_applicable(const Pair& pair) {
   return result;
 }
 
-PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
-  if (!reason_against(pair).empty()) return not_applicable(pair);
-  PairResult result;
-  std::vector<ErrorPoint> points;
-  int at_floor = 0;
-  std::vector<Cost> costs;
-  for (const Request& request : convergence_settings(pair, quick)) {
-    const double foreseen = foreseen_work(costs, request);
+/// The runs of one pair, as they come in.
+class PairRuns {
+ public:
+  PairRuns(const Pair& pair, const Judge& judge) : pair_(pair), judge_(judge) {}
+
+  /// Runs from coarse to fine, until rounding alone is left to see.
+  void climb(const std::vector<Request>& requests) {
+    int at_floor = 0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Request& request : requests) {
+      runs_.push_back(measure(request, run_unless_over_budget(request)));
+      const ErrorPoint& point = runs_.back().point;
+      const bool falls = point.error < 0.5 * smallest;
+      at_floor = point.error <= point.typical_rounding() && !falls ? at_floor + 1 : 0;
+      if (std::isfinite(point.error)) smallest = std::min(smallest, point.error);
+      // Eight settings are on record, finer ones would only repeat it.
+      if (at_floor >= 3 && runs_.size() >= 8) break;
+    }
+  }
+
+  /// Runs more, if the order is still open.
+  void look_again(const Request& like) {
+    const Verdict verdict = fit().verdict;
+    if (verdict != Verdict::undetermined && verdict != Verdict::lower && verdict != Verdict::higher)
+      return;
+    std::vector<std::uint64_t> telling;  // solved, down to the smallest error
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Run& run : runs_) smallest = std::fmin(smallest, run.point.error);
+    for (const Run& run : runs_) {
+      if (std::isfinite(run.point.error)) telling.push_back(run.row.steps);
+      if (run.point.error == smallest) break;
+    }
+    const bool to_rounding = runs_.back().point.error <= runs_.back().point.typical_rounding();
+    for (const Request& request : second_look(pair_, like, telling, to_rounding)) {
+      std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
+      runs_.push_back(measure(request, pair_.entrant->solve(request)));
+    }
+    std::stable_sort(runs_.begin(), runs_.end(),
+                     [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
+  }
+
+  OrderFit fit() const {
+    std::vector<ErrorPoint> points;
+    for (const Run& run : runs_) points.push_back(run.point);
+    const double claimed = claimed_order(pair_);
+    OrderFit fit = fit_order(
+        points, claimed,
+        pair_.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
+    if (fit.verdict == Verdict::failed)
+      fit.reason += ": " + runs_.back().row.status + ", " + runs_.back().row.detail;
+    return fit;
+  }
+
+  PairResult result() && {
+    PairResult result;
+    result.order.fit = fit();
+    for (Run& run : runs_) {
+      result.rows.push_back(std::move(run.row));
+      std::move(run.times.begin(), run.times.end(), std::back_inserter(result.times));
+    }
+    return result;
+  }
+
+ private:
+  struct Run {
+    ConvergenceRow row;
+    std::vector<TimeRow> times;
+    ErrorPoint point;
+  };
+
+  Outcome run_unless_over_budget(const Request& request) {
     Outcome outcome;
-    if (!result.rows.empty() && result.rows.back().status == to_string(Status::over_budget)) {
-      outcome.status = Status::over_budget;
+    outcome.status = Status::over_budget;
+    if (!runs_.empty() && runs_.back().row.status == to_string(Status::over_budget))
       outcome.detail = "not run: a coarser setting was over budget already";
-    } else if (foreseen > static_cast<double>(request.budget.evaluations)) {
-      outcome.status = Status::over_budget;
+    else if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations))
       outcome.detail = fmt::format(
           "not run: coarser settings say that it takes more than {} evaluations and products",
           request.budget.evaluations);
-    } else {
-      outcome = pair.entrant->solve(request);
-    }
+    else
+      outcome = pair_.entrant->solve(request);
     if (outcome.status == Status::ok)
-      costs.push_back(
-          {pair.mode == Mode::fixed ? static_cast<double>(request.steps) : 1 / request.tolerance,
+      costs_.push_back(
+          {pair_.mode == Mode::fixed ? static_cast<double>(request.steps) : 1 / request.tolerance,
            static_cast<double>(outcome.counters.work)});
-    ConvergenceRow row = make_row(pair, request, outcome);
-    ErrorPoint point{.step = row.step, .error = nan};
-    if (outcome.status == Status::ok) {
-      const std::vector<StopError> errors = judge.errors(outcome);
-      judge_row(errors, row);
-      for (const StopError& e : errors)
-        result.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
-                                e.error_max, e.error_rms, e.energy, e.energy_error});
-      point.error = row.error_max;
-      point.rounding_unit = judge.rounding_unit();
-      point.floor = pair.c->truth.floor;
-      point.steps = static_cast<double>(row.steps);
-      at_floor = point.error <= point.typical_rounding() ? at_floor + 1 : 0;
-    }
-    points.push_back(point);
-    result.rows.push_back(std::move(row));
-    // Rounding alone is left to see: eight settings are on record, finer ones would only repeat it.
-    if (at_floor >= 3 && result.rows.size() >= 8) break;
+    return outcome;
   }
-  const double claimed = claimed_order(pair);
-  result.order.fit = fit_order(
-      points, claimed,
-      pair.mode == Mode::fixed ? fixed_step_tolerance(claimed) : adaptive_tolerance(claimed));
-  if (result.order.fit.verdict == Verdict::failed)
-    result.order.fit.reason += ": " + result.rows.back().status + ", " + result.rows.back().detail;
-  return result;
+
+  Run measure(const Request& request, const Outcome& outcome) const {
+    Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
+    ConvergenceRow& row = run.row;
+    run.point = {.step = row.step, .error = nan};
+    if (outcome.status != Status::ok) return run;
+    const std::vector<StopError> errors = judge_.errors(outcome);
+    judge_row(errors, row);
+    for (const StopError& e : errors)
+      run.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
+                           e.error_max, e.error_rms, e.energy, e.energy_error});
+    run.point.error = row.error_max;
+    run.point.rounding_unit = judge_.rounding_unit();
+    run.point.floor = pair_.c->truth.floor;
+    run.point.steps = static_cast<double>(row.steps);
+    return run;
+  }
+
+  const Pair& pair_;
+  const Judge& judge_;
+  std::vector<Run> runs_;
+  std::vector<Cost> costs_;
+};
+
+PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
+  if (!reason_against(pair).empty()) return not_applicable(pair);
+  PairRuns runs(pair, judge);
+  const std::vector<Request> requests = convergence_settings(pair, quick);
+  runs.climb(requests);
+  if (!quick && pair.mode == Mode::fixed) runs.look_again(requests.front());
+  return std::move(runs).result();
 }
 
 // Who a row is of does not stand in the record: the pair says it.

@@ -4,28 +4,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
+
+#include "odeum/study/student.hpp"
+#include "odeum/study/two_term_fit.hpp"
 
 namespace odeum::study {
 namespace {
 
 constexpr std::size_t fewest_points = 4;
-constexpr double clear_of_rounding = 30;  // rounding then bends a local slope by 0.05 at most
+constexpr double shortest_span = 1.35;  // of the steps in a window
+// Errors this many times rounding are clear of it: of what rounding comes to as a rule, and of what
+// it came to in this very run. Below the latter it bends the local slope of a high order, whose
+// steps lie 1.26 apart, by as much as the slopes may differ.
+constexpr double clear_of_typical = 30, clear_of_seen = 10;
 
 /// A straight line through (log step, log error), by least squares.
 struct Line {
   double slope = 0;
   double half_width = 0;  ///< of the slope's 95 % interval
 };
-
-// Student's t, 97.5 %, for 1, 2, ... degrees of freedom; 1.96 for many.
-double student_t(std::size_t freedom) {
-  constexpr std::array<double, 14> table{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
-                                         2.306,  2.262, 2.228, 2.201, 2.179, 2.160, 2.145};
-  return freedom <= table.size() ? table[freedom - 1] : 2.1;
-}
 
 Line fit_line(const ErrorPoint* points, std::size_t n) {
   double mean_x = 0, mean_y = 0;
@@ -57,13 +55,16 @@ struct Window {
   std::size_t first = 0, count = 0;
 };
 
-// The four finest points whose local slopes agree, then coarser ones as long as their slopes agree
-// with those four. High orders settle later, so their slopes may differ by more among the four.
-// Errors that grow as the step shrinks are no convergence, however well their slopes agree.
+// The finest four points or more whose local slopes agree, far enough apart, then coarser ones as
+// long as their slopes agree with those four. High orders settle later, so their slopes may differ
+// by more among the four. Errors that grow as the step shrinks are no convergence, however well
+// their slopes agree.
 Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
   const double among_finest = settled * std::max(1.0, claimed_order / 2);
   for (std::size_t end = points.size(); end >= fewest_points; --end) {
     std::size_t first = end - fewest_points;
+    while (first > 0 && points[first].step < shortest_span * points[end - 1].step) --first;
+    if (points[first].step < shortest_span * points[end - 1].step) break;
     double sum = 0, low = 1e300, high = -1e300;
     for (std::size_t i = first; i + 1 < end; ++i) {
       const double slope = local_slope(points[i], points[i + 1]);
@@ -71,7 +72,7 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
       low = std::min(low, slope);
       high = std::max(high, slope);
     }
-    const double mean = sum / static_cast<double>(fewest_points - 1);
+    const double mean = sum / static_cast<double>(end - 1 - first);
     if (low <= 0 || high - mean > among_finest || mean - low > among_finest) continue;
     while (first > 0 && std::abs(local_slope(points[first - 1], points[first]) - mean) <= settled)
       --first;
@@ -80,27 +81,37 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
   return {};
 }
 
-// Where the local slopes of a window still move towards the claim from step to step, the slope that
-// they come to at h = 0: the error is C h^p (1 + D h + ...), so slopes are p + D h to first order.
-// NaN where there is no such trend.
-double slope_at_zero(const ErrorPoint* points, std::size_t n, double claimed_order) {
-  std::vector<double> h, slope;
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    h.push_back(std::sqrt(points[i].step * points[i + 1].step));
-    slope.push_back(local_slope(points[i], points[i + 1]));
-    const double last = i == 0 ? 0 : std::abs(slope[i - 1] - claimed_order);
-    if (i > 0 && std::abs(slope[i] - claimed_order) >= last) return OrderFit::nan;
+/// Rounding as a run shows it, where its finest points only scatter.
+class SeenRounding {
+ public:
+  SeenRounding(const std::vector<ErrorPoint>& points, double claimed_order) {
+    // As far back as errors rise above the finer ones by less than half an order's worth.
+    if (points.empty()) return;
+    std::size_t first = points.size() - 1;
+    for (double finer = points[first].error; first > 0; --first) {
+      const ErrorPoint& coarser = points[first - 1];
+      const double ratio = coarser.step / points[first].step;
+      if (coarser.error > finer * std::pow(ratio, claimed_order / 2)) break;
+      finer = std::max(finer, coarser.error);
+    }
+    if (first + 3 > points.size()) return;
+    double per_root = 0;
+    for (std::size_t i = first; i < points.size(); ++i) {
+      if (points[i].error > clear_of_typical * points[i].typical_rounding()) return;  // a floor
+      per_root = std::max(per_root, points[i].error / std::sqrt(points[i].steps));
+    }
+    per_root_of_steps_ = per_root;
   }
-  const auto m = static_cast<double>(h.size());
-  const double mean_h = std::accumulate(h.begin(), h.end(), 0.0) / m;
-  const double mean_slope = std::accumulate(slope.begin(), slope.end(), 0.0) / m;
-  double hh = 0, hs = 0;
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    hh += (h[i] - mean_h) * (h[i] - mean_h);
-    hs += (h[i] - mean_h) * (slope[i] - mean_slope);
+  /// The error that `point` is clear of rounding above.
+  double limit(const ErrorPoint& point) const {
+    const double typical = clear_of_typical * point.typical_rounding();
+    const double seen = clear_of_seen * per_root_of_steps_ * std::sqrt(point.steps);
+    return std::min(typical, std::max(seen, clear_of_typical * point.floor));
   }
-  return mean_slope - hs / hh * mean_h;
-}
+
+ private:
+  double per_root_of_steps_ = 1e300;  ///< rounding grows as the root of the number of steps
+};
 
 // Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
 void merge_same_steps(std::vector<ErrorPoint>& points) {
@@ -156,9 +167,9 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   if (solved.empty()) return conclude(fit, Verdict::failed, "no step size could be solved");
 
   // A method that is exact on the case shows rounding only, which may grow with every step, and
-  // for recurrences of second differences with its square.
+  // for recurrences of second differences with its square; extrapolation weighs it by some tens.
   const auto rounding_only = [](const ErrorPoint& p) {
-    return p.error <= p.rounding_unit * (8 + p.steps) * std::max(1.0, p.steps);
+    return p.error <= 16 * p.rounding_unit * (8 + p.steps) * std::max(1.0, p.steps);
   };
   if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), rounding_only)) {
     double largest = 0;
@@ -177,9 +188,8 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   // The fine end: points that rounding may have a part in, then points that no longer fall. An
   // error that stops falling well above rounding is a finding, not an end of the window.
   std::vector<ErrorPoint> usable = solved;
-  while (!usable.empty() &&
-         usable.back().error <= clear_of_rounding * usable.back().typical_rounding())
-    usable.pop_back();
+  const SeenRounding rounding(solved, std::isnan(claimed_order) ? 1 : claimed_order);
+  while (!usable.empty() && usable.back().error <= rounding.limit(usable.back())) usable.pop_back();
   const auto stagnates = [&] {
     const std::size_t n = usable.size();
     return n >= 2 &&
@@ -212,7 +222,27 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   if (stagnant >= 3)
     return conclude(fit, Verdict::floors,
                     fmt::format("stops converging at an error of {:.1e}", fit.floor));
-  if (!window.count) {
+  const bool settled = window.count > 0;
+  if (settled && std::abs(fit.order - claimed_order) <= tolerance.order)
+    return conclude(fit, Verdict::confirmed, "");
+  // Slopes that still move, or settle elsewhere than they will: the next term of the error.
+  const TwoTermFit two = fit_two_terms(usable);
+  if (two.points > 0 && two.half_width <= tolerance.order &&
+      std::abs(two.order - claimed_order) <= tolerance.order) {
+    std::string reason = fmt::format(
+        "local slopes still move, {:.2f} at the finest steps; by the error's first two terms, C "
+        "h^p "
+        "(1 + D h), p is {:.2f}",
+        local_slope(usable[usable.size() - 2], usable.back()), two.order);
+    fit.order = two.order;
+    fit.low = two.order - two.half_width;
+    fit.high = two.order + two.half_width;
+    fit.points = two.points;
+    fit.step_coarsest = usable[two.first].step;
+    fit.step_finest = usable[two.first + two.points - 1].step;
+    return conclude(fit, Verdict::confirmed, std::move(reason));
+  }
+  if (!settled) {
     if (usable.size() < fewest_points)
       return conclude(
           fit, Verdict::undetermined,
@@ -222,20 +252,6 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
     return conclude(fit, Verdict::undetermined,
                     fmt::format("local slopes do not settle: {:.2f} at the finest steps",
                                 local_slope(usable[usable.size() - 2], usable.back())));
-  }
-  if (std::abs(fit.order - claimed_order) <= tolerance.order)
-    return conclude(fit, Verdict::confirmed, "");
-  const ErrorPoint* const first = usable.data() + window.first;
-  const double at_zero = slope_at_zero(first, window.count, claimed_order);
-  if (std::abs(at_zero - claimed_order) <= tolerance.order) {
-    fit.order = at_zero;
-    fit.low = fit.high = OrderFit::nan;
-    return conclude(
-        fit, Verdict::confirmed,
-        fmt::format("local slopes still move, from {:.2f} to {:.2f}, and come to {:.2f} "
-                    "at h = 0",
-                    local_slope(first[0], first[1]),
-                    local_slope(first[window.count - 2], first[window.count - 1]), at_zero));
   }
   // Slopes that scatter widely deny a claim as little as they confirm it.
   const bool wide = fit.high - fit.low > claimed_order / 2;

@@ -54,9 +54,11 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 }
 
 /// Fits the order of points sorted from coarse to fine. The window is found, never chosen by hand:
-/// its fine end is where errors meet rounding or stop falling, its coarse end where the local
-/// slopes settle. A verdict of confirmed needs at least four points in the window. A claimed order
-/// of NaN gives not_applicable with the measured slope.
+/// its fine end is where errors meet rounding (what it comes to as a rule, or in this very run
+/// where that shows) or stop falling, its coarse end where the local slopes settle. A verdict of
+/// confirmed needs at least four points in the window, or six that lie on the error's first two
+/// terms, see two_term_fit.hpp. A claimed order of NaN gives not_applicable with the measured
+/// slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);
 

@@ -17,8 +17,8 @@ constexpr std::uint64_t hard_budget = 10'000;
 std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
-  const int count = p <= 2 ? 11 : p <= 4 ? 16 : 20;
-  const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : 2);
+  const int count = p <= 2 ? 11 : p <= 4 ? 16 : p < 8 ? 20 : 23;
+  const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : p < 8 ? 2 : 4);
   std::vector<std::uint64_t> ladder;
   for (int k = 0; k < count; ++k) {
     const double wanted = start * std::pow(ratio, k);
@@ -60,6 +60,53 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     }
   }
   return requests;
+}
+
+namespace {
+
+// Three numbers of steps between each neighbouring two.
+std::vector<Request> settings_between(const Case& c, Request request,
+                                      const std::vector<std::uint64_t>& steps) {
+  std::vector<Request> requests;
+  const auto multiple = static_cast<double>(c.steps_multiple);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const auto coarse = static_cast<double>(steps[i]), fine = static_cast<double>(steps[i + 1]);
+    request.steps = steps[i];
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double wanted = coarse * std::pow(fine / coarse, share);
+      const auto between =
+          c.steps_multiple * static_cast<std::uint64_t>(std::llround(wanted / multiple));
+      if (between <= request.steps || between >= steps[i + 1]) continue;
+      request.steps = between;
+      requests.push_back(request);
+    }
+  }
+  return requests;
+}
+
+// Finer ones, at a larger budget.
+std::vector<Request> settings_beyond(const Case& c, Request request) {
+  std::vector<Request> requests;
+  const auto units = static_cast<double>(request.steps) / static_cast<double>(c.steps_multiple);
+  request.budget.evaluations *= 4;
+  for (int k = 1; k <= 4; ++k) {
+    request.steps =
+        c.steps_multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
+    requests.push_back(request);
+  }
+  return requests;
+}
+
+}  // namespace
+
+std::vector<Request> second_look(const Pair& pair, const Request& like,
+                                 const std::vector<std::uint64_t>& telling, bool to_rounding) {
+  if (pair.mode != Mode::fixed || !pair.c->has_tag("smooth") || telling.empty()) return {};
+  if (pair.c->y0.size() <= dense_dimension_limit) return settings_between(*pair.c, like, telling);
+  if (to_rounding) return {};
+  Request finest = like;
+  finest.steps = telling.back();
+  return settings_beyond(*pair.c, finest);
 }
 
 // At a fixed step work grows in proportion to the steps; to a tolerance as it did last. Linear

@@ -18,6 +18,13 @@ struct Pair {
 /// or tolerances from 1e-3 on.
 std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
+/// Where to look again at a pair whose order stays open, if orders are seen on its case: between
+/// the numbers of steps that were telling, or on a large problem, where a short ladder was
+/// affordable, beyond them unless that was `to_rounding`. All else as in `like`, one of its
+/// settings.
+std::vector<Request> second_look(const Pair& pair, const Request& like,
+                                 const std::vector<std::uint64_t>& telling, bool to_rounding);
+
 /// What a solve cost, in the units of a budget.
 struct Cost {
   double setting;  ///< number of steps, or 1 / tolerance
