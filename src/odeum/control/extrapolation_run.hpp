@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/extrapolation.hpp"
 
 namespace odeum {
@@ -18,22 +19,21 @@ template <int Lines>
 class OrderAndStepControl {
  public:
   explicit OrderAndStepControl(double tolerance)
-      : wanted_(within(static_cast<int>(0.5 - 0.6 * std::log10(tolerance)))) {
-    work_[0] = 1 + extrapolation_substeps(0);
-    for (int j = 1; j < Lines; ++j) work_[at(j)] = work_[at(j - 1)] + extrapolation_substeps(j);
-  }
+      : wanted_(within(static_cast<int>(0.5 - 0.6 * std::log10(tolerance)))) {}
   int wanted() const { return wanted_; }
 
   /// Goes through the lines from 1 on: `error_of(line)` computes one and returns its scaled error.
-  /// Afterwards `line()` is the last one computed.
+  /// Afterwards `line()` is the last one computed. The errors of lines far before the wanted one
+  /// decide nothing, and are not looked at.
   template <class ErrorOf>
   Decision attempt(double h, ErrorOf&& error_of) {
     for (line_ = 1;; ++line_) {
       const double error = error_of(line_);
       if (!std::isfinite(error)) return {false, h / 4};
+      if (!looks_at(line_)) continue;
       // The error of line j goes as h^(2 j + 1); (9.16) and the bounds of ODEX.
-      const double power = 2 * line_ + 1, least = std::pow(0.02, 1 / power);
-      const double factor = 0.94 * std::pow(0.65 / std::max(error, 1e-16), 1 / power);
+      const double least = least_factor[at(line_)];
+      const double factor = 0.94 * quick_power(0.65 / std::max(error, 1e-16), 1. / (2 * line_ + 1));
       step_[at(line_)] = h * std::clamp(factor, least / 4, 1 / least);
       if (line_ < wanted_ - 1) continue;
       if (error <= 1) return accept(h);
@@ -41,19 +41,20 @@ class OrderAndStepControl {
     }
   }
   int line() const { return line_; }
+  bool looks_at(int line) const { return line >= wanted_ - 2; }
 
  private:
   static constexpr std::size_t at(int line) { return static_cast<std::size_t>(line); }
   static int within(int line) { return std::clamp(line, 2, Lines - 2); }
   /// W_j < 0.9 W_k. Line 0 has no error estimate, and nothing to say.
   bool cheaper(int j, int k) const {
-    return j >= 1 && work_[at(j)] / step_[at(j)] < 0.9 * work_[at(k)] / step_[at(k)];
+    return j >= 1 && work[at(j)] / step_[at(j)] < 0.9 * work[at(k)] / step_[at(k)];
   }
   /// An error above it is not brought below 1 by the lines up to k + 1, of which each divides it
   /// by about (n_j / n_0)^2.
   double monitor() const {
     double product = 1;
-    for (int j = line_ + 1; j <= wanted_ + 1; ++j) product *= std::pow(j + 1, 2);
+    for (int j = line_ + 1; j <= wanted_ + 1; ++j) product *= (j + 1) * (j + 1);
     return product;
   }
   /// The line to want next, after the last one computed was accepted or the step given up at it.
@@ -65,7 +66,7 @@ class OrderAndStepControl {
     return cheaper(k + 1, best) ? k + 1 : best;
   }
   double step_for(int line) const {
-    return line <= line_ ? step_[at(line)] : step_[at(line_)] * work_[at(line)] / work_[at(line_)];
+    return line <= line_ ? step_[at(line)] : step_[at(line_)] * work[at(line)] / work[at(line_)];
   }
   Decision accept(double h) {
     // In the step after a rejected one neither order nor step grows.
@@ -82,7 +83,18 @@ class OrderAndStepControl {
   }
 
   int wanted_, line_ = 0;
-  std::array<double, Lines> work_{}, step_{};
+  /// Evaluations up to each line.
+  static constexpr std::array<double, Lines> work = [] {
+    std::array<double, Lines> sum{1.0 + extrapolation_substeps(0)};
+    for (int j = 1; j < Lines; ++j) sum[at(j)] = sum[at(j - 1)] + extrapolation_substeps(j);
+    return sum;
+  }();
+  inline static const std::array<double, Lines> least_factor = [] {
+    std::array<double, Lines> least{};
+    for (int j = 0; j < Lines; ++j) least[at(j)] = std::pow(0.02, 1. / (2 * j + 1));
+    return least;
+  }();
+  std::array<double, Lines> step_{};
   bool rejected_ = false;
 };
 
@@ -98,12 +110,16 @@ Outcome run_extrapolation(const Guarded<P>& problem, double t0, const State<P>& 
   bool repeated = false;
   const auto trial = [&](double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
     if (repeated)
-      table.begin_again(h);
+      table.begin_again(h, control.wanted());
     else
-      table.begin(t, h, y);
+      table.begin(t, h, y, control.wanted());
     table.add_line(0);
     decision = control.attempt(h, [&](int line) {
       if (problem.tripped()) return std::numeric_limits<double>::infinity();
+      if (!control.looks_at(line)) {
+        table.add_line(line);
+        return 0.0;
+      }
       table.add_line(line, &difference);
       return scaled_error_norm(difference, y, table.best(line), request.tolerance);
     });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <cmath>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/quick_power.hpp"
 
 namespace odeum {
 
@@ -18,11 +18,11 @@ class PredictiveController {
 
   Decision decide(double h, double error) {
     const double bounded = std::max(error, 1e-10);
-    double factor = safety * std::pow(bounded, -exponent_);
+    double factor = safety * quick_power(bounded, -exponent_);
     if (error <= 1) {
       if (last_error_ > 0) {
         const double predicted =
-            safety * (h / last_step_) * std::pow(last_error_ / (bounded * bounded), exponent_);
+            safety * (h / last_step_) * quick_power(last_error_ / (bounded * bounded), exponent_);
         factor = std::min(factor, predicted);
       }
       last_step_ = h;

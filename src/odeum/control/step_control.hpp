@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/method.hpp"
 
 /// How the next step follows from the scaled error of the last one. With q the lower order of the
@@ -17,7 +17,7 @@ class IntegralControl {
   static constexpr const char* name = "embedded pair, integral control";
   explicit IntegralControl(int lower_order) : power_(lower_order + 1) {}
   Decision operator()(double h, double error) const {
-    return {error <= 1, h * factor(0.9 * std::pow(std::max(error, 1e-10), -1 / power_))};
+    return {error <= 1, h * factor(0.9 * quick_power(std::max(error, 1e-10), -1 / power_))};
   }
   static double factor(double wanted) { return std::clamp(wanted, 0.2, 5.0); }
 
@@ -37,10 +37,10 @@ class ProportionalIntegralControl {
     error = std::max(error, 1e-10);
     if (error > 1) {
       rejected_ = true;
-      return {false, h * IntegralControl::factor(0.9 * std::pow(error, -1 / power_))};
+      return {false, h * IntegralControl::factor(0.9 * quick_power(error, -1 / power_))};
     }
     const double damped =
-        0.9 * std::pow(error, -0.7 / power_) * std::pow(last_error_, 0.4 / power_);
+        0.9 * quick_power(error, -0.7 / power_) * quick_power(last_error_, 0.4 / power_);
     const double wanted = IntegralControl::factor(damped);
     last_error_ = std::max(error, 1e-4);  // one lucky step does not brake the next
     return {true, h * (std::exchange(rejected_, false) ? std::min(wanted, 1.0) : wanted)};

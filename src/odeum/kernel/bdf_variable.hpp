@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/quick_power.hpp"
+#include "odeum/kernel/difference_history.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
 namespace odeum {
@@ -23,9 +25,9 @@ class VariableBdf {
         request_(request),
         tolerance_(request.tolerance / 20),
         system_(problem),
-        t_(t0) {
+        t_(t0),
+        difference_(problem) {
     for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
-    difference_.fill(y_);
     h_ = initial_step(problem, t0, y0, request.stops.back(), 1, tolerance_);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
@@ -59,7 +61,7 @@ class VariableBdf {
       if (last)
         y_ = difference_[0];
       else
-        interpolate(stop);
+        difference_.interpolate(stop, t_, h_, static_cast<std::size_t>(order_), y_);
       outcome.record(stop, y_.data(), y_.size());
     }
     return outcome;
@@ -102,18 +104,14 @@ class VariableBdf {
     const double safety = 0.9 * (2.0 * max_iterations + 1) / (2.0 * max_iterations + iterations);
     const double error = std::abs(error_constant(order_)) * norm(d_);
     if (!(error <= 1)) {
-      rescale(std::isfinite(error) ? std::max(0.2, safety * std::pow(error, -1.0 / (order_ + 1)))
+      rescale(std::isfinite(error) ? std::max(0.2, safety * quick_power(error, -1.0 / (order_ + 1)))
                                    : 0.2);
       return false;
     }
     t_ = t_new;
     jacobian_fresh_ = false;
     ++equal_steps_;
-    for (std::size_t n = 0; n < y_.size(); ++n) {
-      difference_[k + 2][n] = d_[n] - difference_[k + 1][n];
-      difference_[k + 1][n] = d_[n];
-      for (std::size_t j = k + 1; j-- > 0;) difference_[j][n] += difference_[j + 1][n];
-    }
+    difference_.advance(k, d_);
     if (equal_steps_ > order_) choose_order(error, safety);
     return true;
   }
@@ -122,7 +120,7 @@ class VariableBdf {
   void choose_order(double error, double safety) {
     const auto k = static_cast<std::size_t>(order_);
     const auto factor_of = [](double size, int order) {
-      return std::pow(std::max(size, 1e-10), -1.0 / (order + 1));
+      return quick_power(std::max(size, 1e-10), -1.0 / (order + 1));
     };
     double best = factor_of(error, order_);
     int order = order_;
@@ -171,7 +169,7 @@ class VariableBdf {
         if (iterations > 1) {
           const double rate = size / last;
           if (rate >= 1 ||
-              std::pow(rate, max_iterations - iterations) / (1 - rate) * size > newton_tolerance_)
+              power(rate, max_iterations - iterations) / (1 - rate) * size > newton_tolerance_)
             if (rate >= 1 || iterations < max_iterations) break;
           if (rate / (1 - rate) * size <= newton_tolerance_) return true;
         }
@@ -198,45 +196,11 @@ class VariableBdf {
     return std::sqrt(sum / static_cast<double>(x.size()));
   }
 
-  /// h <- factor h, the differences with it: (R(factor) R(1))^T D.
+  /// h <- factor h, the differences with it.
   void rescale(double factor) {
-    const auto k = static_cast<std::size_t>(order_);
-    using Matrix = std::array<std::array<double, max_order + 1>, max_order + 1>;
-    const auto grid = [k](double ratio) {
-      Matrix r{};
-      for (std::size_t j = 0; j <= k; ++j) {
-        r[0][j] = 1;
-        for (std::size_t i = 1; i <= k; ++i)
-          r[i][j] = j == 0 ? 0
-                           : r[i - 1][j] *
-                                 (static_cast<double>(i) - 1 - ratio * static_cast<double>(j)) /
-                                 static_cast<double>(i);
-      }
-      return r;
-    };
-    const Matrix r = grid(factor), u = grid(1);
-    Matrix ru{};
-    for (std::size_t i = 0; i <= k; ++i)
-      for (std::size_t j = 0; j <= k; ++j)
-        for (std::size_t l = 0; l <= k; ++l) ru[i][j] += r[i][l] * u[l][j];
-    for (std::size_t n = 0; n < y_.size(); ++n) {
-      std::array<double, max_order + 1> column{};
-      for (std::size_t j = 0; j <= k; ++j)
-        for (std::size_t i = 0; i <= k; ++i) column[j] += ru[i][j] * difference_[i][n];
-      for (std::size_t j = 0; j <= k; ++j) difference_[j][n] = column[j];
-    }
+    difference_.rescale(factor, static_cast<std::size_t>(order_));
     h_ *= factor;
     equal_steps_ = 0;
-  }
-
-  /// y_ <- the polynomial through the last order + 1 states, at a time within the last step.
-  void interpolate(double time) {
-    y_ = difference_[0];
-    double product = 1;
-    for (std::size_t j = 1; j <= static_cast<std::size_t>(order_); ++j) {
-      product *= (time - (t_ - static_cast<double>(j - 1) * h_)) / (static_cast<double>(j) * h_);
-      for (std::size_t n = 0; n < y_.size(); ++n) y_[n] += difference_[j][n] * product;
-    }
   }
 
   static constexpr int max_iterations = 4;
@@ -251,7 +215,7 @@ class VariableBdf {
   int order_ = 1, equal_steps_ = 0;
   bool linearised_ = false, jacobian_fresh_ = false;
   State<P> y_, psi_, d_, f_, scale_;
-  std::array<State<P>, max_order + 3> difference_;
+  DifferenceHistory<max_order, Guarded<P>> difference_;
 };
 
 }  // namespace odeum

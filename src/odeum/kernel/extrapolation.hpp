@@ -23,63 +23,97 @@ constexpr double extrapolation_weight(int line, int column) {
 
 /// The extrapolation table of one step of length h, line by line. With f = f(t, y) given to
 /// begin(), line j costs n_j evaluations and its last entry has order 2 (j + 1).
+///
+/// Each line is a chain of evaluations, of which every one waits for the one before, while lines
+/// know nothing of each other: those that are sure to be wanted are computed side by side, so that
+/// the processor works on several while each waits.
 template <class P, int Lines>
 class ExtrapolationTable {
  public:
   explicit ExtrapolationTable(const P& problem) : problem_(problem), f0_(make_state(problem)) {
-    before_ = now_ = f_ = y0_ = f0_;
-    table_.fill(f0_);
+    f_ = y0_ = f0_;
+    for (auto* states : {&before_, &now_, &table_}) states->fill(f0_);
   }
 
-  void begin(double t, double h, const State<P>& y) {
+  /// A step from (t, y), of which the first `sure` lines will be asked for.
+  void begin(double t, double h, const State<P>& y, int sure) {
     t_ = t;
-    h_ = h;
     y0_ = y;
     problem_.rhs(t, y.data(), f0_.data());
+    begin_again(h, sure);
   }
   /// The same start with another length.
-  void begin_again(double h) { h_ = h; }
+  void begin_again(double h, int sure) {
+    h_ = h;
+    midpoint_rule(0, sure - 1);
+    computed_ = sure;
+  }
 
-  /// Computes line j; `difference`, if not null, becomes T_{j,j} - T_{j,j-1}.
+  /// Adds line j, after line j - 1; `difference`, if not null, becomes T_{j,j} - T_{j,j-1}.
   void add_line(int line, State<P>* difference = nullptr) {
-    midpoint_rule(extrapolation_substeps(line));
+    if (line >= computed_) midpoint_rule(line, line);
+    State<P>& now = now_[static_cast<std::size_t>(line)];
     // table_[k] holds T_{line-1,k}; the line moves through it from the left.
     for (int k = 0; k < line; ++k) {
       State<P>& above = table_[static_cast<std::size_t>(k)];
-      const double weight = extrapolation_weight(line, k + 1);
-      for (std::size_t i = 0; i < now_.size(); ++i) {
-        const double left = now_[i], step = weight * (left - above[i]);
+      const double weight = weights[static_cast<std::size_t>(line)][static_cast<std::size_t>(k)];
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        const double left = now[i], step = weight * (left - above[i]);
         above[i] = left;
-        now_[i] = left + step;
+        now[i] = left + step;
         if (difference && k + 1 == line) (*difference)[i] = step;
       }
     }
-    table_[static_cast<std::size_t>(line)] = now_;
+    table_[static_cast<std::size_t>(line)] = now;
   }
   const State<P>& best(int line) const { return table_[static_cast<std::size_t>(line)]; }
 
  private:
-  // Gragg's rule with its smoothing at the end: (y_{n-1} + 2 y_n + y_{n+1}) / 4, into now_.
-  void midpoint_rule(int n) {
-    const double h = h_ / n;
-    before_ = y0_;
-    for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = y0_[i] + h * f0_[i];
-    for (int k = 1; k < n; ++k) {
-      problem_.rhs(t_ + k * h, now_.data(), f_.data());
-      for (std::size_t i = 0; i < now_.size(); ++i) {
-        const double next = before_[i] + 2 * h * f_[i];
-        before_[i] = now_[i];
-        now_[i] = next;
-      }
+  // Gragg's rule for lines first, ..., last side by side, into now_.
+  void midpoint_rule(int first, int last) {
+    for (int line = first; line <= last; ++line) {
+      State<P>& now = now_[static_cast<std::size_t>(line)];
+      const double h = h_ / extrapolation_substeps(line);
+      before_[static_cast<std::size_t>(line)] = y0_;
+      for (std::size_t i = 0; i < now.size(); ++i) now[i] = y0_[i] + h * f0_[i];
     }
-    problem_.rhs(t_ + h_, now_.data(), f_.data());
-    for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = (before_[i] + now_[i] + h * f_[i]) / 2;
+    for (int k = 1; k <= extrapolation_substeps(last); ++k)
+      for (int line = last; line >= first && extrapolation_substeps(line) >= k; --line)
+        substep(line, k);
   }
+
+  // The last one is the smoothing: (y_{n-1} + 2 y_n + y_{n+1}) / 4.
+  void substep(int line, int k) {
+    State<P>&before = before_[static_cast<std::size_t>(line)],
+    &now = now_[static_cast<std::size_t>(line)];
+    const int n = extrapolation_substeps(line);
+    const double h = h_ / n;
+    problem_.rhs(t_ + k * h, now.data(), f_.data());
+    if (k == n) {
+      for (std::size_t i = 0; i < now.size(); ++i) now[i] = (before[i] + now[i] + h * f_[i]) / 2;
+      return;
+    }
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double next = before[i] + 2 * h * f_[i];
+      before[i] = now[i];
+      now[i] = next;
+    }
+  }
+
+  static constexpr auto weights = [] {
+    std::array<std::array<double, Lines>, Lines> w{};
+    for (int line = 0; line < Lines; ++line)
+      for (int k = 0; k < line; ++k)
+        w[static_cast<std::size_t>(line)][static_cast<std::size_t>(k)] =
+            extrapolation_weight(line, k + 1);
+    return w;
+  }();
 
   const P& problem_;
   double t_ = 0, h_ = 0;
-  State<P> f0_, y0_, before_, now_, f_;
-  std::array<State<P>, Lines> table_;
+  int computed_ = 0;  ///< lines of which now_ has the result of the midpoint rule
+  State<P> f0_, y0_, f_;
+  std::array<State<P>, Lines> before_, now_, table_;
 };
 
 /// The stability function of the last entry of line `lines - 1`.

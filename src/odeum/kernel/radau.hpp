@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "odeum/control/predictive.hpp"
+#include "odeum/control/quick_power.hpp"
+#include "odeum/kernel/collocation_guess.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
 
 namespace odeum {
@@ -30,9 +31,8 @@ class RadauTrial {
         error_(f0_),
         argument_(f0_),
         inverse_scale_(f0_),
-        moved_f_(f0_) {
-    last_z_.fill(f0_);
-  }
+        moved_f_(f0_),
+        guess_(problem, StageSystem<T, P>::nodes) {}
 
   /// The estimate is of order S, the method of order 2S - 1: a step that meets the tolerance by the
   /// estimate is far more accurate than asked. Hence 0.03 tol^((S+1)/2S): so too Hairer's codes,
@@ -61,7 +61,8 @@ class RadauTrial {
         if (!system_.factorise(h)) return give_up();
         factored_for_ = h;
       }
-      guess(h, y);
+      guess_(h, y, system_.z);
+      system_.transform_guess();
       if (converge(t, h, y)) break;
       if (jacobian_fresh_) return give_up();
       renew_jacobian(t, y);
@@ -78,8 +79,7 @@ class RadauTrial {
 
   /// After a step of h that was accepted: the next one starts elsewhere.
   void accept(double h) {
-    std::swap(last_z_, system_.z);
-    last_h_ = h;
+    guess_.remember(h, system_.z);
     moved_ = true;
     first_ = rejected_ = false;
     jacobian_fresh_ = false;
@@ -107,43 +107,9 @@ class RadauTrial {
     return Status::newton_failed;
   }
 
-  /// z from the collocation polynomial through (0, 0), (c_i, last_z_i), beyond its right end.
-  void guess(double h, const State<P>& y) {
-    if (last_h_ == 0) {
-      for (State<P>& z : system_.z)
-        for (double& component : z) component = 0;
-    } else {
-      const double ratio = h / last_h_;
-      if (ratio != weights_for_) compute_weights(ratio);
-      for (std::size_t i = 0; i < stages; ++i)
-        for (std::size_t n = 0; n < f0_.size(); ++n) {
-          double sum = -last_z_[stages - 1][n];
-          for (std::size_t j = 0; j < stages; ++j) sum += weights_[i][j] * last_z_[j][n];
-          // A guess of the other sign than y may lead to another solution, or from a decay to zero
-          // past it; y itself is the safer guess then.
-          system_.z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
-        }
-    }
-    system_.transform_guess();
-  }
-
-  void compute_weights(double ratio) {
-    constexpr auto& c = StageSystem<T, P>::nodes;
-    for (std::size_t i = 0; i < stages; ++i) {
-      const double x = 1 + ratio * c[i];
-      for (std::size_t j = 0; j < stages; ++j) {
-        double l = x / c[j];
-        for (std::size_t m = 0; m < stages; ++m)
-          if (m != j) l *= (x - c[m]) / (c[j] - c[m]);
-        weights_[i][j] = l;
-      }
-    }
-    weights_for_ = ratio;
-  }
-
   bool converge(double t, double h, const State<P>& y) {
     double last = 0, last_rate = 0;
-    contraction_ = std::pow(std::max(contraction_, std::numeric_limits<double>::epsilon()), 0.8);
+    contraction_ = quick_power(std::max(contraction_, std::numeric_limits<double>::epsilon()), 0.8);
     rate_ = 0;
     for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
       double sum = 0;
@@ -162,7 +128,7 @@ class RadauTrial {
         if (rate_ >= 0.99) return false;
         contraction_ = rate_ / (1 - rate_);
         const double predicted =
-            contraction_ * size * std::pow(rate_, max_iterations - 1 - iterations_);
+            contraction_ * size * power(rate_, max_iterations - 1 - iterations_);
         if (iterations_ < max_iterations && predicted > newton_fraction_) return false;
       }
       last = std::max(size, std::numeric_limits<double>::min());
@@ -193,9 +159,8 @@ class RadauTrial {
   double tolerance_, newton_fraction_;
   StageSystem<T, P> system_;
   State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
-  std::array<State<P>, stages> last_z_;
-  std::array<std::array<double, stages>, stages> weights_{};
-  double weights_for_ = 0, last_h_ = 0, factored_for_ = 0;
+  CollocationGuess<stages, P> guess_;
+  double factored_for_ = 0;
   double contraction_ = 1, rate_ = 0;
   int iterations_ = 0;
   bool moved_ = true, first_ = true, rejected_ = false;
@@ -217,7 +182,7 @@ struct RadauMethod : FullyImplicitMethod<T> {
       // A step that took many iterations grows less.
       const double effort =
           (1.0 + 2 * Trial::max_iterations) / (trial.iterations() + 2.0 * Trial::max_iterations);
-      Decision decision = controller.decide(h, norm / std::pow(effort, order + 1));
+      Decision decision = controller.decide(h, norm / power(effort, order + 1));
       decision.accept = norm < 1;
       if (decision.accept) {
         trial.accept(h);

@@ -28,7 +28,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
     explicit Stepper(const P& problem) : table_(problem) {}
 
     Status step(double t, double h, State<P>& y) {
-      table_.begin(t, h, y);
+      table_.begin(t, h, y, fixed_lines);
       for (int line = 0; line < fixed_lines; ++line) table_.add_line(line);
       y = table_.best(fixed_lines - 1);
       return Status::ok;

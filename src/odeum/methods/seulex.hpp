@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/control/extrapolated_euler_control.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
 #include "odeum/kernel/method.hpp"
 

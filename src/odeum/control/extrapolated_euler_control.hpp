@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "odeum/control/adaptive.hpp"
+#include "odeum/control/quick_power.hpp"
+#include "odeum/kernel/extrapolated_euler.hpp"
+
+namespace odeum {
+
+/// Chooses step and column of an adaptive run by the work a unit of time (IV.9; Solving ODEs I,
+/// II.9): it aims at column `target`, takes the one before where that is exact enough, the one
+/// after where it is needed.
+template <Ode P>
+class ExtrapolatedEulerControl {
+ public:
+  ExtrapolatedEulerControl(const P& problem, double tolerance)
+      : table_(problem), scale_(make_state(problem)), tolerance_(tolerance) {
+    target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance)),
+                         std::size_t{2}, last - 1);
+    // In units of an evaluation with its solve; a factorisation counts as two.
+    const auto substeps = [](std::size_t j) {
+      return static_cast<double>(ExtrapolatedEulerTable<P>::substeps(j));
+    };
+    work_[0] = 3 + substeps(0) + 2;
+    for (std::size_t j = 1; j < columns; ++j) work_[j] = work_[j - 1] + substeps(j) + 2;
+  }
+
+  Status operator()(double t, double h, const State<P>& y, State<P>& y_new, double& error) {
+    if (moved_) {
+      table_.linearise(t, y);
+      moved_ = false;
+    }
+    for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
+    used_ = 0;
+    double before = 0, contraction = 0;
+    if (!table_.begin(t, h, y, contraction) || !(contraction <= 1)) return unusable();
+    for (std::size_t j = 1; j <= std::min(target_ + 1, last); ++j) {
+      if (!table_.add_row(j, target_)) return unusable();
+      error = difference(j);
+      if (!std::isfinite(error) || (j > 1 && error > before && error > 1)) return unusable();
+      before = std::max(4 * error, 1.0);
+      used_ = j;
+      const double factor =
+          0.94 * quick_power(0.65 / std::max(error, 1e-12), 1.0 / static_cast<double>(j + 1));
+      step_[j] = h * std::clamp(factor, 0.1, 8.0);
+      cost_[j] = work_[j] / step_[j];
+      if (error <= 1 && (j + 1 >= target_ || first_)) break;
+      // No hope within the columns that are left.
+      const auto n = static_cast<double>(ExtrapolatedEulerTable<P>::substeps(target_));
+      if (j + 1 == target_ && error > 4 * n * (n + 1)) break;
+      if (j == target_ && error > 2 * (n + 1)) break;
+    }
+    y_new = table_.column(used_);
+    return Status::ok;
+  }
+
+  Decision decide(double h, double error) {
+    Decision decision{error <= 1, h};
+    if (decision.accept) {
+      accepted(h, decision.next_step);
+      first_ = rejected_ = false;
+      moved_ = true;
+    } else {
+      target_ = std::min({target_, used_, last - 1});
+      if (target_ > 2 && cost_[target_ - 1] < 0.7 * cost_[target_]) --target_;
+      target_ = std::max(target_, std::size_t{1});
+      decision.next_step = std::min(step_[std::max(target_, std::size_t{1})], 0.8 * h);
+      rejected_ = true;
+    }
+    return decision;
+  }
+
+ private:
+  static constexpr std::size_t columns = ExtrapolatedEulerTable<P>::max_columns, last = columns - 1;
+
+  Status unusable() {
+    rejected_ = true;
+    return Status::newton_failed;
+  }
+
+  void accepted(double h, double& next) {
+    const std::size_t k = used_;
+    std::size_t best = k;
+    if (k >= 2 && cost_[k - 1] < 0.7 * cost_[k])
+      best = k - 1;
+    else if (k == 1 || cost_[k] < 0.9 * cost_[k - 1])
+      best = std::min(k + 1, last - 1);
+    if (rejected_) {
+      target_ = std::max(std::min(best, k), std::size_t{1});
+      next = std::min(h, step_[target_]);
+      return;
+    }
+    next = best <= k ? step_[best] : step_[k] * work_[best] / work_[k];
+    target_ = std::max(best, std::size_t{2});
+  }
+
+  double difference(std::size_t j) const {
+    double sum = 0;
+    const State<P>&a = table_.column(j), &b = table_.column(j - 1);
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      const double scaled = (a[n] - b[n]) * scale_[n];
+      sum += scaled * scaled;
+    }
+    return std::sqrt(sum / static_cast<double>(a.size()));
+  }
+
+  ExtrapolatedEulerTable<P> table_;
+  State<P> scale_;
+  double tolerance_;
+  std::size_t target_ = 2, used_ = 0;  ///< columns, from 0
+  bool first_ = true, rejected_ = false, moved_ = true;
+  std::array<double, columns> work_{}, step_{}, cost_{};
+};
+
+}  // namespace odeum

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <utility>
+
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum {
+
+/// Guesses for the stages Z_i of a collocation step with nodes c_i, the last of which is 1: from
+/// the polynomial through (0, 0) and (c_i, Z_i) of the step before, beyond its right end (Solving
+/// ODEs II, IV.8).
+template <std::size_t Stages, Ode P>
+class CollocationGuess {
+ public:
+  using Nodes = std::array<double, Stages>;
+
+  CollocationGuess(const P& problem, const Nodes& nodes) : nodes_(nodes) {
+    last_z_.fill(make_state(problem));
+  }
+
+  /// Fills z for a step of h from y; zeros before the first step.
+  void operator()(double h, const State<P>& y, std::array<State<P>, Stages>& z) {
+    if (last_h_ == 0) {
+      for (State<P>& stage : z)
+        for (double& component : stage) component = 0;
+      return;
+    }
+    if (const double ratio = h / last_h_; ratio != weights_for_) compute_weights(ratio);
+    for (std::size_t i = 0; i < Stages; ++i)
+      for (std::size_t n = 0; n < y.size(); ++n) {
+        double sum = -last_z_[Stages - 1][n];
+        for (std::size_t j = 0; j < Stages; ++j) sum += weights_[i][j] * last_z_[j][n];
+        // A guess of the other sign than y may lead to another solution, or from a decay to zero
+        // past it; y itself is the safer guess then.
+        z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
+      }
+  }
+
+  /// Takes the stages of a step of h that was accepted; z is left with older ones.
+  void remember(double h, std::array<State<P>, Stages>& z) {
+    std::swap(last_z_, z);
+    last_h_ = h;
+  }
+
+ private:
+  // Lagrange's polynomials at 1 + ratio c_i.
+  void compute_weights(double ratio) {
+    const Nodes& c = nodes_;
+    for (std::size_t i = 0; i < Stages; ++i) {
+      const double x = 1 + ratio * c[i];
+      for (std::size_t j = 0; j < Stages; ++j) {
+        double l = x / c[j];
+        for (std::size_t m = 0; m < Stages; ++m)
+          if (m != j) l *= (x - c[m]) / (c[j] - c[m]);
+        weights_[i][j] = l;
+      }
+    }
+    weights_for_ = ratio;
+  }
+
+  const Nodes& nodes_;
+  std::array<State<P>, Stages> last_z_;
+  std::array<std::array<double, Stages>, Stages> weights_{};
+  double weights_for_ = 0, last_h_ = 0;
+};
+
+}  // namespace odeum
