@@ -55,11 +55,32 @@ std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, 
 constexpr double watched_for = 8.0 / 30;  // s; a whole number of every frame
 constexpr double damping = 0.05;          // of square_cloth, N s/m
 
-/// The largest steps that are stable, measured (ImexCloth); a tenth is kept clear of them.
+/// Whether velocity Verlet as ClothEngine has it keeps q'' = -w^2 q - c q' bounded. It reckons with
+/// the acceleration at the predicted velocity v + h a in the next step too, so that its map has a
+/// third unknown: of (q, h v, h^2 a).
+bool verlet_bounded(double h, double w, double c) {
+  const double x = h * h * w * w, y = h * c;
+  double q = 1, u = 1, a = 1;
+  for (int i = 0; i < 1000 && std::abs(q) < 1e6; ++i) {
+    const double predicted = u + a;
+    q += u + a / 2;
+    const double next = -x * q - y * predicted;
+    u += (a + next) / 2;
+    a = next;
+  }
+  return std::abs(q) < 1e6;
+}
+
+/// Largest stable step less a tenth. Springs alone allow 0.566 sqrt(m/k), measured (ImexCloth):
+/// w h = 2 there. Dampers alone allow Verlet 0.046 m/d, measured too: c h = 1 by the map above. It
+/// has both in one mode at worst.
 double stable_step(double mass, double stiffness, bool damping_limits) {
   const double by_springs = 0.566 * std::sqrt(mass / stiffness),
-               by_damping = 0.092 * mass / damping;
-  return 0.9 * (damping_limits ? std::min(by_springs, by_damping) : by_springs);
+               by_damping = 0.046 * mass / damping;
+  double h = by_springs;
+  if (damping_limits)
+    while (!verlet_bounded(h, 2 / by_springs, 1 / by_damping)) h *= 0.99;
+  return 0.9 * h;
 }
 
 template <class Engine>
@@ -74,7 +95,7 @@ struct Truth {
   double left;  ///< distance of the two runs that it comes from, m
 };
 
-/// By RK4 at half of what is stable for Verlet, and at a quarter.
+/// By RK4 at what is stable for Verlet, and at half of that.
 Truth find_truth(const scene::Scene& scene, double stiffness) {
   const double h = stable_step(scene.particles[0].mass, stiffness, true);
   const auto run = [&](double parts) {
@@ -83,8 +104,8 @@ Truth find_truth(const scene::Scene& scene, double stiffness) {
     engine.rk4(watched_for / static_cast<double>(steps), steps);
     return state_of(engine, scene.size());
   };
-  std::vector<double> fine = run(4);
-  const double left = rms_distance(fine, run(2), scene.size());
+  std::vector<double> fine = run(2);
+  const double left = rms_distance(fine, run(1), scene.size());
   return {std::move(fine), left};
 }
 
@@ -119,86 +140,92 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
   return rows;
 }
 
+namespace {
+
+/// One way to step the cloth.
+struct Rival {
+  const char* name;
+  double frame;  ///< s; NaN where it steps as it can
+  double h;      ///< s
+  /// False where it could not.
+  std::function<bool(double h, std::size_t steps, std::vector<double>& y)> run;
+  std::vector<double> y{};
+  bool solved = true;
+
+  void go() { solved = run(h, static_cast<std::size_t>(std::lround(watched_for / h)), y); }
+};
+
+constexpr double relative = 1e-2;  // what the linear systems are solved to
+
+std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
+                             const std::vector<double>& frames) {
+  const double mass = scene.particles[0].mass;
+  const auto step = [&](bool damping_limits) {
+    return watched_for / std::ceil(watched_for / stable_step(mass, stiffness, damping_limits));
+  };
+  std::vector<Rival> rivals;
+  rivals.push_back({"verlet_f32", not_measured, step(true),
+                    [&scene](double h, std::size_t steps, std::vector<double>& y) {
+                      scene::ClothEngine<float> engine(scene);
+                      engine.velocity_verlet(h, steps);
+                      y = state_of(engine, scene.size());
+                      return true;
+                    }});
+  rivals.push_back({"imex_f32", not_measured, step(false),
+                    [&scene](double h, std::size_t steps, std::vector<double>& y) {
+                      scene::ImexCloth<float> engine(scene);
+                      engine.step(h, steps, relative);
+                      y = state_of(engine, scene.size());
+                      return true;
+                    }});
+  for (const double frame : frames)
+    rivals.push_back({"implicit_f64", frame, frame,
+                      [&scene](double h, std::size_t steps, std::vector<double>& y) {
+                        scene::ImplicitCloth engine(scene);
+                        const bool solved = engine.step(h, steps, relative);
+                        y = state_of(engine, scene.size());
+                        return solved;
+                      }});
+  return rivals;
+}
+
+}  // namespace
+
 std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
                                                    const std::vector<double>& stiffnesses,
                                                    const std::vector<double>& frames,
                                                    double seconds_each) {
   std::vector<ImplicitWinsRow> rows;
-  Progress progress("implicit", static_cast<double>(stiffnesses.size() * frames.size()));
+  Progress progress("implicit", static_cast<double>(stiffnesses.size()));
   for (const double stiffness : stiffnesses) {
     const scene::Scene scene = cases::square_cloth(side, stiffness);
-    const double mass = scene.particles[0].mass;
     const Truth truth = find_truth(scene, stiffness);
-    for (const double frame : frames) {
-      // A whole number of steps a frame, as few as are stable.
-      const auto frames_in_all = static_cast<std::size_t>(std::lround(watched_for / frame));
-      const auto parts = [&](bool damping_limits) {
-        return static_cast<std::size_t>(
-            std::ceil(frame / stable_step(mass, stiffness, damping_limits)));
-      };
-      struct Rival {
-        const char* name;
-        std::size_t parts;
-        std::function<bool(double h, std::size_t steps, std::vector<double>& y)> run;
-        std::vector<double> y;
-        bool solved = true;
-      };
-      Rival rivals[] = {{"verlet_f32",
-                         parts(true),
-                         [&](double h, std::size_t steps, std::vector<double>& y) {
-                           scene::ClothEngine<float> engine(scene);
-                           engine.velocity_verlet(h, steps);
-                           y = state_of(engine, scene.size());
-                           return true;
-                         },
-                         {}},
-                        {"imex_f32",
-                         parts(false),
-                         [&](double h, std::size_t steps, std::vector<double>& y) {
-                           scene::ImexCloth<float> engine(scene);
-                           engine.step(h, steps, 1e-2);
-                           y = state_of(engine, scene.size());
-                           return true;
-                         },
-                         {}},
-                        {"implicit_f64",
-                         1,
-                         [&](double h, std::size_t steps, std::vector<double>& y) {
-                           scene::ImplicitCloth engine(scene);
-                           const bool solved = engine.step(h, steps, 1e-2);
-                           y = state_of(engine, scene.size());
-                           return solved;
-                         },
-                         {}}};
-      std::vector<std::function<void()>> calls;
-      for (Rival& rival : rivals)
-        calls.emplace_back([&, h = frame / static_cast<double>(rival.parts)] {
-          rival.solved = rival.run(h, frames_in_all * rival.parts, rival.y);
-        });
-      const Pinned pinned;
-      const Watch watch;
-      const auto times = take_turns(calls, seconds_each);
-      const Conditions conditions = watch.end();
-      for (std::size_t i = 0; i < std::size(rivals); ++i) {
-        const Rival& rival = rivals[i];
-        const double error = rms_distance(rival.y, truth.y, scene.size());
-        ImplicitWinsRow row;
-        row.stiffness = stiffness;
-        row.frame = frame;
-        row.engine = rival.name;
-        row.status = !rival.solved ? "newton_failed" : std::isfinite(error) ? "ok" : "non_finite";
-        if (!rival.solved) row.detail = "conjugate gradients did not end";
-        row.step = frame / static_cast<double>(rival.parts);
-        row.wall_ns_min = times[i].min() / watched_for;
-        row.wall_ns_median = times[i].median() / watched_for;
-        row.repetitions = times[i].ns.size();
-        if (row.status == "ok") row.error = error;
-        row.truth_left = truth.left;
-        row.conditions = conditions;
-        rows.push_back(std::move(row));
-      }
-      progress.advance();
+    std::vector<Rival> rivals = rivals_on(scene, stiffness, frames);
+    std::vector<std::function<void()>> calls;
+    for (Rival& rival : rivals) calls.emplace_back([&rival] { rival.go(); });
+    const Pinned pinned;
+    const Watch watch;
+    const auto times = take_turns(calls, seconds_each);
+    const Conditions conditions = watch.end();
+    for (std::size_t i = 0; i < rivals.size(); ++i) {
+      const Rival& rival = rivals[i];
+      const double error = rms_distance(rival.y, truth.y, scene.size());
+      ImplicitWinsRow row;
+      row.stiffness = stiffness;
+      row.frame = rival.frame;
+      row.engine = rival.name;
+      row.status = !rival.solved ? "newton_failed" : std::isfinite(error) ? "ok" : "non_finite";
+      if (!rival.solved) row.detail = "conjugate gradients did not end";
+      row.step = rival.h;
+      row.wall_ns_min = times[i].min() / watched_for;
+      row.wall_ns_median = times[i].median() / watched_for;
+      row.repetitions = times[i].ns.size();
+      if (row.status == "ok") row.error = error;
+      row.truth_left = truth.left;
+      row.conditions = conditions;
+      rows.push_back(std::move(row));
     }
+    progress.advance();
   }
   return rows;
 }

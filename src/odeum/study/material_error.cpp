@@ -118,13 +118,12 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
     plan.tried = {{}};
     plan.converged = plan.half = {};
     if (!info.newton.empty()) {  // sweeps as they come are converged, see the adapter
-      plan.tried = {{.sweeps = 1}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {.sweeps = 16}, {},
-                    {.newton = 2}, {.newton = 4}};
-      plan.converged = {.newton = 16}, plan.half = {.newton = 8};
+      plan.tried = {{.sweeps = 1}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {}};
+      plan.converged = {.newton = 4}, plan.half = {.newton = 2};
     } else if (!info.sweeps.empty()) {
       plan.tried = {
           {}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {.sweeps = 16}, {.sweeps = 32}};
-      plan.converged = {.sweeps = 128}, plan.half = {.sweeps = 64};
+      plan.converged = {.sweeps = 64}, plan.half = {.sweeps = 32};
     }
     tasks.push_back({&entrant, plan, {}});
   }

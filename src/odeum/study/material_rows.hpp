@@ -113,10 +113,10 @@ struct ClothCostRow {
 /// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
 struct ImplicitWinsRow {
   double stiffness = not_measured;  ///< N/m
-  double frame = not_measured;      ///< s
+  double frame = not_measured;      ///< s; of explicit engines NaN, they step as they can
   std::string engine;               ///< verlet_f32, imex_f32, implicit_f64
   std::string status, detail;
-  double step = not_measured;                                        ///< s, a part of the frame
+  double step = not_measured;                                        ///< s
   double wall_ns_min = not_measured, wall_ns_median = not_measured;  ///< a simulated second
   std::uint64_t repetitions = 0;
   double error = not_measured;       ///< RMS distance of particles from the truth, m

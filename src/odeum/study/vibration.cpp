@@ -49,8 +49,9 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
   while (fallen + 1 < end && z[fallen] / z.front() > std::exp(-1)) ++fallen;
   const std::size_t lag = std::max<std::size_t>(1, fallen / 2);
   if (end < 2 * lag + 4) {
-    reason = end < 8 ? fmt::format("gone within {} steps, too few to tell a vibration", end - 1)
-                     : "too slow to be seen in this time";
+    reason = end <= 2   ? "gone within a step"
+             : end < 20 ? fmt::format("gone within {} steps, too few to tell a vibration", end - 1)
+                        : "too slow to be seen in this time";
     return std::nullopt;
   }
   std::vector<std::array<long double, 4>> rows;
