@@ -50,8 +50,9 @@ std::string response_cell(const MaterialRow& row, const Quantity& quantity) {
   if (std::isnan(value))
     return fmt::format("<td class=\"dim\" title=\"{}\">{}</td>", escape(title),
                        row.status == "unstable" ? "unstable" : "–");
-  const std::string text =
-      quantity.unit[0] ? show_number(value) + quantity.unit : fmt::format("{:+.2g}", value);
+  const std::string text = !quantity.unit[0]         ? fmt::format("{:+.2g}", value)
+                           : std::abs(value) >= 1000 ? fmt::format("{:.0f}{}", value, quantity.unit)
+                                                     : show_number(value) + quantity.unit;
   return fmt::format(
       "<td class=\"{}\" title=\"{}\">{}</td>",
       shade(quantity.size(value), quantity.slight, quantity.strong, quantity.extreme),
@@ -115,17 +116,17 @@ std::string show_step(double seconds) {
 std::string response_tables(const std::vector<MaterialRow>& all) {
   if (all.empty()) return {};
   std::string html =
-      "<h3>Stiffness and damping that come out</h3>\n<p>Springs of known stiffness (1000 N/m) and "
-      "damping (1 N s/m) carry masses of 0.1 kg, hung by their own weight; then they swing a "
-      "little. "
-      "From where they rest and how they swing follow the stiffness and the damping that a solver "
-      "<em>shows</em> at each step, whatever it was told. An engine's iterations are sweeps over "
-      "its links, or iterations of conjugate gradients and of Newton's method; without a number: "
-      "as "
-      "it comes, which is one sweep or one Newton iteration.</p>\n"
-      "<p>1× and +0 are right. Blue is too soft, orange too stiff or too damped; "
-      "\"unstable\" grows without bound, – could not be measured: pointing at a cell says "
-      "why.</p>\n";
+      "<h3>Stiffness and damping that come out</h3>\n"
+      "<p>Springs of known stiffness (1000 N/m) and damping (1 N s/m) carry masses of 0.1 kg, hung "
+      "by their own weight; then they swing a little. From where they rest and how they swing "
+      "follow the stiffness and the damping that a solver <em>shows</em> at each step, whatever it "
+      "was told. An engine's iterations are sweeps over its links, or iterations of conjugate "
+      "gradients at most (deformable bodies), or of Newton's method; without a number: as it "
+      "comes, "
+      "which is one sweep, or one Newton iteration and enough conjugate gradients.</p>\n"
+      "<p>1× and +0 are right. Blue is too soft, orange too stiff or too damped; \"unstable\" "
+      "grows without bound, – could not be measured: pointing at a cell says why. A negative "
+      "stiffness at rest is a mass that hangs above where it is without gravity.</p>\n";
   const std::pair<const char*, const char*> scenes[] = {
       {"one_mass", "One mass on one spring (100 rad/s, damping ratio 0.05)"},
       {"hanging_chain", "A hanging chain of ten (slowest mode 14.9 rad/s, damping ratio 0.0075)"}};

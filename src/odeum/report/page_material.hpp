@@ -15,11 +15,12 @@ std::string long_run_table(const std::vector<study::LongRunRow>& rows);
 std::string cloth_cost_table(const std::vector<study::ClothCostRow>& rows);
 std::string implicit_wins_table(const std::vector<study::ImplicitWinsRow>& rows);
 
-/// A solver and what its step was given: "bullet/soft_body_links, 4 sweeps".
+/// A solver and what its step was given: "bullet/soft_body_links, 4 iterations".
 template <class Row>
 std::string competitor(const Row& row) {
   std::string text = row.library + "/" + row.solver;
-  if (row.sweeps > 0) text += ", " + std::to_string(row.sweeps) + " sweeps";
+  if (row.sweeps > 0)
+    text += ", " + std::to_string(row.sweeps) + (row.sweeps == 1 ? " iteration" : " iterations");
   if (row.newton > 0) text += ", " + std::to_string(row.newton) + " Newton";
   return text;
 }
