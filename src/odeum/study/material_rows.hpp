@@ -147,7 +147,7 @@ struct MaterialResult {
   }
 };
 
-/// A file for each kind of row.
+/// A file for each kind of row; of the timed ones only where there are rows.
 void write_csv(const MaterialResult& result, const report::OutputFolder& folder);
 
 /// What an earlier run left; a file that is missing or cannot be used leaves its rows empty.
