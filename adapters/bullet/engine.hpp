@@ -25,7 +25,7 @@ class Engine {
 
 /// How an engine is to step.
 struct Plan {
-  double h;        ///< s
+  double h = 0;    ///< s
   int sweeps = 0;  ///< Request::sweeps; 0: Bullet's own
   int newton = 0;  ///< Request::newton; 0: Bullet's own
 };

@@ -48,13 +48,13 @@ std::string response_cell(const MaterialRow& row, const Quantity& quantity) {
       fmt::format("{}, h = {}, phase {:.2g} a step{}{}", competitor(row), show_step(row.step),
                   row.phase, row.detail.empty() ? "" : ": ", row.detail);
   if (std::isnan(value))
-    return fmt::format("<td class=\"dim\" title=\"{}\">{}</td>", escape(title),
+    return fmt::format(R"(<td class="dim" title="{}">{}</td>)", escape(title),
                        row.status == "unstable" ? "unstable" : "–");
   const std::string text = !quantity.unit[0]         ? fmt::format("{:+.2g}", value)
                            : std::abs(value) >= 1000 ? fmt::format("{:.0f}{}", value, quantity.unit)
                                                      : show_number(value) + quantity.unit;
   return fmt::format(
-      "<td class=\"{}\" title=\"{}\">{}</td>",
+      R"(<td class="{}" title="{}">{}</td>)",
       shade(quantity.size(value), quantity.slight, quantity.strong, quantity.extreme),
       escape(title), text);
 }
@@ -80,14 +80,14 @@ std::string response_table(const std::vector<MaterialRow>& rows, const Quantity&
 std::string part_cell(double value, double left, bool largest) {
   if (std::isnan(value)) return "<td class=\"dim\">–</td>";
   const bool known = !(left > value / 2);
-  return fmt::format("<td class=\"{}\" title=\"{}\">{}{}</td>", largest ? "t2" : "",
+  return fmt::format(R"(<td class="{}" title="{}">{}{}</td>)", largest ? "t2" : "",
                      std::isnan(left) ? "" : fmt::format("its limit is known to {:.1g} m", left),
                      known ? "" : "≲ ", show_number(known ? value : std::max(value, left), 2));
 }
 
 std::string parts_cells(const ErrorPartsRow& row) {
   if (row.status != "ok")
-    return fmt::format("<td colspan=\"4\" class=\"dim\" title=\"{}\">{}</td>", escape(row.detail),
+    return fmt::format(R"(<td colspan="4" class="dim" title="{}">{}</td>)", escape(row.detail),
                        escape(row.status));
   const double most = std::max({row.iteration, row.time_step, row.model});
   return fmt::format("<td><b>{}</b></td>", show_number(row.total, 2)) +
@@ -113,8 +113,8 @@ std::string show_step(double seconds) {
   return show_number(seconds) + " s";
 }
 
-std::string response_tables(const std::vector<MaterialRow>& all) {
-  if (all.empty()) return {};
+std::string response_tables(const std::vector<MaterialRow>& rows) {
+  if (rows.empty()) return {};
   std::string html =
       "<h3>Stiffness and damping that come out</h3>\n"
       "<p>Springs of known stiffness (1000 N/m) and damping (1 N s/m) carry masses of 0.1 kg, hung "
@@ -131,16 +131,16 @@ std::string response_tables(const std::vector<MaterialRow>& all) {
       {"one_mass", "One mass on one spring (100 rad/s, damping ratio 0.05)"},
       {"hanging_chain", "A hanging chain of ten (slowest mode 14.9 rad/s, damping ratio 0.0075)"}};
   for (const auto& [scene, title] : scenes) {
-    std::vector<MaterialRow> rows;
-    for (const MaterialRow& row : all)
+    std::vector<MaterialRow> chosen;
+    for (const MaterialRow& row : rows)
       if (row.scene == scene && row.status != "not_applicable" &&
           // On one spring the number of sweeps changes nothing, but from one to two with kLST = 1.
           (row.scene != "one_mass" || row.sweeps + row.newton == 0))
-        rows.push_back(row);
-    if (rows.empty()) continue;
+        chosen.push_back(row);
+    if (chosen.empty()) continue;
     html += fmt::format("<details{}><summary><strong>{}</strong></summary>\n",
-                        rows.front().scene == "hanging_chain" ? " open" : "", title);
-    for (const Quantity& quantity : quantities) html += response_table(rows, quantity);
+                        chosen.front().scene == "hanging_chain" ? " open" : "", title);
+    for (const Quantity& quantity : quantities) html += response_table(chosen, quantity);
     html += "</details>\n";
   }
   return html;

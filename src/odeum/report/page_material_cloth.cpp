@@ -31,7 +31,7 @@ std::string energy_cell(const Course& course, double time) {
   if (at == course.found.end()) return "<td class=\"dim\">–</td>";
   const LongRunRow& row = *at->second;
   const double off = row.value / row.exact - 1;
-  return fmt::format("<td class=\"{}\">{}</td>", shade(off, 0.01, 0.1, 0.5),
+  return fmt::format(R"(<td class="{}">{}</td>)", shade(off, 0.01, 0.1, 0.5),
                      show_number(row.value, 4));
 }
 
@@ -39,7 +39,7 @@ std::string ended_or(const Course& course, const char* scene) {
   const auto found = course.ended.find(scene);
   return found == course.ended.end()
              ? "<td class=\"dim\">–</td>"
-             : fmt::format("<td class=\"dim\" title=\"{}\">ended</td>", escape(found->second));
+             : fmt::format(R"(<td class="dim" title="{}">ended</td>)", escape(found->second));
 }
 
 std::string number_cell(const Course& course, const char* quantity, const char* scene,
@@ -47,7 +47,7 @@ std::string number_cell(const Course& course, const char* quantity, const char* 
   const auto at = course.found.find({quantity, 10.0});
   if (at == course.found.end()) return ended_or(course, scene);
   const LongRunRow& row = *at->second;
-  return fmt::format("<td class=\"{}\">{}</td>",
+  return fmt::format(R"(<td class="{}">{}</td>)",
                      shade(row.value - row.exact, slight, strong, extreme),
                      show_number(row.value, digits));
 }
@@ -102,7 +102,7 @@ std::string long_run_table(const std::vector<LongRunRow>& rows) {
       "change of linear and angular momentum over what they were. The exact solution keeps "
       "both.</p>\n";
   if (!problem.empty()) html += "<p class=\"missing\">" + escape(problem) + "</p>\n";
-  html += "<div class=\"wide\"><table class=\"numbers tolerances\"><thead><tr><th>solver</th>";
+  html += R"(<div class="wide"><table class="numbers tolerances"><thead><tr><th>solver</th>)";
   for (const double time : watched) html += fmt::format("<th>E, t = {} s</th>", show_number(time));
   html +=
       "<th>drape</th><th>lowest</th><th>linear momentum</th><th>angular "
@@ -198,7 +198,7 @@ std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
     html += ours ? fmt::format("<td>{}, h = {}</td><td>{}</td><td>{} m</td>", escape(ours->engine),
                                show_step(ours->step), milliseconds(ours->wall_ns_min),
                                show_number(ours->error, 2))
-                 : "<td class=\"dim\" colspan=\"3\">none is stable</td>";
+                 : R"(<td class="dim" colspan="3">none is stable</td>)";
     for (const double frame : frames) {
       const ImplicitWinsRow* row = find(stiffness, frame);
       if (!row || !ours) {
