@@ -31,6 +31,7 @@ TEST(Vibration, FindsAnOscillatorAtAnyResolution) {
 
 TEST(Vibration, FindsOneThatCreeps) {
   std::vector<double> z;
+  z.reserve(200);
   const double h = 0.02;  // rates 2 and 7: from rest, (7 exp(-2 t) - 2 exp(-7 t)) / 5
   for (int i = 0; i < 200; ++i)
     z.push_back((7 * std::exp(-2 * i * h) - 2 * std::exp(-7 * i * h)) / 5);
@@ -48,10 +49,12 @@ TEST(Vibration, SaysWhyThereIsNone) {
   EXPECT_FALSE(fit_vibration({1, 0.1, 0.01, 0.001, 0.0001, 0, 0, 0, 0}, 0.1, reason));
   EXPECT_NE(reason, "");
   std::vector<double> flips;
+  flips.reserve(30);
   for (int i = 0; i < 30; ++i) flips.push_back(std::pow(-0.8, i) + 0.5 * std::pow(-0.5, i));
   EXPECT_FALSE(fit_vibration(flips, 0.1, reason));
   EXPECT_NE(reason.find("changes sign"), std::string::npos) << reason;
   std::vector<double> halves;
+  halves.reserve(12);
   for (int i = 0; i < 12; ++i) halves.push_back(std::pow(0.5, i));
   EXPECT_FALSE(fit_vibration(halves, 0.1, reason));
   EXPECT_NE(reason.find("creeps"), std::string::npos) << reason;

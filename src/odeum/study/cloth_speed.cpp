@@ -127,7 +127,7 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
         {[&] { f64.velocity_verlet(1e-6, steps); }, [&] { f32.velocity_verlet(1e-6, steps); }},
         seconds_each);
     const Conditions conditions = watch.end();
-    const double each = static_cast<double>(steps * n * n);
+    const auto each = static_cast<double>(steps * n * n);
     for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
       rows.push_back({.side = n,
                       .precision = name,
@@ -202,6 +202,7 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
     const Truth truth = find_truth(scene, stiffness);
     std::vector<Rival> rivals = rivals_on(scene, stiffness, frames);
     std::vector<std::function<void()>> calls;
+    calls.reserve(rivals.size());
     for (Rival& rival : rivals) calls.emplace_back([&rival] { rival.go(); });
     const Pinned pinned;
     const Watch watch;
