@@ -67,7 +67,7 @@ std::string conditions_note(const std::vector<Row>& rows) {
       when, count, rows.size());
 }
 
-std::string milliseconds(double ns) { return show_number(ns / 1e6, 2) + " ms"; }
+std::string milliseconds(double ns) { return show_number(ns / 1e6, 3) + " ms"; }
 
 }  // namespace
 
