@@ -94,8 +94,12 @@ class LinkEngine final : public ClassicEngine {
  public:
   /// `matched`: kLST such that the stretch of one link ends as backward Euler would have it at
   /// small strain, 1/(1 + k w h^2) with w the sum of the inverse masses; otherwise Bullet's own 1.
-  LinkEngine(const scene::Scene& scene, const std::vector<double>& state, double h, bool matched)
+  /// The share is set for the number of sweeps, which one link therefore does not notice.
+  LinkEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
+             bool matched)
       : ClassicEngine(scene, state) {
+    const double h = plan.h;
+    if (plan.sweeps > 0) body().m_cfg.piterations = plan.sweeps;
     for (std::size_t s = 0; matched && s < scene.springs.size(); ++s) {
       btSoftBody::Link& link = body().m_links[static_cast<int>(s)];
       const double w = link.m_n[0]->m_im + link.m_n[1]->m_im;
@@ -111,18 +115,19 @@ class LinkEngine final : public ClassicEngine {
 }  // namespace
 
 std::unique_ptr<Engine> make_soft_body_force(const scene::Scene& scene,
-                                             const std::vector<double>& state, double) {
+                                             const std::vector<double>& state, const Plan&) {
   return std::make_unique<ForceEngine>(scene, state);
 }
 
 std::unique_ptr<Engine> make_soft_body_links(const scene::Scene& scene,
-                                             const std::vector<double>& state, double h) {
-  return std::make_unique<LinkEngine>(scene, state, h, true);
+                                             const std::vector<double>& state, const Plan& plan) {
+  return std::make_unique<LinkEngine>(scene, state, plan, true);
 }
 
 std::unique_ptr<Engine> make_soft_body_links_stock(const scene::Scene& scene,
-                                                   const std::vector<double>& state, double h) {
-  return std::make_unique<LinkEngine>(scene, state, h, false);
+                                                   const std::vector<double>& state,
+                                                   const Plan& plan) {
+  return std::make_unique<LinkEngine>(scene, state, plan, false);
 }
 
 }  // namespace odeum::adapters::bullet

@@ -41,11 +41,25 @@ WithDampers with_dampers(const scene::Scene& scene, const std::vector<double>& s
   return result;
 }
 
+/// Bullet's solver with its counts within reach. As it comes: 300 iterations of conjugate
+/// gradients, one of Newton's.
+class CountedSolver final : public btDeformableBodySolver {
+ public:
+  void count(const Plan& plan) {
+    if (plan.sweeps > 0) m_cg.m_maxIterations = plan.sweeps;
+    if (plan.newton == 0) return;
+    m_maxNewtonIterations = plan.newton;
+    m_newtonTolerance = 0;  // or 1e-4 N s would end them early
+  }
+};
+
 class DeformableEngine final : public Engine {
  public:
-  DeformableEngine(const scene::Scene& scene, const std::vector<double>& state, bool implicit)
+  DeformableEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
+                   bool implicit)
       : world_(&parts_.dispatcher, &parts_.broadphase, &contacts_, &parts_.configuration,
                &solver_) {
+    if (implicit) solver_.count(plan);
     contacts_.setDeformableSolver(&solver_);
     world_.setImplicit(implicit);
     world_.setUseProjection(true);  // the implicit solver is not meant to run without it
@@ -77,7 +91,7 @@ class DeformableEngine final : public Engine {
   }
 
   CollisionParts parts_;
-  btDeformableBodySolver solver_;
+  CountedSolver solver_;
   btDeformableMultiBodyConstraintSolver contacts_;
   btDeformableGravityForce gravity_{btVector3(0, 0, 0)};
   std::optional<btDeformableMassSpringForce> springs_;
@@ -88,13 +102,15 @@ class DeformableEngine final : public Engine {
 }  // namespace
 
 std::unique_ptr<Engine> make_deformable_explicit(const scene::Scene& scene,
-                                                 const std::vector<double>& state, double) {
-  return std::make_unique<DeformableEngine>(scene, state, false);
+                                                 const std::vector<double>& state,
+                                                 const Plan& plan) {
+  return std::make_unique<DeformableEngine>(scene, state, plan, false);
 }
 
 std::unique_ptr<Engine> make_deformable_implicit(const scene::Scene& scene,
-                                                 const std::vector<double>& state, double) {
-  return std::make_unique<DeformableEngine>(scene, state, true);
+                                                 const std::vector<double>& state,
+                                                 const Plan& plan) {
+  return std::make_unique<DeformableEngine>(scene, state, plan, true);
 }
 
 }  // namespace odeum::adapters::bullet

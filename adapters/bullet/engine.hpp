@@ -23,19 +23,26 @@ class Engine {
   virtual const btSoftBody& body() const = 0;
 };
 
-/// Builds the world for a scene, a state (all positions, then all velocities) and a step h.
+/// How an engine is to step.
+struct Plan {
+  double h = 0;    ///< s
+  int sweeps = 0;  ///< Request::sweeps; 0: Bullet's own
+  int newton = 0;  ///< Request::newton; 0: Bullet's own
+};
+
+/// Builds the world for a scene, a state (all positions, then all velocities) and a plan.
 using MakeEngine = std::unique_ptr<Engine> (*)(const scene::Scene& scene,
-                                               const std::vector<double>& state, double h);
+                                               const std::vector<double>& state, const Plan& plan);
 
 std::unique_ptr<Engine> make_soft_body_force(const scene::Scene&, const std::vector<double>&,
-                                             double h);
+                                             const Plan&);
 std::unique_ptr<Engine> make_soft_body_links(const scene::Scene&, const std::vector<double>&,
-                                             double h);
+                                             const Plan&);
 std::unique_ptr<Engine> make_soft_body_links_stock(const scene::Scene&, const std::vector<double>&,
-                                                   double h);
+                                                   const Plan&);
 std::unique_ptr<Engine> make_deformable_explicit(const scene::Scene&, const std::vector<double>&,
-                                                 double h);
+                                                 const Plan&);
 std::unique_ptr<Engine> make_deformable_implicit(const scene::Scene&, const std::vector<double>&,
-                                                 double h);
+                                                 const Plan&);
 
 }  // namespace odeum::adapters::bullet

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -20,6 +21,8 @@ struct Method {
   bool our_forces;  ///< each step evaluates forces of ours; otherwise the engine's own
   std::string (*objection)(const scene::Scene&);
   MakeEngine make;
+  const char* sweeps;  ///< what Request::sweeps counts; empty: nothing
+  const char* newton;
 };
 
 constexpr double no_claim = std::numeric_limits<double>::quiet_NaN();
@@ -28,24 +31,26 @@ const Method methods[] = {
     {"soft_body_force",
      "btSoftBody::predictMotion: symplectic Euler (v += h f(x, v)/m, then x += h v), the step "
      "rounded to float",
-     1, true, objection_of_forces, make_soft_body_force},
+     1, true, objection_of_forces, make_soft_body_force, "", ""},
     {"soft_body_links",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST set so that one link does backward "
      "Euler at small strain; its spring law is k l (l^2 - L^2)/(l^2 + L^2), not k (l - L), and "
      "damping between free particles is left out",
-     1, false, objection_of_links, make_soft_body_links},
+     1, false, objection_of_links, make_soft_body_links, "Gauss-Seidel sweeps over the links", ""},
     {"soft_body_links_stock",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 as it comes: lengths are "
      "projected to the rest lengths, whatever the stiffness",
-     no_claim, false, objection_of_stock_links, make_soft_body_links_stock},
+     no_claim, false, objection_of_stock_links, make_soft_body_links_stock,
+     "Gauss-Seidel sweeps over the links", ""},
     {"deformable_explicit",
      "btDeformableMultiBodyDynamicsWorld: v* = v + h f(x)/m, then backward Euler in the damping, "
      "then x += h v",
-     1, false, objection_of_deformable, make_deformable_explicit},
+     1, false, objection_of_deformable, make_deformable_explicit, "", ""},
     {"deformable_implicit",
      "btDeformableMultiBodyDynamicsWorld, setImplicit(true): one Newton step of backward Euler, "
      "linearised at x + h v",
-     1, false, objection_of_deformable, make_deformable_implicit},
+     1, false, objection_of_deformable, make_deformable_implicit,
+     "iterations of conjugate gradients at most", "Newton iterations"},
 };
 
 Outcome failed(Status status, std::string detail) {
@@ -106,7 +111,12 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
   if (request.steps == 0 || !grid.fits())
     return refused("needs every stop on a step of the fixed grid");
 
-  const auto engine = method.make(scene, initial_state(scene, *contest.y0), grid.h());
+  const auto count = [](std::uint64_t asked) {
+    return static_cast<int>(std::min<std::uint64_t>(asked, 1'000'000));
+  };
+  const auto engine = method.make(
+      scene, initial_state(scene, *contest.y0),
+      {.h = grid.h(), .sweeps = count(request.sweeps), .newton = count(request.newton)});
   const std::size_t n = contest.view.dimension;
   std::vector<double> y(n);
   Outcome outcome;
@@ -166,6 +176,8 @@ SolverInfo info_of(const Method& method) {
   info.family = "physics_engine";
   info.order = method.order;
   info.needs = "a scene";
+  info.sweeps = method.sweeps;
+  info.newton = method.newton;
   info.source = std::string("Bullet 3.24, ") + method.scheme;
   return info;
 }

@@ -165,7 +165,7 @@ TEST(ImexCloth, WithoutDampersIsVelocityVerlet) {
   expect_near(by_imex<double>(scene, h * steps, steps), by_engine<double>(scene, true), 1e-12);
 }
 
-// Explicit methods need h < 0.092 m / d = 2e-5 s here, and at 1e-3 end in numbers without bound.
+// Velocity Verlet needs h < 0.046 m / d = 2e-4 s here, and at 1e-3 end in numbers without bound.
 TEST(ImexCloth, IsNotLimitedByDamping) {
   Scene scene = cases::square_cloth(11, 10);
   for (Spring& spring : scene.springs) spring.damping = 5;

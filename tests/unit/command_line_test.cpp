@@ -142,6 +142,10 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"odeum limits --resume --out /dev/null/x", "keeps no journal"},
         Misuse{"odeum reduction --solver odeum/rk9 --out /dev/null/x", "no solver matches"},
         Misuse{"odeum reduction --resume --out /dev/null/x", "keeps no journal"},
+        Misuse{"odeum material --solver bullet/soft_body_lnks --out /dev/null/x",
+               "did you mean bullet/soft_body_links?"},
+        Misuse{"odeum material --case cloth11_two_way --out /dev/null/x", "--case"},
+        Misuse{"odeum material --resume --out /dev/null/x", "keeps no journal"},
         Misuse{"odeum converge --jobs 0", "jobs"}, Misuse{"odeum list solver", "solver"},
         Misuse{"odeum stability --grid 1", "grid"}));
 
@@ -150,6 +154,15 @@ TEST_F(CommandLine, TellsThatAStepWasShrunk) {
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.output.find("shrunk from 0.3"), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("7 steps"), std::string::npos) << result.output;
+}
+
+TEST_F(CommandLine, MeasuresTheMaterial) {
+  const Result result = shell("odeum material --solver odeum/symplectic_euler --out " + in("out"));
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("hanging_chain"), std::string::npos) << result.output;
+  for (const char* name : {"material.csv", "material_error.csv", "cloth_long.csv"})
+    EXPECT_TRUE(fs::exists(fs::path(in("out")) / name)) << name;
+  EXPECT_FALSE(fs::exists(fs::path(in("out")) / "cloth_cost.csv")) << "no engine was chosen";
 }
 
 TEST_F(CommandLine, ListsInThreeFormats) {

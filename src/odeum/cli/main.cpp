@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
   add_drift(app, result);
   add_limits(app, result);
   add_reduction(app, result);
+  add_material(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);

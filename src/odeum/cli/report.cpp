@@ -6,6 +6,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/report/summary.hpp"
+#include "odeum/study/material.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -63,9 +64,14 @@ void run(const Options& options) {
   data.proofs =
       study::prove({.solvers = {}, .quick = options.quick, .jobs = options.jobs_or_cores()});
   time_solvers(options, folder, data);
+  // A quarter of a minute: a quick report shows what an earlier one left.
+  data.material = options.quick
+                      ? study::read_material_csv(folder.path())
+                      : study::measure_material({.solvers = {}, .jobs = options.jobs_or_cores()});
   write_csv(data.convergence, folder);
   write_csv(data.stability, folder);
   write_csv(data.proofs, folder);
+  if (!options.quick) write_csv(data.material, folder);
   report::describe(data, all_cases(), all_libraries());
   data.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::write_page(data, folder);

@@ -65,6 +65,7 @@ void add_precision(CLI::App& app, int& result);
 void add_drift(CLI::App& app, int& result);
 void add_limits(CLI::App& app, int& result);
 void add_reduction(CLI::App& app, int& result);
+void add_material(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
 void add_verify(CLI::App& app, int& result);
 void add_doctor(CLI::App& app, int& result);

@@ -52,6 +52,10 @@ struct Request {
   double tolerance = 0;       ///< adaptive: relative and absolute tolerance, the same number
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   Budget budget = {};
+  /// Iterations of a step, for solvers whose SolverInfo says what they are; others do not look at
+  /// them. 0: as many as the solver takes as it comes.
+  std::uint64_t sweeps = 0;  ///< over the constraints, or of the linear solver
+  std::uint64_t newton = 0;  ///< of Newton's method around it
 };
 
 /// Throws std::invalid_argument where a request is malformed: no stops, or stops that are not

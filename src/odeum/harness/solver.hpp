@@ -31,6 +31,8 @@ struct SolverInfo {
   std::string controller;       ///< adaptive: who chooses the step, in a few words
   std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
   std::string source;  ///< paper and table, or the library's documentation
+  /// What Request::sweeps and Request::newton count here, in a few words; empty: not looked at.
+  std::string sweeps, newton;
   StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
   /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
   std::function<double(double omega_h)> oscillator_amplification;

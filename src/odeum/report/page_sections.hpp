@@ -90,6 +90,8 @@ std::string precision_part(const PageContext& page, const CaseFacts& c);
 /// What adaptive solvers achieve of a tolerance, by group; with `each_solver`, by solver as well.
 std::string tolerance_table(const PageContext& page, const std::vector<study::PrecisionRow>& rows,
                             bool each_solver);
+/// What engines do to stiffness and damping, and cloths beside one another (page_material.hpp).
+std::string material_section(const PageContext& page);
 /// The body of the page of one case, which lies in a folder beside index.html.
 std::string case_body(PageContext& page, std::size_t index);
 /// Its part on a cloth in the course of time; empty where the case is none.

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace odeum::study {
+
+/// The oscillator z'' + decay z' + pull (z - rest) = 0 that passes through the samples of a motion:
+/// exactly so for any linear scheme of two unknowns, whatever it does.
+struct Vibration {
+  double pull = 0;   ///< k/m, 1/s^2
+  double decay = 0;  ///< d/m, 1/s
+  double rest = 0;   ///< in the units of z
+};
+
+/// Fits z[j + lag] = a z[j] + b z[j - lag] + c by least squares and takes the logarithms of the
+/// roots of x^2 = a x + b; the lag is some sixth of a turn. `step` s apart, z starts away from rest
+/// and at rest. Where there is no such oscillator, `reason` says why in a sentence.
+std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step,
+                                       std::string& reason);
+
+}  // namespace odeum::study

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What own methods make of springs, against their closed forms.
+#include "odeum/study/material.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace odeum::study {
+namespace {
+
+// The amplitude is 1e-5 m at heights of 1 m, known to 1e-16: 1e-11, which a fit makes 1e-9 at the
+// finest step; systems of one unknown are solved to rounding.
+constexpr double fitted = 1e-7;
+
+Specimen undamped(Specimen specimen) {
+  specimen.damping = 0;
+  return specimen;
+}
+
+MaterialRow response(const Specimen& specimen, const char* id, double step,
+                     const Iterations& iterations = {}) {
+  const SceneStage stage(specimen.scene());
+  return measure_response(specimen, stage, stage.solver(id), step, iterations);
+}
+
+TEST(Material, ASpecimenKnowsItself) {
+  const Specimen one = one_mass(), chain = hanging_chain();
+  EXPECT_NEAR(one.frequency(), 100, 1e-12);  // sqrt(1000 / 0.1)
+  EXPECT_NEAR(one.damping_ratio(), 0.05, 1e-15);
+  EXPECT_NEAR(one.sag(), 1e-4, 1e-18);
+  EXPECT_NEAR(chain.sag(), 55e-4, 1e-16);
+  // M x'' = -K x on the shape gives its frequency, at every mass.
+  const std::vector<double> x = chain.shape();
+  const double w = chain.frequency();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double above = i > 0 ? x[i - 1] : 0, below = i + 1 < x.size() ? x[i + 1] : x[i];
+    EXPECT_NEAR(chain.stiffness * (2 * x[i] - above - below), chain.mass * w * w * x[i], 1e-10);
+  }
+}
+
+TEST(Material, BackwardEulerIsSoftAndDampedByItsAmplification) {
+  const Specimen one = undamped(one_mass());
+  for (const double h : {1.0 / 120, 1.0 / 480}) {
+    // The roots are (1 +- i h w) / (1 + h^2 w^2).
+    const double x = h * one.frequency(), turn = std::atan(x) / h,
+                 fall = std::log1p(x * x) / (2 * h);
+    const double pull = turn * turn + fall * fall;
+    for (const char* id : {"odeum/implicit_euler", "odeum/implicit_euler_linearised"}) {
+      const MaterialRow row = response(one, id, h);
+      EXPECT_EQ(row.status, "ok") << row.detail;
+      EXPECT_NEAR(row.resting, 1, fitted) << id;
+      EXPECT_NEAR(row.vibrating, pull / 1e4, 1e-5) << id;  // Newton's method stops at 1e-10 of 1 m
+      EXPECT_NEAR(row.added_damping_ratio, fall / std::sqrt(pull), 1e-5) << id;
+      EXPECT_TRUE(std::isnan(row.damping)) << "nothing to compare with";
+    }
+  }
+}
+
+TEST(Material, SymplecticEulerAndVerletAreTooFastAndUndamped) {
+  const Specimen one = undamped(one_mass());
+  for (const double h : {1.0 / 60, 1.0 / 240, 1.0 / 960})
+    for (const char* id : {"odeum/symplectic_euler", "odeum/velocity_verlet"}) {
+      const double turn = 2 / h * std::asin(h * 50);  // of 100 rad/s
+      const MaterialRow row = response(one, id, h);
+      EXPECT_NEAR(row.vibrating, turn * turn / 1e4, 1e-6) << id << h;
+      EXPECT_NEAR(row.added_damping_ratio, 0, fitted) << id << h;
+      EXPECT_NEAR(row.resting, 1, fitted);
+    }
+  EXPECT_EQ(response(one, "odeum/symplectic_euler", 1.0 / 30).status, "unstable");
+}
+
+TEST(Material, AChainIsJudgedByItsSlowestMode) {
+  const Specimen chain = undamped(hanging_chain());
+  const double h = 1.0 / 60, x = h * chain.frequency(), turn = std::atan(x) / h,
+               fall = std::log1p(x * x) / (2 * h);
+  const MaterialRow row = response(chain, "odeum/implicit_euler", h);
+  EXPECT_NEAR(row.phase, x, 1e-15);
+  // Ten unknowns, solved by Newton's method to 1e-10 of 1 m, at an amplitude of 5e-4 m.
+  EXPECT_NEAR(row.vibrating, (turn * turn + fall * fall) / (chain.frequency() * chain.frequency()),
+              1e-5);
+  const MaterialRow damped = response(hanging_chain(), "odeum/velocity_verlet", 1.0 / 960);
+  EXPECT_NEAR(damped.damping, 1, 1e-3);  // the error of order 2 is (h w)^2 of it
+  EXPECT_EQ(response(chain, "odeum/velocity_verlet", 1.0 / 60).status, "unstable");
+}
+
+TEST(Material, WhoDoesNotIterateDoesNotLook) {
+  const MaterialRow one = response(one_mass(), "odeum/implicit_euler", 1.0 / 60),
+                    other = response(one_mass(), "odeum/implicit_euler", 1.0 / 60, {.sweeps = 7});
+  EXPECT_EQ(one.vibrating, other.vibrating);
+}
+
+TEST(Material, WhatDoesNotFitSaysSo) {
+  const MaterialRow row = response(one_mass(), "odeum/leapfrog", 1.0 / 60);
+  EXPECT_EQ(row.status, "not_applicable");
+  EXPECT_NE(row.detail, "");
+}
+
+TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {
+  const auto rows =
+      measure_long_runs({.solvers = {"odeum/velocity_verlet", "odeum/rk4"}, .jobs = 2});
+  double verlet = 0, rk4 = 0, linear = 0, drape = 0, energy = 0, exact = 0;
+  for (const LongRunRow& row : rows) {
+    EXPECT_EQ(row.status, "ok") << row.detail;
+    if (row.quantity == "linear_momentum") linear = std::max(linear, row.value);
+    if (row.quantity == "angular_momentum")
+      (row.solver == "rk4" ? rk4 : verlet) =
+          std::max(row.solver == "rk4" ? rk4 : verlet, row.value);
+    if (row.solver != "velocity_verlet" || row.setting > 0.01 || row.time != 10) continue;
+    if (row.quantity == "drape") drape = row.value;
+    if (row.quantity == "energy") energy = row.value, exact = row.exact;
+  }
+  // 2,400 steps of sums over 121 particles, each rounded by 1e-16.
+  EXPECT_LT(linear, 1e-12);
+  EXPECT_LT(verlet, 1e-12);
+  EXPECT_GT(rk4, 1e-6) << "or the quantity would see nothing";
+  // At rest by then: what is left of the motion is an error of order 2 of it.
+  EXPECT_GT(drape, 0);
+  EXPECT_LT(drape, 1e-3);
+  EXPECT_NEAR(energy, exact, 1e-3);
+}
+
+TEST(ClothSpeed, TimesEverySizeInBothPrecisions) {
+  const auto rows = measure_cloth_cost({5, 11}, 1e-3);
+  ASSERT_EQ(rows.size(), 4U);
+  for (const ClothCostRow& row : rows) {
+    EXPECT_GT(row.wall_ns_min, 0);
+    EXPECT_GE(row.wall_ns_median, row.wall_ns_min);
+    EXPECT_GE(row.repetitions, 3U);
+  }
+  EXPECT_EQ(rows[0].precision, "f64");
+  EXPECT_EQ(rows[3].precision, "f32");
+}
+
+TEST(ClothSpeed, ExplicitEnginesAreStableAtTheirSteps) {
+  const auto rows = measure_implicit_wins(11, {10, 1e4}, {1.0 / 120, 1.0 / 30}, 1e-3);
+  ASSERT_EQ(rows.size(), 2U * 4);
+  for (const ImplicitWinsRow& row : rows) {
+    EXPECT_EQ(row.status, "ok") << row.engine << row.stiffness << row.detail;
+    EXPECT_GT(row.wall_ns_min, 0);
+    // Order 2 at a large but stable step; beyond it errors have no bound.
+    if (row.engine != "implicit_f64") {
+      EXPECT_LT(row.error, 0.02) << row.engine << row.stiffness;
+    }
+    EXPECT_LT(row.truth_left, 1e-3);
+  }
+  EXPECT_GT(rows[3].error, rows[2].error) << "implicit, order 1, at four times the step";
+}
+
+}  // namespace
+}  // namespace odeum::study
