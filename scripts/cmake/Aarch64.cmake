@@ -14,6 +14,8 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 foreach(kind LIBRARY INCLUDE PACKAGE)
   set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
 endforeach()
+# Debian keeps headers that differ by architecture (gmp.h) apart.
+set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${ODEUM_ARM_ROOT}/usr/include/aarch64-linux-gnu)
 find_program(ODEUM_QEMU NAMES qemu-aarch64-static qemu-aarch64)
 if(ODEUM_QEMU)
   set(CMAKE_CROSSCOMPILING_EMULATOR
