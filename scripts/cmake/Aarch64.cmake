@@ -15,7 +15,9 @@ foreach(kind LIBRARY INCLUDE PACKAGE)
   set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
 endforeach()
 # Debian keeps headers that differ by architecture (gmp.h) apart.
-set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${ODEUM_ARM_ROOT}/usr/include/aarch64-linux-gnu)
+if(NOT EXISTS ${ODEUM_ARM_ROOT}/usr/include/gmp.h)
+  set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${ODEUM_ARM_ROOT}/usr/include/aarch64-linux-gnu)
+endif()
 find_program(ODEUM_QEMU NAMES qemu-aarch64-static qemu-aarch64)
 if(ODEUM_QEMU)
   set(CMAKE_CROSSCOMPILING_EMULATOR

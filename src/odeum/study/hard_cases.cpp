@@ -15,6 +15,7 @@ std::vector<std::string> globs_of_peers(const std::string& but = "") {
   libraries.erase("odeum");
   libraries.erase(but);
   std::vector<std::string> globs;
+  globs.reserve(libraries.size());
   for (const std::string& library : libraries) globs.push_back(library + "/*");
   return globs;
 }

@@ -71,7 +71,7 @@ ReductionRow reduction_row(const CsvReader& csv) {
   row.fit.points =
       static_cast<std::size_t>(std::min(1e6, std::max(0.0, csv.number("points").value())));
   row.fit.reason = csv.text("reason");
-  const auto verdict = std::find_if(verdicts.begin(), verdicts.end(), [&](Verdict each) {
+  const auto* const verdict = std::find_if(verdicts.begin(), verdicts.end(), [&](Verdict each) {
     return csv.text("verdict") == to_string(each);
   });
   if (verdict == verdicts.end()) throw std::bad_optional_access();
