@@ -7,6 +7,7 @@
 
 #include "cloth_stage.hpp"
 #include "goals.hpp"
+#include "grid_forces.hpp"
 #include "odeum/scene/cloth_engine.hpp"
 #include "odeum/scene/imex_cloth.hpp"
 #include "odeum/scene/lanes.hpp"
@@ -19,31 +20,6 @@ namespace {
 using cases::square_cloth;
 using scene::Scene;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <class Real>
-struct GridForces {
-  scene::GridLayout layout;
-  scene::GridSprings<Real> springs;
-  std::vector<Real> q, v, f;
-
-  explicit GridForces(const Scene& scene) : GridForces(scene, scene::require_grid(scene)) {}
-  GridForces(const Scene& scene, const scene::GridStructure& grid)
-      : layout(grid.rows, grid.columns),
-        springs(layout, grid.kinds),
-        q(3 * layout.size),
-        v(q),
-        f(q) {
-    std::vector<double> positions, velocities;
-    for (const auto& p : scene.particles)
-      for (int d = 0; d < 3; ++d) {
-        positions.push_back(p.position[d]);
-        velocities.push_back(p.velocity[d]);
-      }
-    layout.scatter(positions.data(), q.data());
-    layout.scatter(velocities.data(), v.data());
-  }
-  void forces() { springs.forces(q.data(), v.data(), f.data(), 0, layout.rows); }
-};
 
 /// Vector instructions a second of a loop of independent fused multiply-adds.
 template <class Real>

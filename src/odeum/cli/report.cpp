@@ -40,6 +40,14 @@ void time_solvers(const Options& options, const report::OutputFolder& folder,
   if (!options.quick) write_csv(data.precision, folder);
 }
 
+// The studies of hard cases, likewise: a quick report shows what the folder holds.
+void run_hard_cases(const Options& options, const report::OutputFolder& folder,
+                    report::ReportData& data) {
+  if (!options.quick) data.hard_cases = study::measure_hard_cases(options.jobs_or_cores());
+  study::add_earlier(data.hard_cases, study::read_hard_cases(folder.path()), all_cases());
+  if (!options.quick) write_csv(data.hard_cases, folder);
+}
+
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const report::OutputFolder folder(options.out);
@@ -63,6 +71,7 @@ void run(const Options& options) {
   data.stability = study::measure_stability(stability, &stable);
   data.proofs =
       study::prove({.solvers = {}, .quick = options.quick, .jobs = options.jobs_or_cores()});
+  run_hard_cases(options, folder, data);
   time_solvers(options, folder, data);
   // A quarter of a minute: a quick report shows what an earlier one left.
   data.material = options.quick

@@ -181,8 +181,9 @@ void write_page(const ReportData& data, const OutputFolder& folder) {
                    .case_files = name_case_files(data.cases),
                    .pictures = {}};
   const std::string body = overview_section(page) + precision_section(page) + orders_section(page) +
-                           stability_section(page) + material_section(page) + proofs_section(page) +
-                           verdicts_section(page) + skipped_section(page) + findings_section();
+                           stability_section(page) + hard_cases_section(page) +
+                           material_section(page) + proofs_section(page) + verdicts_section(page) +
+                           skipped_section(page) + findings_section();
   std::vector<std::string> bodies;
   for (std::size_t i = 0; i < data.cases.size(); ++i) bodies.push_back(case_body(page, i));
   page.pictures.draw(std::max(1U, std::thread::hardware_concurrency()));

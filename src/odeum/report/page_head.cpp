@@ -115,8 +115,8 @@ std::string head_section(const PageContext& page, const std::string& plots) {
              "<nav><a href=\"#overview\">Overview and cases</a>"
              "<a href=\"#precision\">Speed</a>"
              "<a href=\"#orders\">Orders</a><a href=\"#stability\">Stability</a>"
-             "<a href=\"#material\">Material</a><a "
-             "href=\"#proofs\">Proofs</a>"
+             "<a href=\"#hard\">Hard cases</a><a href=\"#material\">Material</a>"
+             "<a href=\"#proofs\">Proofs</a>"
              "<a href=\"#verdicts\">What did not confirm</a><a href=\"#skipped\">Skipped</a>"
              "<a href=\"#findings\">Findings</a></nav>\n",
              show_count(data.solvers.size(), "solver"),

@@ -97,6 +97,8 @@ std::string case_body(PageContext& page, std::size_t index);
 /// Its part on a cloth in the course of time; empty where the case is none.
 std::string cloth_part(PageContext& page, const CaseFacts& c);
 std::string stability_section(PageContext& page);
+/// Order reduction, largest stable steps, drift and horizons.
+std::string hard_cases_section(const PageContext& page);
 std::string proofs_section(const PageContext& page);
 /// What did not come out as claimed, what failed, what was skipped, and the findings.
 std::string verdicts_section(const PageContext& page);

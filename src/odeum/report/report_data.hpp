@@ -6,6 +6,7 @@
 
 #include "odeum/harness/case.hpp"
 #include "odeum/study/convergence.hpp"
+#include "odeum/study/hard_cases.hpp"
 #include "odeum/study/material_rows.hpp"
 #include "odeum/study/precision.hpp"
 #include "odeum/study/proof.hpp"
@@ -31,6 +32,7 @@ struct ReportData {
   study::StabilityResult stability;
   study::ProofResult proofs;
   study::PrecisionResult precision;
+  study::HardCaseResults hard_cases;
   std::string precision_problem;       ///< why results of an earlier run could not be used
   study::MaterialResult material;      ///< of this run, or of an earlier one into the same folder
   double precision_seconds_limit = 0;  ///< what one solve might take in this run; 0: none was timed

@@ -7,67 +7,19 @@
 #include <cmath>
 
 #include "odeum/report/html.hpp"
+#include "odeum/report/log_diagram.hpp"
 #include "odeum/report/panels.hpp"
-#include "odeum/report/plots.hpp"
 
 namespace odeum::report {
 namespace {
 
 using study::PrecisionRow;
 
-constexpr double width = 640, height = 400;
-constexpr double left = 62, right = 14, top = 10, bottom = 44;
-
-/// From values to coordinates of the picture.
-struct Axes {
-  LogRange time, error;
-
-  double x(double ns) const {
-    return left + (width - left - right) * std::log(ns / time.low) / std::log(time.high / time.low);
-  }
-  double y(double value) const {
-    return top + (height - top - bottom) * std::log(error.high / value) /
-                     std::log(error.high / error.low);
-  }
-};
+constexpr double left = LogAxes::left, right = LogAxes::right, top = LogAxes::top,
+                 bottom = LogAxes::bottom, width = LogAxes::width, height = LogAxes::height;
 
 bool drawable(const PrecisionRow& row, double worst) {
   return row.repetitions > 0 && row.wall_ns_min > 0 && row.error > 0 && row.error <= worst;
-}
-
-std::string svg_text(double x, double y, const char* anchor, const std::string& text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", x, y, anchor,
-                     text);
-}
-
-// Ticks at powers of ten; where these are few, at 2 and 5 of each as well.
-std::string time_ticks(const Axes& axes) {
-  std::string lines, labels;
-  const bool few = axes.time.high / axes.time.low < 100;
-  const int first = static_cast<int>(std::floor(std::log10(axes.time.low)));
-  for (int k = first; std::pow(10.0, k) <= axes.time.high; ++k)
-    for (const double m : {1.0, 2.0, 5.0}) {
-      const double ns = m * std::pow(10.0, k);
-      if (ns < axes.time.low || ns > axes.time.high || (m > 1 && !few)) continue;
-      lines += fmt::format("M{:.1f} {}V{}", axes.x(ns), top, height - bottom);
-      labels += svg_text(axes.x(ns), height - bottom + 15, "middle", show_time(ns));
-    }
-  return "<path class=\"grid\" d=\"" + lines + "\"/>" + labels;
-}
-
-std::string error_ticks(const Axes& axes) {
-  std::string lines, labels;
-  const double decades = std::log10(axes.error.high / axes.error.low);
-  const int every = std::max(1, static_cast<int>(std::ceil(decades / 9)));
-  const int first = static_cast<int>(std::ceil(std::log10(axes.error.low)));
-  for (int k = first; std::pow(10.0, k) <= axes.error.high; ++k) {
-    if (k % every != 0) continue;
-    const double y = axes.y(std::pow(10.0, k));
-    lines += fmt::format("M{} {:.1f}H{}", left, y, width - right);
-    labels += svg_text(left - 6, y + 4, "end",
-                       fmt::format("10<tspan dy=\"-5\" font-size=\"9\">{}</tspan>", k));
-  }
-  return "<path class=\"grid\" d=\"" + lines + "\"/>" + labels;
 }
 
 std::string title_of(const PrecisionRow& row) {
@@ -77,7 +29,7 @@ std::string title_of(const PrecisionRow& row) {
 }
 
 std::string points(const std::vector<PrecisionRow>& rows, const std::string& library,
-                   std::size_t style, const Axes& axes, double worst) {
+                   std::size_t style, const LogAxes& axes, double worst) {
   std::string html;
   for (const PrecisionRow& row : rows)
     if (row.library == library && drawable(row, worst))
@@ -88,7 +40,7 @@ std::string points(const std::vector<PrecisionRow>& rows, const std::string& lib
 }
 
 // A staircase: with any time between two points the error of the faster one is what one gets.
-std::string front(std::vector<PrecisionRow> rows, const Axes& axes, double worst,
+std::string front(std::vector<PrecisionRow> rows, const LogAxes& axes, double worst,
                   const char* style) {
   std::erase_if(rows, [&](const PrecisionRow& row) { return !drawable(row, worst); });
   study::mark_pareto(rows);
@@ -119,25 +71,19 @@ std::string show_time(double ns) {
 
 std::string speed_diagram(const std::vector<PrecisionRow>& rows,
                           const std::vector<std::string>& libraries, double floor, double worst) {
-  Axes axes;
+  LogAxes axes;
   std::vector<PrecisionRow> peers;
   for (const PrecisionRow& row : rows) {
     if (!drawable(row, worst)) continue;
-    axes.time.include(row.wall_ns_min);
-    axes.error.include(row.error);
+    axes.across.include(row.wall_ns_min);
+    axes.up.include(row.error);
     if (row.library != "odeum") peers.push_back(row);
   }
-  if (axes.time.empty() || axes.error.empty()) return {};
-  axes.time = axes.time.widened(1.4);
-  axes.error = axes.error.widened(3);
-  std::string html = fmt::format(
-      "<svg class=\"plot speed\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"error against "
-      "time "
-      "per solve\">",
-      width, height);
-  html += time_ticks(axes) + error_ticks(axes);
-  html += fmt::format("<path d=\"M{0} {1}V{2}H{3}\"/>", left, top, height - bottom, width - right);
-  if (floor > axes.error.low && floor < axes.error.high)
+  if (axes.across.empty() || axes.up.empty()) return {};
+  axes.across = axes.across.widened(1.4);
+  axes.up = axes.up.widened(3);
+  std::string html = open_diagram(axes, "error against time per solve", show_time);
+  if (floor > axes.up.low && floor < axes.up.high)
     html += fmt::format("<path class=\"guide\" stroke-dasharray=\"2 3\" d=\"M{} {:.1f}H{}\"/>",
                         left, axes.y(floor), width - right) +
             svg_text(left + 6, axes.y(floor) - 4, "start", "truth's floor");
@@ -145,13 +91,8 @@ std::string speed_diagram(const std::vector<PrecisionRow>& rows,
   for (std::size_t i = libraries.size(); i-- > 0;)
     html += points(rows, libraries[i], style_of_library(i), axes, worst);
   html += front(std::move(peers), axes, worst, "front peers") + front(rows, axes, worst, "front");
-  html +=
-      svg_text((left + width - right) / 2, height - 8, "middle", "time per solve (least), log") +
-      fmt::format(
-          "<text transform=\"translate(14,{}) rotate(-90)\" text-anchor=\"middle\">"
-          "largest error, absolute, log</text>",
-          (top + height - bottom) / 2);
-  return html + "</svg>";
+  html += close_diagram("time per solve (least), log", "largest error, absolute, log");
+  return html;
 }
 
 std::string speed_legend(const std::vector<std::string>& libraries) {

@@ -6,15 +6,26 @@
 #include <immintrin.h>
 #endif
 
+// Units compiled for wider vectors than the rest of the program have these under a name of their
+// own.
+#if defined(__AVX512F__)
+#define ODEUM_LANES lanes_64
+#elif defined(__AVX__)
+#define ODEUM_LANES lanes_32
+#else
+#define ODEUM_LANES lanes_16
+#endif
+
 /// As many numbers as the widest vector register holds, in the compiler's own vector types.
 namespace odeum::scene {
+inline namespace ODEUM_LANES {
 
 #if defined(__AVX512F__)
 inline constexpr std::size_t vector_bytes = 64;
 #elif defined(__AVX__)
 inline constexpr std::size_t vector_bytes = 32;
 #else
-inline constexpr std::size_t vector_bytes = 16;
+inline constexpr std::size_t vector_bytes = 16;  // SSE2, NEON
 #endif
 
 template <class Real>
@@ -40,7 +51,7 @@ template <class Real>
 }
 
 /// A first guess of 1 / sqrt(x), x > 0: the relative error is below 2^-14 with AVX-512, 4 % else.
-inline Vector<double> guess_inverse_sqrt(Vector<double> x) {
+[[gnu::always_inline]] inline Vector<double> guess_inverse_sqrt(Vector<double> x) {
 #if defined(__AVX512F__)
   return Vector<double>(_mm512_maskz_rsqrt14_pd(0xff, __m512d(x)));
 #else
@@ -48,7 +59,7 @@ inline Vector<double> guess_inverse_sqrt(Vector<double> x) {
   return Vector<double>(0x5fe6eb50c7b537a9 - (Bits(x) >> 1));
 #endif
 }
-inline Vector<float> guess_inverse_sqrt(Vector<float> x) {
+[[gnu::always_inline]] inline Vector<float> guess_inverse_sqrt(Vector<float> x) {
 #if defined(__AVX512F__)
   return Vector<float>(_mm512_maskz_rsqrt14_ps(0xffff, __m512(x)));
 #else
@@ -61,7 +72,7 @@ inline Vector<float> guess_inverse_sqrt(Vector<float> x) {
 /// is y (1 - r)^(-1/2), whose series in r is cut where r^n is a rounding. A square root and a
 /// division cost several times as much.
 template <class Real>
-Vector<Real> inverse_sqrt(Vector<Real> x) {
+[[gnu::always_inline]] inline Vector<Real> inverse_sqrt(Vector<Real> x) {
   Vector<Real> y = guess_inverse_sqrt(x);
 #if !defined(__AVX512F__)
   for (int i = 0; i < 2; ++i) y += Real(0.5) * y * (Real(1) - x * y * y);  // 4 % to 4e-6
@@ -72,8 +83,9 @@ Vector<Real> inverse_sqrt(Vector<Real> x) {
 }
 
 template <class Real>
-Vector<Real> larger(Vector<Real> a, std::type_identity_t<Real> b) {
+[[gnu::always_inline]] inline Vector<Real> larger(Vector<Real> a, std::type_identity_t<Real> b) {
   return a > b ? a : b;
 }
 
+}  // namespace ODEUM_LANES
 }  // namespace odeum::scene

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/scene/scene.hpp"
+#include "odeum/scene/spring_kernels.hpp"
 
 namespace odeum::scene {
 
@@ -77,24 +78,14 @@ class GridSprings {
   void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const;
 
  private:
-  template <bool damped>
-  void gather_forces(const Real* q, const Real* v, Real* force, std::size_t begin,
-                     std::size_t end) const;
-  struct Neighbour {
-    int row_offset;
-    std::ptrdiff_t offset;  // in a component's array
-    Real stiffness, stiffness_length, damping;
-    Real least;        // of k (1 - L/l): 0 for tension-only springs
-    const Real* mask;  // by column: 1 where the neighbour is on the grid
-  };
-  template <class Visit>
-  void gather(std::size_t begin, std::size_t end, Visit&& visit) const;
+  SpringRows<Real> view() const;
 
   GridLayout layout_;
   std::vector<SpringKind> kinds_;
-  std::vector<Neighbour> neighbours_;
+  std::vector<SpringNeighbour<Real>> neighbours_;
   std::vector<Real> masks_;  // of column offsets -2 ... 2
   bool damped_ = false;
+  const SpringKernels<Real>* kernels_ = spring_kernels<Real>().back();
 };
 
 extern template class GridSprings<double>;

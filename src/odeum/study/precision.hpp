@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "odeum/harness/case.hpp"
+#include "odeum/report/earlier_csv.hpp"
 #include "odeum/report/output_folder.hpp"
 
 namespace odeum::study {
@@ -83,10 +84,7 @@ void mark_pareto(std::vector<PrecisionRow>& rows);
 std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor);
 
 /// What an earlier run left in a precision.csv.
-struct EarlierPrecision {
-  std::vector<PrecisionRow> rows;
-  std::string problem;  ///< why a file that is there could not be used; a sentence
-};
+using EarlierPrecision = report::EarlierRows<PrecisionRow>;
 /// No rows and no problem where the file is missing.
 EarlierPrecision read_precision_csv(const std::filesystem::path& file);
 

@@ -2,25 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
-#include "odeum/report/csv.hpp"
-#include "odeum/report/csv_reader.hpp"
 #include "odeum/study/precision.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr const char* texts[] = {"case",   "library",      "solver",          "status",
-                                 "detail", "setting_kind", "right_hand_side", "measured"};
-constexpr const char* numbers[] = {
-    "schema",         "setting",        "error",           "wall_ns_min",
-    "wall_ns_median", "repetitions",    "rhs_evaluations", "jacobian_evaluations",
-    "steps",          "rejected_steps", "pareto",          "drift",
-    "processor_share"};
+constexpr const char* columns[] = {
+    "case",         "library",         "solver",      "status",          "detail",
+    "setting_kind", "right_hand_side", "measured",    "setting",         "error",
+    "wall_ns_min",  "wall_ns_median",  "repetitions", "rhs_evaluations", "jacobian_evaluations",
+    "steps",        "rejected_steps",  "pareto",      "drift",           "processor_share"};
 
 // The row that the reader stands at. Throws std::bad_optional_access where a number is none.
 PrecisionRow row_of(const report::CsvReader& csv) {
@@ -55,30 +49,8 @@ PrecisionRow row_of(const report::CsvReader& csv) {
 }  // namespace
 
 EarlierPrecision read_precision_csv(const std::filesystem::path& file) {
-  EarlierPrecision earlier;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return earlier;
-  std::ostringstream all;
-  all << in.rdbuf();
-  const std::string text = all.str();
-  report::CsvReader csv(text);
-  const auto missing = [&](const char* column) { return !csv.has(column); };
-  if (std::any_of(std::begin(texts), std::end(texts), missing) ||
-      std::any_of(std::begin(numbers), std::end(numbers), missing)) {
-    earlier.problem = "the precision.csv that was there has other columns: of another version?";
-    return earlier;
-  }
-  try {
-    while (csv.next()) {
-      if (csv.number("schema").value() != report::csv_schema) throw std::bad_optional_access();
-      earlier.rows.push_back(row_of(csv));
-    }
-  } catch (const std::bad_optional_access&) {
-    earlier.problem = "the precision.csv that was there holds what is no number, or another schema";
-  }
-  if (csv.broken()) earlier.problem = "the precision.csv that was there is cut off";
-  if (!earlier.problem.empty()) earlier.rows.clear();
-  return earlier;
+  return report::read_earlier<PrecisionRow>(file.parent_path(), file.filename().string(),
+                                            {std::begin(columns), std::end(columns)}, row_of);
 }
 
 void add_earlier(PrecisionResult& result, const std::vector<PrecisionRow>& earlier,

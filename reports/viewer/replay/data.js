@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scene that the page holds: frames of particles, springs, energies.
+const byId = (id) => document.getElementById(id);
+const report = document.documentElement.dataset;  // what the page's test reads
+const scene = JSON.parse(byId('scene').textContent);
+const unpack = (text, Kind) => {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Kind(bytes.buffer);
+};
+const counts = unpack(scene.counts, Uint32Array), allIds = unpack(scene.ids, Uint32Array);
+const states = unpack(scene.states, Float32Array), radii = unpack(scene.radii, Float32Array);
+const fixed = unpack(scene.fixed, Uint32Array), ends = unpack(scene.springs, Uint32Array);
+const rest = unpack(scene.rest, Float32Array);
+const times = scene.times, last = times.length - 1, duration = times[last] || 1;
+
+// Where each frame begins in the arrays.
+const firstParticle = new Uint32Array(times.length + 1);
+counts.forEach((n, k) => { firstParticle[k + 1] = firstParticle[k] + n; });
+const position = (k, i, d) => states[6 * firstParticle[k] + 3 * i + d];
+const velocity = (k, i, d) => states[6 * firstParticle[k] + 3 * (counts[k] + i) + d];
+const idOf = (k, i) => allIds[firstParticle[k] + i];
+const emits = counts.some((n) => n !== scene.listed);
+// Particles come in ascending ids: the one of an id is found by halving.
+const indexOf = (k, id) => {
+  if (!emits) return id;
+  let low = 0, high = counts[k] - 1;
+  while (low <= high) {
+    const middle = (low + high) >> 1, found = idOf(k, middle);
+    if (found === id) return middle;
+    if (found < id) low = middle + 1; else high = middle - 1;
+  }
+  return -1;
+};

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -DBUILD=<build folder> -DFOLDER=<folder> -DDOCS=<where documents go> -P CheckInstall.cmake
+# Installs into a fresh folder and runs the installed program in another, where it finds nothing of
+# the checkout beside it: a case, a built-in scene, a tableau of the installed ones.
+file(REMOVE_RECURSE ${FOLDER})
+file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix
+                OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+# Runs the program; its output has to hold the pattern.
+function(expect pattern)
+  execute_process(COMMAND ${EMULATOR} ${FOLDER}/prefix/bin/odeum ${ARGN} WORKING_DIRECTORY ${FOLDER}/elsewhere
+                  OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
+  if(NOT result EQUAL 0 OR NOT output MATCHES "${pattern}")
+    message(FATAL_ERROR "odeum ${ARGN}: ${result}, no \"${pattern}\" in\n${output}\n${errors}")
+  endif()
+endfunction()
+expect("hanging_cloth" list scenes)
+expect("pleiades" run pleiades --solver rk4 --step 0.01)
+expect("spinning pair" run spinning_pair --until 0.1 --out run)
+expect("Gauss" verify ${FOLDER}/prefix/${DOCS}/cases/tableaus/gauss4.yaml)
+foreach(file IN ITEMS replay.html final.csv)
+  if(NOT EXISTS ${FOLDER}/elsewhere/run/${file})
+    message(FATAL_ERROR "the installed program wrote no ${file}")
+  endif()
+endforeach()
+foreach(file IN ITEMS README.md LICENSE reports/findings.md cases/scenes/chain.yaml cases/reference)
+  if(NOT EXISTS ${FOLDER}/prefix/${DOCS}/${file})
+    message(FATAL_ERROR "${file} was not installed")
+  endif()
+endforeach()
