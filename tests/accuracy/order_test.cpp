@@ -53,7 +53,6 @@ struct Exception {
 constexpr const char* sixth_on_linear = "of order 6 on linear problems with constant coefficients";
 constexpr const char* small_leading_term =
     "its leading error term is small: order 6 down to errors of 1e-9";
-constexpr const char* blind = "its embedded estimate sees no error on linear problems (findings)";
 constexpr const char* mean_step = "the mean step is no yardstick: steps vary with the tolerance";
 // A thrown spring is shortest at t = 0.005 s, where its length has branch points 0.007 s off the
 // real axis: steps of 0.003 s and less see them, and errors of high order are near rounding there.
@@ -64,7 +63,6 @@ constexpr const char* higher_to_rounding =
 constexpr Exception exceptions[] = {
     {"rodas5p", "*", Mode::fixed, sixth_on_linear},
     {"rodas5p", "*", Mode::adaptive, sixth_on_linear},
-    {"ros3p", "*", Mode::adaptive, blind},
     {"bdf6", "lotka_volterra", Mode::fixed, "slopes still fall to 6 when errors meet rounding"},
     {"tsitouras54", "dahlquist_real", Mode::adaptive, small_leading_term},
     {"tsitouras54", "lotka_volterra", Mode::adaptive, small_leading_term},

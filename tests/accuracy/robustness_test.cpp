@@ -57,13 +57,16 @@ struct WrongOk {
   const char* case_glob;
   double tolerance;  ///< 0: any
   const char* reason;
+  bool always = true;  ///< or as rounding has it on the machine at hand
 };
 constexpr const char* order_reduction =
-    "order reduction: the estimate is filtered by the stiffness, the error of the stages is not";
+    "its estimate, of lower order, is held to 0.03 tol^((s+1)/2s), which counts on the method's "
+    "full "
+    "order; where stiffness reduces that to the estimate's, the error is no smaller than this";
 constexpr WrongOk wrong_oks[] = {
-    {"ros3p", "*", 0, "its embedded estimate sees no error on linear problems (findings)"},
     {"radau_iia9", "robertson", 1e-3,
-     "a tolerance of 1e-3 lets the first species, 5e-9 at the end, turn negative: unstable there"},
+     "a tolerance of 1e-3 lets the first species, 5e-9 at the end, turn negative: unstable there",
+     false},
     {"esdirk43", "vdp_mu1000", 1e-3,
      "large steps damp what grows off the unstable branch, |x| < 1, as well, and follow it"},
     {"radau_iia5", "prothero_robinson_1e6_smooth", 1e-11, order_reduction},
@@ -168,7 +171,7 @@ TEST(Robustness, NoAdaptiveSolverSaysOkToAWrongAnswer) {
   for (std::size_t k = 0; k < std::size(accumulating); ++k)
     EXPECT_TRUE(accumulation_needed[k]) << accumulating[k] << " needs no exception";
   for (std::size_t k = 0; k < std::size(wrong_oks); ++k)
-    EXPECT_TRUE(exception_needed[k])
+    EXPECT_TRUE(exception_needed[k] || !wrong_oks[k].always)
         << wrong_oks[k].method << " on " << wrong_oks[k].case_glob << " needs no exception";
 }
 
