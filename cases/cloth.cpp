@@ -42,9 +42,9 @@ Case make_variant(const Variant& variant) {
   c.stops = {0.25, 0.5, 1, 2};
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
-  c.finest_steps = (c.has_tag("smooth") ? 32 : 8) * variant.coarsest_steps;
+  c.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
   // Half a second or less. The smooth one has room for every own method to show its order.
-  c.evaluation_budget = variant.tension_only ? 12'000 : variant.stiffness > 100 ? 20'000 : 100'000;
+  c.evaluation_budget = variant.tension_only ? 8'000 : variant.stiffness > 100 ? 10'000 : 60'000;
   c.truth = reference_truth(variant.reference, variant.floor);
   set_stage(c, scene::MassSpring(*scene), scene);
   return c;

@@ -93,7 +93,7 @@ class PairRuns {
       runs_.push_back(measure(request, run_unless_over_budget(request)));
       const ErrorPoint& point = runs_.back().point;
       const bool falls = point.error < 0.5 * smallest;
-      at_floor = point.error <= point.typical_rounding() && !falls ? at_floor + 1 : 0;
+      at_floor = near_rounding(point) && !falls ? at_floor + 1 : 0;
       if (std::isfinite(point.error)) smallest = std::min(smallest, point.error);
       // Eight settings are on record, finer ones would only repeat it.
       if (at_floor >= 3 && runs_.size() >= 8) break;
@@ -112,8 +112,9 @@ class PairRuns {
       if (std::isfinite(run.point.error)) telling.push_back(run.row.steps);
       if (run.point.error == smallest) break;
     }
-    const bool to_rounding = runs_.back().point.error <= runs_.back().point.typical_rounding();
+    const bool to_rounding = near_rounding(runs_.back().point);
     for (const Request& request : second_look(pair_, like, telling, to_rounding)) {
+      if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
       std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
       runs_.push_back(measure(request, pair_.entrant->solve(request)));
     }
@@ -149,6 +150,10 @@ class PairRuns {
     std::vector<TimeRow> times;
     ErrorPoint point;
   };
+
+  static bool near_rounding(const ErrorPoint& point) {
+    return point.error <= 10 * point.typical_rounding();
+  }
 
   Outcome run_unless_over_budget(const Request& request) {
     Outcome outcome;

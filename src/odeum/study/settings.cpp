@@ -88,7 +88,7 @@ std::vector<Request> settings_between(const Case& c, Request request,
 std::vector<Request> settings_beyond(const Case& c, Request request) {
   std::vector<Request> requests;
   const auto units = static_cast<double>(request.steps) / static_cast<double>(c.steps_multiple);
-  request.budget.evaluations *= 4;
+  request.budget.evaluations *= 3;
   for (int k = 1; k <= 4; ++k) {
     request.steps =
         c.steps_multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
