@@ -34,10 +34,7 @@ Case make_variant(const Variant& variant) {
   c.tags.emplace_back(variant.tension_only      ? "kinked"
                       : variant.stiffness > 100 ? "stiff"
                                                 : "smooth");
-  for (const scene::Particle& particle : scene->particles)
-    c.y0.insert(c.y0.end(), particle.position.begin(), particle.position.end());
-  for (const scene::Particle& particle : scene->particles)
-    c.y0.insert(c.y0.end(), particle.velocity.begin(), particle.velocity.end());
+  c.y0 = scene::start_of(*scene);
   for (std::size_t i = 0; i < 3 * n * n; ++i) c.measured.push_back(i);  // positions
   c.stops = {0.25, 0.5, 1, 2};
   c.steps_multiple = 8;

@@ -77,11 +77,7 @@ double entry(const btSoftBody& body, std::size_t n, std::size_t e) {
 
 /// The scene's own initial state, and the case's in the entries that the case has.
 std::vector<double> initial_state(const scene::Scene& scene, const std::vector<double>& y0) {
-  std::vector<double> state;
-  for (const scene::Particle& particle : scene.particles)
-    state.insert(state.end(), particle.position.begin(), particle.position.end());
-  for (const scene::Particle& particle : scene.particles)
-    state.insert(state.end(), particle.velocity.begin(), particle.velocity.end());
+  std::vector<double> state = scene::start_of(scene);
   for (std::size_t i = 0; i < y0.size(); ++i)
     state[scene.select.empty() ? i : scene.select[i]] = y0[i];
   return state;

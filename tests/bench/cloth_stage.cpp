@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "odeum/scene/mass_spring.hpp"
+#include "odeum/study/material.hpp"
 #include "support/square_cloth.hpp"
 #include "support/stage.hpp"
 
@@ -63,10 +64,7 @@ struct PlainProblem {
 ClothStage::ClothStage(std::size_t n, double stiffness, Forces forces)
     : scene_(std::make_shared<const scene::Scene>(cases::square_cloth(n, stiffness))) {
   case_.id = "bench";
-  for (const auto& p : scene_->particles)
-    case_.y0.insert(case_.y0.end(), p.position.begin(), p.position.end());
-  for (const auto& p : scene_->particles)
-    case_.y0.insert(case_.y0.end(), p.velocity.begin(), p.velocity.end());
+  case_.y0 = scene::start_of(*scene_);
   if (forces == Forces::grid) {
     cases::set_stage(case_, scene::MassSpring(*scene_), scene_);
     return;
@@ -114,10 +112,7 @@ std::vector<double> ClothStage::truth(double t) const {
 }
 
 double ClothStage::distance(const std::vector<double>& a, const std::vector<double>& b) const {
-  double sum = 0;
-  const std::size_t n = 3 * scene_->size();
-  for (std::size_t i = 0; i < n; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(scene_->size()));
+  return study::rms_distance(a, b, scene_->size());
 }
 
 }  // namespace odeum::bench

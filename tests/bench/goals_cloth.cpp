@@ -46,15 +46,15 @@ double peak_instructions() {
 template <class Real>
 constexpr double instructions_a_neighbour = std::is_same_v<Real, double> ? 23 : 21;
 
-/// One frame at 60 a second, at the largest steps that are stable: damping limits velocity
-/// Verlet to 0.046 m/d, and springs all to 0.566 sqrt(m/k), both measured (ImexCloth).
+/// One frame at 60 a second, at the largest steps that are stable.
 void add_frame_rows(std::vector<Row>& rows) {
   constexpr double frame = 1.0 / 60;
   for (const auto& [n, threads, limit] : {std::tuple{std::size_t{128}, std::size_t{1}, 5.0},
                                           {std::size_t{256}, std::size_t{2}, 16.7}}) {
     const Scene scene = square_cloth(n, 10);
     const double m = scene.particles[0].mass;
-    const double by_springs = 0.566 * std::sqrt(m / 10), by_damping = 0.045 * m / 0.05;
+    const double by_springs = scene::spring_limit * std::sqrt(m / 10),
+                 by_damping = 0.98 * scene::verlet_damping_limit * m / 0.05;
     const auto steps_of = [](double largest) {
       return static_cast<std::size_t>(std::ceil(frame / largest));
     };

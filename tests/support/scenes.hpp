@@ -46,12 +46,4 @@ inline scene::Scene disordered_net(std::size_t n, double disorder, std::size_t f
   return scene;
 }
 
-/// The state that a scene starts from: all positions, then all velocities.
-inline std::vector<double> start_of(const scene::Scene& scene) {
-  std::vector<double> y;
-  for (const auto& p : scene.particles) y.insert(y.end(), p.position.begin(), p.position.end());
-  for (const auto& p : scene.particles) y.insert(y.end(), p.velocity.begin(), p.velocity.end());
-  return y;
-}
-
 }  // namespace odeum::tests

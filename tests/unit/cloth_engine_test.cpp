@@ -49,7 +49,7 @@ constexpr std::size_t steps = 200;
 template <class Method>
 std::vector<double> by_method(const Scene& scene) {
   const MassSpring problem(scene);
-  std::vector<double> y = tests::start_of(scene);
+  std::vector<double> y = start_of(scene);
   typename Method::template Stepper<MassSpring> stepper(problem);
   if constexpr (requires { stepper.start(0, h, y); }) stepper.start(0, h, y);
   for (std::size_t i = 0; i < steps; ++i) stepper.step(static_cast<double>(i) * h, h, y);

@@ -56,13 +56,6 @@ Scene make_scene(const Grid& grid) {
   return scene;
 }
 
-std::vector<double> state_of(const Scene& scene) {
-  std::vector<double> y;
-  for (const Particle& p : scene.particles) y.insert(y.end(), p.position.begin(), p.position.end());
-  for (const Particle& p : scene.particles) y.insert(y.end(), p.velocity.begin(), p.velocity.end());
-  return y;
-}
-
 /// The same springs with one more, of no stiffness, that spoils the grid.
 Scene spoiled(Scene scene) {
   scene.springs.push_back({.a = 0, .b = scene.size() - 1, .rest_length = 1});
@@ -76,7 +69,7 @@ TEST_P(SpringGrid, GathersWhatTheEdgesGive) {
   const MassSpring grid(scene), edges(spoiled(scene));
   ASSERT_NE(grid.grid(), nullptr);
   ASSERT_EQ(edges.grid(), nullptr);
-  const std::vector<double> y = state_of(scene);
+  const std::vector<double> y = start_of(scene);
   std::vector<double> x(y.size()), by_grid(y.size()), by_edges(y.size());
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = std::sin(static_cast<double>(i));
   // Accelerations up to some 2000 m/s^2, sums of sixteen in another order: 1.1e-16 * 2000 * 16.
@@ -102,7 +95,7 @@ TEST_P(SpringGrid, SolvesWhatTheEdgesSolve) {
       for (double& coordinate : particle.position) coordinate *= squeeze;
     const MassSpring grid(scene), edges(spoiled(scene));
     ASSERT_NE(grid.grid(), nullptr);
-    const std::vector<double> y = state_of(scene);
+    const std::vector<double> y = start_of(scene);
     for (const double gamma_h : {1e-3, 0.05, 0.4, 0.0, -1e-3}) {
       const auto by_grid = grid.shifted_solver(), by_edges = edges.shifted_solver();
       ASSERT_TRUE(by_grid->factorise(0, y.data(), gamma_h));
@@ -129,7 +122,7 @@ TEST(GridSprings, HaveNoStiffnessAtNoLength) {
   Scene scene = make_scene({4, 4, false});
   scene.particles[5].position = scene.particles[6].position;
   const MassSpring grid(scene), edges(spoiled(scene));
-  const std::vector<double> y = state_of(scene);
+  const std::vector<double> y = start_of(scene);
   std::vector<double> x(y.size(), 0), by_grid(y.size()), by_edges(y.size());
   x[3 * 5] = 1;
   grid.jacobian_times(0, y.data(), x.data(), by_grid.data());
@@ -157,7 +150,7 @@ TEST(SpringGrid, NeverLooksAtItsMargins) {
   ASSERT_TRUE(structure);
   const GridLayout layout(structure->rows, structure->columns);
   const GridSprings<double> springs(layout, structure->kinds);
-  const std::vector<double> y = state_of(scene);
+  const std::vector<double> y = start_of(scene);
   std::vector<double> results[2];
   for (const double margin : {0.0, 1e6}) {
     std::vector<double> q(3 * layout.size, margin), v(q), force(q.size());
@@ -175,7 +168,7 @@ TEST(SpringGrid, InSinglePrecisionAgreesToSinglePrecision) {
   const Scene scene = make_scene({12, 12, false});
   const auto structure = find_grid(scene);
   const GridLayout layout(structure->rows, structure->columns);
-  const std::vector<double> y = state_of(scene);
+  const std::vector<double> y = start_of(scene);
   std::vector<double> wide(y.size() / 2), narrow(y.size() / 2);
   const auto run = [&]<class Real>(Real, std::vector<double>& out) {
     const GridSprings<Real> springs(layout, structure->kinds);
@@ -218,7 +211,7 @@ TEST(SpringGrid, ASpringOfNoLengthExertsNoForce) {
   scene.particles[5].velocity = scene.particles[6].velocity;
   const MassSpring grid(scene), edges(spoiled(scene));
   ASSERT_NE(grid.grid(), nullptr);
-  const std::vector<double> y = state_of(scene);
+  const std::vector<double> y = start_of(scene);
   std::vector<double> by_grid(y.size()), by_edges(y.size());
   grid.rhs(0, y.data(), by_grid.data());
   edges.rhs(0, y.data(), by_edges.data());

@@ -35,10 +35,11 @@ class ExtrapolatedEulerControl {
     }
     for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
     used_ = 0;
-    double before = 0, contraction = 0;
-    if (!table_.begin(t, h, y, contraction) || !(contraction <= 1)) return unusable();
-    for (std::size_t j = 1; j <= std::min(target_ + 1, last); ++j) {
-      if (!table_.add_row(j, target_)) return unusable();
+    double before = 0;
+    for (std::size_t j = 0; j <= std::min(target_ + 1, last); ++j) {
+      double contraction = 0;
+      if (!table_.add_row(j, t, h, y, contraction) || !(contraction <= 1)) return unusable();
+      if (j == 0) continue;
       error = difference(j);
       if (!std::isfinite(error) || (j > 1 && error > before && error > 1)) return unusable();
       before = std::max(4 * error, 1.0);

@@ -45,7 +45,9 @@ class DenseShiftedSolver final : public ShiftedSolver {
       difference_jacobian(problem_, t, y, j_.data());
   }
   bool factorise(double gamma_h) {
-    linear::shifted_matrix(n_, gamma_h, j_.data(), solver_.data());
+    double* const m = solver_.data();
+    for (std::size_t i = 0; i < n_ * n_; ++i) m[i] = -gamma_h * j_[i];
+    for (std::size_t i = 0; i < n_; ++i) m[i * n_ + i] += 1;
     return solver_.factorise();
   }
   bool factorise(double t, const double* y, double gamma_h) override {

@@ -49,10 +49,4 @@ Square<N> make_square(std::size_t n) {
   return matrix;
 }
 
-/// m <- I - gamma_h j, n x n.
-inline void shifted_matrix(std::size_t n, double gamma_h, const double* j, double* m) {
-  for (std::size_t i = 0; i < n * n; ++i) m[i] = -gamma_h * j[i];
-  for (std::size_t i = 0; i < n; ++i) m[i * n + i] += 1;
-}
-
 }  // namespace odeum::linear

@@ -25,14 +25,14 @@ struct EarlierRows {
 /// stands at and throws std::bad_optional_access where a number is none. All rows or none.
 template <class Row, class RowOf>
 EarlierRows<Row> read_earlier(const std::filesystem::path& folder, const std::string& name,
-                              const std::vector<const char*>& columns, RowOf&& row_of) {
+                              const std::vector<std::string>& columns, RowOf&& row_of) {
   EarlierRows<Row> earlier;
   std::ifstream in(folder / name, std::ios::binary);
   if (!in) return earlier;
   const std::string text(std::istreambuf_iterator<char>(in), {});
   CsvReader csv(text);
   const std::string subject = "the " + name + " that was there ";
-  const auto missing = [&](const char* column) { return !csv.has(column); };
+  const auto missing = [&](const std::string& column) { return !csv.has(column); };
   if (missing("schema") || std::any_of(columns.begin(), columns.end(), missing)) {
     earlier.problem = subject + "has other columns: of another version?";
     return earlier;

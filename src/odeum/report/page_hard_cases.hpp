@@ -27,6 +27,17 @@ RowsByPair<Row> by_pair(const std::vector<Row>& rows) {
   return sorted;
 }
 
+/// Rows of one case or of none, by SolverInfo::id(); those that `kept(row)` is false of are left
+/// out.
+template <class Row, class Kept>
+std::map<std::string, std::vector<const Row*>> by_solver(const std::vector<Row>& rows,
+                                                         Kept&& kept) {
+  std::map<std::string, std::vector<const Row*>> sorted;
+  for (const Row& row : rows)
+    if (kept(row)) sorted[row.library + "/" + row.solver].push_back(&row);
+  return sorted;
+}
+
 /// A table of one row a solver, in a <details> a library, Odeum's open. `cells` gives what follows
 /// the solver's name; nothing leaves the solver out. `head` holds the cells after "solver".
 std::string solver_tables(const PageContext& page, const std::string& style,

@@ -86,19 +86,18 @@ std::string horizon_cell(const HorizonRow& row, double longest) {
 }  // namespace
 
 std::string oscillator_part(const PageContext& page) {
-  std::map<std::string, std::vector<const DriftRow*>> by_solver;
-  for (const DriftRow& row : page.data.hard_cases.drift.rows)
-    if (row.case_id == oscillator && row.status != "not_applicable")
-      by_solver[row.library + "/" + row.solver].push_back(&row);
-  if (by_solver.empty()) return {};
+  const auto solvers = by_solver(page.data.hard_cases.drift.rows, [](const DriftRow& row) {
+    return row.case_id == oscillator && row.status != "not_applicable";
+  });
+  if (solvers.empty()) return {};
   const std::string tables = solver_tables(
       page, "numbers drifts",
       "<th>amplitude</th><th>phase, rad</th><th>frequency</th><th>energy</th>",
       [&](const SolverInfo& solver) {
-        const auto found = by_solver.find(solver.id());
-        return found == by_solver.end() ? std::string() : oscillator_cells(found->second);
+        const auto found = solvers.find(solver.id());
+        return found == solvers.end() ? std::string() : oscillator_cells(found->second);
       });
-  const DriftRow& any = *by_solver.begin()->second.front();
+  const DriftRow& any = *solvers.begin()->second.front();
   return fmt::format(
              "<h3 id=\"oscillator\">Amplitude, phase and energy</h3>\n<p>What ten thousand steps "
              "of "
@@ -113,23 +112,24 @@ std::string oscillator_part(const PageContext& page) {
 
 std::string horizons_part(const PageContext& page) {
   std::set<Setting> settings;
-  std::map<std::string, std::vector<const HorizonRow*>> by_solver;
+  const auto solvers = by_solver(page.data.hard_cases.drift.horizons, [](const HorizonRow& row) {
+    return row.case_id == study::horizon_case && row.status != "not_applicable";
+  });
+  if (solvers.empty()) return {};
   double longest = 0;
-  for (const HorizonRow& row : page.data.hard_cases.drift.horizons) {
-    if (row.case_id != study::horizon_case || row.status == "not_applicable") continue;
-    settings.insert({row.mode, row.setting});
-    by_solver[row.library + "/" + row.solver].push_back(&row);
-    longest = std::fmax(longest, row.horizon);
-  }
-  if (by_solver.empty()) return {};
+  for (const auto& [solver, rows] : solvers)
+    for (const HorizonRow* row : rows) {
+      settings.insert({row->mode, row->setting});
+      longest = std::fmax(longest, row->horizon);
+    }
   std::string head;
   for (const Setting& setting : settings)
     head += fmt::format("<th>{} {}</th>", setting.mode == Mode::fixed ? "h =" : "tol",
                         show_number(setting.value, 3));
   const std::string tables =
       solver_tables(page, "numbers drifts", head, [&](const SolverInfo& solver) {
-        const auto found = by_solver.find(solver.id());
-        if (found == by_solver.end()) return std::string();
+        const auto found = solvers.find(solver.id());
+        if (found == solvers.end()) return std::string();
         std::string html;
         for (const Setting& setting : settings) {
           const auto row =

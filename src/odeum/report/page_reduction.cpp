@@ -22,10 +22,8 @@ constexpr double stiff = -1e4;
 constexpr double noticeable = 0.5;
 
 /// Of one solver, or of none: rows with the mildest stiffness first.
-std::map<std::string, Rows> by_solver(const ReportData& data) {
-  std::map<std::string, Rows> sorted;
-  for (const ReductionRow& row : data.hard_cases.reduction)
-    sorted[row.library + "/" + row.solver].push_back(&row);
+std::map<std::string, Rows> mildest_first(const ReportData& data) {
+  auto sorted = by_solver(data.hard_cases.reduction, [](const ReductionRow&) { return true; });
   for (auto& [solver, rows] : sorted)
     std::stable_sort(rows.begin(), rows.end(),
                      [](const auto* a, const auto* b) { return a->lambda > b->lambda; });
@@ -82,7 +80,7 @@ std::string cells(const Rows& rows, const std::set<double, std::greater<>>& lamb
 }  // namespace
 
 std::string reduction_part(const PageContext& page) {
-  const auto solvers = by_solver(page.data);
+  const auto solvers = mildest_first(page.data);
   if (solvers.empty()) return {};
   std::set<double, std::greater<>> lambdas;
   std::size_t kept = 0, reduced = 0, unstable = 0;

@@ -7,6 +7,10 @@
 
 namespace odeum::scene {
 
+/// The largest stable steps on cloths with springs to all neighbours one and two away, measured: of
+/// the springs times sqrt(m/k), and of velocity Verlet with their dampers times m/d.
+inline constexpr double spring_limit = 0.566, verlet_damping_limit = 0.046;
+
 /// A cloth whose springs form a regular grid, its elasticity explicit and its damping implicit: a
 /// Strang splitting of velocity Verlet for the springs and gravity, and the trapezoidal rule
 ///
@@ -14,8 +18,7 @@ namespace odeum::scene {
 ///
 /// for the dampers. D is constant, so that Chebyshev's iteration with Jacobi's preconditioner needs
 /// no inner product, and as many rounds at every step. Order 2. Damping limits the step no longer,
-/// which for a fine cloth it else does: velocity Verlet needs h < 0.046 m/d, this one
-/// h < 0.566 sqrt(m/k) (measured for springs to all neighbours one and two away).
+/// which for a fine cloth it else does: what limits this one is `spring_limit`.
 template <class Real>
 class ImexCloth {
  public:

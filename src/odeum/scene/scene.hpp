@@ -41,4 +41,12 @@ struct Scene {
   std::size_t size() const { return particles.size(); }
 };
 
+/// The state that a scene starts from: all positions, then all velocities.
+inline std::vector<double> start_of(const Scene& scene) {
+  std::vector<double> y;
+  for (const Particle& p : scene.particles) y.insert(y.end(), p.position.begin(), p.position.end());
+  for (const Particle& p : scene.particles) y.insert(y.end(), p.velocity.begin(), p.velocity.end());
+  return y;
+}
+
 }  // namespace odeum::scene

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/scene/momentum.hpp"
+
 namespace odeum::scene {
 namespace {
 
@@ -196,26 +198,10 @@ double SceneProblem::potential(const double* y) const {
   return sum;
 }
 
-Vec3 SceneProblem::momentum(const double* y) const {
-  const double* const v = y + 3 * particles();
-  Vec3 sum{};
-  for (std::size_t i = 0; i < particles(); ++i)
-    if (bodies_.free(i))
-      for (std::size_t d = 0; d < 3; ++d) sum[d] += bodies_.mass[i] * v[3 * i + d];
-  return sum;
-}
+Vec3 SceneProblem::momentum(const double* y) const { return linear_momentum(bodies_.mass, y); }
 
 Vec3 SceneProblem::angular_momentum(const double* y) const {
-  Vec3 sum{};
-  for (std::size_t i = 0; i < particles(); ++i) {
-    if (!bodies_.free(i)) continue;
-    const double *q = y + 3 * i, *v = y + 3 * (particles() + i);
-    for (std::size_t d = 0; d < 3; ++d) {
-      const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
-      sum[d] += bodies_.mass[i] * (q[e] * v[f] - q[f] * v[e]);
-    }
-  }
-  return sum;
+  return scene::angular_momentum(bodies_.mass, y);
 }
 
 void SceneProblem::closed_form(double t, const double* y0, double* y) const {

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "odeum/harness/glob.hpp"
 #include "odeum/harness/parallel.hpp"
 #include "odeum/harness/progress.hpp"
 #include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/momentum.hpp"
 #include "odeum/study/material.hpp"
 #include "support/square_cloth.hpp"
 
@@ -57,25 +57,9 @@ scene::Scene free_cloth() {
   return scene;
 }
 
-/// Linear momentum (kg m/s), then angular momentum about the origin (kg m^2/s).
-std::array<double, 6> momentum(const scene::Scene& scene, const double* y) {
-  std::array<double, 6> sum{};
-  const double* v = y + 3 * scene.size();
-  for (std::size_t i = 0; i < scene.size(); ++i, y += 3, v += 3) {
-    const double m = scene.particles[i].mass;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
-      sum[d] += m * v[d];
-      sum[3 + d] += m * (y[e] * v[f] - y[f] * v[e]);
-    }
-  }
-  return sum;
-}
-
-double change(const std::array<double, 6>& now, const std::array<double, 6>& first,
-              std::size_t begin) {
+double change(const scene::Vec3& now, const scene::Vec3& first) {
   double difference = 0, size = 0;
-  for (std::size_t d = begin; d < begin + 3; ++d) {
+  for (std::size_t d = 0; d < 3; ++d) {
     difference += (now[d] - first[d]) * (now[d] - first[d]);
     size += first[d] * first[d];
   }
@@ -161,7 +145,9 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
   request.budget.evaluations = 1'000'000;
   const Outcome outcome = entrant.solve(request);
   const std::size_t n = stage.solvers.y0->size();
-  const auto first = momentum(stage.scene, stage.solvers.y0->data());
+  std::vector<double> masses;
+  for (const scene::Particle& particle : stage.scene.particles) masses.push_back(particle.mass);
+  const double* const start = stage.solvers.y0->data();
   std::vector<LongRunRow> rows;
   blank.status = to_string(Status::ok);
   for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k) {
@@ -172,13 +158,12 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
                    stage.reference.empty() ? nullptr : stage.reference.data() + k * n, rows);
       continue;
     }
-    const auto now = momentum(stage.scene, y);
-    for (const auto& [quantity, begin] :
-         {std::pair{"linear_momentum", 0}, {"angular_momentum", 3}}) {
+    for (const auto& [quantity, of] : {std::pair{"linear_momentum", &scene::linear_momentum},
+                                       {"angular_momentum", &scene::angular_momentum}}) {
       LongRunRow row = blank;
       row.time = time;
       row.quantity = quantity;
-      row.value = change(now, first, static_cast<std::size_t>(begin));
+      row.value = change(of(masses, y), of(masses, start));
       row.exact = 0;
       rows.push_back(std::move(row));
     }

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,21 +17,6 @@ namespace odeum::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Watches the machine while times are taken, as the study of precision does.
-class Watch {
- public:
-  Conditions end() const {
-    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
-    return {.drift = calibration_ns() / before_ - 1,
-            .processor_share = (thread_seconds() - used_) / wall,
-            .measured = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
-  }
-
- private:
-  double before_ = calibration_ns(), used_ = thread_seconds();
-  Clock::time_point start_ = Clock::now();
-};
 
 /// Runs all in turns, three times at least and for `seconds` each on average.
 std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, double seconds) {
@@ -71,12 +53,11 @@ bool verlet_bounded(double h, double w, double c) {
   return std::abs(q) < 1e6;
 }
 
-/// Largest stable step less a tenth. Springs alone allow 0.566 sqrt(m/k), measured (ImexCloth):
-/// w h = 2 there. Dampers alone allow Verlet 0.046 m/d, measured too: c h = 1 by the map above. It
-/// has both in one mode at worst.
+/// Largest stable step less a tenth. At what springs alone allow w h = 2, at what dampers
+/// alone allow Verlet c h = 1, by the map above. It has both in one mode at worst.
 double stable_step(double mass, double stiffness, bool damping_limits) {
-  const double by_springs = 0.566 * std::sqrt(mass / stiffness),
-               by_damping = 0.046 * mass / damping;
+  const double by_springs = scene::spring_limit * std::sqrt(mass / stiffness),
+               by_damping = scene::verlet_damping_limit * mass / damping;
   double h = by_springs;
   if (damping_limits)
     while (!verlet_bounded(h, 2 / by_springs, 1 / by_damping)) h *= 0.99;

@@ -23,6 +23,14 @@ struct DriftRow {
   /// lag over the exact angle that was run through, which is the relative error of the frequency.
   double relative_error = nan;
   double value = nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
+
+  static constexpr const char* file = "drift.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("step", row.step), visit("time", row.time);
+    visit("invariant", row.invariant), visit("relative_error", row.relative_error);
+    visit("value", row.value), visit("detail", row.detail);
+  }
 };
 
 /// The times at which a solver lost a chaotic solution: a line of horizons.csv.
@@ -35,6 +43,13 @@ struct HorizonRow {
   /// When the largest error of a component reaches 1e-3, by linear interpolation of its logarithm
   /// between times at which the truth is known; NaN where the solve failed before.
   double horizon = nan;
+
+  static constexpr const char* file = "horizons.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail), visit("mode", row.mode);
+    visit("setting", row.setting), visit("horizon", row.horizon);
+  }
 };
 
 struct DriftResult {

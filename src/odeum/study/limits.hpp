@@ -24,6 +24,15 @@ struct LargestStep {
   /// The eigenvalue that sets the prediction; without one, the largest.
   std::complex<double> eigenvalue{nan, nan};
   double window = nan;  ///< how long the runs are
+
+  static constexpr const char* file = "largest_steps.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail);
+    visit("largest_stable_step", row.largest_stable_step);
+    visit("predicted_step", row.predicted_step), visit("eigenvalue", row.eigenvalue);
+    visit("window", row.window);
+  }
 };
 
 struct LimitsOptions {

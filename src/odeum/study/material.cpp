@@ -140,9 +140,8 @@ scene::Scene Specimen::scene() const {
 Specimen one_mass() { return {.name = "one_mass", .masses = 1}; }
 Specimen hanging_chain() { return {.name = "hanging_chain", .masses = 10}; }
 
-SceneStage::SceneStage(const scene::Scene& scene) : y0(std::make_shared<std::vector<double>>()) {
-  for (const auto& p : scene.particles) y0->insert(y0->end(), p.position.begin(), p.position.end());
-  for (const auto& p : scene.particles) y0->insert(y0->end(), p.velocity.begin(), p.velocity.end());
+SceneStage::SceneStage(const scene::Scene& scene)
+    : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
   Contest<scene::MassSpring> contest;
   contest.problem = std::make_shared<const scene::MassSpring>(scene);
   contest.y0 = y0;
@@ -154,6 +153,14 @@ const Entrant& SceneStage::solver(const std::string& id) const {
   for (const Entrant& entrant : entrants)
     if (entrant.info.id() == id) return entrant;
   throw std::out_of_range("no solver " + id);
+}
+
+bool is_compared(const SolverInfo& info, const MaterialOptions& options) {
+  const std::string id = info.id();
+  const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
+                        id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
+                        id == "odeum/implicit_euler_linearised";
+  return compared && any_glob_matches(options.solvers, id);
 }
 
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
@@ -254,10 +261,7 @@ std::vector<MaterialRow> measure_responses(const MaterialOptions& options) {
     for (const Entrant& entrant : stage.entrants) {
       const SolverInfo& info = entrant.info;
       const std::string id = info.id();
-      const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
-                            id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
-                            id == "odeum/implicit_euler_linearised";
-      if (!compared || !any_glob_matches(options.solvers, id)) continue;
+      if (!is_compared(info, options)) continue;
       tasks.push_back({specimen, id, {}, {}});
       // As it comes is one sweep, or Newton's one iteration.
       for (const std::uint64_t count : counts) {

@@ -16,6 +16,10 @@ struct MaterialOptions {
   unsigned jobs = 1;                 ///< for the runs that are not timed
 };
 
+/// Whether a solver is one of those whose stiffness and error parts are looked at: every engine's,
+/// and the own ones whose answer is known.
+bool is_compared(const SolverInfo& info, const MaterialOptions& options);
+
 /// All five files. Results but for times do not depend on `jobs`. Throws Interrupted.
 MaterialResult measure_material(const MaterialOptions& options);
 

@@ -109,11 +109,7 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
   std::vector<Task> tasks;
   for (const Entrant& entrant : cloth->entrants) {
     const SolverInfo& info = entrant.info;
-    const std::string id = info.id();
-    const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
-                          id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
-                          id == "odeum/implicit_euler_linearised";
-    if (!compared || !any_glob_matches(options.solvers, id)) continue;
+    if (!is_compared(info, options)) continue;
     plan.order = std::isfinite(info.order) ? info.order : 1;
     plan.tried = {{}};
     plan.converged = plan.half = {};

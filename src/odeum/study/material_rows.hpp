@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "odeum/report/output_folder.hpp"
+#include "odeum/study/stopwatch.hpp"
 
 /// What the study of engines and cloths finds. A row names its columns once, in `each`; its file is
 /// written and read by that.
@@ -84,12 +85,6 @@ struct LongRunRow {
     visit("setting", row.setting), visit("time", row.time), visit("quantity", row.quantity);
     visit("value", row.value), visit("exact", row.exact), visit("detail", row.detail);
   }
-};
-
-/// What the machine was like while times were taken, see PrecisionRow.
-struct Conditions {
-  double drift = not_measured, processor_share = not_measured;
-  std::string measured;
 };
 
 /// What a step of a cloth costs a particle: a line of cloth_cost.csv.

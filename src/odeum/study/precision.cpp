@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/precision.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 #include "odeum/harness/glob.hpp"
@@ -214,20 +212,14 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
     run_guarded(stage, contenders[i], options.seconds_per_solve);
   });
 
-  const std::string measured =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  double drift = 0, share = 1;
+  Conditions conditions;
   for (int attempt = 0; attempt < options.attempts; ++attempt) {
     for (Contender& contender : contenders)
       for (Trial& trial : contender.trials) trial.times.ns.clear();
-    const double before = calibration_ns();
-    const double used = thread_seconds();
-    const auto start = std::chrono::steady_clock::now();
+    const Watch watch;
     time_all(stage, contenders, options.seconds_per_case);
-    share = (thread_seconds() - used) /
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    drift = calibration_ns() / before - 1;
-    if (!disturbed(drift, share)) break;
+    conditions = watch.end();
+    if (!disturbed(conditions.drift, conditions.processor_share)) break;
   }
   std::vector<PrecisionRow> rows;
   for (Contender& contender : contenders)
@@ -236,17 +228,17 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       row.wall_ns_min = trial.times.min();
       row.wall_ns_median = trial.times.median();
       row.repetitions = trial.times.ns.size();
-      row.measured = measured;
+      row.measured = conditions.measured;
       if (row.repetitions) {
-        row.drift = drift;
-        row.processor_share = share;
+        row.drift = conditions.drift;
+        row.processor_share = conditions.processor_share;
       }
       if (disturbed(row.drift, row.processor_share)) {
         if (!row.detail.empty()) row.detail += "; ";
         row.detail += fmt::format(
             "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "
             "the processor for {:.0f} % of the time",
-            100 * drift, 100 * share);
+            100 * row.drift, 100 * row.processor_share);
       }
       rows.push_back(std::move(row));
     }

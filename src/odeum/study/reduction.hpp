@@ -17,6 +17,15 @@ struct ReductionRow {
   double claimed_order = nan;
   OrderFit fit;
   double error_finest = nan;  ///< absolute, at the finest step; NaN where that failed
+
+  static constexpr const char* file = "order_reduction.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("lambda", row.lambda);
+    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
+    visit("error_finest", row.error_finest), visit("order_low", row.fit.low);
+    visit("order_high", row.fit.high), visit("points", row.fit.points);
+    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason);
+  }
 };
 
 struct ReductionOptions {

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <limits>
 
+#include "odeum/report/manifest.hpp"
+
 namespace odeum::study {
 namespace {
 
@@ -49,6 +51,12 @@ Pinned::~Pinned() {
 Pinned::Pinned() = default;
 Pinned::~Pinned() = default;
 #endif
+
+Conditions Watch::end() const {
+  return {.drift = calibration_ns() / before_ - 1,
+          .processor_share = 1e9 * (thread_seconds() - used_) / since(start_),
+          .measured = report::utc_text(std::chrono::system_clock::now())};
+}
 
 double calibration_ns() {
   double least = std::numeric_limits<double>::infinity();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <string>
 #include <vector>
 
 /// How a time is taken.
@@ -30,6 +33,23 @@ double calibration_ns();
 /// quotient with wall time tells whether another program took the processor in between, which a
 /// calibration between two such moments does not see.
 double thread_seconds();
+
+/// What the machine was like while times were taken, see PrecisionRow.
+struct Conditions {
+  double drift = std::numeric_limits<double>::quiet_NaN();
+  double processor_share = std::numeric_limits<double>::quiet_NaN();
+  std::string measured;  ///< when, UTC
+};
+
+/// Watches the machine from its construction on.
+class Watch {
+ public:
+  Conditions end() const;
+
+ private:
+  double before_ = calibration_ns(), used_ = thread_seconds();
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// Wall times of one thing, taken at different moments.
 struct Times {
