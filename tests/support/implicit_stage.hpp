@@ -61,7 +61,7 @@ struct AnalyticLogistic : Logistic {
 };
 
 /// u' = -u^2 cos t, v' = -2 t v + u - 1 / (1 + sin t): u = 1 / (1 + sin t), v = exp(-t^2).
-struct Driven {
+struct DrivenDecay {
   static constexpr std::size_t dimension = 2;
   void rhs(double t, const double* y, double* dydt) const {
     dydt[0] = -y[0] * y[0] * std::cos(t);
@@ -78,7 +78,7 @@ struct Driven {
     dfdt[0] = y[0] * y[0] * std::sin(t);
     dfdt[1] = -2 * y[1] + std::cos(t) / (s * s);
   }
-  static State<Driven> exact(double t) { return {1 / (1 + std::sin(t)), std::exp(-t * t)}; }
+  static State<DrivenDecay> exact(double t) { return {1 / (1 + std::sin(t)), std::exp(-t * t)}; }
 };
 
 struct Robertson {

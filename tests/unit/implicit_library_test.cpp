@@ -41,7 +41,7 @@ TYPED_TEST_SUITE(Implicit, Methods);
 TYPED_TEST(Implicit, HasItsOrder) {
   const double p = TypeParam::info.order, band = p >= 9 ? 0.5 : 0.25;
   EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(TestFixture::steps)), p, band);
-  EXPECT_NEAR((measured_order<TypeParam, Driven>(TestFixture::steps)), p, band);
+  EXPECT_NEAR((measured_order<TypeParam, DrivenDecay>(TestFixture::steps)), p, band);
   EXPECT_NEAR((measured_order<TypeParam, Logistic>(p >= 9 ? 4 : p >= 4 ? 20 : 80, 10)), p, band);
 }
 

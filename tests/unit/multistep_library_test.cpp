@@ -38,7 +38,7 @@ TYPED_TEST(Multistep, HasItsOrder) {
   // The next term of the expansion moves one halving's slope by less than a quarter of an order.
   const std::uint64_t steps = p >= 6 ? 60 : 160;
   EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(steps)), p, 0.25);
-  EXPECT_NEAR((measured_order<TypeParam, Driven>(steps)), p, 0.25);
+  EXPECT_NEAR((measured_order<TypeParam, DrivenDecay>(steps)), p, 0.25);
   EXPECT_NEAR((measured_order<TypeParam, Logistic>(p >= 5 ? 30 : steps)), p, 0.25);
 }
 

@@ -81,7 +81,7 @@ TEST(OwnMethods, CountTheirEvaluations) {
                                           {"heun", {2, 0, 0}},
                                           {"rk4", {4, 0, 0}},
                                           {"cash_karp54", {6, 0, 0}},
-                                          {"dormand_prince54", {7, 0, 0}},
+                                          {"dormand_prince54", {6, 0, 0}},
                                           {"dormand_prince853", {12, 0, 0}},
                                           {"verner98", {16, 0, 0}},
                                           {"gragg_bulirsch_stoer", {21, 0, 0}},

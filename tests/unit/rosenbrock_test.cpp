@@ -23,7 +23,7 @@ TYPED_TEST(LinearlyImplicit, HasItsOrder) {
   const double p = TypeParam::info.order;
   const std::uint64_t steps = p >= 5 ? 40 : 160;
   // As for implicit methods; what rodas5p does on linear problems, see below.
-  EXPECT_NEAR((measured_order<TypeParam, Driven>(steps)), p, 0.25);
+  EXPECT_NEAR((measured_order<TypeParam, DrivenDecay>(steps)), p, 0.25);
   EXPECT_NEAR((measured_order<TypeParam, AnalyticLogistic>(p >= 5 ? 10 : steps)), p, 0.25);
   if (p < 5) {
     EXPECT_NEAR((measured_order<TypeParam, LinearOscillator>(steps)), p, 0.25);
@@ -35,7 +35,7 @@ TEST(Rodas5p, HasOrderSixOnLinearProblems) {
 }
 
 /// The driven problem that keeps its df/dt to itself.
-struct Silent : Driven {
+struct Silent : DrivenDecay {
   void time_derivative(double, const double*, double* dfdt) const { dfdt[0] = dfdt[1] = 0; }
 };
 
@@ -93,7 +93,7 @@ TEST(Rosenbrock, StabilityAtInfinity) {
 TEST(Seulex, HasTheOrderOfItsColumn) {
   const double p = methods::seulex::info.order;
   // The terms of the expansion in h are all there: the slope settles late.
-  EXPECT_NEAR((measured_order<methods::seulex, Driven>(64)), p, 0.3);
+  EXPECT_NEAR((measured_order<methods::seulex, DrivenDecay>(64)), p, 0.3);
   EXPECT_NEAR((measured_order<methods::seulex, LinearOscillator>(64)), p, 0.3);
   EXPECT_NEAR((measured_order<methods::seulex, AnalyticLogistic>(64, 10)), p, 0.3);
 }

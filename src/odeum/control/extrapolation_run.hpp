@@ -121,9 +121,10 @@ Outcome run_extrapolation(const Guarded<P>& problem, double t0, const State<P>& 
         return 0.0;
       }
       table.add_line(line, &difference);
-      return scaled_error_norm(difference, y, table.best(line), request.tolerance);
+      table.result(line, y_new);
+      return scaled_error_norm(difference, y, y_new, request.tolerance);
     });
-    y_new = table.best(control.line());
+    table.result(control.line(), y_new);
     norm = decision.accept ? 0 : 2;
     return Status::ok;
   };

@@ -29,8 +29,7 @@ class ExplicitRungeKutta {
 
   Status step(double t, double h, State<P>& y) {
     problem_.rhs(t, y.data(), k_[0].data());
-    later_stages(t, h, y);
-    add_weighted<Row::main>(h, y, y, std::make_index_sequence<stages>{});
+    finish(t, h, y);
     return Status::ok;
   }
 
@@ -39,10 +38,12 @@ class ExplicitRungeKutta {
   Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
     if (!first_known_) problem_.rhs(t, y.data(), k_[0].data());
     first_known_ = false;
-    later_stages(t, h, y);
-    for (auto& e : error) e = 0;
-    add_weighted<Row::difference>(h, error, error, std::make_index_sequence<stages>{});
-    add_weighted<Row::main>(h, y, y, std::make_index_sequence<stages>{});
+    finish(t, h, y);
+    if constexpr (T.first_same_as_last())
+      problem_.rhs(t + T.c(stages - 1) * h, y.data(), k_.back().data());
+    const auto weights = weights_times<Row::difference>(h);
+    for (std::size_t n = 0; n < y.size(); ++n)
+      error[n] = increment<Row::difference>(weights, n, std::make_index_sequence<stages>{});
     return Status::ok;
   }
   /// The last step was accepted: the next one, of any length, starts from where it ended. The last
@@ -72,11 +73,18 @@ class ExplicitRungeKutta {
  private:
   enum class Row { main, difference };
 
-  void later_stages(double t, double h, const State<P>& y) {
+  /// The stages after the first and the new state, at which the last stage of a first-same-as-last
+  /// tableau is evaluated: only an estimate of the error or the next step has a use for that one.
+  void finish(double t, double h, State<P>& y) {
+    constexpr std::size_t inner = T.first_same_as_last() ? stages - 2 : stages - 1;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
     }
-    (std::make_index_sequence<stages - 1>{});
+    (std::make_index_sequence<inner>{});
+    const auto weights = weights_times<Row::main>(h);
+    for (std::size_t n = 0; n < y.size(); ++n)
+      y[n] = (y[n] + increment<Row::main>(weights, n, std::make_index_sequence<newest>{})) +
+             weights[newest] * k_[newest][n];
   }
 
   template <std::size_t I, std::size_t... J>
@@ -95,14 +103,28 @@ class ExplicitRungeKutta {
     return row == Row::main ? T.b[i] : T.b[i] - T.b_hat[i];
   }
 
+  template <Row row>
+  static constexpr std::array<double, stages> weights_times(double h) {
+    std::array<double, stages> weights{};
+    for (std::size_t i = 0; i < stages; ++i) weights[i] = h * weight<row>(i);
+    return weights;
+  }
+
+  /// The last stage with a weight.
+  static constexpr std::size_t newest = [] {
+    std::size_t i = stages - 1;
+    while (i > 0 && T.b[i] == 0) --i;
+    return i;
+  }();
+
+  // Of the stages I. Most of a step is summed before it is added to y: then it rounds as two
+  // additions do, not as one a stage.
   template <Row row, std::size_t... I>
-  void add_weighted(double h, const State<P>& from, State<P>& to, std::index_sequence<I...>) {
-    const std::array<double, stages> hb{(h * weight<row>(I))...};
-    for (std::size_t n = 0; n < to.size(); ++n) {
-      double sum = from[n];
-      ((weight<row>(I) != 0 ? void(sum += hb[I] * k_[I][n]) : void()), ...);
-      to[n] = sum;
-    }
+  double increment([[maybe_unused]] const std::array<double, stages>& weights,
+                   [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {
+    double sum = 0;
+    ((weight<row>(I) != 0 ? void(sum += weights[I] * k_[I][n]) : void()), ...);
+    return sum;
   }
 
   const P& problem_;

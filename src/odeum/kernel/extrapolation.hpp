@@ -27,12 +27,15 @@ constexpr double extrapolation_weight(int line, int column) {
 /// Each line is a chain of evaluations, of which every one waits for the one before, while lines
 /// know nothing of each other: those that are sure to be wanted are computed side by side, so that
 /// the processor works on several while each waits.
+///
+/// All that is summed and extrapolated are increments, differences to y: the weights of the table
+/// then magnify the rounding of numbers of size h, and a step rounds as one addition does.
 template <class P, int Lines>
 class ExtrapolationTable {
  public:
   explicit ExtrapolationTable(const P& problem) : problem_(problem), f0_(make_state(problem)) {
     f_ = y0_ = f0_;
-    for (auto* states : {&before_, &now_, &table_}) states->fill(f0_);
+    for (auto* states : {&before_, &now_, &argument_, &table_}) states->fill(f0_);
   }
 
   /// A step from (t, y), of which the first `sure` lines will be asked for.
@@ -66,7 +69,11 @@ class ExtrapolationTable {
     }
     table_[static_cast<std::size_t>(line)] = now;
   }
-  const State<P>& best(int line) const { return table_[static_cast<std::size_t>(line)]; }
+  /// The new state by the last entry of `line`.
+  void result(int line, State<P>& y) const {
+    const State<P>& increment = table_[static_cast<std::size_t>(line)];
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = y0_[i] + increment[i];
+  }
 
  private:
   // Gragg's rule for lines first, ..., last side by side, into now_.
@@ -74,8 +81,13 @@ class ExtrapolationTable {
     for (int line = first; line <= last; ++line) {
       State<P>& now = now_[static_cast<std::size_t>(line)];
       const double h = h_ / extrapolation_substeps(line);
-      before_[static_cast<std::size_t>(line)] = y0_;
-      for (std::size_t i = 0; i < now.size(); ++i) now[i] = y0_[i] + h * f0_[i];
+      State<P>&before = before_[static_cast<std::size_t>(line)],
+      &argument = argument_[static_cast<std::size_t>(line)];
+      for (std::size_t i = 0; i < now.size(); ++i) {
+        before[i] = 0;
+        now[i] = h * f0_[i];
+        argument[i] = y0_[i] + h * f0_[i];
+      }
     }
     for (int k = 1; k <= extrapolation_substeps(last); ++k)
       for (int line = last; line >= first && extrapolation_substeps(line) >= k; --line)
@@ -85,15 +97,18 @@ class ExtrapolationTable {
   // The last one is the smoothing: (y_{n-1} + 2 y_n + y_{n+1}) / 4.
   void substep(int line, int k) {
     State<P>&before = before_[static_cast<std::size_t>(line)],
-    &now = now_[static_cast<std::size_t>(line)];
+    &now = now_[static_cast<std::size_t>(line)],
+    &argument = argument_[static_cast<std::size_t>(line)];
     const int n = extrapolation_substeps(line);
     const double h = h_ / n;
-    problem_.rhs(t_ + k * h, now.data(), f_.data());
+    problem_.rhs(t_ + k * h, argument.data(), f_.data());
     if (k == n) {
       for (std::size_t i = 0; i < now.size(); ++i) now[i] = (before[i] + now[i] + h * f_[i]) / 2;
       return;
     }
     for (std::size_t i = 0; i < now.size(); ++i) {
+      // y + next, with one multiply-add between this evaluation and the next.
+      argument[i] = (y0_[i] + before[i]) + 2 * h * f_[i];
       const double next = before[i] + 2 * h * f_[i];
       before[i] = now[i];
       now[i] = next;
@@ -113,7 +128,7 @@ class ExtrapolationTable {
   double t_ = 0, h_ = 0;
   int computed_ = 0;  ///< lines of which now_ has the result of the midpoint rule
   State<P> f0_, y0_, f_;
-  std::array<State<P>, Lines> before_, now_, table_;
+  std::array<State<P>, Lines> before_, now_, argument_, table_;
 };
 
 /// The stability function of the last entry of line `lines - 1`.

@@ -30,7 +30,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
     Status step(double t, double h, State<P>& y) {
       table_.begin(t, h, y, fixed_lines);
       for (int line = 0; line < fixed_lines; ++line) table_.add_line(line);
-      y = table_.best(fixed_lines - 1);
+      table_.result(fixed_lines - 1, y);
       return Status::ok;
     }
 

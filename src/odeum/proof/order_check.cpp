@@ -21,6 +21,9 @@ Plan plan_for(double order) {
   return {2, std::pow(2.0, 1. / 6), 8, 24, 2};
 }
 
+// So many errors near rounding show what it comes to.
+constexpr int rounding_seen = 4;
+
 /// Step counts from coarse to fine.
 std::vector<std::uint64_t> ladder(const Plan& plan) {
   std::vector<std::uint64_t> steps;
@@ -65,7 +68,7 @@ study::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
     }
     points.push_back(point);
     at_rounding = point.error <= point.typical_rounding() ? at_rounding + 1 : 0;
-    if (at_rounding >= 2 && points.size() >= 6) break;
+    if (at_rounding >= rounding_seen && points.size() >= 6) break;
   }
   return study::fit_order(points, claimed_order, study::fixed_step_tolerance(claimed_order));
 }

@@ -27,8 +27,8 @@ bool worth_drawing(const CaseFacts& c, double error) {
 CaseAxes axes_of(const ReportData& data, const CaseFacts& c) {
   CaseAxes axes;
   for (const ConvergenceRow& row : data.convergence.rows) {
-    if (row.case_id != c.id || !worth_drawing(c, row.error_max)) continue;
-    axes.error.include(row.error_max);
+    if (row.case_id != c.id || !worth_drawing(c, row.error_rms)) continue;
+    axes.error.include(row.error_rms);
     if (row.mode == Mode::fixed) axes.step.include(row.step);
     axes.evaluations.include(static_cast<double>(row.counters.rhs_evaluations));
   }
@@ -41,8 +41,8 @@ Curve curve_of(const PageContext& page, const CaseFacts& c, const Panel& panel, 
                Mode mode, Abscissa abscissa) {
   Curve curve{.style = style, .dashed = mode == Mode::adaptive, .points = {}};
   for (const ConvergenceRow* row : page.lookup.rows(c.id, *panel.solvers[style], mode))
-    if (const double x = abscissa(*row); x > 0 && worth_drawing(c, row->error_max))
-      curve.points.emplace_back(x, row->error_max);
+    if (const double x = abscissa(*row); x > 0 && worth_drawing(c, row->error_rms))
+      curve.points.emplace_back(x, row->error_rms);
   return curve;
 }
 
@@ -60,14 +60,14 @@ std::string panel_figure(PageContext& page, const CaseFacts& c, const CaseAxes& 
   LogPlot by_step{.x = axes.step.widened(1.2),
                   .y = axes.error.widened(3),
                   .x_label = seconds ? "step h [s]" : "step h [unit of t]",
-                  .y_label = "largest error",
+                  .y_label = "error (root mean square)",
                   .curves = {},
                   .slopes = orders_in(panel),
                   .floor = c.truth_floor};
   LogPlot by_cost{.x = axes.evaluations.widened(1.5),
                   .y = by_step.y,
                   .x_label = "evaluations of f",
-                  .y_label = "largest error",
+                  .y_label = "error (root mean square)",
                   .curves = {},
                   .slopes = {},
                   .floor = c.truth_floor};

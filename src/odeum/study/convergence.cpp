@@ -87,16 +87,15 @@ class PairRuns {
 
   /// Runs from coarse to fine, until rounding alone is left to see.
   void climb(const std::vector<Request>& requests) {
-    int at_floor = 0;
     double smallest = std::numeric_limits<double>::infinity();
     for (const Request& request : requests) {
       runs_.push_back(measure(request, run_unless_over_budget(request)));
       const ErrorPoint& point = runs_.back().point;
       const bool falls = point.error < 0.5 * smallest;
-      at_floor = near_rounding(point) && !falls ? at_floor + 1 : 0;
+      at_floor_ = near_rounding(point) && !falls ? at_floor_ + 1 : 0;
       if (std::isfinite(point.error)) smallest = std::min(smallest, point.error);
       // Eight settings are on record, finer ones would only repeat it.
-      if (at_floor >= 3 && runs_.size() >= 8) break;
+      if (at_floor_ >= 3 && runs_.size() >= 8) break;
     }
   }
 
@@ -112,8 +111,7 @@ class PairRuns {
       if (std::isfinite(run.point.error)) telling.push_back(run.row.steps);
       if (run.point.error == smallest) break;
     }
-    const bool to_rounding = near_rounding(runs_.back().point);
-    for (const Request& request : second_look(pair_, like, telling, to_rounding)) {
+    for (const Request& request : second_look(pair_, like, telling, at_floor_ > 0)) {
       if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
       std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
       runs_.push_back(measure(request, pair_.entrant->solve(request)));
@@ -183,8 +181,9 @@ class PairRuns {
     for (const StopError& e : errors)
       run.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
                            e.error_max, e.error_rms, e.energy, e.energy_error});
-    run.point.error = row.error_max;
+    run.point.error = row.error_rms;
     run.point.rounding_unit = judge_.rounding_unit();
+    run.point.components = static_cast<double>(judge_.components());
     run.point.floor = pair_.c->truth.floor;
     run.point.steps = static_cast<double>(row.steps);
     return run;
@@ -193,6 +192,7 @@ class PairRuns {
   const Pair& pair_;
   const Judge& judge_;
   std::vector<Run> runs_;
+  int at_floor_ = 0;  ///< how many of the finest runs fell no more, near rounding
   std::vector<Cost> costs_;
 };
 

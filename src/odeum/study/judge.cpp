@@ -14,11 +14,16 @@ Judge::Judge(const Case& c, std::vector<double> stops)
     measured_.resize(c.y0.size());
     std::iota(measured_.begin(), measured_.end(), 0);
   }
-  for (const std::size_t i : measured_) scale_ = std::max(scale_, std::abs(c.y0[i]));
+  const auto see = [&](const double* y) {
+    double squares = 0;
+    for (const std::size_t i : measured_) squares += y[i] * y[i];
+    scale_ = std::max(scale_, std::sqrt(squares / static_cast<double>(measured_.size())));
+  };
+  see(c.y0.data());
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     std::vector<double> exact(c.y0.size());
     if (!c.truth.at(stops_[k], exact.data())) continue;
-    for (const std::size_t i : measured_) scale_ = std::max(scale_, std::abs(exact[i]));
+    see(exact.data());
     if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
     truth_[k] = std::move(exact);
   }

@@ -24,8 +24,11 @@ class Judge {
   /// One entry a stop; the outcome must have reached all of them.
   std::vector<StopError> errors(const Outcome& outcome) const;
 
-  /// Half a unit in the last place of the largest component measured.
+  /// Half a unit in the last place of the components measured, as a root mean square where that is
+  /// largest: at the start or at a stop.
   double rounding_unit() const;
+  /// How many components are measured.
+  std::size_t components() const { return measured_.size(); }
 
  private:
   const Case& case_;

@@ -14,10 +14,15 @@ namespace {
 
 constexpr std::size_t fewest_points = 4;
 constexpr double shortest_span = 1.35;  // of the steps in a window
-// Errors this many times rounding are clear of it: of what rounding comes to as a rule, and of what
-// it came to in this very run. Below the latter it bends the local slope of a high order, whose
-// steps lie 1.26 apart, by as much as the slopes may differ.
-constexpr double clear_of_typical = 30, clear_of_seen = 10;
+constexpr double finest_end = 1.65;     // of a window, against the finest step
+// Errors this many times rounding are clear of it: less bends the local slope of a high order,
+// whose steps lie 1.26 apart, by as much as the slopes may differ. Over many components rounding is
+// independent of the error, and adds to it by squares.
+double clear_of_rounding(const ErrorPoint& point) {
+  return std::max(4.0, 10 / std::sqrt(point.components));
+}
+// What rounding comes to as a rule is known to within this factor.
+constexpr double typical_within = 3;
 
 /// A straight line through (log step, log error), by least squares.
 struct Line {
@@ -55,27 +60,48 @@ struct Window {
   std::size_t first = 0, count = 0;
 };
 
+// Local slopes are taken over steps this far apart, as a ladder's neighbours are. Between closer
+// ones they would show the errors' noise.
+constexpr double slope_span = 1.18;
+
+/// The next finer point that a local slope is taken to; `end` where there is none.
+std::size_t slope_partner(const std::vector<ErrorPoint>& points, std::size_t i, std::size_t end) {
+  std::size_t j = i + 1;
+  while (j < end && points[i].step < slope_span * points[j].step) ++j;
+  return j;
+}
+
 // The finest four points or more whose local slopes agree, far enough apart, then coarser ones as
 // long as their slopes agree with those four. High orders settle later, so their slopes may differ
 // by more among the four. Errors that grow as the step shrinks are no convergence, however well
 // their slopes agree.
 Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
   const double among_finest = settled * std::max(1.0, claimed_order / 2);
+  const auto slope_from = [&](std::size_t i, std::size_t j) {
+    return local_slope(points[i], points[j]);
+  };
   for (std::size_t end = points.size(); end >= fewest_points; --end) {
     std::size_t first = end - fewest_points;
     while (first > 0 && points[first].step < shortest_span * points[end - 1].step) --first;
     if (points[first].step < shortest_span * points[end - 1].step) break;
     double sum = 0, low = 1e300, high = -1e300;
-    for (std::size_t i = first; i + 1 < end; ++i) {
-      const double slope = local_slope(points[i], points[i + 1]);
+    int slopes = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      const std::size_t j = slope_partner(points, i, end);
+      if (j == end) break;
+      const double slope = slope_from(i, j);
       sum += slope;
       low = std::min(low, slope);
       high = std::max(high, slope);
+      ++slopes;
     }
-    const double mean = sum / static_cast<double>(end - 1 - first);
+    const double mean = sum / slopes;
     if (low <= 0 || high - mean > among_finest || mean - low > among_finest) continue;
-    while (first > 0 && std::abs(local_slope(points[first - 1], points[first]) - mean) <= settled)
+    while (first > 0) {
+      const std::size_t partner = slope_partner(points, first - 1, end);
+      if (partner == end || std::abs(slope_from(first - 1, partner) - mean) > settled) break;
       --first;
+    }
     return {first, end - first};
   }
   return {};
@@ -85,31 +111,45 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
 class SeenRounding {
  public:
   SeenRounding(const std::vector<ErrorPoint>& points, double claimed_order) {
-    // As far back as errors rise above the finer ones by less than half an order's worth.
-    if (points.empty()) return;
-    std::size_t first = points.size() - 1;
-    for (double finer = points[first].error; first > 0; --first) {
-      const ErrorPoint& coarser = points[first - 1];
-      const double ratio = coarser.step / points[first].step;
-      if (coarser.error > finer * std::pow(ratio, claimed_order / 2)) break;
-      finer = std::max(finer, coarser.error);
+    // The finest errors may be small by luck: a few of them are passed over.
+    std::size_t first = points.size();
+    for (std::size_t lucky = 0; lucky <= points.size() / 6 && lucky + 3 <= points.size(); ++lucky) {
+      const std::size_t start = scatter_start(points, points.size() - lucky, claimed_order);
+      if (start + lucky + 3 <= points.size()) first = std::min(first, start);
     }
-    if (first + 3 > points.size()) return;
+    if (first == points.size()) return;
     double per_root = 0;
     for (std::size_t i = first; i < points.size(); ++i) {
-      if (points[i].error > clear_of_typical * points[i].typical_rounding()) return;  // a floor
+      if (points[i].error > typical_limit(points[i])) return;  // a floor
       per_root = std::max(per_root, points[i].error / std::sqrt(points[i].steps));
     }
     per_root_of_steps_ = per_root;
   }
   /// The error that `point` is clear of rounding above.
   double limit(const ErrorPoint& point) const {
-    const double typical = clear_of_typical * point.typical_rounding();
-    const double seen = clear_of_seen * per_root_of_steps_ * std::sqrt(point.steps);
-    return std::min(typical, std::max(seen, clear_of_typical * point.floor));
+    const double seen = clear_of_rounding(point) *
+                        std::max(per_root_of_steps_ * std::sqrt(point.steps), point.floor);
+    return std::min(typical_limit(point), seen);
   }
 
  private:
+  static double typical_limit(const ErrorPoint& point) {
+    return typical_within * clear_of_rounding(point) * point.typical_rounding();
+  }
+  // Of points up to `end`: as far back as errors rise above the finer ones by less than half an
+  // order's worth.
+  static std::size_t scatter_start(const std::vector<ErrorPoint>& points, std::size_t end,
+                                   double claimed_order) {
+    std::size_t first = end - 1;
+    for (double finer = points[first].error; first > 0; --first) {
+      const ErrorPoint& coarser = points[first - 1];
+      const double ratio = coarser.step / points[first].step;
+      if (coarser.error > finer * std::pow(ratio, claimed_order / 2)) break;
+      finer = std::max(finer, coarser.error);
+    }
+    return first;
+  }
+
   double per_root_of_steps_ = 1e300;  ///< rounding grows as the root of the number of steps
 };
 
@@ -223,7 +263,9 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
     return conclude(fit, Verdict::floors,
                     fmt::format("stops converging at an error of {:.1e}", fit.floor));
   const bool settled = window.count > 0;
-  if (settled && std::abs(fit.order - claimed_order) <= tolerance.order)
+  // Slopes that scatter widely deny a claim as little as they confirm it.
+  const bool wide = fit.high - fit.low > claimed_order / 2;
+  if (settled && !wide && std::abs(fit.order - claimed_order) <= tolerance.order)
     return conclude(fit, Verdict::confirmed, "");
   // Slopes that still move, or settle elsewhere than they will: the next term of the error.
   const TwoTermFit two = fit_two_terms(usable);
@@ -242,7 +284,10 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
     fit.step_finest = usable[two.first + two.points - 1].step;
     return conclude(fit, Verdict::confirmed, std::move(reason));
   }
-  if (!settled) {
+  // Slopes that agree at coarse steps, where finer ones are clear of rounding and do not bear them
+  // out, are a stretch before convergence.
+  const bool borne_out = settled && fit.step_finest <= finest_end * usable.back().step;
+  if (!borne_out) {
     if (usable.size() < fewest_points)
       return conclude(
           fit, Verdict::undetermined,
@@ -253,8 +298,6 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                     fmt::format("local slopes do not settle: {:.2f} at the finest steps",
                                 local_slope(usable[usable.size() - 2], usable.back())));
   }
-  // Slopes that scatter widely deny a claim as little as they confirm it.
-  const bool wide = fit.high - fit.low > claimed_order / 2;
   if (wide || (fit.low <= claimed_order && claimed_order <= fit.high))
     return conclude(fit, Verdict::undetermined,
                     fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "

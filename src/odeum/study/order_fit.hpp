@@ -17,8 +17,9 @@ struct ErrorPoint {
   double step = 0;
   double error = 0;          ///< NaN where the solve failed
   double steps = 0;          ///< how many steps were taken
-  double rounding_unit = 0;  ///< half a unit in the last place of the largest number measured
+  double rounding_unit = 0;  ///< half a unit in the last place of what is measured
   double floor = 0;          ///< error that the truth itself leaves open
+  double components = 1;     ///< how many the error is a root mean square over
 
   /// What rounding comes to if steps round at random, and what the truth leaves open.
   double typical_rounding() const;

@@ -103,7 +103,11 @@ std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding) {
   if (pair.mode != Mode::fixed || !pair.c->has_tag("smooth") || telling.empty()) return {};
   if (pair.c->y0.size() <= dense_dimension_limit) return settings_between(*pair.c, like, telling);
-  if (to_rounding) return {};
+  if (to_rounding)
+    return settings_between(
+        *pair.c, like,
+        {telling.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(telling.size(), 6)),
+         telling.end()});
   Request finest = like;
   finest.steps = telling.back();
   return settings_beyond(*pair.c, finest);

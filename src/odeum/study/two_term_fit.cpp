@@ -2,6 +2,7 @@
 #include "odeum/study/two_term_fit.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::size_t fewest_points = 6;  // three numbers are fitted
 constexpr double largest_scatter = 0.05;
+// Neighbouring residuals that are alike show a term that the fit has not; less than this of it
+// moves p by less than a tenth.
+constexpr double largest_trend = 0.005;
 
 using Design = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
@@ -20,6 +24,7 @@ using Design = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 struct Attempt {
   double squares = std::numeric_limits<double>::infinity();
   double d = 0, order = 0;
+  double neighbours = 0;  ///< sum of the products of neighbouring residuals
 };
 
 Attempt attempt(const Eigen::VectorXd& h, const Eigen::VectorXd& log_e, double d) {
@@ -27,7 +32,10 @@ Attempt attempt(const Eigen::VectorXd& h, const Eigen::VectorXd& log_e, double d
   const Eigen::VectorXd y = log_e.array() - (1 + d * h.array()).abs().log();
   const Eigen::VectorXd dx = x.array() - x.mean(), dy = y.array() - y.mean();
   Attempt result{.squares = 0, .d = d, .order = dx.dot(dy) / dx.squaredNorm()};
-  result.squares = (dy - result.order * dx).squaredNorm();
+  const Eigen::VectorXd residual = dy - result.order * dx;
+  const Eigen::Index n = residual.size();
+  result.squares = residual.squaredNorm();
+  result.neighbours = residual.head(n - 1).dot(residual.tail(n - 1));
   return result;
 }
 
@@ -74,6 +82,8 @@ TwoTermFit fit_window(const ErrorPoint* points, std::size_t n) {
   return {.order = best.order,
           .half_width = student_t(n - 3) * spread,
           .scatter = std::sqrt(best.squares / static_cast<double>(n)),
+          .second_at_finest = std::abs(best.d) * points[n - 1].step,
+          .trend = std::sqrt(std::max(0.0, best.neighbours) / static_cast<double>(n)),
           .points = n};
 }
 
@@ -87,6 +97,7 @@ TwoTermFit fit_two_terms(const std::vector<ErrorPoint>& points) {
       TwoTermFit fit = fit_window(points.data() + first, n);
       fit.first = first;
       if (fit.scatter > largest_scatter) break;
+      if (fit.trend > largest_trend || fit.second_at_finest > 1) continue;
       if (best.points == 0 || fit.half_width < best.half_width) best = fit;
     }
   return best;
