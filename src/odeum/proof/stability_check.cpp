@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/proof/stability_check.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "odeum/linear/eigenvalues.hpp"
 #include "odeum/proof/grounds.hpp"
 #include "odeum/tableau/character.hpp"
 
@@ -129,14 +130,24 @@ StabilityAgreement compare_recurrence(const MakeStepper<FunctionProblem>& make,
 }
 
 double largest_root(const std::vector<std::complex<double>>& recurrence) {
-  const auto k = static_cast<Eigen::Index>(recurrence.size());
-  if (k == 1) return std::abs(recurrence[0]);
-  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(k, k);
-  for (Eigen::Index i = 0; i < k; ++i) {
-    companion(0, i) = recurrence[static_cast<std::size_t>(i)];
-    if (i > 0) companion(i, i - 1) = 1;
+  const std::size_t k = recurrence.size(), n = 2 * k;
+  // The companion matrix, each complex number as a real 2 x 2 block: its eigenvalues and their
+  // conjugates.
+  std::vector<double> companion(n * n);
+  const auto put = [&](std::size_t i, std::size_t j, std::complex<double> c) {
+    double* const block = &companion[2 * i * n + 2 * j];
+    block[0] = block[n + 1] = c.real();
+    block[1] = -c.imag();
+    block[n] = c.imag();
+  };
+  for (std::size_t i = 0; i < k; ++i) {
+    put(0, i, recurrence[i]);
+    if (i > 0) put(i, i - 1, 1);
   }
-  return companion.eigenvalues().cwiseAbs().maxCoeff();
+  double largest = 0;
+  for (const std::complex<double> root : eigenvalues(companion, n))
+    largest = std::max(largest, std::abs(root));
+  return largest;
 }
 
 StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<false>>& make,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/two_term_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "odeum/study/student.hpp"
 
@@ -17,34 +17,45 @@ constexpr double largest_scatter = 0.05;
 // moves p by less than a tenth.
 constexpr double largest_trend = 0.005;
 
-using Design = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+/// log h and log e of a window, each less its mean over it.
+struct Logarithms {
+  std::vector<double> h;  ///< the steps themselves
+  std::vector<double> x, y;
+};
 
-/// log e against 1, log h and h / (1 + D h): the design of the last of these is the derivative by
-/// D.
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+void centre(std::vector<double>& v) {
+  const double mean = std::reduce(v.begin(), v.end()) / static_cast<double>(v.size());
+  for (double& x : v) x -= mean;
+}
+
+/// A straight line through log e - log |1 + D h|.
 struct Attempt {
   double squares = std::numeric_limits<double>::infinity();
   double d = 0, order = 0;
   double neighbours = 0;  ///< sum of the products of neighbouring residuals
 };
 
-Attempt attempt(const Eigen::VectorXd& h, const Eigen::VectorXd& log_e, double d) {
-  const Eigen::VectorXd x = h.array().log();
-  const Eigen::VectorXd y = log_e.array() - (1 + d * h.array()).abs().log();
-  const Eigen::VectorXd dx = x.array() - x.mean(), dy = y.array() - y.mean();
-  Attempt result{.squares = 0, .d = d, .order = dx.dot(dy) / dx.squaredNorm()};
-  const Eigen::VectorXd residual = dy - result.order * dx;
-  const Eigen::Index n = residual.size();
-  result.squares = residual.squaredNorm();
-  result.neighbours = residual.head(n - 1).dot(residual.tail(n - 1));
+Attempt attempt(const Logarithms& log, double d) {
+  std::vector<double> y(log.h.size());
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = log.y[i] - std::log(std::abs(1 + d * log.h[i]));
+  centre(y);
+  Attempt result{.squares = 0, .d = d, .order = dot(log.x, y) / dot(log.x, log.x)};
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] -= result.order * log.x[i];
+  result.squares = dot(y, y);
+  result.neighbours = std::inner_product(y.begin() + 1, y.end(), y.begin(), 0.0);
   return result;
 }
 
 /// The best D, u = D max(h) between -0.97 (the error changes sign just beyond the coarsest step)
 /// and 30 (the second term is all there is to see).
-Attempt best_attempt(const Eigen::VectorXd& h, const Eigen::VectorXd& log_e) {
+Attempt best_attempt(const Logarithms& log) {
   // Evenly in log(1 + u), which is how much the factor bends the curve.
   const double low = std::log(0.03), high = std::log(31.0);
-  const auto at = [&](double s) { return attempt(h, log_e, std::expm1(s) / h.maxCoeff()); };
+  const double coarsest = *std::max_element(log.h.begin(), log.h.end());
+  const auto at = [&](double s) { return attempt(log, std::expm1(s) / coarsest); };
   constexpr int pieces = 64;
   Attempt best;
   double best_s = 0;
@@ -65,20 +76,20 @@ Attempt best_attempt(const Eigen::VectorXd& h, const Eigen::VectorXd& log_e) {
 }
 
 TwoTermFit fit_window(const ErrorPoint* points, std::size_t n) {
-  const auto size = static_cast<Eigen::Index>(n);
-  Eigen::VectorXd h(size), log_e(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    h[i] = points[i].step;
-    log_e[i] = std::log(points[i].error);
+  Logarithms log;
+  for (std::size_t i = 0; i < n; ++i) {
+    log.h.push_back(points[i].step);
+    log.x.push_back(std::log(points[i].step));
+    log.y.push_back(std::log(points[i].error));
   }
-  const Attempt best = best_attempt(h, log_e);
-  Design design(size, 3);
-  design.col(0).setOnes();
-  design.col(1) = h.array().log();
-  design.col(2) = h.array() / (1 + best.d * h.array());
-  const double variance = best.squares / static_cast<double>(n - 3);
-  const Eigen::Matrix3d normal = design.transpose() * design;
-  const double spread = std::sqrt(variance * normal.inverse()(1, 1));
+  centre(log.x);
+  const Attempt best = best_attempt(log);
+  // How well p is known beside D: by what of log h the derivative by D, h / (1 + D h), leaves.
+  std::vector<double> z;
+  for (const double h : log.h) z.push_back(h / (1 + best.d * h));
+  centre(z);
+  const double left = dot(log.x, log.x) - dot(log.x, z) * dot(log.x, z) / dot(z, z);
+  const double spread = std::sqrt(best.squares / static_cast<double>(n - 3) / left);
   return {.order = best.order,
           .half_width = student_t(n - 3) * spread,
           .scatter = std::sqrt(best.squares / static_cast<double>(n)),
