@@ -18,7 +18,8 @@ struct System {
 
 /// Positions or velocities of a second-order problem.
 template <SecondOrder P>
-using Half = typename detail::StateOf<P::dimension == dynamic ? dynamic : P::dimension / 2>::type;
+using Half =
+    typename detail::StateOf<double, P::dimension == dynamic ? dynamic : P::dimension / 2>::type;
 
 /// q'' = a(t, q, v) as odeint's velocity_verlet asks for it.
 template <SecondOrder P>

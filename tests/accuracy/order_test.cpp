@@ -54,10 +54,6 @@ constexpr const char* sixth_on_linear = "of order 6 on linear problems with cons
 constexpr const char* small_leading_term =
     "its leading error term is small: order 6 down to errors of 1e-9";
 constexpr const char* mean_step = "the mean step is no yardstick: steps vary with the tolerance";
-// A thrown spring is shortest at t = 0.005 s, where its length has branch points 0.007 s off the
-// real axis: steps of 0.003 s and less see them, and errors of high order are near rounding there.
-constexpr const char* thrown =
-    "errors fall to 1e-13 before the steps resolve the throw, and to rounding soon after";
 constexpr const char* higher_to_rounding =
     "its leading error term is small here: a higher order down to rounding";
 constexpr Exception exceptions[] = {
@@ -74,7 +70,6 @@ constexpr Exception exceptions[] = {
     {"sdirk4", "lotka_volterra", Mode::adaptive, mean_step},
     {"radau_iia5", "duffing_free", Mode::adaptive, mean_step},
     {"radau_iia5", "henon_heiles_regular", Mode::adaptive, mean_step},
-    {"verner98", "cloth11_two_way", Mode::fixed, thrown},
     {"tsitouras54", "cloth11_two_way", Mode::fixed, small_leading_term},
     {"verner98", "duffing_free", Mode::fixed, higher_to_rounding},
     {"verner98", "rc_circuit", Mode::fixed, higher_to_rounding},

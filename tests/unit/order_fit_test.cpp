@@ -48,6 +48,41 @@ TEST(OrderFit, AnErrorThatStopsFallingAboveRoundingIsAFloor) {
   EXPECT_NEAR(fit.floor, 1e-3, 1e-5);
 }
 
+// Slopes that agree at coarse steps say nothing where finer ones, clear of rounding, deny them.
+TEST(OrderFit, AStretchBeforeConvergenceIsNoOrder) {
+  const auto points = ladder(1.26, 18, [](double h) {
+    return h > 0.1 ? 1e4 * std::pow(h, 12) : 1e-8 * std::pow(h / 0.1, 3 + 40 * (0.1 - h));
+  });
+  EXPECT_NE(fit_fixed(points, 8).verdict, Verdict::higher);
+  EXPECT_NE(fit_fixed(points, 12).verdict, Verdict::confirmed);
+}
+
+// Two terms of which the second leads at every step are one term of another order.
+TEST(OrderFit, AHigherOrderIsNotOneLowerWithALargeSecondTerm) {
+  const auto points = ladder(1.06, 40, [](double h) { return std::pow(h, 6) * 1e-3; });
+  EXPECT_EQ(fit_fixed(points, 5).verdict, Verdict::higher);
+}
+
+// Steps that lie close together show the errors' noise in neighbouring slopes.
+TEST(OrderFit, LooksAtSlopesOverStepsFarEnoughApart) {
+  int n = 0;
+  const auto points = ladder(1.05, 24, [&](double h) {
+    return std::pow(h, 4) * 1e-4 * (1 + 0.02 * (n++ % 2));  // a slope of 0.4 between neighbours
+  });
+  EXPECT_EQ(fit_fixed(points, 4).verdict, Verdict::confirmed);
+}
+
+// The finest errors may be small by luck.
+TEST(OrderFit, RoundingIsSeenBehindALuckyEnd) {
+  auto points = ladder(1.12, 30, [](double h) { return std::pow(h, 9) * 1e-5; });
+  int k = 0;
+  for (ErrorPoint& point : points)  // scatters within a decade of 1e-18
+    if (point.error < 1e-18) point.error = 1e-18 * (1 + 3 * (k++ % 3));
+  points.back().error = 1e-20;
+  const OrderFit fit = fit_fixed(points, 9);
+  EXPECT_EQ(fit.verdict, Verdict::confirmed) << fit.reason;
+}
+
 // A method that is unstable until its steps are tiny grows an error that may lie on a fine straight
 // line, with the wrong sign: no order was measured.
 TEST(OrderFit, ErrorsThatGrowAsTheStepShrinksAreNoConvergence) {

@@ -50,7 +50,8 @@ struct Case {
   std::vector<std::size_t> measured;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
-  ErasedContest problem;  ///< what the entrants are enrolled on
+  ErasedContest problem;                            ///< what the entrants are enrolled on
+  std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 
   /// Why no solver is asked to solve it at a fixed step, and why the study of convergence passes it
   /// by; empty where they do not.

@@ -10,6 +10,7 @@
 #include "odeum/harness/guarded.hpp"
 #include "odeum/harness/own_on_shared.hpp"
 #include "odeum/harness/solver.hpp"
+#include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum_methods.hpp"  // generated: odeum::methods::All, a MethodList of every file in methods/
 
@@ -101,6 +102,8 @@ void enroll_method(const Contest<P>& contest, Entrant& entrant) {
   if constexpr (requires { M::fits_problem(*contest.problem); })
     fits = fits && M::fits_problem(*contest.problem);
   entrant.unfit = fits ? "" : "needs " + std::string(M::needs);
+  if constexpr (requires { M::digits; })
+    entrant.extended = run_extended<ExplicitRungeKutta<M::digits, ExtendedProblem>>;
   if constexpr (M::template fits<P>)
     if (fits)
       entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/harness/extended.hpp"
 #include "odeum/harness/outcome.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/scene/scene.hpp"
@@ -46,6 +47,7 @@ struct Entrant {
   /// Why the pair does not fit, in a sentence; empty where it fits and `solve` may be called.
   std::string unfit;
   std::function<Outcome(const Request&)> solve;
+  ExtendedRun extended{};  ///< empty: has no coefficients in extended precision
 };
 
 /// What a library is given to enrol its solvers: the problem, where it starts, and its scene.

@@ -21,13 +21,14 @@ class ExplicitRungeKutta {
  public:
   static_assert(T.is_explicit());
   static constexpr std::size_t stages = T.stages;
+  using Real = RealOf<P>;
 
   explicit ExplicitRungeKutta(const P& problem)
       : problem_(problem), argument_(make_state(problem)) {
     k_.fill(make_state(problem));
   }
 
-  Status step(double t, double h, State<P>& y) {
+  Status step(Real t, Real h, State<P>& y) {
     problem_.rhs(t, y.data(), k_[0].data());
     finish(t, h, y);
     return Status::ok;
@@ -35,7 +36,7 @@ class ExplicitRungeKutta {
 
   /// The same step; `error` becomes h sum_i (b_i - b_hat_i) k_i. The first stage is not evaluated
   /// where the call before, advance() or repeat(), knows it.
-  Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
+  Status step(Real t, Real h, State<P>& y, State<P>& error) requires(T.embedded()) {
     if (!first_known_) problem_.rhs(t, y.data(), k_[0].data());
     first_known_ = false;
     finish(t, h, y);
@@ -60,7 +61,7 @@ class ExplicitRungeKutta {
   /// h sum_i row_i k_i over the stages of the last step, before advance(): another row's estimate,
   /// or the term that an interpolant adds to Hermite's (dense_output.hpp).
   template <const auto& weights>
-  void weighted_sum(double h, State<P>& sum) const {
+  void weighted_sum(Real h, State<P>& sum) const {
     for (auto& x : sum) x = 0;
     for (std::size_t i = 0; i < stages; ++i)
       if (weights[i] != 0)
@@ -75,7 +76,7 @@ class ExplicitRungeKutta {
 
   /// The stages after the first and the new state, at which the last stage of a first-same-as-last
   /// tableau is evaluated: only an estimate of the error or the next step has a use for that one.
-  void finish(double t, double h, State<P>& y) {
+  void finish(Real t, Real h, State<P>& y) {
     constexpr std::size_t inner = T.first_same_as_last() ? stages - 2 : stages - 1;
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
@@ -88,10 +89,10 @@ class ExplicitRungeKutta {
   }
 
   template <std::size_t I, std::size_t... J>
-  void evaluate_stage(double t, double h, const State<P>& y, std::index_sequence<J...>) {
-    const std::array<double, I> ha{(h * T.a[I][J])...};
+  void evaluate_stage(Real t, Real h, const State<P>& y, std::index_sequence<J...>) {
+    const std::array<Real, I> ha{(h * T.a[I][J])...};
     for (std::size_t n = 0; n < y.size(); ++n) {
-      double sum = y[n];
+      Real sum = y[n];
       ((T.a[I][J] != 0 ? void(sum += ha[J] * k_[J][n]) : void()), ...);
       argument_[n] = sum;
     }
@@ -99,13 +100,13 @@ class ExplicitRungeKutta {
   }
 
   template <Row row>
-  static constexpr double weight(std::size_t i) {
+  static constexpr auto weight(std::size_t i) {
     return row == Row::main ? T.b[i] : T.b[i] - T.b_hat[i];
   }
 
   template <Row row>
-  static constexpr std::array<double, stages> weights_times(double h) {
-    std::array<double, stages> weights{};
+  static constexpr std::array<Real, stages> weights_times(Real h) {
+    std::array<Real, stages> weights{};
     for (std::size_t i = 0; i < stages; ++i) weights[i] = h * weight<row>(i);
     return weights;
   }
@@ -120,9 +121,9 @@ class ExplicitRungeKutta {
   // Of the stages I. Most of a step is summed before it is added to y: then it rounds as two
   // additions do, not as one a stage.
   template <Row row, std::size_t... I>
-  double increment([[maybe_unused]] const std::array<double, stages>& weights,
-                   [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {
-    double sum = 0;
+  Real increment([[maybe_unused]] const std::array<Real, stages>& weights,
+                 [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {
+    Real sum = 0;
     ((weight<row>(I) != 0 ? void(sum += weights[I] * k_[I][n]) : void()), ...);
     return sum;
   }

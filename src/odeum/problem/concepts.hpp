@@ -24,23 +24,36 @@ namespace odeum {
 inline constexpr std::size_t dynamic = static_cast<std::size_t>(-1);
 
 namespace detail {
-template <std::size_t N>
-struct StateOf {
-  using type = std::array<double, N>;
+template <class P>
+struct RealOf {
+  using type = double;
 };
-template <>
-struct StateOf<dynamic> {
-  using type = std::vector<double>;
+template <class P>
+requires requires { typename P::real; }
+struct RealOf<P> {
+  using type = typename P::real;
+};
+template <class Real, std::size_t N>
+struct StateOf {
+  using type = std::array<Real, N>;
+};
+template <class Real>
+struct StateOf<Real, dynamic> {
+  using type = std::vector<Real>;
 };
 }  // namespace detail
 
+/// What a problem computes in: double, unless it names another type as `real`.
+template <class P>
+using RealOf = typename detail::RealOf<P>::type;
+
 /// The state of a problem: std::array for a static dimension, std::vector for a dynamic one.
 template <class P>
-using State = typename detail::StateOf<P::dimension>::type;
+using State = typename detail::StateOf<RealOf<P>, P::dimension>::type;
 
-/// y' = f(t, y): `rhs` fills dydt from y, both of `dimension` doubles, never overlapping.
+/// y' = f(t, y): `rhs` fills dydt from y, both of `dimension` numbers, never overlapping.
 template <class P>
-concept Ode = requires(const P& p, double t, const double* y, double* dydt) {
+concept Ode = requires(const P& p, RealOf<P> t, const RealOf<P>* y, RealOf<P>* dydt) {
   { P::dimension } -> std::convertible_to<std::size_t>;
   p.rhs(t, y, dydt);
 };
@@ -128,7 +141,7 @@ constexpr bool is_autonomous(const P& problem) {
 template <Ode P>
 State<P> make_state(const P& problem) {
   State<P> y{};
-  if constexpr (P::dimension == dynamic) y.assign(problem.size(), 0.0);
+  if constexpr (P::dimension == dynamic) y.assign(problem.size(), RealOf<P>(0));
   return y;
 }
 

@@ -10,6 +10,7 @@
 #include "odeum/harness/glob.hpp"
 #include "odeum/harness/parallel.hpp"
 #include "odeum/harness/progress.hpp"
+#include "odeum/study/extended_order.hpp"
 #include "odeum/study/judge.hpp"
 #include "odeum/study/pair_result.hpp"
 #include "odeum/study/settings.hpp"
@@ -105,12 +106,9 @@ class PairRuns {
     if (verdict != Verdict::undetermined && verdict != Verdict::lower && verdict != Verdict::higher)
       return;
     std::vector<std::uint64_t> telling;  // solved, down to the smallest error
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Run& run : runs_) smallest = std::fmin(smallest, run.point.error);
-    for (const Run& run : runs_) {
-      if (std::isfinite(run.point.error)) telling.push_back(run.row.steps);
-      if (run.point.error == smallest) break;
-    }
+    const std::uint64_t end = steps_of_least_error();
+    for (const Run& run : runs_)
+      if (std::isfinite(run.point.error) && run.row.steps <= end) telling.push_back(run.row.steps);
     for (const Request& request : second_look(pair_, like, telling, at_floor_ > 0)) {
       if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
       std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
@@ -118,6 +116,13 @@ class PairRuns {
     }
     std::stable_sort(runs_.begin(), runs_.end(),
                      [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
+  }
+
+  std::uint64_t steps_of_least_error() const {
+    const auto least = std::min_element(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
+      return std::isfinite(a.point.error) && !(a.point.error >= b.point.error);
+    });
+    return least->row.steps;
   }
 
   OrderFit fit() const {
@@ -196,13 +201,28 @@ class PairRuns {
   std::vector<Cost> costs_;
 };
 
+/// An order that double leaves open is looked at in extended precision, where pair and case allow.
+void look_closer(const Pair& pair, std::uint64_t end_of_double, OrderFit& fit) {
+  if (fit.verdict != Verdict::undetermined) return;
+  std::optional<OrderFit> closer = extended_order(pair, end_of_double);
+  if (!closer || closer->verdict == Verdict::undetermined) return;
+  closer->reason =
+      fmt::format("order {:.2f} in extended precision, at steps of {:.2g} to {:.2g}; in double: {}",
+                  closer->order, closer->step_coarsest, closer->step_finest, fit.reason);
+  fit = *closer;
+}
+
 PairResult run_pair(const Pair& pair, const Judge& judge, bool quick) {
   if (!reason_against(pair).empty()) return not_applicable(pair);
   PairRuns runs(pair, judge);
   const std::vector<Request> requests = convergence_settings(pair, quick);
   runs.climb(requests);
-  if (!quick && pair.mode == Mode::fixed) runs.look_again(requests.front());
-  return std::move(runs).result();
+  if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();
+  runs.look_again(requests.front());
+  const std::uint64_t end = runs.steps_of_least_error();
+  PairResult result = std::move(runs).result();
+  look_closer(pair, end, result.order.fit);
+  return result;
 }
 
 // Who a row is of does not stand in the record: the pair says it.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/study/seen_rounding.hpp"
 #include "odeum/study/student.hpp"
 #include "odeum/study/two_term_fit.hpp"
 
@@ -15,15 +16,6 @@ namespace {
 constexpr std::size_t fewest_points = 4;
 constexpr double shortest_span = 1.35;  // of the steps in a window
 constexpr double finest_end = 1.65;     // of a window, against the finest step
-// Errors this many times rounding are clear of it: less bends the local slope of a high order,
-// whose steps lie 1.26 apart, by as much as the slopes may differ. Over many components rounding is
-// independent of the error, and adds to it by squares.
-double clear_of_rounding(const ErrorPoint& point) {
-  return std::max(4.0, 10 / std::sqrt(point.components));
-}
-// What rounding comes to as a rule is known to within this factor.
-constexpr double typical_within = 3;
-
 /// A straight line through (log step, log error), by least squares.
 struct Line {
   double slope = 0;
@@ -107,52 +99,6 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
   return {};
 }
 
-/// Rounding as a run shows it, where its finest points only scatter.
-class SeenRounding {
- public:
-  SeenRounding(const std::vector<ErrorPoint>& points, double claimed_order) {
-    // The finest errors may be small by luck: a few of them are passed over.
-    std::size_t first = points.size();
-    for (std::size_t lucky = 0; lucky <= points.size() / 6 && lucky + 3 <= points.size(); ++lucky) {
-      const std::size_t start = scatter_start(points, points.size() - lucky, claimed_order);
-      if (start + lucky + 3 <= points.size()) first = std::min(first, start);
-    }
-    if (first == points.size()) return;
-    double per_root = 0;
-    for (std::size_t i = first; i < points.size(); ++i) {
-      if (points[i].error > typical_limit(points[i])) return;  // a floor
-      per_root = std::max(per_root, points[i].error / std::sqrt(points[i].steps));
-    }
-    per_root_of_steps_ = per_root;
-  }
-  /// The error that `point` is clear of rounding above.
-  double limit(const ErrorPoint& point) const {
-    const double seen = clear_of_rounding(point) *
-                        std::max(per_root_of_steps_ * std::sqrt(point.steps), point.floor);
-    return std::min(typical_limit(point), seen);
-  }
-
- private:
-  static double typical_limit(const ErrorPoint& point) {
-    return typical_within * clear_of_rounding(point) * point.typical_rounding();
-  }
-  // Of points up to `end`: as far back as errors rise above the finer ones by less than half an
-  // order's worth.
-  static std::size_t scatter_start(const std::vector<ErrorPoint>& points, std::size_t end,
-                                   double claimed_order) {
-    std::size_t first = end - 1;
-    for (double finer = points[first].error; first > 0; --first) {
-      const ErrorPoint& coarser = points[first - 1];
-      const double ratio = coarser.step / points[first].step;
-      if (coarser.error > finer * std::pow(ratio, claimed_order / 2)) break;
-      finer = std::max(finer, coarser.error);
-    }
-    return first;
-  }
-
-  double per_root_of_steps_ = 1e300;  ///< rounding grows as the root of the number of steps
-};
-
 // Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
 void merge_same_steps(std::vector<ErrorPoint>& points) {
   constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
@@ -211,9 +157,17 @@ OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
   const auto rounding_only = [](const ErrorPoint& p) {
     return p.error <= 16 * p.rounding_unit * (8 + p.steps) * std::max(1.0, p.steps);
   };
-  if (solved.size() >= fewest_points && std::all_of(solved.begin(), solved.end(), rounding_only)) {
+  const auto largest_error = [](auto from, auto to) {
     double largest = 0;
-    for (const ErrorPoint& p : solved) largest = std::max(largest, p.error);
+    for (; from != to; ++from) largest = std::max(largest, from->error);
+    return largest;
+  };
+  const auto middle = solved.begin() + static_cast<std::ptrdiff_t>(solved.size() / 2);
+  const bool falls =
+      largest_error(middle, solved.end()) < largest_error(solved.begin(), middle) / 10;
+  if (solved.size() >= fewest_points && !falls &&
+      std::all_of(solved.begin(), solved.end(), rounding_only)) {
+    const double largest = largest_error(solved.begin(), solved.end());
     return conclude(fit, Verdict::higher,
                     fmt::format("exact but for rounding: errors up to {:.1e}", largest));
   }

@@ -106,7 +106,7 @@ std::vector<Request> second_look(const Pair& pair, const Request& like,
   if (to_rounding)
     return settings_between(
         *pair.c, like,
-        {telling.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(telling.size(), 6)),
+        {telling.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(telling.size(), 5)),
          telling.end()});
   Request finest = like;
   finest.steps = telling.back();

@@ -9,20 +9,20 @@
 /// (row sums), explicit or not, first-same-as-last, the stability function.
 namespace odeum {
 
-/// A Runge-Kutta method of S stages, with an embedded row where `b_hat` is not all zero.
-template <std::size_t S>
+/// A Runge-Kutta method of S stages, with an embedded row where `b_hat` is not all zero. Its
+/// coefficients are in double, or to more digits for runs in extended precision.
+template <std::size_t S, class Real = double>
 struct Tableau {
   static constexpr std::size_t stages = S;
-  std::array<std::array<double, S>, S>
+  std::array<std::array<Real, S>, S>
       a{};  ///< a[i][j]: weight of stage j in the argument of stage i
-  std::array<double, S> b{};
+  std::array<Real, S> b{};
   int order = 0;
-  std::array<double, S>
-      b_hat{};  ///< the embedded row, the one whose difference estimates the error
+  std::array<Real, S> b_hat{};  ///< the embedded row, the one whose difference estimates the error
   int order_hat = 0;
 
-  constexpr double c(std::size_t i) const {
-    double sum = 0;
+  constexpr Real c(std::size_t i) const {
+    Real sum = 0;
     for (std::size_t j = 0; j < S; ++j) sum += a[i][j];
     return sum;
   }
@@ -41,7 +41,7 @@ struct Tableau {
     return is_explicit();
   }
   /// The same stages with another row of weights.
-  constexpr Tableau with_row(const std::array<double, S>& row, int row_order) const {
+  constexpr Tableau with_row(const std::array<Real, S>& row, int row_order) const {
     Tableau t = *this;
     t.b = row;
     t.order = row_order;
@@ -50,6 +50,20 @@ struct Tableau {
     return t;
   }
 };
+
+/// The same coefficients in double.
+template <std::size_t S>
+constexpr Tableau<S> rounded(const Tableau<S, long double>& digits) {
+  Tableau<S> t;
+  for (std::size_t i = 0; i < S; ++i) {
+    for (std::size_t j = 0; j < S; ++j) t.a[i][j] = static_cast<double>(digits.a[i][j]);
+    t.b[i] = static_cast<double>(digits.b[i]);
+    t.b_hat[i] = static_cast<double>(digits.b_hat[i]);
+  }
+  t.order = digits.order;
+  t.order_hat = digits.order_hat;
+  return t;
+}
 
 /// The pivots of Gaussian elimination with partial pivoting; their product is the determinant.
 template <class Complex, std::size_t S>

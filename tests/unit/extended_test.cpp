@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs in extended precision: the order below what double resolves, and the same equation.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/harness/case.hpp"
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/methods/verner98.hpp"
+
+namespace odeum {
+namespace {
+
+using Verner98 = ExplicitRungeKutta<methods::verner98_digits, ExtendedProblem>;
+
+/// y' = -y cos t, y = e^{-sin t}.
+ExtendedProblem swing() {
+  ExtendedProblem problem;
+  problem.f = [](long double t, const long double* y, long double* f) {
+    f[0] = -y[0] * std::cos(t);
+  };
+  problem.y0 = {1};
+  return problem;
+}
+
+long double swing_error(std::uint64_t steps) {
+  return std::abs(run_extended<Verner98>(swing(), 0, {1, 2}, steps).back() -
+                  std::exp(-std::sin(2.0L)));
+}
+
+TEST(ExtendedPrecision, ConvergesBelowTheRoundingOfDouble) {
+  if (std::numeric_limits<long double>::digits <= 53) GTEST_SKIP() << "long double is double here";
+  const long double coarse = swing_error(20), fine = swing_error(28);
+  EXPECT_LT(coarse, 1e-16L);
+  // Order 9; on this problem the leading term is small and the next one shows. A coefficient that
+  // were rounded to double would leave 1e-17.
+  EXPECT_GT(std::log(coarse / fine) / std::log(1.4L), 8.75L);
+  EXPECT_LT(fine, 1e-18L);
+}
+
+TEST(ExtendedPrecision, RecordsEveryStop) {
+  const std::vector<long double> states = run_extended<Verner98>(swing(), 0, {1, 2}, 40);
+  ASSERT_EQ(states.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(states[0]), std::exp(-std::sin(1.0)), 1e-14);
+  EXPECT_NEAR(static_cast<double>(states[1]), std::exp(-std::sin(2.0)), 1e-14);
+}
+
+TEST(ExtendedPrecision, IsTheCasesOwnEquation) {
+  int compared = 0;
+  for (const Case& c : all_cases()) {
+    if (!c.extended) continue;
+    // Somewhere along the solution, where springs are stretched.
+    std::vector<double> y(c.y0.size()), f(y.size());
+    ASSERT_TRUE(c.truth.at(c.stops.front(), y.data())) << c.id;
+    const std::vector<long double> y_extended(y.begin(), y.end());
+    std::vector<long double> f_extended(y.size());
+    c.problem.view.rhs(c.problem.view.problem, c.t0, y.data(), f.data());
+    c.extended->rhs(c.t0, y_extended.data(), f_extended.data());
+    // Accelerations of up to 1e2 are sums of some twenty forces over 0.02 kg.
+    for (std::size_t i = 0; i < y.size(); ++i)
+      EXPECT_NEAR(f[i], static_cast<double>(f_extended[i]), 1e-12) << c.id << " " << i;
+    EXPECT_EQ(c.extended->y0, std::vector<long double>(c.y0.begin(), c.y0.end())) << c.id;
+    std::vector<long double> truth(y.size());
+    ASSERT_TRUE(c.extended->truth(c.stops.front(), truth.data()));
+    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_EQ(y[i], static_cast<double>(truth[i]));
+    ++compared;
+  }
+  EXPECT_GT(compared, 0);
+}
+
+}  // namespace
+}  // namespace odeum
