@@ -120,6 +120,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"odeum run lotka_volterra --solver rk4 --step 0",
                "got 0, expected a positive number"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step -1", "got -1"},
+        Misuse{"odeum precision --seconds -1", "got -1, expected a positive number"},
+        Misuse{"odeum precision --seconds nan", "got nan, expected a positive number"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step nan", "got nan"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step inf", "got inf"},
         Misuse{"odeum run lotka_volterra --solver rk4 --step 0,1", "step"},

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "odeum/cli/session.hpp"
 
 namespace odeum::cli {
@@ -37,12 +39,13 @@ void add_precision(CLI::App& app, int& result) {
   command
       ->add_option("--seconds", options->study.seconds_per_case,
                    "what the timed runs of a case may take, roughly")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->capture_default_str();
   add_study_options(*command, *options);
   command->callback([options, &result] {
     if (options->resume)
       throw UsageError("--resume: times of two runs of the program do not compare");
+    if (const double s = options->study.seconds_per_case; !std::isfinite(s) || !(s > 0))
+      throw UsageError(fmt::format("--seconds: got {}, expected a positive number", s));
     check_case_globs(options->study.cases);
     check_solver_globs(options->solvers);
     options->study.solvers = options->solvers;

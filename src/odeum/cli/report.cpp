@@ -29,7 +29,7 @@ void time_solvers(const Options& options, const report::OutputFolder& folder,
   if (!options.quick) {
     study::PrecisionOptions precision;
     precision.cases = timed_cases;
-    precision.seconds_per_case = 1.25;
+    precision.seconds_per_case = 1.1;
     precision.seconds_per_solve = data.precision_seconds_limit = 0.02;
     precision.attempts = 1;
     precision.jobs = options.jobs_or_cores();

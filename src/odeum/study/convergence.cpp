@@ -102,8 +102,15 @@ class PairRuns {
 
   /// Runs more, if the order is still open.
   void look_again(const Request& like) {
-    const Verdict verdict = fit().verdict;
-    if (verdict != Verdict::undetermined && verdict != Verdict::lower && verdict != Verdict::higher)
+    const OrderFit first = fit();
+    if (first.verdict != Verdict::undetermined && first.verdict != Verdict::lower &&
+        first.verdict != Verdict::higher)
+      return;
+    // Where runs are long, a low order that is clearly another one is not looked at twice; high
+    // ones settle late.
+    const double claimed = claimed_order(pair_);
+    if (first.verdict != Verdict::undetermined && claimed <= 6 &&
+        std::abs(first.order - claimed) > 0.75 && pair_.c->y0.size() > dense_dimension_limit)
       return;
     std::vector<std::uint64_t> telling;  // solved, down to the smallest error
     const std::uint64_t end = steps_of_least_error();

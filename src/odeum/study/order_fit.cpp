@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t fewest_points = 4;
 constexpr double shortest_span = 1.35;  // of the steps in a window
 constexpr double finest_end = 1.65;     // of a window, against the finest step
+
 /// A straight line through (log step, log error), by least squares.
 struct Line {
   double slope = 0;

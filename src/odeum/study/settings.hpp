@@ -20,8 +20,8 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
 /// Where to look again at a pair whose order stays open, if orders are seen on its case: between
 /// the numbers of steps that were telling, or on a large problem, where a short ladder was
-/// affordable, beyond them unless that was `to_rounding`. All else as in `like`, one of its
-/// settings.
+/// affordable, beyond them, and between the last of them where that was `to_rounding`. All else as
+/// in `like`, one of its settings.
 std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding);
 
