@@ -28,7 +28,7 @@ void parallel_for(std::size_t count, unsigned jobs, Work&& work) {
   std::exception_ptr failure;
   std::mutex failure_mutex;
   const auto worker = [&] {
-    for (std::size_t i; !stop && !interrupted && (i = next++) < count;) {
+    for (std::size_t i = 0; !stop && !interrupted && (i = next++) < count;) {
       try {
         work(i);
       } catch (...) {

@@ -169,8 +169,8 @@ std::string case_body(PageContext& page, std::size_t index) {
   const std::string floor =
       c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
   const std::string parts =
-      "<section id=\"plots\"><h2>Error against step and cost</h2>\n<p>Errors are absolute, the "
-      "largest over all components and stops; those beyond a hundred times the initial state "
+      "<section id=\"plots\"><h2>Error against step and cost</h2>\n<p>Errors are absolute, "
+      "root mean squares over components and stops; those beyond a hundred times the initial state "
       "are "
       "not drawn. Axes are the same throughout a case. Thin lines show the slopes of the orders "
       "claimed; dashed curves are runs to a tolerance, plain ones runs at a fixed step.</p>\n"

@@ -2,6 +2,7 @@
 #include "odeum/scene/extended_springs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace odeum::scene {
@@ -11,7 +12,7 @@ using Real = ExtendedProblem::real;
 
 void spring_force(const Spring& spring, const Real* q, const Real* v, Real* force) {
   const std::size_t a = 3 * spring.a, b = 3 * spring.b;
-  std::array<Real, 3> d;
+  std::array<Real, 3> d{};
   Real squared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     d[i] = q[b + i] - q[a + i];

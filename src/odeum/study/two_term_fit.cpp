@@ -66,12 +66,16 @@ Attempt best_attempt(const Logarithms& log) {
       best_s = s;
     }
   }
-  for (double step = (high - low) / pieces / 2; step > 1e-4; step /= 2)
+  // Halving: to a 1e-4 of log(1 + u) after ten.
+  double step = (high - low) / pieces;
+  for (int halving = 0; halving < 10; ++halving) {
+    step /= 2;
     for (const double s : {best_s - step, best_s + step})
       if (const Attempt here = at(s); here.squares < best.squares && s >= low && s <= high) {
         best = here;
         best_s = s;
       }
+  }
   return best;
 }
 
