@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/study/extended_order.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "odeum/study/judge.hpp"
 
 namespace odeum::study {
 namespace {
 
 using Real = ExtendedProblem::real;
 constexpr double half_unit = std::numeric_limits<Real>::epsilon() / 2;
-
-std::vector<std::size_t> measured_components(const Case& c) {
-  std::vector<std::size_t> measured = c.measured;
-  if (measured.empty()) {
-    measured.resize(c.y0.size());
-    std::iota(measured.begin(), measured.end(), 0);
-  }
-  return measured;
-}
 
 /// As Judge has it, in extended precision: the root mean square over components and stops.
 ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t steps) {

@@ -8,12 +8,17 @@
 
 namespace odeum::study {
 
-Judge::Judge(const Case& c, std::vector<double> stops)
-    : case_(c), stops_(std::move(stops)), truth_(stops_.size()), measured_(c.measured) {
-  if (measured_.empty()) {
-    measured_.resize(c.y0.size());
-    std::iota(measured_.begin(), measured_.end(), 0);
+std::vector<std::size_t> measured_components(const Case& c) {
+  std::vector<std::size_t> measured = c.measured;
+  if (measured.empty()) {
+    measured.resize(c.y0.size());
+    std::iota(measured.begin(), measured.end(), 0);
   }
+  return measured;
+}
+
+Judge::Judge(const Case& c, std::vector<double> stops)
+    : case_(c), stops_(std::move(stops)), truth_(stops_.size()), measured_(measured_components(c)) {
   const auto see = [&](const double* y) {
     double squares = 0;
     for (const std::size_t i : measured_) squares += y[i] * y[i];

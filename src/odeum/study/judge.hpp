@@ -15,6 +15,9 @@ struct StopError {
   double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
 };
 
+/// The components whose error is measured: those that the case names, or all.
+std::vector<std::size_t> measured_components(const Case& c);
+
 /// Holds solves on one case against its truth, which is evaluated once.
 class Judge {
  public:

@@ -8,6 +8,7 @@
 
 #include "odeum/harness/case.hpp"
 #include "odeum/study/material_rows.hpp"
+#include "odeum/study/specimen.hpp"
 
 namespace odeum::study {
 
@@ -22,29 +23,6 @@ bool is_compared(const SolverInfo& info, const MaterialOptions& options);
 
 /// All five files. Results but for times do not depend on `jobs`. Throws Interrupted.
 MaterialResult measure_material(const MaterialOptions& options);
-
-/// Springs whose answer is known: `masses` equal ones hung one below the other from a fixed point,
-/// each on a spring of `length` at rest. Small weights, so that every strain is below 1 %.
-struct Specimen {
-  std::string name;
-  std::size_t masses = 1;
-  double mass = 0.1;        ///< kg
-  double stiffness = 1000;  ///< N/m
-  double damping = 1;       ///< N s/m
-  double length = 1;        ///< m
-  double gravity = 1;       ///< m/s^2
-
-  /// Of the slowest mode: angular frequency (1/s) without damping, damping ratio, and how far each
-  /// mass moves, the lowest by 1.
-  double frequency() const;
-  double damping_ratio() const;
-  std::vector<double> shape() const;
-  /// How far the lowest mass hangs below where it is without gravity, m.
-  double sag() const;
-  scene::Scene scene() const;
-};
-Specimen one_mass();
-Specimen hanging_chain();  ///< ten masses
 
 /// Solvers on a specimen, or any other scene, with a start that may be moved between solves.
 struct SceneStage {

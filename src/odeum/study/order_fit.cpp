@@ -70,9 +70,6 @@ std::size_t slope_partner(const std::vector<ErrorPoint>& points, std::size_t i, 
 // their slopes agree.
 Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
   const double among_finest = settled * std::max(1.0, claimed_order / 2);
-  const auto slope_from = [&](std::size_t i, std::size_t j) {
-    return local_slope(points[i], points[j]);
-  };
   for (std::size_t end = points.size(); end >= fewest_points; --end) {
     std::size_t first = end - fewest_points;
     while (first > 0 && points[first].step < shortest_span * points[end - 1].step) --first;
@@ -82,7 +79,7 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
     for (std::size_t i = first; i < end; ++i) {
       const std::size_t j = slope_partner(points, i, end);
       if (j == end) break;
-      const double slope = slope_from(i, j);
+      const double slope = local_slope(points[i], points[j]);
       sum += slope;
       low = std::min(low, slope);
       high = std::max(high, slope);
@@ -92,7 +89,9 @@ Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, 
     if (low <= 0 || high - mean > among_finest || mean - low > among_finest) continue;
     while (first > 0) {
       const std::size_t partner = slope_partner(points, first - 1, end);
-      if (partner == end || std::abs(slope_from(first - 1, partner) - mean) > settled) break;
+      if (partner == end ||
+          std::abs(local_slope(points[first - 1], points[partner]) - mean) > settled)
+        break;
       --first;
     }
     return {first, end - first};
