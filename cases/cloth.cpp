@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/extended_springs.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/extended_springs.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
 #include "support/reference.hpp"
 #include "support/square_cloth.hpp"
 #include "support/stage.hpp"

@@ -8,7 +8,7 @@
 
 #include "engine.hpp"
 #include "expressible.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
 #include "soft_body.hpp"
 
 namespace odeum::adapters::bullet {

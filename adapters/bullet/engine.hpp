@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "odeum/harness/guard.hpp"
-#include "odeum/scene/scene.hpp"
+#include "odeum/core/guard.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 class btSoftBody;
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 /// Bullet 3.24, double precision: a physics engine, so it is given the scene of a case (bodies and
 /// forces) and not its right-hand side. Fixed step only.

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "odeum/scene/scene.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 /// What of a scene each of Bullet's models of a body can say.
 namespace odeum::adapters::bullet {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "odeum/scene/scene.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::adapters::bullet {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 /// The GNU Scientific Library's ordinary differential equations, gsl_odeiv2: eleven steppers.
 namespace odeum::adapters::gsl {

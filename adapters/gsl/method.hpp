@@ -2,7 +2,7 @@
 #pragma once
 #include <gsl/gsl_odeiv2.h>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 namespace odeum::adapters::gsl {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "gsl/method.hpp"
-#include "odeum/harness/dense_jacobian.hpp"
+#include "odeum/contest/dense_jacobian.hpp"
 
 namespace odeum::adapters::gsl {
 namespace {

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 namespace odeum::adapters::odeint {
 

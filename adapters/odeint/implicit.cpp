@@ -20,7 +20,7 @@ struct SingularMatrix {};
 
 #include "odeint/tripped.hpp"
 #include "odeint/walk.hpp"
-#include "odeum/harness/dense_jacobian.hpp"
+#include "odeum/contest/dense_jacobian.hpp"
 
 namespace odeum::adapters::odeint {
 namespace {

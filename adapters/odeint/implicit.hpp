@@ -3,7 +3,7 @@
 // Plain C++17: uBLAS of Boost 1.74 does not compile as C++20.
 #include <vector>
 
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/problem/ode_view.hpp"
 
 /// The steppers that solve linear systems with uBLAS.

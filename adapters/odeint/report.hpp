@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Plain C++17: shared with the translation unit of the uBLAS steppers.
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 
 /// What every walk shares and no template needs.
 namespace odeum::adapters::odeint {

@@ -4,7 +4,7 @@
 
 #include "odeint/system.hpp"
 #include "odeint/walk.hpp"
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 /// One function for each way in which odeint's steppers are used; each solves with a stepper type
 /// and a problem type that are known down to the innermost loop.

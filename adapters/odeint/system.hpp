@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeint/tripped.hpp"
-#include "odeum/harness/guarded.hpp"
+#include "odeum/core/guarded.hpp"
 
 namespace odeum::adapters::odeint {
 

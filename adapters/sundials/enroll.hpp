@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 namespace odeum::adapters::sundials {
 

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 
 /// CVODE, ERKStep and ARKStep have one interface under three prefixes. A Module is that interface
 /// as a table, so that everything which does not differ is written once.

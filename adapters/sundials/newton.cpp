@@ -9,7 +9,7 @@
 
 #include <utility>
 
-#include "odeum/harness/counted_solver.hpp"
+#include "odeum/core/counted_solver.hpp"
 #include "odeum/kernel/newton.hpp"
 
 namespace odeum::adapters::sundials {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/harness/guard.hpp"
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
+#include "odeum/core/guard.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "sundials/handles.hpp"
 #include "sundials/module.hpp"

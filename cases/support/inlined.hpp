@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
-#include "odeum/harness/own_solvers.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/contest/own_solvers.hpp"
 #include "odeum_inlined.hpp"  // generated: ODEUM_INLINED_ODEINT where that adapter is built
 #ifdef ODEUM_INLINED_ODEINT
 #include "odeint/inlined.hpp"

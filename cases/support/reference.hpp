@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 
 namespace odeum::cases {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
-#include "odeum/scene/scene_problem.hpp"
+#include "odeum/contest/solver.hpp"
+#include "odeum/scene/model/scene_problem.hpp"
 
 namespace odeum::cases {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstddef>
 
-#include "odeum/scene/scene.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::cases {
 

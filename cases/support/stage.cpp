@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/stage.hpp"
 
-#include "odeum/harness/own_on_shared.hpp"
+#include "odeum/contest/own_on_shared.hpp"
 #include "odeum_adapters.hpp"  // generated: odeum::enroll_adapters, every library that is built in
 
 namespace odeum::cases {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 
 namespace odeum::cases {
 

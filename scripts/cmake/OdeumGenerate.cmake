@@ -44,7 +44,7 @@ function(odeum_generate_cases)
 "#include <iterator>
 #include <utility>
 
-#include \"odeum/harness/case.hpp\"
+#include \"odeum/contest/case.hpp\"
 
 namespace odeum {
 namespace cases {
@@ -67,6 +67,9 @@ endfunction()
 # odeum_inlined.hpp/.cpp: inlined_solvers() from every file in cases/inlined, its stem the function.
 function(odeum_generate_inlined)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.cpp)
+  if(NOT ODEUM_INLINED)
+    set(files "")
+  endif()
   set(declarations "")
   set(calls "")
   foreach(file IN LISTS files)
@@ -83,14 +86,14 @@ function(odeum_generate_inlined)
 "#include <iterator>
 #include <utility>
 
-#include \"odeum/harness/inlined.hpp\"
+#include \"odeum/contest/inlined.hpp\"
 
 namespace odeum {
 namespace cases::inlined {
 ${declarations}}
-std::vector<Entrant> inlined_solvers(const Case& c) {
+std::vector<Entrant> inlined_solvers([[maybe_unused]] const Case& c) {
   std::vector<Entrant> list;
-  const auto add = [&](std::vector<Entrant> more) {
+  [[maybe_unused]] const auto add = [&](std::vector<Entrant> more) {
     std::move(more.begin(), more.end(), std::back_inserter(list));
   };
 ${calls}  return list;
@@ -264,7 +267,7 @@ macro(odeum_add_adapters)
 "#pragma once
 #include <vector>
 
-#include \"odeum/harness/solver.hpp\"
+#include \"odeum/contest/solver.hpp\"
 ${odeum_includes}
 namespace odeum {
 template <Ode P>
@@ -274,7 +277,7 @@ ${odeum_calls}}
 }
 ")
   odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
-"#include \"odeum/harness/case.hpp\"
+"#include \"odeum/contest/case.hpp\"
 
 namespace odeum {
 const std::vector<LibraryInfo>& all_libraries() {

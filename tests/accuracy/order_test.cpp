@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "odeum/study/convergence.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 
 namespace odeum {
 namespace {
@@ -96,13 +96,13 @@ TEST_P(Order, IsAsClaimed) {
   const study::ConvergenceResult result = study::converge(
       {.cases = {pair.case_id}, .solvers = {"odeum/" + pair.method}, .modes = {pair.mode}});
   ASSERT_EQ(result.orders.size(), 1U);
-  const study::OrderFit& fit = result.orders.front().fit;
+  const judge::OrderFit& fit = result.orders.front().fit;
   if (const Exception* exception = exception_for(pair)) {
     const bool of_many = std::string_view(exception->case_id) == "*";
-    EXPECT_TRUE(fit.verdict != study::Verdict::confirmed || of_many) << "needs no exception";
+    EXPECT_TRUE(fit.verdict != judge::Verdict::confirmed || of_many) << "needs no exception";
     GTEST_SKIP() << exception->reason;
   }
-  if (fit.verdict == study::Verdict::higher && std::isnan(fit.order)) {
+  if (fit.verdict == judge::Verdict::higher && std::isnan(fit.order)) {
     // Exact but for rounding: polynomials of low degree, linear problems for a propagator.
     EXPECT_TRUE(pair.case_id == "free_fall" || pair.method == "exponential_propagator");
     EXPECT_GE(pair.claimed, 2);
@@ -111,11 +111,11 @@ TEST_P(Order, IsAsClaimed) {
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15
   // (5 % above order 4), the next order of a step's error expansion included; a wrong coefficient
   // costs a whole order. Adaptive runs: a looser yardstick, see order_fit.hpp.
-  const double band = (pair.mode == Mode::fixed ? study::fixed_step_tolerance(pair.claimed)
-                                                : study::adaptive_tolerance(pair.claimed))
+  const double band = (pair.mode == Mode::fixed ? judge::fixed_step_tolerance(pair.claimed)
+                                                : judge::adaptive_tolerance(pair.claimed))
                           .order;
   EXPECT_NEAR(fit.order, pair.claimed, band) << to_string(fit.verdict) << ": " << fit.reason;
-  EXPECT_EQ(fit.verdict, study::Verdict::confirmed) << fit.reason;
+  EXPECT_EQ(fit.verdict, judge::Verdict::confirmed) << fit.reason;
   EXPECT_GE(fit.points, 4U);
 }
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <thread>
 
-#include "odeum/harness/glob.hpp"
-#include "odeum/harness/parallel.hpp"
-#include "odeum/study/judge.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/judge/errors.hpp"
 #include "support/amplification.hpp"
 
 namespace odeum::tests {
@@ -106,7 +106,7 @@ std::vector<Trial> all_trials() {
   return trials;
 }
 
-void solve(Trial& trial, const study::Judge& judge) {
+void solve(Trial& trial, const judge::Judge& judge) {
   Request request;
   request.mode = Mode::adaptive;
   request.tolerance = trial.tolerance;
@@ -115,7 +115,7 @@ void solve(Trial& trial, const study::Judge& judge) {
   request.budget.evaluations = 100'000;
   trial.outcome = trial.entrant->solve(request);
   if (trial.outcome.status != Status::ok) return;
-  for (const study::StopError& error : judge.errors(trial.outcome))
+  for (const judge::StopError& error : judge.errors(trial.outcome))
     trial.error = std::max(trial.error, error.error_max);
 }
 
@@ -129,7 +129,7 @@ TEST(Robustness, NoAdaptiveSolverSaysOkToAWrongAnswer) {
     Yardstick& yardstick = yardsticks[i];
     yardstick.size = size_of_solution(*yardstick.c);
     yardstick.amplification = amplification(*yardstick.c);
-    const study::Judge judge(*yardstick.c, yardstick.c->stops);
+    const judge::Judge judge(*yardstick.c, yardstick.c->stops);
     for (Trial& trial : trials)
       if (trial.c == yardstick.c) solve(trial, judge);
   });

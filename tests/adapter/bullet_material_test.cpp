@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/study/material.hpp"
+#include "odeum/studies/material/material.hpp"
 
 namespace odeum::study {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "adapter/bullet_stage.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
 
 namespace odeum::bullet_tests {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 /// A small stage of the adapters' own: one problem that can be made to go wrong, and what the tests
 /// ask of the solvers enrolled on it.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "odeum/scene/mass_spring.hpp"
-#include "odeum/study/material.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/studies/material/material.hpp"
 #include "support/square_cloth.hpp"
 #include "support/stage.hpp"
 

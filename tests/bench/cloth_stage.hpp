@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
-#include "odeum/scene/scene.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::bench {
 

@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 
-#include "odeum/study/stopwatch.hpp"
+#include "odeum/studies/precision/stopwatch.hpp"
 
 namespace odeum::bench {
 

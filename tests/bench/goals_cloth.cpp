@@ -8,10 +8,10 @@
 #include "cloth_stage.hpp"
 #include "goals.hpp"
 #include "grid_forces.hpp"
-#include "odeum/scene/cloth_engine.hpp"
-#include "odeum/scene/imex_cloth.hpp"
-#include "odeum/scene/lanes.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/springs/cloth_engine.hpp"
+#include "odeum/scene/springs/imex_cloth.hpp"
+#include "odeum/scene/springs/lanes.hpp"
 #include "support/square_cloth.hpp"
 
 namespace odeum::bench {

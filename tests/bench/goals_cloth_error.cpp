@@ -8,8 +8,8 @@
 
 #include "cloth_stage.hpp"
 #include "goals.hpp"
-#include "odeum/scene/cloth_engine.hpp"
-#include "odeum/scene/implicit_cloth.hpp"
+#include "odeum/scene/springs/cloth_engine.hpp"
+#include "odeum/scene/springs/implicit_cloth.hpp"
 
 namespace odeum::bench {
 namespace {

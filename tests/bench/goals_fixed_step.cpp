@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "goals.hpp"
-#include "odeum/harness/case.hpp"
-#include "odeum/harness/inlined.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/contest/inlined.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "goals.hpp"
-#include "odeum/study/precision.hpp"
+#include "odeum/studies/precision/precision.hpp"
 
 namespace odeum::bench {
 namespace {

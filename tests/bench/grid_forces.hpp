@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/scene/spring_grid.hpp"
+#include "odeum/scene/springs/spring_grid.hpp"
 
 namespace odeum::bench {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "micro.hpp"
-#include "odeum/harness/case.hpp"
-#include "odeum/harness/inlined.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/contest/inlined.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/study/raster_lanes.hpp"
+#include "odeum/studies/stability/raster_lanes.hpp"
 
 namespace {
 

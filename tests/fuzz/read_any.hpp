@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "odeum/scene/reader.hpp"
+#include "odeum/scene/read/reader.hpp"
 
 namespace odeum::fuzz {
 

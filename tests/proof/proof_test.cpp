@@ -8,7 +8,7 @@
 #include "odeum/proof/code_checks.hpp"
 #include "odeum/proof/stability_check.hpp"
 #include "odeum/proof/structure_check.hpp"
-#include "odeum/study/proof.hpp"
+#include "odeum/studies/proof/proof.hpp"
 #include "odeum/tableau/row_order.hpp"
 
 namespace odeum::tests {
@@ -31,12 +31,12 @@ TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
   for (const ProofRow& row : proofs().rows) {
     int confirmed = 0, as_next = 0;
     for (const study::ProvenOrder& order : row.orders) {
-      confirmed += order.fit.verdict == study::Verdict::confirmed;
+      confirmed += order.fit.verdict == judge::Verdict::confirmed;
       as_next += order.passes_as_next;
       // Linear problems ask for few conditions, and above order 8 the leading term does not yet
       // lead where rounding begins; no method may fall short of its order.
-      EXPECT_TRUE(order.fit.verdict == study::Verdict::confirmed ||
-                  order.fit.verdict == study::Verdict::higher)
+      EXPECT_TRUE(order.fit.verdict == judge::Verdict::confirmed ||
+                  order.fit.verdict == judge::Verdict::higher)
           << row.method << " on " << order.ground << ": " << order.fit.reason;
     }
     const int grounds = static_cast<int>(row.orders.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Growth read off states of sequences that are known in closed form.
-#include "odeum/study/growth.hpp"
+#include "odeum/judge/growth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-namespace odeum::study {
+namespace odeum::judge {
 namespace {
 
 constexpr std::size_t count = 17;
@@ -86,4 +86,4 @@ TEST(Growth, NoiseCoversWhatThreeRootsHide) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::judge

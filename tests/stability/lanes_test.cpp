@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
-#include "odeum/study/raster_lanes.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/studies/stability/raster_lanes.hpp"
 
 namespace odeum::study {
 namespace {

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <map>
 
-#include "odeum/harness/own_solvers.hpp"
-#include "odeum/report/csv.hpp"
-#include "odeum/study/growth_meter.hpp"
-#include "odeum/study/raster_lanes.hpp"
-#include "odeum/study/stability.hpp"
-#include "odeum/study/stability_search.hpp"
+#include "odeum/contest/own_solvers.hpp"
+#include "odeum/judge/stability_search.hpp"
+#include "odeum/record/csv.hpp"
+#include "odeum/studies/stability/growth_meter.hpp"
+#include "odeum/studies/stability/raster_lanes.hpp"
+#include "odeum/studies/stability/stability.hpp"
 
 namespace odeum::study {
 namespace {
@@ -181,17 +181,17 @@ TEST(Stability, AnInterruptedRunResumesToTheSameFiles) {
   const std::filesystem::path path =
       std::filesystem::path(::testing::TempDir()) / "odeum_stability_resume";
   std::filesystem::remove_all(path);
-  const report::OutputFolder folder(path);
+  const record::OutputFolder folder(path);
   StabilityOptions options;
   options.solvers = {"odeum/heun", "odeum/velocity_verlet", "odeum/implicit_euler_fixed_point"};
   options.own_grid = 9;
   {
-    report::Journal journal(folder, "stability", "same", false);
+    record::Journal journal(folder, "stability", "same", false);
     StabilityOptions first = options;
     first.solvers = {"odeum/heun", "odeum/implicit_euler_fixed_point"};
     measure_stability(first, &journal);
   }
-  report::Journal journal(folder, "stability", "same", true);
+  record::Journal journal(folder, "stability", "same", true);
   EXPECT_EQ(journal.size(), 10U);  // two solvers, three axes and two planes
   const StabilityResult resumed = measure_stability(options, &journal);
   const StabilityResult fresh = measure_stability(options);
@@ -200,8 +200,8 @@ TEST(Stability, AnInterruptedRunResumesToTheSameFiles) {
     EXPECT_EQ(resumed.limits[i].solver, fresh.limits[i].solver);
     EXPECT_EQ(resumed.limits[i].axis, fresh.limits[i].axis);
     EXPECT_EQ(resumed.limits[i].status, fresh.limits[i].status);
-    EXPECT_EQ(report::format_number(resumed.limits[i].limit),
-              report::format_number(fresh.limits[i].limit));
+    EXPECT_EQ(record::format_number(resumed.limits[i].limit),
+              record::format_number(fresh.limits[i].limit));
   }
   for (std::size_t i = 0; i < fresh.regions.size(); ++i)
     EXPECT_EQ(growth_text(resumed.regions[i]), growth_text(fresh.regions[i]));
@@ -235,7 +235,7 @@ TEST(Limits, AMutantIsCaught) {
   entrant.solve = [&](const Request& request) { return solve_own<Mutant>(contest, request); };
   probe.entrants.push_back(entrant);
   GrowthMeter meter(probe, entrant, false, limit_watch);
-  const double measured = find_limit([&](double x) { return meter.measure(-x, 0); }).limit;
+  const double measured = judge::find_limit([&](double x) { return meter.measure(-x, 0); }).limit;
   const double theory = own_by_key()[{"rk4", "real"}].theory;
   // dR/da is of the order of z^3/6 = 3.6 there, times 5e-4, over dR/dz of the order of 1.
   EXPECT_GT(std::abs(measured - theory), 1e-4);

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "odeum/study/growth_meter.hpp"
-#include "odeum/study/stability_search.hpp"
+#include "odeum/judge/stability_search.hpp"
+#include "odeum/studies/stability/growth_meter.hpp"
 
 namespace odeum::study {
 namespace {
@@ -60,9 +60,9 @@ struct Stage {
     return outcome;
   }
 
-  LimitFound limit(double re, double im) {
+  judge::LimitFound limit(double re, double im) {
     GrowthMeter meter(probe, probe.entrants[0], false, limit_watch);
-    return find_limit([&](double x) { return meter.measure(re * x, im * x); });
+    return judge::find_limit([&](double x) { return meter.measure(re * x, im * x); });
   }
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search for a limit, on growth functions whose limit is known.
-#include "odeum/study/stability_search.hpp"
+#include "odeum/judge/stability_search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace odeum::study {
+namespace odeum::judge {
 namespace {
 
 /// The last bisection interval has this relative width.
@@ -90,4 +90,4 @@ TEST(StabilitySearch, GrowthThatIsCertainAtTheFirstPointGivesZero) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::judge

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "odeum/harness/own_solvers.hpp"
+#include "odeum/contest/own_solvers.hpp"
 #include "odeum/problem/shared.hpp"
 
 namespace odeum::tests {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 
 namespace odeum::tests {
 

@@ -9,7 +9,7 @@
 
 #include "odeum/control/fixed_step.hpp"
 #include "odeum/control/step_doubling.hpp"
-#include "odeum/harness/guarded.hpp"
+#include "odeum/core/guarded.hpp"
 #include "odeum/kernel/method.hpp"
 
 namespace odeum::tests {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/problem/concepts.hpp"
 
 /// Small problems with closed solutions, and the order of a stepper measured on them.

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "odeum/harness/own_solvers.hpp"
+#include "odeum/contest/own_solvers.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

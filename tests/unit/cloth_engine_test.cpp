@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/cloth_engine.hpp"
+#include "odeum/scene/springs/cloth_engine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "odeum/methods/implicit_euler.hpp"
 #include "odeum/methods/rk4.hpp"
 #include "odeum/methods/velocity_verlet.hpp"
-#include "odeum/scene/imex_cloth.hpp"
-#include "odeum/scene/implicit_cloth.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/springs/imex_cloth.hpp"
+#include "odeum/scene/springs/implicit_cloth.hpp"
 #include "support/scenes.hpp"
 #include "support/square_cloth.hpp"
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "odeum/report/output_folder.hpp"
+#include "odeum/record/output_folder.hpp"
 
 namespace odeum {
 namespace {
@@ -184,7 +184,7 @@ TEST_F(CommandLine, AFailedSolveIsThree) {
 TEST_F(CommandLine, FilesThatCannotBeWrittenAreFour) {
   EXPECT_EQ(shell("odeum list solvers > /dev/full").code, 4);
   EXPECT_EQ(shell("odeum run free_fall --solver rk4 --step 0.5 --out /dev/null/x").code, 4);
-  const report::OutputFolder held(in("held"));
+  const record::OutputFolder held(in("held"));
   const Result result = shell("odeum run free_fall --solver rk4 --step 0.5 --out " + in("held"));
   EXPECT_EQ(result.code, 4);
   EXPECT_NE(result.output.find("in use by"), std::string::npos) << result.output;

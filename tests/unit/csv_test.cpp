@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/csv.hpp"
+#include "odeum/record/csv.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace odeum::tests {
 namespace {
 
-using report::CsvRow;
-using report::CsvTable;
-using report::format_number;
-using report::format_text;
+using record::CsvRow;
+using record::CsvTable;
+using record::format_number;
+using record::format_text;
 
 TEST(Csv, WritesNumbersThatReadBackToTheSameDouble) {
   std::mt19937_64 random(7);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/drift.hpp"
+#include "odeum/studies/drift/drift.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "odeum/study/kept_quantities.hpp"
+#include "odeum/studies/drift/kept_quantities.hpp"
 #include "support/catalogue.hpp"
 #include "support/reference.hpp"
 

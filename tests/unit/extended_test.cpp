@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/methods/verner98.hpp"
 

@@ -2,7 +2,7 @@
 // The one translation unit that puts the whole catalogue on a problem of the tests' own.
 #include "support/field.hpp"
 
-#include "odeum/harness/own_solvers.hpp"
+#include "odeum/contest/own_solvers.hpp"
 
 namespace odeum::tests {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/harness/glob.hpp"
+#include "odeum/core/glob.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/harness/guard.hpp"
+#include "odeum/core/guard.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "odeum/harness/guarded.hpp"
+#include "odeum/core/guarded.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

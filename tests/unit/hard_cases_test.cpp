@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/hard_cases.hpp"
+#include "odeum/studies/hard_cases/hard_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace odeum::study {
 namespace {
 
-using report::OutputFolder;
+using record::OutputFolder;
 using tests::text_of;
 
 constexpr const char* files[] = {"drift.csv", "horizons.csv", "largest_steps.csv",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/limits.hpp"
+#include "odeum/studies/limits/limits.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "odeum/study/spectrum.hpp"
+#include "odeum/studies/limits/spectrum.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::study {

@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "odeum/methods/implicit_euler_linearised.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
 #include "support/scenes.hpp"
 
 namespace odeum::tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "odeum/study/material.hpp"
+#include "odeum/studies/material/material.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::study {
@@ -133,7 +133,7 @@ MaterialResult made_up() {
 
 TEST(MaterialCsv, HasTheColumnsAndReadsBackToTheSame) {
   const tests::TemporaryFolder root;
-  const report::OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   const MaterialResult result = made_up();
   write_csv(result, folder);
   const auto starts = [&](const char* file, const char* header) {
@@ -157,7 +157,7 @@ TEST(MaterialCsv, HasTheColumnsAndReadsBackToTheSame) {
          "truth_left,drift,processor_share,measured,detail\n");
   const MaterialResult back = read_material_csv(folder.path());
   EXPECT_EQ(back.problem, "");
-  const report::OutputFolder again(root.path() / "again");
+  const record::OutputFolder again(root.path() / "again");
   write_csv(back, again);
   for (const char* file : {"material.csv", "material_error.csv", "cloth_long.csv", "cloth_cost.csv",
                            "implicit_wins.csv"})
@@ -169,7 +169,7 @@ TEST(MaterialCsv, HasTheColumnsAndReadsBackToTheSame) {
 
 TEST(MaterialCsv, ToleratesWhatItCannotUse) {
   const tests::TemporaryFolder root;
-  const report::OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   EXPECT_TRUE(read_material_csv(folder.path()).empty());
   EXPECT_EQ(read_material_csv(folder.path()).problem, "") << "missing is no problem";
   write_csv(made_up(), folder);

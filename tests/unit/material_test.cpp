@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What own methods make of springs, against their closed forms.
-#include "odeum/study/material.hpp"
+#include "odeum/studies/material/material.hpp"
 
 #include <gtest/gtest.h>
 

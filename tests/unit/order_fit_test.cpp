@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/order_fit.hpp"
+#include "odeum/judge/order_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-namespace odeum::study {
+namespace odeum::judge {
 namespace {
 
 constexpr double half_epsilon = 0x1p-53;  // the solution is of size one
@@ -161,4 +161,4 @@ TEST(OrderFit, AScatterThatLeavesTheClaimOpenIsNotLower) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::judge

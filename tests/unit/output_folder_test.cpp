@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/output_folder.hpp"
+#include "odeum/record/output_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -16,9 +16,9 @@ namespace odeum::tests {
 namespace {
 
 namespace fs = std::filesystem;
-using report::FileError;
-using report::Journal;
-using report::OutputFolder;
+using record::FileError;
+using record::Journal;
+using record::OutputFolder;
 
 /// The message of the FileError that `work` throws; empty where it throws none.
 template <class Work>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/page_hard_cases.hpp"
+#include "odeum/studies/hard_cases/section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 namespace odeum::report {
 namespace {
 
+using judge::Verdict;
 using study::DriftRow;
 using study::HorizonRow;
 using study::LargestStep;
 using study::ReductionRow;
-using study::Verdict;
 using tests::text_of;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,12 +43,12 @@ ReportData small_data() {
 
 std::string index_of(const ReportData& data) {
   const tests::TemporaryFolder root;
-  const OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   write_page(data, folder);
   return text_of(folder.path() / "index.html");
 }
 
-ReductionRow reduction(double lambda, double order, double error, Verdict verdict) {
+ReductionRow reduction(double lambda, double order, double error, judge::Verdict verdict) {
   ReductionRow row;
   row.library = "odeum";
   row.solver = "explicit_method_1";
@@ -110,7 +110,7 @@ TEST(PageHardCases, SaysWhereNothingWasMeasured) {
 
 TEST(PageHardCases, SaysThatResultsAreOfAnEarlierRun) {
   ReportData data = small_data();
-  data.hard_cases.reduction = {reduction(-1e6, 2, 1e-9, Verdict::lower)};
+  data.hard_cases.reduction = {reduction(-1e6, 2, 1e-9, judge::Verdict::lower)};
   EXPECT_TRUE(has(index_of(data), "To keep a report short")) << "the rule of the selection";
   data.hard_cases.measured = false;
   const std::string html = index_of(data);
@@ -120,9 +120,9 @@ TEST(PageHardCases, SaysThatResultsAreOfAnEarlierRun) {
 
 TEST(PageHardCases, ColoursTheOrdersThatAreLost) {
   ReportData data = small_data();
-  data.hard_cases.reduction = {reduction(-1e6, 1.9, 1e-9, Verdict::lower),
-                               reduction(-1, 4.02, 1e-12, Verdict::confirmed),
-                               reduction(-1e8, NAN, 1e-9, Verdict::undetermined)};
+  data.hard_cases.reduction = {reduction(-1e6, 1.9, 1e-9, judge::Verdict::lower),
+                               reduction(-1, 4.02, 1e-12, judge::Verdict::confirmed),
+                               reduction(-1e8, NAN, 1e-9, judge::Verdict::undetermined)};
   const std::string html = index_of(data);
   const std::size_t mild = html.find("<td class=\"confirmed\" title=\"confirmed: measured 4.02"),
                     stiff = html.find("<td class=\"t2\" title=\"lower: measured 1.90"),
@@ -137,8 +137,8 @@ TEST(PageHardCases, ColoursTheOrdersThatAreLost) {
 
 TEST(PageHardCases, LeavesOutWhoGivesNoErrorWhereItIsStiff) {
   ReportData data = small_data();
-  data.hard_cases.reduction = {reduction(-1, 4, 1e-12, Verdict::confirmed),
-                               reduction(-1e6, NAN, NAN, Verdict::undetermined)};
+  data.hard_cases.reduction = {reduction(-1, 4, 1e-12, judge::Verdict::confirmed),
+                               reduction(-1e6, NAN, NAN, judge::Verdict::undetermined)};
   const std::string html = index_of(data);
   EXPECT_TRUE(has(html, "1 give no usable error"));
   EXPECT_FALSE(has(html, "measured 4.00"));
@@ -245,7 +245,7 @@ TEST(PageHardCases, HostileNamesStayText) {
   ReportData data = small_data();
   const std::string hostile = "<img src=x>\"'\x1b";
   data.solvers[0].method = hostile;
-  data.hard_cases.reduction = {reduction(-1e6, 2, 1e-9, Verdict::lower)};
+  data.hard_cases.reduction = {reduction(-1e6, 2, 1e-9, judge::Verdict::lower)};
   data.hard_cases.largest_steps = {largest(data, 0.03, 0.02)};
   data.hard_cases.drift.rows = drift(data.cases[0].id, "energy", 1);
   data.hard_cases.reduction[0].solver = data.hard_cases.largest_steps[0].solver = hostile;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/page_material.hpp"
+#include "odeum/studies/material/section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using tests::text_of;
 
 std::string index_of(const ReportData& data) {
   const tests::TemporaryFolder root;
-  const OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   write_page(data, folder);
   return text_of(folder.path() / "index.html");
 }

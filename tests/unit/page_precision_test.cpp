@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "odeum/report/csv_reader.hpp"
+#include "odeum/record/csv_reader.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/report/solver_groups.hpp"
-#include "odeum/report/speed_diagram.hpp"
+#include "odeum/studies/precision/speed_diagram.hpp"
 #include "support/report_fixture.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -75,7 +75,7 @@ struct Pages {
 
 Pages pages_of(const ReportData& data) {
   const tests::TemporaryFolder root;
-  const OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   write_page(data, folder);
   return {text_of(folder.path() / "index.html"),
           text_of(folder.path() / "cases" / (data.cases[0].id + ".html"))};
@@ -161,7 +161,7 @@ TEST(PagePrecision, TimesHaveTheUnitThatFits) {
 
 TEST(PrecisionCsv, IsReadBackAsItWasWritten) {
   const tests::TemporaryFolder root;
-  const OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   study::PrecisionResult result;
   result.rows = rows_of("some_case");
   result.rows[0].detail = "at t = 1, \"quoted\"";
@@ -182,7 +182,7 @@ TEST(PrecisionCsv, IsReadBackAsItWasWritten) {
 
 TEST(PrecisionCsv, IsNotBelievedWhereItIsBroken) {
   const tests::TemporaryFolder root;
-  const OutputFolder folder(root.path() / "out");
+  const record::OutputFolder folder(root.path() / "out");
   const fs::path file = folder.path() / "precision.csv";
   EXPECT_EQ(study::read_precision_csv(file).problem, "") << "missing is no problem";
   study::PrecisionResult result;

@@ -74,7 +74,7 @@ class Page : public testing::Test {
     ::setenv("PATH", folder.c_str(), 1);
   }
   std::string page_of(const ReportData& data) {
-    const OutputFolder folder(root_ / "out");
+    const record::OutputFolder folder(root_ / "out");
     write_csv(data.convergence, folder);
     write_page(data, folder);
     return read(folder.path() / "index.html");

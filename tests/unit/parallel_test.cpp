@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/harness/parallel.hpp"
+#include "odeum/core/parallel.hpp"
 
 #include <gtest/gtest.h>
 

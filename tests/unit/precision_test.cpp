@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/precision.hpp"
+#include "odeum/studies/precision/precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "odeum/study/stopwatch.hpp"
+#include "odeum/studies/precision/stopwatch.hpp"
 
 namespace odeum::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/reduction.hpp"
+#include "odeum/studies/reduction/reduction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Reduction, IsToTheOrderOfTheStages) {
   for (const auto& [solver, order] : {std::pair{"gauss4", 4}, std::pair{"sdirk4", 4},
                                       std::pair{"lobatto_iiic4", 4}, std::pair{"bdf4", 4}})
     EXPECT_NEAR(row_at(rows, solver, -1).fit.order, order, 0.15) << solver << ", not stiff";
-  EXPECT_EQ(row_at(rows, "sdirk4", -1e6).fit.verdict, Verdict::lower);
+  EXPECT_EQ(row_at(rows, "sdirk4", -1e6).fit.verdict, judge::Verdict::lower);
   EXPECT_NEAR(std::log10(row_at(rows, "sdirk4", -1e6).error_finest /
                          row_at(rows, "sdirk4", -1e7).error_finest),
               1, 0.1);
@@ -44,12 +44,12 @@ TEST(Reduction, IsToTheOrderOfTheStages) {
 
 TEST(Reduction, SaysWhyThereIsNoOrder) {
   const auto rows = measure_reduction({.solvers = {"odeum/rk4", "odeum/leapfrog"}});
-  EXPECT_EQ(row_at(rows, "rk4", -1).fit.verdict, Verdict::confirmed);
+  EXPECT_EQ(row_at(rows, "rk4", -1).fit.verdict, judge::Verdict::confirmed);
   const ReductionRow& stiff = row_at(rows, "rk4", -1e8);
-  EXPECT_EQ(stiff.fit.verdict, Verdict::undetermined) << "a few steps end, at 1e40 and more";
+  EXPECT_EQ(stiff.fit.verdict, judge::Verdict::undetermined) << "a few steps end, at 1e40 and more";
   EXPECT_NE(stiff.fit.reason.find("non_finite"), std::string::npos) << stiff.fit.reason;
   EXPECT_TRUE(std::isnan(stiff.error_finest));
-  EXPECT_EQ(row_at(rows, "leapfrog", -1).fit.verdict, Verdict::not_applicable);
+  EXPECT_EQ(row_at(rows, "leapfrog", -1).fit.verdict, judge::Verdict::not_applicable);
   EXPECT_NE(row_at(rows, "leapfrog", -1).fit.reason, "");
 }
 

@@ -109,7 +109,7 @@ void add_not_applicable(ReportData& data, const std::string& c, const SolverInfo
   row.step = row.tolerance = row.error_max = row.error_rms = row.energy_error = nan;
   data.convergence.rows.push_back(row);
   study::OrderRow order{c, solver.library, solver.method, mode, solver.order, {}};
-  order.fit.verdict = study::Verdict::not_applicable;
+  order.fit.verdict = judge::Verdict::not_applicable;
   order.fit.reason = reason;
   data.convergence.orders.push_back(order);
 }
@@ -117,7 +117,7 @@ void add_not_applicable(ReportData& data, const std::string& c, const SolverInfo
 void add_pair(ReportData& data, const report::CaseFacts& c, const SolverInfo& solver, Mode mode,
               std::mt19937& random) {
   const Behaviour behaviour = behaviour_of(solver.order, random);
-  std::vector<study::ErrorPoint> points;
+  std::vector<judge::ErrorPoint> points;
   for (int k = 0; k < 11; ++k) {
     const double h = 0.25 * std::pow(2.0, -k);
     const double error = behaviour.fails && k > 1 ? nan : behaviour.error(h, random);
@@ -144,9 +144,9 @@ void add_pair(ReportData& data, const report::CaseFacts& c, const SolverInfo& so
                                           error * t, error * t / 3, 1.0, error * t * t / 5});
   }
   study::OrderRow order{c.id, solver.library, solver.method, mode, solver.order, {}};
-  order.fit = study::fit_order(points, solver.order,
-                               mode == Mode::fixed ? study::fixed_step_tolerance(solver.order)
-                                                   : study::adaptive_tolerance(solver.order));
+  order.fit = judge::fit_order(points, solver.order,
+                               mode == Mode::fixed ? judge::fixed_step_tolerance(solver.order)
+                                                   : judge::adaptive_tolerance(solver.order));
   data.convergence.orders.push_back(order);
 }
 

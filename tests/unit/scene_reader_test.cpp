@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/scene/reader.hpp"
+#include "odeum/scene/read/reader.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
 

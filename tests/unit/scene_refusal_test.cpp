@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "odeum/scene/reader.hpp"
+#include "odeum/scene/read/reader.hpp"
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 #include "odeum/report/scene_files.hpp"
-#include "odeum/scene/emission.hpp"
-#include "odeum/scene/reader.hpp"
-#include "odeum/scene/run.hpp"
+#include "odeum/scene/read/reader.hpp"
+#include "odeum/scene/run/emission.hpp"
+#include "odeum/scene/run/run.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
@@ -221,7 +221,7 @@ TEST(SceneFiles, HaveTheColumnsOfTheFormat) {
 TEST(SceneFiles, ParaViewFindsItsSeries) {
   const tests::TemporaryFolder folder;
   const Description d = built_in_scene("spinning_pair");
-  report::write_vtk_series(report::OutputFolder(folder.path()), d, run(d, 100, "rk4"), 5);
+  report::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), 5);
   const auto series =
       nlohmann::json::parse(tests::text_of(folder.path() / "trajectory.vtk.series"));
   ASSERT_EQ(series["files"].size(), 5U);

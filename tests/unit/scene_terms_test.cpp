@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/scene/reader.hpp"
-#include "odeum/scene/scene_problem.hpp"
+#include "odeum/scene/model/scene_problem.hpp"
+#include "odeum/scene/read/reader.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "odeum/harness/guarded.hpp"
+#include "odeum/core/guarded.hpp"
 #include "support/stage.hpp"
 
 namespace odeum {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/spring_grid.hpp"
+#include "odeum/scene/springs/spring_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "odeum/scene/lanes.hpp"
-#include "odeum/scene/mass_spring.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/springs/lanes.hpp"
 
 namespace odeum::scene {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/spring_kernels.hpp"
+#include "odeum/scene/springs/spring_kernels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "odeum/scene/spring_grid.hpp"
+#include "odeum/scene/springs/spring_grid.hpp"
 
 namespace odeum::scene {
 namespace {

@@ -64,8 +64,8 @@ TEST(Summary, TableIsCountedByHand) {
   solver.library = "mine\x1b[1m";
   solver.method = "a";
   data.solvers = {solver};
-  for (const study::Verdict verdict :
-       {study::Verdict::confirmed, study::Verdict::confirmed, study::Verdict::lower}) {
+  for (const judge::Verdict verdict :
+       {judge::Verdict::confirmed, judge::Verdict::confirmed, judge::Verdict::lower}) {
     study::OrderRow row;
     row.library = solver.library;
     row.solver = "a";
@@ -74,7 +74,7 @@ TEST(Summary, TableIsCountedByHand) {
   }
   std::string root = (std::filesystem::temp_directory_path() / "odeum_summary_XXXXXX").string();
   ASSERT_NE(::mkdtemp(root.data()), nullptr);
-  const OutputFolder folder(root);
+  const record::OutputFolder folder(root);
   std::istringstream lines(summary_table(data, folder));
   std::string line, library;
   std::getline(lines, line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/vibration.hpp"
+#include "odeum/studies/material/vibration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/study/convergence.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -15,7 +15,7 @@ std::string order_table(const study::ConvergenceResult& result) {
   for (const study::OrderRow& row : result.orders) {
     text += fmt::format("{:<30} {:<44} {:<8} {:>7.3g} {:>8.3f}  {}{}{}\n", row.case_id,
                         row.library + "/" + row.solver, to_string(row.mode), row.claimed_order,
-                        row.fit.order, study::to_string(row.fit.verdict),
+                        row.fit.order, to_string(row.fit.verdict),
                         row.fit.reason.empty() ? "" : ": ", row.fit.reason);
   }
   return text;
@@ -38,8 +38,8 @@ void add_converge(CLI::App& app, int& result) {
     check_solver_globs(options->solvers);
     options->study.solvers = options->solvers;
     options->study.jobs = options->jobs_or_cores();
-    const report::OutputFolder folder(options->out);
-    report::Journal journal(
+    const record::OutputFolder folder(options->out);
+    record::Journal journal(
         folder, "converge",
         fmt::format("{} {} {} {}", build::version, options->study.quick,
                     fmt::join(options->study.cases, " "), fmt::join(options->solvers, " ")),

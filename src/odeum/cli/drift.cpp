@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/drift.hpp"
+#include "odeum/studies/drift/drift.hpp"
 
 #include <fmt/format.h>
 
@@ -66,7 +66,7 @@ void add_drift(CLI::App& app, int& result) {
     check_solver_globs(options->solvers);
     options->study.solvers = options->solvers;
     options->study.jobs = options->jobs_or_cores();
-    const report::OutputFolder folder(options->out);
+    const record::OutputFolder folder(options->out);
     const study::DriftResult measured = study::measure_drift(options->study);
     write_csv(measured, folder);
     print(drift_table(measured) + horizon_table(measured));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/limits.hpp"
+#include "odeum/studies/limits/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ void add_limits(CLI::App& app, int& result) {
     check_solver_globs(options->solvers);
     options->study.solvers = options->solvers;
     options->study.jobs = options->jobs_or_cores();
-    const report::OutputFolder folder(options->out);
+    const record::OutputFolder folder(options->out);
     const std::vector<study::LargestStep> measured = study::measure_limits(options->study);
     write_csv(measured, folder);
     print(limits_table(measured));

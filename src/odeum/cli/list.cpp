@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/report/csv.hpp"
-#include "odeum/scene/reader.hpp"
+#include "odeum/record/csv.hpp"
+#include "odeum/scene/read/reader.hpp"
 #include "support/scene_stage.hpp"
 
 namespace odeum::cli {
@@ -23,7 +23,7 @@ Listing list_cases() {
   Listing listing{{"id", "title", "equation", "dimension", "horizon", "tags", "truth"}, {}};
   for (const Case& c : all_cases())
     listing.rows.push_back({c.id, c.title, c.equation, std::to_string(c.y0.size()),
-                            report::format_number(c.stops.back()),
+                            record::format_number(c.stops.back()),
                             fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source});
   return listing;
 }
@@ -40,7 +40,7 @@ Listing list_solvers() {
   for (const Entrant& entrant : all_cases().front().entrants) {
     const SolverInfo& info = entrant.info;
     listing.rows.push_back({info.id(), info.family,
-                            std::isnan(info.order) ? "varies" : report::format_number(info.order),
+                            std::isnan(info.order) ? "varies" : record::format_number(info.order),
                             modes(info), info.needs.empty() ? "a right-hand side" : info.needs,
                             info.source});
   }
@@ -66,7 +66,7 @@ Listing list_scenes() {
     const scene::Description scene =
         scene::read_scene(std::string(text.name), std::string(text.text)).description;
     listing.rows.push_back({std::string(text.name), scene.solver->type,
-                            report::format_number(*scene.duration),
+                            record::format_number(*scene.duration),
                             std::to_string(scene.particles.size()),
                             std::to_string(scene.springs.size()), first_comment(text.text)});
   }
@@ -91,9 +91,9 @@ std::string as_table(const Listing& listing, std::size_t columns) {
 }
 
 std::string as_csv(const Listing& listing) {
-  report::CsvTable table(fmt::format("{}", fmt::join(listing.columns, ",")));
+  record::CsvTable table(fmt::format("{}", fmt::join(listing.columns, ",")));
   for (const auto& fields : listing.rows) {
-    report::CsvRow row;
+    record::CsvRow row;
     for (const std::string& field : fields) row.text(field);
     table.add(row);
   }

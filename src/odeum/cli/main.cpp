@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/harness/parallel.hpp"
-#include "odeum/report/output_folder.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "odeum_build_info.hpp"
 
 namespace {
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     return usage;
-  } catch (const odeum::report::FileError& error) {
+  } catch (const odeum::record::FileError& error) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     return file_failed;
   } catch (const odeum::Interrupted&) {

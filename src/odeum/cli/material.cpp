@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/material.hpp"
+#include "odeum/studies/material/material.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void add_material(CLI::App& app, int& result) {
     if (options->resume)
       throw UsageError("--resume: material keeps no journal, it takes half a minute");
     check_solver_globs(options->solvers);
-    const report::OutputFolder folder(options->out);
+    const record::OutputFolder folder(options->out);
     const study::MaterialResult measured =
         study::measure_material({.solvers = options->solvers, .jobs = options->jobs_or_cores()});
     write_csv(measured, folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/precision.hpp"
+#include "odeum/studies/precision/precision.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ void add_precision(CLI::App& app, int& result) {
     check_solver_globs(options->solvers);
     options->study.solvers = options->solvers;
     options->study.jobs = options->jobs_or_cores();
-    const report::OutputFolder folder(options->out);
+    const record::OutputFolder folder(options->out);
     const study::PrecisionResult measured = study::measure_precision(options->study);
     write_csv(measured, folder);
     print(summary_table(measured));

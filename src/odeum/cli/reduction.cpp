@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/study/reduction.hpp"
+#include "odeum/studies/reduction/reduction.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ std::string reduction_table(const std::vector<study::ReductionRow>& rows) {
   for (const study::ReductionRow& row : rows)
     text += fmt::format("{:<40} {:>7.0e} {:>7.3g} {:>8.3f} {:>9.1e}  {}{}{}\n",
                         row.library + "/" + row.solver, row.lambda, row.claimed_order,
-                        row.fit.order, row.error_finest, study::to_string(row.fit.verdict),
+                        row.fit.order, row.error_finest, to_string(row.fit.verdict),
                         row.fit.reason.empty() ? "" : ": ", row.fit.reason);
   return text;
 }
@@ -29,7 +29,7 @@ void add_reduction(CLI::App& app, int& result) {
   command->callback([options, &result] {
     if (options->resume) throw UsageError("--resume: reduction keeps no journal, it takes seconds");
     check_solver_globs(options->solvers);
-    const report::OutputFolder folder(options->out);
+    const record::OutputFolder folder(options->out);
     const std::vector<study::ReductionRow> measured =
         study::measure_reduction({.solvers = options->solvers, .jobs = options->jobs_or_cores()});
     write_csv(measured, folder);

@@ -6,7 +6,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/report/summary.hpp"
-#include "odeum/study/material.hpp"
+#include "odeum/studies/material/material.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -23,7 +23,7 @@ const std::vector<std::string> timed_cases{"osc_under",  "kepler_e06", "pleiades
 // Times for the page. A quick report takes those that lie in the folder already; a full one
 // measures a few cases, with short limits, and keeps what an `odeum precision` left there of
 // others.
-void time_solvers(const Options& options, const report::OutputFolder& folder,
+void time_solvers(const Options& options, const record::OutputFolder& folder,
                   report::ReportData& data) {
   study::EarlierPrecision earlier = study::read_precision_csv(folder.path() / "precision.csv");
   if (!options.quick) {
@@ -41,7 +41,7 @@ void time_solvers(const Options& options, const report::OutputFolder& folder,
 }
 
 // The studies of hard cases, likewise: a quick report shows what the folder holds.
-void run_hard_cases(const Options& options, const report::OutputFolder& folder,
+void run_hard_cases(const Options& options, const record::OutputFolder& folder,
                     report::ReportData& data) {
   if (!options.quick) data.hard_cases = study::measure_hard_cases(options.jobs_or_cores());
   study::add_earlier(data.hard_cases, study::read_hard_cases(folder.path()), all_cases());
@@ -50,10 +50,10 @@ void run_hard_cases(const Options& options, const report::OutputFolder& folder,
 
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const report::OutputFolder folder(options.out);
+  const record::OutputFolder folder(options.out);
   const std::string fingerprint = fmt::format("{} quick={}", build::version, options.quick);
-  report::Journal converged(folder, "converge", fingerprint, options.resume);
-  report::Journal stable(folder, "stability", fingerprint, options.resume);
+  record::Journal converged(folder, "converge", fingerprint, options.resume);
+  record::Journal stable(folder, "stability", fingerprint, options.resume);
 
   report::ReportData data;
   data.quick = options.quick;

@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 namespace odeum::cli {
 

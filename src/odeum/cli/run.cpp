@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "odeum/cli/run.hpp"
-#include "odeum/harness/interrupt.hpp"
-#include "odeum/report/csv.hpp"
-#include "odeum/report/output_folder.hpp"
-#include "odeum/study/judge.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/judge/errors.hpp"
+#include "odeum/record/csv.hpp"
+#include "odeum/record/output_folder.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -18,12 +18,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Time, component, value, exact value and error at the end; exact is nan where no truth is known.
 std::string solution_csv(const Case& c, const Entrant& entrant, const Request& request,
                          const Outcome& outcome) {
-  report::CsvTable table("case,library,solver,status,time,component,value,exact,error");
+  record::CsvTable table("case,library,solver,status,time,component,value,exact,error");
   const double t = request.stops.back();
   std::vector<double> exact(c.y0.size(), nan);
   if (!c.truth.at(t, exact.data())) exact.assign(exact.size(), nan);
   for (std::size_t i = 0; i < c.y0.size() && outcome.status == Status::ok; ++i)
-    table.add(report::CsvRow()
+    table.add(record::CsvRow()
                   .text(c.id)
                   .text(entrant.info.library)
                   .text(entrant.info.method)
@@ -61,10 +61,10 @@ int run(const RunOptions& options) {
     if (c.y0.size() <= 8) {
       text += "state  ";
       for (std::size_t i = 0; i < c.y0.size(); ++i)
-        text += " " + report::format_number(outcome.states[i]);
+        text += " " + record::format_number(outcome.states[i]);
       text += "\n";
     }
-    const study::StopError error = study::Judge(c, request.stops).errors(outcome).front();
+    const judge::StopError error = judge::Judge(c, request.stops).errors(outcome).front();
     text += std::isnan(error.error_max)
                 ? fmt::format("error   unknown: {} holds no truth at t = {}\n", c.truth.source,
                               request.stops.back())
@@ -72,7 +72,7 @@ int run(const RunOptions& options) {
                               error.error_rms, c.truth.source);
   }
   if (!options.out.empty()) {
-    const report::OutputFolder folder(options.out);
+    const record::OutputFolder folder(options.out);
     folder.write("solution.csv", solution_csv(c, entrant, request, outcome));
     text += fmt::format("file    {}\n", (folder.path() / "solution.csv").string());
   }

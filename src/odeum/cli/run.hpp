@@ -5,7 +5,7 @@
 
 #include "odeum/cli/request.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/scene/reader.hpp"
+#include "odeum/scene/read/reader.hpp"
 
 namespace odeum::cli {
 

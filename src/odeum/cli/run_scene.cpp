@@ -8,12 +8,12 @@
 #include <map>
 
 #include "odeum/cli/run.hpp"
-#include "odeum/harness/interrupt.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/output_folder.hpp"
 #include "odeum/report/scene_files.hpp"
-#include "odeum/scene/emission.hpp"
-#include "odeum/scene/run.hpp"
+#include "odeum/scene/run/emission.hpp"
+#include "odeum/scene/run/run.hpp"
 #include "support/scene_stage.hpp"
 
 namespace odeum::cli {
@@ -129,7 +129,7 @@ double frame_interval(const Description& description, double until) {
   return interval;
 }
 
-void write_files(const report::OutputFolder& folder, const Description& description,
+void write_files(const record::OutputFolder& folder, const Description& description,
                  const scene::RunResult& run, const Lines& facts) {
   if (run.status == Status::ok) folder.write("final.csv", report::final_csv(run));
   folder.write("trajectory.csv", report::trajectory_csv(run));
@@ -158,7 +158,7 @@ int run_read(const scene::ReadScene& read, const RunOptions& options) {
   setting.budget = request.budget;
   setting.frame_interval = frame_interval(description, setting.until);
 
-  std::optional<report::OutputFolder> folder;
+  std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   const std::string name = description.name.empty() ? "" : report::plain(description.name);
   Lines model = describe_model(description, *whole);

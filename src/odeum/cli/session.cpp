@@ -9,8 +9,8 @@
 #include <cstring>
 #include <thread>
 
-#include "odeum/harness/glob.hpp"
-#include "odeum/report/output_folder.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "support/scene_stage.hpp"
 
 namespace odeum::cli {
@@ -62,7 +62,7 @@ void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
     return;
   if (errno == EPIPE) std::_Exit(success);
-  throw report::FileError(
+  throw record::FileError(
       fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
+#include "odeum/contest/case.hpp"
 
 namespace odeum::cli {
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/study/stability.hpp"
+#include "odeum/studies/stability/stability.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -39,8 +39,8 @@ void add_stability(CLI::App& app, int& result) {
     options->study.solvers = options->solvers;
     options->study.own_grid = options->study.peer_grid = *grid;
     options->study.jobs = options->jobs_or_cores();
-    const report::OutputFolder folder(options->out);
-    report::Journal journal(folder, "stability",
+    const record::OutputFolder folder(options->out);
+    record::Journal journal(folder, "stability",
                             fmt::format("{} {} {} {}", build::version, options->study.plane, *grid,
                                         fmt::join(options->solvers, " ")),
                             options->resume);

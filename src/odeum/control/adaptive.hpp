@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "odeum/harness/guarded.hpp"
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/guarded.hpp"
+#include "odeum/core/outcome.hpp"
 
 namespace odeum {
 

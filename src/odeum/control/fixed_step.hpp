@@ -2,8 +2,8 @@
 #pragma once
 #include <fmt/format.h>
 
-#include "odeum/harness/guarded.hpp"
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/guarded.hpp"
+#include "odeum/core/outcome.hpp"
 
 namespace odeum {
 

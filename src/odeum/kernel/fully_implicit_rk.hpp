@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "odeum/harness/outcome.hpp"
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/stage_system.hpp"
 

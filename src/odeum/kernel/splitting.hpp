@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/tableau/splitting.hpp"
 

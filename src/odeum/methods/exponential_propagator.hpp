@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/harness/guarded.hpp"
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/guarded.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/linear/matrix_exponential.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/control/extrapolation_run.hpp"
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/kernel/extrapolation.hpp"
 #include "odeum/kernel/method.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/harness/outcome.hpp"
+#include "odeum/core/outcome.hpp"
 #include "odeum/kernel/method.hpp"
 
 namespace odeum::methods {

@@ -14,7 +14,7 @@ namespace {
 
 template <class P>
 void measure_orders(const MakeStepper<P>& code, double order, const std::vector<Ground<P>>& where,
-                    std::vector<study::OrderFit>& fits) {
+                    std::vector<judge::OrderFit>& fits) {
   if (!code) return;
   for (const Ground<P>& ground : where) fits.push_back(measure_order(code, order, ground));
 }
@@ -23,13 +23,13 @@ void measure_orders(const MakeStepper<P>& code, double order, const std::vector<
 template <class P>
 std::string order_failure(const MakeStepper<P>& code, double order,
                           const std::vector<Ground<P>>& where,
-                          const std::vector<study::OrderFit>& sound, std::size_t& at) {
+                          const std::vector<judge::OrderFit>& sound, std::size_t& at) {
   if (!code) return {};
   for (const Ground<P>& ground : where) {
-    const study::OrderFit& expected = sound[at++];
-    const study::OrderFit fit = measure_order(code, order, ground);
+    const judge::OrderFit& expected = sound[at++];
+    const judge::OrderFit fit = measure_order(code, order, ground);
     if (!same_order(fit, expected))
-      return fmt::format("order on {}: {}", ground.id, study::to_string(fit.verdict));
+      return fmt::format("order on {}: {}", ground.id, to_string(fit.verdict));
   }
   return {};
 }
@@ -71,9 +71,9 @@ double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
 
 }  // namespace
 
-bool same_order(const study::OrderFit& fit, const study::OrderFit& sound) {
+bool same_order(const judge::OrderFit& fit, const judge::OrderFit& sound) {
   if (fit.verdict != sound.verdict) return false;
-  return fit.verdict == study::Verdict::confirmed || !(std::abs(fit.order - sound.order) > 0.15);
+  return fit.verdict == judge::Verdict::confirmed || !(std::abs(fit.order - sound.order) > 0.15);
 }
 
 double stability_tolerance(const MethodFacts& method) {

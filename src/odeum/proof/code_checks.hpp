@@ -24,7 +24,7 @@ inline Code code_of(const MethodFacts& method) {
 /// Whether a mutant's order passes for that of the sound method: the same verdict and, where it is
 /// not `confirmed` (a method may be of higher order on a problem that asks for few conditions), the
 /// same order to 0.15.
-bool same_order(const study::OrderFit& fit, const study::OrderFit& sound);
+bool same_order(const judge::OrderFit& fit, const judge::OrderFit& sound);
 
 /// Where running code must agree with its stability function, relative: some hundred operations of
 /// up to seventeen stages, whose terms may exceed the result a hundred times. An iteration that
@@ -54,7 +54,7 @@ class CodeChecks {
   std::vector<EstimateQuality> estimates(const Code& code) const;
 
   const MethodFacts& sound_;
-  std::vector<study::OrderFit> orders_;  ///< of the sound method, ground by ground
+  std::vector<judge::OrderFit> orders_;  ///< of the sound method, ground by ground
   std::vector<EstimateQuality> estimates_;
   bool stability_ = false, map_ = false, tableau_ = false, frame_ = false, symplectic_ = false,
        returns_ = false;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/judge/order_fit.hpp"
 #include "odeum/proof/grounds.hpp"
-#include "odeum/study/order_fit.hpp"
 
 namespace odeum::proof {
 namespace {
@@ -73,7 +73,7 @@ EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, i
   quality.ground = ground.id;
   quality.expected_exponent = std::min(order, order_embedded) + 1;
   quality.exponent = quality.ratio = quality.margin = nan;
-  std::vector<study::ErrorPoint> points;
+  std::vector<judge::ErrorPoint> points;
   double nearest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 28; ++k) {
     const Sizes s = sizes_at(stepper, ground, std::pow(2.0, -k / 3.0), order <= order_embedded);
@@ -90,8 +90,8 @@ EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, i
       quality.margin = s.estimate / s.kept_error;
     }
   }
-  quality.exponent = study::fit_order(points, quality.expected_exponent,
-                                      study::fixed_step_tolerance(quality.expected_exponent))
+  quality.exponent = judge::fit_order(points, quality.expected_exponent,
+                                      judge::fixed_step_tolerance(quality.expected_exponent))
                          .order;
   return quality;
 }

@@ -19,7 +19,7 @@ struct Claims {
   Coefficients tableau;
   Structure structure;
   StabilityClass stability;
-  std::vector<study::OrderFit> orders, orders_hat;  ///< as running shows them, ground by ground
+  std::vector<judge::OrderFit> orders, orders_hat;  ///< as running shows them, ground by ground
 };
 
 bool has_order(const Coefficients& t, const std::vector<double>& row, int order) {
@@ -47,7 +47,7 @@ bool nodes_are_row_sums(const Coefficients& t) {
   return true;
 }
 
-using Orders = std::vector<study::OrderFit>;
+using Orders = std::vector<judge::OrderFit>;
 
 Orders orders_by_running(const Coefficients& t, int order) {
   Orders fits;
@@ -78,8 +78,7 @@ std::string caught_early(const Coefficients& mutant, const Claims& sound) {
 std::string difference_in(const Orders& found, const Orders& expected, const char* of) {
   for (std::size_t i = 0; i < found.size(); ++i)
     if (!same_order(found[i], expected[i]))
-      return fmt::format("order {}on {}: {}", of, grounds()[i].id,
-                         study::to_string(found[i].verdict));
+      return fmt::format("order {}on {}: {}", of, grounds()[i].id, to_string(found[i].verdict));
   return {};
 }
 

@@ -38,17 +38,17 @@ std::vector<std::uint64_t> ladder(const Plan& plan) {
 
 }  // namespace
 
-study::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
+judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
                               const std::vector<double>& y0,
                               const std::function<void(double t, double* y)>& truth) {
   const Plan plan = plan_for(claimed_order);
   horizon *= plan.horizon;
-  std::vector<study::ErrorPoint> points;
+  std::vector<judge::ErrorPoint> points;
   std::vector<double> exact(y0.size());
   int at_rounding = 0;
   for (const std::uint64_t steps : ladder(plan)) {
     const double n = static_cast<double>(steps), h = horizon / n;
-    study::ErrorPoint point{.step = h, .error = 0, .steps = n};
+    judge::ErrorPoint point{.step = h, .error = 0, .steps = n};
     std::vector<double> y = y0;
     stepper.start(t0, h, y);
     for (std::uint64_t i = 0; i < steps; ++i) {
@@ -70,7 +70,7 @@ study::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
     at_rounding = point.error <= point.typical_rounding() ? at_rounding + 1 : 0;
     if (at_rounding >= rounding_seen && points.size() >= 6) break;
   }
-  return study::fit_order(points, claimed_order, study::fixed_step_tolerance(claimed_order));
+  return judge::fit_order(points, claimed_order, judge::fixed_step_tolerance(claimed_order));
 }
 
 }  // namespace odeum::proof

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/judge/stability_search.hpp"
 #include "odeum/proof/order_check.hpp"
-#include "odeum/study/stability_search.hpp"
 
 namespace odeum::proof {
 namespace {
@@ -60,9 +60,9 @@ std::vector<NodeFault> node_faults(const DynamicTableau<Number>& tableau,
 }
 
 double limit_along(const DynamicTableau<double>& tableau, std::complex<double> direction) {
-  return study::find_limit([&](double x) {
+  return judge::find_limit([&](double x) {
            const double amplification = std::abs(stability_function(tableau, direction * x));
-           return study::Growth{std::log(amplification), study::growth_rounding};
+           return judge::Growth{std::log(amplification), judge::growth_rounding};
          })
       .limit;
 }
@@ -73,8 +73,8 @@ void run_row(const char* name, const DynamicTableau<double>& tableau, int order,
   for (const Ground<FunctionProblem>& ground : grounds()) {
     MeasuredRow row{name, ground.id, measure_order(interpreted(tableau), order, ground), false};
     // A linear problem asks for few of the conditions: a higher order there contradicts nothing.
-    row.agrees = row.fit.verdict == study::Verdict::confirmed ||
-                 (ground.id == "linear" && row.fit.verdict == study::Verdict::higher);
+    row.agrees = row.fit.verdict == judge::Verdict::confirmed ||
+                 (ground.id == "linear" && row.fit.verdict == judge::Verdict::higher);
     measured.push_back(std::move(row));
   }
 }

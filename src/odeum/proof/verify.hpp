@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/study/order_fit.hpp"
+#include "odeum/judge/order_fit.hpp"
 #include "odeum/tableau/character.hpp"
 #include "odeum/tableau/tableau_file.hpp"
 
@@ -28,7 +28,7 @@ struct NodeFault {
 /// An order measured by running the tableau, and whether it is the one of the conditions.
 struct MeasuredRow {
   std::string row, ground;
-  study::OrderFit fit;
+  judge::OrderFit fit;
   bool agrees = false;
 };
 

@@ -16,9 +16,9 @@
 #include <span>
 #include <sstream>
 
-#include "odeum/harness/parallel.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/output_folder.hpp"
 
 extern char** environ;
 
@@ -33,7 +33,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "odeum_plots_XXXXXX").string();
     if (!::mkdtemp(name.data()))
-      throw FileError(fmt::format("cannot make folder {}: {}", name, std::strerror(errno)));
+      throw record::FileError(fmt::format("cannot make folder {}: {}", name, std::strerror(errno)));
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -61,7 +61,7 @@ void write_file(const fs::path& path, const char* bytes, std::size_t size) {
   std::ofstream out(path, std::ios::binary);
   out.write(bytes, static_cast<std::streamsize>(size));
   out.close();
-  if (!out) throw FileError(fmt::format("cannot write {}", path.string()));
+  if (!out) throw record::FileError(fmt::format("cannot write {}", path.string()));
 }
 
 // The script that draws the pictures of these numbers; it prints a line for each when it is done.

@@ -44,7 +44,7 @@ ordered_json verdicts_json(const ReportData& data) {
     ordered_json entry{
         {"library", summary.library}, {"solvers", summary.solvers}, {"pairs", summary.pairs}};
     for (const VerdictStyle& style : verdict_styles)
-      entry[study::to_string(style.verdict)] = summary.count(style.verdict);
+      entry[to_string(style.verdict)] = summary.count(style.verdict);
     list.push_back(entry);
   }
   return list;

@@ -61,7 +61,7 @@ std::string PictureBook::fill(const std::string& html) const {
   return filled.append(html, begin);
 }
 
-void PictureBook::write_files(const OutputFolder& folder) const {
+void PictureBook::write_files(const record::OutputFolder& folder) const {
   for (std::size_t i = 0; i < pictures_.size(); ++i)
     if (!files_[i].empty() && !rendering_.images[i].empty())
       folder.write(files_[i], rendering_.images[i]);
@@ -114,9 +114,9 @@ std::string verdict_bar(const VerdictCounts& counts) {
   std::string bar;
   for (const VerdictStyle& style : verdict_styles)
     if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
-        count > 0 && style.verdict != study::Verdict::not_applicable)
-      bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>",
-                         study::to_string(style.verdict), count);
+        count > 0 && style.verdict != judge::Verdict::not_applicable)
+      bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", to_string(style.verdict),
+                         count);
   return "<span class=\"bar\" aria-hidden=\"true\">" + bar + "</span>";
 }
 
@@ -124,14 +124,13 @@ std::string verdict_words(const VerdictCounts& counts) {
   std::string words;
   for (const VerdictStyle& style : verdict_styles)
     if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
-        count > 0 && style.verdict != study::Verdict::not_applicable)
-      words +=
-          fmt::format("{}{} {}", words.empty() ? "" : ", ", count, study::to_string(style.verdict));
+        count > 0 && style.verdict != judge::Verdict::not_applicable)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, to_string(style.verdict));
   return words.empty() ? "not run" : words;
 }
 
-std::string verdict_chip(study::Verdict verdict) {
-  return fmt::format("<span class=\"chip {0}\">{1} {0}</span>", study::to_string(verdict),
+std::string verdict_chip(judge::Verdict verdict) {
+  return fmt::format("<span class=\"chip {0}\">{1} {0}</span>", to_string(verdict),
                      style_of(verdict).glyph);
 }
 
@@ -173,7 +172,7 @@ std::vector<std::string> name_case_files(const std::vector<CaseFacts>& cases) {
 
 }  // namespace
 
-void write_page(const ReportData& data, const OutputFolder& folder) {
+void write_page(const ReportData& data, const record::OutputFolder& folder) {
   PageContext page{.data = data,
                    .folder = folder,
                    .lookup = Lookup(data),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/report/output_folder.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "odeum/report/report_data.hpp"
 
 namespace odeum::report {
@@ -11,6 +11,6 @@ namespace odeum::report {
 /// disk. The names that the pages show may be anybody's text. Pictures are drawn by gnuplot;
 /// without it the page is written all the same, and says so, as the manifest does. Throws
 /// FileError.
-void write_page(const ReportData& data, const OutputFolder& folder);
+void write_page(const ReportData& data, const record::OutputFolder& folder);
 
 }  // namespace odeum::report

@@ -100,7 +100,7 @@ std::string panel_figure(PageContext& page, const CaseFacts& c, const CaseAxes& 
 }
 
 std::string order_row(const study::OrderRow& row) {
-  const study::OrderFit& fit = row.fit;
+  const judge::OrderFit& fit = row.fit;
   const auto fixed = [](double value) {
     return std::isnan(value) ? std::string("–") : fmt::format("{:.2f}", value);
   };
@@ -158,7 +158,7 @@ std::string case_body(PageContext& page, std::size_t index) {
   for (const study::OrderRow& row : page.data.convergence.orders) {
     if (row.case_id != c.id) continue;
     ++counts[static_cast<std::size_t>(row.fit.verdict)];
-    if (row.fit.verdict != study::Verdict::not_applicable || !std::isnan(row.fit.order))
+    if (row.fit.verdict != judge::Verdict::not_applicable || !std::isnan(row.fit.order))
       orders += order_row(row);
   }
   std::string figures;

@@ -93,7 +93,7 @@ std::string links(const std::filesystem::path& folder, const std::string& prefix
   return html;
 }
 
-std::string data_files(const OutputFolder& folder) {
+std::string data_files(const record::OutputFolder& folder) {
   std::string html =
       "<h3>The data</h3>\n<p>Everything on this page comes from the files beside it, one "
       "observation a row:</p>\n<ul class=\"files\">\n" +

@@ -44,11 +44,11 @@ class Tally {
 std::string cell(const VerdictCounts& counts, const SolverGroup& group) {
   std::size_t judged = 0;
   for (const VerdictStyle& style : verdict_styles)
-    if (style.verdict != study::Verdict::not_applicable)
+    if (style.verdict != judge::Verdict::not_applicable)
       judged += counts[static_cast<std::size_t>(style.verdict)];
   if (judged == 0) return "<td class=\"zero\" title=\"does not apply\">·</td>";
-  const std::size_t good = counts[static_cast<std::size_t>(study::Verdict::confirmed)] +
-                           counts[static_cast<std::size_t>(study::Verdict::higher)];
+  const std::size_t good = counts[static_cast<std::size_t>(judge::Verdict::confirmed)] +
+                           counts[static_cast<std::size_t>(judge::Verdict::higher)];
   return fmt::format("<td title=\"{}: {}\">{}<b>{}</b>/{}</td>", escape(group.title),
                      verdict_words(counts), verdict_bar(counts), good, judged);
 }

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "odeum/record/output_folder.hpp"
 #include "odeum/report/gnuplot.hpp"
-#include "odeum/report/output_folder.hpp"
 #include "odeum/report/panels.hpp"
 #include "odeum/report/plots.hpp"
 #include "odeum/report/report_data.hpp"
@@ -28,7 +28,7 @@ class PictureBook {
   std::string add(Picture picture, std::string description, const std::string& stem = {});
   void draw(unsigned processes) { rendering_ = render(pictures_, processes); }
   std::string fill(const std::string& html) const;
-  void write_files(const OutputFolder& folder) const;
+  void write_files(const record::OutputFolder& folder) const;
   const Rendering& rendering() const { return rendering_; }
 
  private:
@@ -63,7 +63,7 @@ class Lookup {
 
 struct PageContext {
   const ReportData& data;
-  const OutputFolder& folder;
+  const record::OutputFolder& folder;
   Lookup lookup;
   std::vector<Panel> panels;
   std::vector<std::string> case_files;  ///< `cases/<id>.html` and its like, for each case
@@ -108,7 +108,7 @@ std::string findings_section();
 /// Text as part of a file name: letters, digits, - and _, whatever it was.
 std::string file_stem(std::string_view text);
 /// "✓ confirmed" as a coloured chip.
-std::string verdict_chip(study::Verdict verdict);
+std::string verdict_chip(judge::Verdict verdict);
 /// The legend of a panel: marker, colour and name of the solvers for which `shown` holds.
 std::string legend(const Panel& panel, const std::vector<bool>& shown);
 

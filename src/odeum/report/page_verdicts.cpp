@@ -14,8 +14,8 @@
 namespace odeum::report {
 namespace {
 
+using judge::Verdict;
 using study::OrderRow;
-using study::Verdict;
 
 std::string verdict_rows(const ReportData& data, Verdict verdict, std::size_t& count) {
   std::string html;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/solver.hpp"
+#include "odeum/contest/solver.hpp"
 
 namespace odeum::report {
 

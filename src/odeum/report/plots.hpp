@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "odeum/report/gnuplot.hpp"
-#include "odeum/study/stability.hpp"
+#include "odeum/studies/stability/stability.hpp"
 
 namespace odeum::report {
 

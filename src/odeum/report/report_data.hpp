@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "odeum/harness/case.hpp"
-#include "odeum/study/convergence.hpp"
-#include "odeum/study/hard_cases.hpp"
-#include "odeum/study/material_rows.hpp"
-#include "odeum/study/precision.hpp"
-#include "odeum/study/proof.hpp"
-#include "odeum/study/stability.hpp"
+#include "odeum/contest/case.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/hard_cases/hard_cases.hpp"
+#include "odeum/studies/material/rows.hpp"
+#include "odeum/studies/precision/precision.hpp"
+#include "odeum/studies/proof/proof.hpp"
+#include "odeum/studies/stability/stability.hpp"
 
 namespace odeum::report {
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "odeum/report/csv.hpp"
+#include "odeum/record/csv.hpp"
 #include "odeum/report/html.hpp"
 
 namespace odeum::report {
 namespace {
 
-void add_particle(CsvRow& row, const scene::Frame& frame, std::size_t i) {
+void add_particle(record::CsvRow& row, const scene::Frame& frame, std::size_t i) {
   row.count(frame.ids[i]);
   const std::size_t half = frame.y.size() / 2;
   for (const std::size_t from : {3 * i, half + 3 * i})
@@ -48,10 +48,10 @@ std::string vtk_file(const scene::Description& description, const scene::Frame& 
 }  // namespace
 
 std::string final_csv(const scene::RunResult& run) {
-  CsvTable table("particle,x,y,z,vx,vy,vz");
+  record::CsvTable table("particle,x,y,z,vx,vy,vz");
   const scene::Frame& frame = run.frames.back();
   for (std::size_t i = 0; i < frame.ids.size(); ++i) {
-    CsvRow row;
+    record::CsvRow row;
     add_particle(row, frame, i);
     table.add(row);
   }
@@ -59,10 +59,10 @@ std::string final_csv(const scene::RunResult& run) {
 }
 
 std::string trajectory_csv(const scene::RunResult& run) {
-  CsvTable table("time,particle,x,y,z,vx,vy,vz");
+  record::CsvTable table("time,particle,x,y,z,vx,vy,vz");
   for (const scene::Frame& frame : run.frames)
     for (std::size_t i = 0; i < frame.ids.size(); ++i) {
-      CsvRow row;
+      record::CsvRow row;
       row.number(frame.t);
       add_particle(row, frame, i);
       table.add(row);
@@ -71,9 +71,9 @@ std::string trajectory_csv(const scene::RunResult& run) {
 }
 
 std::string energy_csv(const scene::RunResult& run) {
-  CsvTable table("time,kinetic,potential,total,momentum_x,momentum_y,momentum_z");
+  record::CsvTable table("time,kinetic,potential,total,momentum_x,momentum_y,momentum_z");
   for (const scene::Frame& frame : run.frames) {
-    CsvRow row;
+    record::CsvRow row;
     row.number(frame.t).number(frame.kinetic).number(frame.potential);
     row.number(frame.kinetic + frame.potential);
     for (const double component : frame.momentum) row.number(component);
@@ -91,7 +91,7 @@ std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t 
   return chosen;
 }
 
-void write_vtk_series(const OutputFolder& folder, const scene::Description& description,
+void write_vtk_series(const record::OutputFolder& folder, const scene::Description& description,
                       const scene::RunResult& run, std::size_t most) {
   std::string title = "Odeum: " + plain(description.name);
   title.resize(std::min<std::size_t>(title.size(), 200));

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "odeum/report/output_folder.hpp"
-#include "odeum/scene/run.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/scene/run/run.hpp"
 
 namespace odeum::report {
 
@@ -16,7 +16,7 @@ std::string energy_csv(const scene::RunResult& run);
 
 /// A series that ParaView opens: trajectory.vtk.series, and one legacy VTK file a frame (at most
 /// `most` of them, evenly chosen) under vtk/. Throws FileError.
-void write_vtk_series(const OutputFolder& folder, const scene::Description& description,
+void write_vtk_series(const record::OutputFolder& folder, const scene::Description& description,
                       const scene::RunResult& run, std::size_t most = 200);
 
 /// The frames, at most `most` of them, evenly chosen, the first and the last among them.

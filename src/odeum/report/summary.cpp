@@ -51,19 +51,19 @@ std::map<std::string, std::size_t> status_counts(const ReportData& data) {
   return counts;
 }
 
-std::string summary_table(const ReportData& data, const OutputFolder& folder) {
+std::string summary_table(const ReportData& data, const record::OutputFolder& folder) {
   const std::vector<LibrarySummary> list = summarise(data);
   std::size_t width = 7;
   for (const LibrarySummary& entry : list) width = std::max(width, plain(entry.library).size());
   std::string text = fmt::format("{:<{}} {:>8} {:>6}", "library", width, "solvers", "pairs");
   for (const VerdictStyle& style : verdict_styles)
-    text += fmt::format("  {}", study::to_string(style.verdict));
+    text += fmt::format("  {}", to_string(style.verdict));
   text += '\n';
   for (const LibrarySummary& entry : list) {
     text +=
         fmt::format("{:<{}} {:>8} {:>6}", plain(entry.library), width, entry.solvers, entry.pairs);
     for (const VerdictStyle& style : verdict_styles) {
-      const std::string name = study::to_string(style.verdict);
+      const std::string name = to_string(style.verdict);
       text += fmt::format("  {:>{}}", entry.count(style.verdict), name.size());
     }
     text += '\n';

@@ -5,30 +5,30 @@
 #include <string>
 #include <vector>
 
-#include "odeum/report/output_folder.hpp"
+#include "odeum/record/output_folder.hpp"
 #include "odeum/report/report_data.hpp"
 
 namespace odeum::report {
 
 /// A verdict as the page shows it; its CSS class and name are its to_string.
 struct VerdictStyle {
-  study::Verdict verdict;
+  judge::Verdict verdict;
   const char* glyph;    ///< tells verdicts apart without colour
   const char* meaning;  ///< in a clause
 };
 
 /// Every verdict, the best first.
 inline constexpr std::array<VerdictStyle, 7> verdict_styles{{
-    {study::Verdict::confirmed, "✓", "the claimed order lies within the tolerance of the slope"},
-    {study::Verdict::higher, "▲", "errors fall faster than claimed"},
-    {study::Verdict::lower, "▼", "errors fall more slowly than claimed"},
-    {study::Verdict::floors, "⊥", "errors stop falling at a level that is printed"},
-    {study::Verdict::undetermined, "?", "too few points, or no settled slope"},
-    {study::Verdict::failed, "✗", "no run gave a result"},
-    {study::Verdict::not_applicable, "·", "the solver does not fit the case, or there is no claim"},
+    {judge::Verdict::confirmed, "✓", "the claimed order lies within the tolerance of the slope"},
+    {judge::Verdict::higher, "▲", "errors fall faster than claimed"},
+    {judge::Verdict::lower, "▼", "errors fall more slowly than claimed"},
+    {judge::Verdict::floors, "⊥", "errors stop falling at a level that is printed"},
+    {judge::Verdict::undetermined, "?", "too few points, or no settled slope"},
+    {judge::Verdict::failed, "✗", "no run gave a result"},
+    {judge::Verdict::not_applicable, "·", "the solver does not fit the case, or there is no claim"},
 }};
 
-inline const VerdictStyle& style_of(study::Verdict verdict) {
+inline const VerdictStyle& style_of(judge::Verdict verdict) {
   return verdict_styles[static_cast<std::size_t>(verdict)];
 }
 
@@ -37,7 +37,7 @@ struct LibrarySummary {
   std::string library;
   std::size_t solvers = 0, pairs = 0;
   std::array<std::size_t, verdict_styles.size()> verdicts{};  ///< by Verdict
-  std::size_t count(study::Verdict verdict) const {
+  std::size_t count(judge::Verdict verdict) const {
     return verdicts[static_cast<std::size_t>(verdict)];
   }
 };
@@ -49,6 +49,6 @@ std::vector<LibrarySummary> summarise(const ReportData& data);
 std::map<std::string, std::size_t> status_counts(const ReportData& data);
 
 /// The table that ends `odeum report`: verdicts by library, and where the report lies.
-std::string summary_table(const ReportData& data, const OutputFolder& folder);
+std::string summary_table(const ReportData& data, const record::OutputFolder& folder);
 
 }  // namespace odeum::report

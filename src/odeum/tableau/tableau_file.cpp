@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "odeum/harness/glob.hpp"
+#include "odeum/core/glob.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum {

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/solver.hpp"
+
+namespace odeum {
+
+/// The independent judge: the exact state at a time.
+struct Truth {
+  /// Fills the whole state at time t; false where this truth knows nothing at that time.
+  std::function<bool(double t, double* y)> at;
+  double floor = 0;    ///< absolute error below which the truth itself says nothing
+  std::string source;  ///< closed form, or the reference file
+};
+
+/// A stage with a parameter that a study moves between solves. On the `lambda` plane it is
+/// y' = (first + i second) y from y = (1, 0); on the `oscillator` plane q'' = -2 zeta w q' - w^2 q
+/// with w = first and zeta = second, from q = 1, q' = 0; `undamped` is the latter with zeta = 0,
+/// as a problem that also fits methods for separable systems. t0 is 0.
+struct Probe {
+  std::vector<Entrant> entrants;
+  std::function<void(double first, double second)> place;
+};
+
+/// What the exact solution keeps, besides its energy.
+struct Invariant {
+  std::string name;  ///< angular_momentum, mass, ...
+  std::function<double(const double* y)> value;
+};
+
+/// A problem with everything needed to judge solvers on it.
+struct Case {
+  std::string id;
+  std::string title;
+  std::string equation;
+  std::string source;             ///< where the equation and its parameters come from
+  std::vector<std::string> tags;  ///< linear, nonlinear, non_autonomous, second_order, smooth, ...
+
+  double t0 = 0;
+  std::vector<double> y0;
+  /// Where the error is measured; the last is the horizon. On the grid of every fixed-step run.
+  std::vector<double> stops;
+  Truth truth;
+  /// The components whose error is reported; empty: all of them.
+  std::vector<std::size_t> measured;
+  std::function<double(const double* y)> energy;  ///< empty where the problem has none
+  std::vector<Invariant> invariants;
+  ErasedContest problem;                            ///< what the entrants are enrolled on
+  std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
+
+  /// Why no solver is asked to solve it at a fixed step, and why the study of convergence passes it
+  /// by; empty where they do not.
+  std::string no_fixed_steps, no_convergence;
+  /// Where timed studies measure the error, and the truth's floor there; empty: `stops`.
+  std::vector<double> timed_stops;
+  double timed_floor = 0;
+
+  std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
+  std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins
+  std::uint64_t finest_steps = 16384;  ///< and where it ends at most
+
+  /// What one solve may cost, in evaluations of the right-hand side and products of its derivative
+  /// with a vector, those of the problem's own solver of linear systems among them.
+  std::uint64_t evaluation_budget = 500'000;
+
+  std::vector<Entrant> entrants;
+  /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe
+  /// of it, independent of every other one, so that threads may each have their own.
+  std::string plane;
+  std::function<Probe()> probe;
+
+  bool has_tag(const std::string& tag) const {
+    return std::find(tags.begin(), tags.end(), tag) != tags.end();
+  }
+};
+
+/// Every case of the project, in the order of the files in cases/. Built once.
+const std::vector<Case>& all_cases();
+
+/// A library that Odeum has an adapter for, and whether this build has it.
+struct LibraryInfo {
+  std::string name;                    ///< folder under adapters/
+  std::vector<std::string> libraries;  ///< the first parts of its solver ids
+  std::string option;                  ///< the CMake option
+  bool built = false;
+  std::string version;  ///< empty where not built
+};
+const std::vector<LibraryInfo>& all_libraries();
+
+}  // namespace odeum

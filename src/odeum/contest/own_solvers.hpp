@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/own_on_shared.hpp"
+#include "odeum/contest/solver.hpp"
+#include "odeum/control/embedded_pair.hpp"
+#include "odeum/control/fixed_step.hpp"
+#include "odeum/control/step_doubling.hpp"
+#include "odeum/core/guarded.hpp"
+#include "odeum/kernel/explicit_rk.hpp"
+#include "odeum/kernel/method.hpp"
+#include "odeum_methods.hpp"  // generated: odeum::methods::All, a MethodList of every file in methods/
+
+namespace odeum {
+
+namespace detail {
+/// The least that a problem can be, to ask a method what it has.
+struct AnyProblem {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double*, double*) const {}
+};
+}  // namespace detail
+
+/// A method that brings the whole of its adaptive run, see kernel/method.hpp.
+template <class M>
+concept ChoosesItsOwnSteps = requires(const Guarded<detail::AnyProblem>& problem,
+                                      const State<detail::AnyProblem>& y, const Request& request) {
+  { M::integrate(problem, 0.0, y, request) } -> std::same_as<Outcome>;
+};
+
+/// What a method's file says about it, as any library's solver says it.
+template <class M>
+SolverInfo info_of_own() {
+  SolverInfo info;
+  info.library = "odeum";
+  info.method = M::info.id;
+  info.family = M::info.family;
+  if (M::info.order != 0) info.order = M::info.order;
+  info.fixed = M::info.fixed_step;
+  info.adaptive = ChoosesItsOwnSteps<M> || M::info.one_step;
+  info.adaptive_order = M::info.adaptive_order;
+  if (ChoosesItsOwnSteps<M>)
+    info.controller = M::info.controller;
+  else if (M::info.order_embedded != 0)
+    info.controller = ControlFor<M::info.control>::type::name;
+  else if (M::info.one_step)
+    info.controller = "step doubling";
+  info.needs = M::needs;
+  info.source = M::info.source;
+  if constexpr (requires { M::amplification(0.0, 0.0); }) {
+    info.amplification = M::amplification;
+    info.oscillator_amplification = [](double w) { return M::amplification(0, w); };
+  }
+  if constexpr (requires { M::oscillator_map(0.0); })
+    info.oscillator_amplification = [](double w) { return spectral_radius(M::oscillator_map(w)); };
+  return info;
+}
+
+inline Outcome refusal(const char* why) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = why;
+  return outcome;
+}
+
+/// Solves with method M; the type of the problem is known down to the innermost loop.
+template <class M, Ode P>
+Outcome solve_own(const Contest<P>& contest, const Request& request) {
+  Guard guard(size_of(*contest.problem), request.budget);
+  const Guarded<P> problem(*contest.problem, guard);
+  State<P> y0 = make_state(*contest.problem);
+  std::copy(contest.y0->begin(), contest.y0->end(), y0.begin());
+  Outcome outcome;
+  if (request.mode == Mode::fixed) {
+    if constexpr (M::info.fixed_step)
+      outcome =
+          run_fixed<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0, request);
+    else
+      outcome = refusal("chooses its own steps only");
+  } else if constexpr (ChoosesItsOwnSteps<M>) {
+    outcome = M::integrate(problem, contest.t0, y0, request);
+  } else if constexpr (M::info.order_embedded != 0) {
+    outcome = run_embedded_pair<typename M::template Stepper<Guarded<P>>,
+                                typename ControlFor<M::info.control>::type>(
+        problem, contest.t0, y0, request, std::min(M::info.order, M::info.order_embedded));
+  } else if constexpr (M::info.one_step) {
+    outcome = run_step_doubling<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0,
+                                                                          request, M::info.order);
+  } else {
+    outcome = refusal("runs at a fixed step only");
+  }
+  guard.conclude(request, outcome);
+  return outcome;
+}
+
+template <class M, Ode P>
+void enroll_method(const Contest<P>& contest, Entrant& entrant) {
+  bool fits = M::template fits<P>;
+  if constexpr (requires { M::fits_problem(*contest.problem); })
+    fits = fits && M::fits_problem(*contest.problem);
+  entrant.unfit = fits ? "" : "needs " + std::string(M::needs);
+  if constexpr (requires { M::digits; })
+    entrant.extended = run_extended<ExplicitRungeKutta<M::digits, ExtendedProblem>>;
+  if constexpr (M::template fits<P>)
+    if (fits)
+      entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
+}
+
+/// Enrols every own method: those that fit can solve, the others say what they need.
+template <Ode P>
+void enroll_own(const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  if constexpr (Shared<P> && !std::same_as<P, SharedOde>) {
+    // What fits any problem is compiled for SharedOde alone.
+    std::size_t place = entrants.size();
+    enroll_own(as_first_order(contest), entrants);
+    methods::All::for_each([&]<class M>() {
+      Entrant& entrant = entrants[place++];
+      if constexpr (!M::template fits<SharedOde>) enroll_method<M>(contest, entrant);
+    });
+  } else {
+    methods::All::for_each([&]<class M>() {
+      Entrant& entrant = entrants.emplace_back();
+      entrant.info = info_of_own<M>();
+      enroll_method<M>(contest, entrant);
+    });
+  }
+}
+
+}  // namespace odeum

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "odeum/core/outcome.hpp"
+#include "odeum/problem/concepts.hpp"
+#include "odeum/problem/extended_problem.hpp"
+#include "odeum/scene/model/scene.hpp"
+
+namespace odeum {
+
+/// The theory behind a one-step method, where it has one: its stability function, from which
+/// limits are computed that the running code is then held to.
+using StabilityFunction = std::function<double(double re, double im)>;  ///< |R(z)|
+
+/// What a solver is, apart from any case.
+struct SolverInfo {
+  std::string library;  ///< odeum, cvode, arkode, gsl, odeint, bullet
+  std::string method;   ///< the library's own name for it
+  std::string family;   ///< explicit_rk, implicit_rk, multistep, symplectic, extrapolation, ...
+  /// The order that the library's documentation claims; NaN where it varies during a run.
+  double order = std::numeric_limits<double>::quiet_NaN();
+  bool fixed = true;            ///< can be run at a fixed step
+  bool adaptive = false;        ///< can be run to a tolerance
+  bool adaptive_order = false;  ///< adaptive: the order is chosen too, so none is claimed for it
+  std::string controller;       ///< adaptive: who chooses the step, in a few words
+  std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
+  std::string source;  ///< paper and table, or the library's documentation
+  /// What Request::sweeps and Request::newton count here, in a few words; empty: not looked at.
+  std::string sweeps, newton;
+  StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
+  /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
+  std::function<double(double omega_h)> oscillator_amplification;
+
+  std::string id() const { return library + "/" + method; }
+};
+
+/// A solver that has been put on a case: the only place where types are erased, once a solve.
+struct Entrant {
+  SolverInfo info;
+  /// Why the pair does not fit, in a sentence; empty where it fits and `solve` may be called.
+  std::string unfit;
+  std::function<Outcome(const Request&)> solve;
+  ExtendedRun extended{};  ///< empty: has no coefficients in extended precision
+};
+
+/// What a library is given to enrol its solvers: the problem, where it starts, and its scene.
+/// Solvers read the problem and the scene anew at each solve, since a study may move a parameter
+/// between solves; only dimensions are fixed.
+template <Ode P>
+struct Contest {
+  std::shared_ptr<const P> problem;
+  double t0 = 0;
+  std::shared_ptr<const std::vector<double>> y0;
+  std::shared_ptr<const scene::Scene> scene;  ///< null where the case is not mechanical
+};
+
+/// The same behind function pointers, for libraries whose own interface asks for them.
+struct ErasedContest {
+  OdeView view;
+  std::shared_ptr<const void> keep_alive;
+  double t0 = 0;
+  std::shared_ptr<const std::vector<double>> y0;
+  std::shared_ptr<const scene::Scene> scene;
+};
+
+template <Ode P>
+ErasedContest erase(const Contest<P>& contest) {
+  return {view_of(*contest.problem), contest.problem, contest.t0, contest.y0, contest.scene};
+}
+
+/// Largest dimension for which a dense Jacobian is factorised; beyond it a solver that knows only
+/// dense matrices is over budget (726 unknowns: 0.1 s and more for each factorisation).
+inline constexpr std::size_t dense_dimension_limit = 128;
+
+/// The outcome of a solver that would have to factorise a dense matrix beyond the limit.
+inline Outcome dense_over_budget(std::size_t dimension) {
+  Outcome outcome;
+  outcome.status = Status::over_budget;
+  outcome.detail = "needs a dense Jacobian of " + std::to_string(dimension) + " unknowns (limit " +
+                   std::to_string(dense_dimension_limit) + ")";
+  return outcome;
+}
+
+}  // namespace odeum

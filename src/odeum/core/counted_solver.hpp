@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <utility>
+
+#include "odeum/core/guard.hpp"
+#include "odeum/linear/shifted_solver.hpp"
+
+namespace odeum {
+
+/// A problem's own solver of linear systems, whose products are paid from a guard's budget.
+class CountedSolver final : public ShiftedSolver {
+ public:
+  CountedSolver(std::unique_ptr<ShiftedSolver> solver, Guard& guard)
+      : solver_(std::move(solver)), guard_(guard) {}
+
+  bool factorise(double t, const double* y, double gamma_h) override {
+    return solver_->factorise(t, y, gamma_h);
+  }
+  bool solve(double* x, double relative) override {
+    const std::uint64_t before = solver_->products();
+    const bool solved = solver_->solve(x, relative);
+    guard_.count_products(solver_->products() - before);
+    return solved;
+  }
+  std::uint64_t products() const override { return solver_->products(); }
+
+ private:
+  std::unique_ptr<ShiftedSolver> solver_;
+  Guard& guard_;
+};
+
+/// Null for null: a problem that has no solver of its own.
+inline std::unique_ptr<ShiftedSolver> counted(std::unique_ptr<ShiftedSolver> solver, Guard& guard) {
+  if (!solver) return nullptr;
+  return std::make_unique<CountedSolver>(std::move(solver), guard);
+}
+
+}  // namespace odeum

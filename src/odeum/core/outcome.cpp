@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/core/outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace odeum {
+
+void require_sound(const Request& request, double t0) {
+  if (request.stops.empty()) throw std::invalid_argument("a request needs a stop");
+  double before = t0;
+  for (const double stop : request.stops) {
+    if (!std::isfinite(stop) || !(stop > before))
+      throw std::invalid_argument(
+          fmt::format("stop t = {} does not come after t = {}", stop, before));
+    before = stop;
+  }
+  if (request.mode == Mode::fixed && request.steps == 0)
+    throw std::invalid_argument("a run at a fixed step needs a number of steps");
+  if (request.mode == Mode::adaptive &&
+      !(request.tolerance > 0 && std::isfinite(request.tolerance)))
+    throw std::invalid_argument(
+        fmt::format("a tolerance of {} is not positive and finite", request.tolerance));
+}
+
+}  // namespace odeum

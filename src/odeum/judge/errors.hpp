@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+
+namespace odeum::judge {
+
+/// The error of a solve at one stop.
+struct StopError {
+  double time = 0;
+  double error_max = 0;     ///< largest |error| of a measured component
+  double error_rms = 0;     ///< root mean square over the measured components
+  double energy = 0;        ///< NaN where the case has none
+  double energy_error = 0;  ///< |E - E_truth| / largest |E_truth| over the stops
+};
+
+/// The components whose error is measured: those that the case names, or all.
+std::vector<std::size_t> measured_components(const Case& c);
+
+/// Holds solves on one case against its truth, which is evaluated once.
+class Judge {
+ public:
+  /// `stops`: as given to the solver. Stops at which the truth knows nothing give NaN errors.
+  Judge(const Case& c, std::vector<double> stops);
+
+  /// One entry a stop; the outcome must have reached all of them.
+  std::vector<StopError> errors(const Outcome& outcome) const;
+
+  /// Half a unit in the last place of the components measured, as a root mean square where that is
+  /// largest: at the start or at a stop.
+  double rounding_unit() const;
+  /// How many components are measured.
+  std::size_t components() const { return measured_.size(); }
+
+ private:
+  const Case& case_;
+  std::vector<double> stops_;
+  std::vector<std::vector<double>> truth_;  ///< by stop; empty where nothing is known
+  std::vector<std::size_t> measured_;
+  double scale_ = 0;
+  double energy_scale_ = 0;
+};
+
+}  // namespace odeum::judge

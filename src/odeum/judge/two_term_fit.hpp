@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/judge/order_fit.hpp"
+
+namespace odeum::judge {
+
+/// Errors by the first two terms of their expansion, e = C h^p |1 + D h|: what an error whose local
+/// slopes still move looks like, where a straight line through (log h, log e) is not yet one.
+struct TwoTermFit {
+  double order = 0;                   ///< p, fitted freely
+  double half_width = 0;              ///< of its 95 % interval
+  double scatter = 0;                 ///< root mean square of log e beside the fit
+  double second_at_finest = 0;        ///< |D h| at the finest step
+  double trend = 0;                   ///< the part of it that neighbouring points share
+  std::size_t first = 0, points = 0;  ///< the window
+};
+
+/// Over those points at the fine end (or next to it, by up to two) that lie on such a curve and
+/// tell p best: at least six, whose scatter is 5 % at most, with no trend, with 1 + D h of one sign
+/// and D h at most 1 in size at the finest. None: `points` is 0.
+TwoTermFit fit_two_terms(const std::vector<ErrorPoint>& points);
+
+}  // namespace odeum::judge

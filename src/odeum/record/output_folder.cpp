@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/record/output_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+namespace odeum::record {
+namespace {
+
+[[noreturn]] void fail(const std::string& what, const std::filesystem::path& path) {
+  throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
+}
+
+// All of the text, or an exception: a full disk shows here, or when the file is synced.
+void write_all(int file, std::string_view text, const std::filesystem::path& path) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot write", path);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+// Every file is written under such a name first. One run a folder: what a killed one left is
+// replaced.
+std::filesystem::path temporary_of(std::filesystem::path path) { return path += ".tmp"; }
+
+int create(const std::filesystem::path& path) {
+  ::unlink(path.c_str());
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (file < 0) fail("cannot create", path);
+  return file;
+}
+
+void replace(const std::filesystem::path& target) {
+  if (::rename(temporary_of(target).c_str(), target.c_str()) != 0) fail("cannot write", target);
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+bool OpenFile::close() {
+  const int descriptor = std::exchange(descriptor_, -1);
+  return descriptor < 0 || ::close(descriptor) == 0;
+}
+
+OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (error)
+    throw FileError(fmt::format("cannot make folder {}: {}", path_.string(), error.message()));
+  const auto lock_path = path_ / ".lock";
+  lock_.reset(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (lock_.get() < 0) fail("cannot open", lock_path);
+  // The lock goes with the process, however it ends; the file's text only names the holder.
+  if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) fail("cannot lock", lock_path);
+    const std::string holder = read_file(lock_path);
+    throw FileError(fmt::format("folder {} is in use by {}", path_.string(),
+                                holder.empty() ? "another run" : holder));
+  }
+  char host[256] = "this machine";
+  ::gethostname(host, sizeof host - 1);
+  const std::string holder = fmt::format("process {} on {}", ::getpid(), host);
+  if (::ftruncate(lock_.get(), 0) != 0) fail("cannot write", lock_path);
+  write_all(lock_.get(), holder, lock_path);
+}
+
+OutputFolder::~OutputFolder() {
+  // The file stays: removing it would let a run that has just opened it lock a name that is gone.
+  [[maybe_unused]] const int emptied = ::ftruncate(lock_.get(), 0);
+}
+
+void OutputFolder::write(std::string_view name, std::string_view text) const {
+  const std::filesystem::path relative(name);
+  const auto target = path_ / relative;
+  std::error_code error;
+  auto folder = path_;  // may be a link itself: that is the user's choice
+  for (const auto& part : relative) {
+    const bool link = folder != path_ && std::filesystem::is_symlink(folder, error);
+    if (part == ".." || part.is_absolute() || link)
+      throw FileError(fmt::format("{} would leave the output folder", name));
+    folder /= part;
+  }
+  std::filesystem::create_directories(target.parent_path(), error);
+  if (error)
+    throw FileError(
+        fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
+  const auto temporary = temporary_of(target);
+  OpenFile file(create(temporary));
+  try {
+    write_all(file.get(), text, temporary);
+    if (::fsync(file.get()) != 0 && errno != EINVAL) fail("cannot write", temporary);
+    if (!file.close()) fail("cannot write", temporary);
+    replace(target);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+namespace {
+
+// Tabs, line breaks and backslashes escaped, so that a record is one line.
+std::string escape(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '\\')
+      escaped += "\\\\";
+    else if (c == '\n')
+      escaped += "\\n";
+    else if (c == '\t')
+      escaped += "\\t";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+std::string unescape(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      plain += text[i];
+      continue;
+    }
+    const char code = text[++i];
+    plain += code == 'n' ? '\n' : code == 't' ? '\t' : code;
+  }
+  return plain;
+}
+
+}  // namespace
+
+Journal::Journal(const OutputFolder& folder, const std::string& study,
+                 const std::string& fingerprint, bool resume)
+    : path_(folder.path() / ("." + study + ".journal")) {
+  const std::string heading = "odeum journal\t" + escape(fingerprint);
+  std::string kept = heading + "\n";
+  if (resume) {
+    const std::string text = read_file(path_);
+    std::string_view rest = text;
+    bool first = true;
+    for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
+         rest.remove_prefix(end + 1)) {
+      const std::string_view line = rest.substr(0, end);
+      if (first && line != heading) break;
+      if (const std::size_t tab = line.find('\t'); !first && tab != std::string_view::npos) {
+        held_[unescape(line.substr(0, tab))] = unescape(line.substr(tab + 1));
+        kept += std::string(line) + "\n";
+      }
+      first = false;
+    }
+  }
+  // Renamed when whole, so that a kill at this point loses nothing either.
+  file_.reset(create(temporary_of(path_)));
+  write_all(file_.get(), kept, path_);
+  replace(path_);
+  length_ = kept.size();
+}
+
+std::optional<std::string> Journal::find(const std::string& key) const {
+  const auto found = held_.find(key);
+  if (found == held_.end()) return std::nullopt;
+  return found->second;
+}
+
+void Journal::add(const std::string& key, const std::string& result) {
+  const std::string line = escape(key) + '\t' + escape(result) + '\n';
+  const std::lock_guard lock(mutex_);
+  if (file_.get() < 0) throw FileError("cannot write " + path_.string());
+  try {
+    write_all(file_.get(), line, path_);
+    length_ += line.size();
+  } catch (...) {
+    // Half a line would join the next one.
+    if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) file_.close();
+    throw;
+  }
+}
+
+void Journal::finish() { ::unlink(path_.c_str()); }
+
+}  // namespace odeum::record

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/scene/model/description.hpp"
+
+/// The terms of a scene's model: each a small object that is there only where the scene declares
+/// it. Positions q, velocities v and accelerations a are x y z of every particle, fixed ones too.
+namespace odeum::scene {
+
+/// Row-major 3 x 3.
+using Mat3 = std::array<double, 9>;
+
+/// What the terms know of the particles.
+struct Bodies {
+  std::vector<double> mass, inverse_mass, radius;  ///< an inverse mass of 0: fixed
+
+  std::size_t size() const { return mass.size(); }
+  bool free(std::size_t i) const { return inverse_mass[i] != 0; }
+};
+
+/// Counts what was worked out, for the proof that an absent term costs nothing. May be shared by
+/// threads.
+class Tally {
+ public:
+  void add(const std::string& term, std::uint64_t interactions) {
+    const std::lock_guard lock(mutex_);
+    Entry& entry = entries_[term];
+    ++entry.evaluations;
+    entry.interactions += interactions;
+  }
+  struct Entry {
+    std::uint64_t evaluations = 0;   ///< of the term
+    std::uint64_t interactions = 0;  ///< springs, particles or pairs that were looked at
+  };
+  std::map<std::string, Entry> entries() const {
+    const std::lock_guard lock(mutex_);
+    return entries_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, Entry> entries_;
+};
+
+/// Receives the derivatives of forces: of the force on particle i by the position of j (N/m) and by
+/// its velocity (N s/m).
+class BlockSink {
+ public:
+  virtual ~BlockSink() = default;
+  virtual void add(std::size_t i, std::size_t j, const Mat3& by_position,
+                   const Mat3& by_velocity) = 0;
+};
+
+/// What a term is, for people and for the analysis of structure.
+struct TermInfo {
+  std::string name;
+  std::string law;
+  std::size_t count = 0;  ///< of what it acts on
+  std::string unit;       ///< "springs", "particles", "surfaces"
+  bool velocity_dependent = false;
+  bool linear = false;  ///< in positions and velocities
+  bool smooth = true;   ///< all derivatives exist where the motion goes
+};
+
+class Term {
+ public:
+  virtual ~Term() = default;
+  virtual TermInfo info() const = 0;
+  /// Adds accelerations; leaves those alone on which it does not act. Returns how many interactions
+  /// it looked at.
+  virtual std::uint64_t add(const double* q, const double* v, double* a) const = 0;
+  virtual void add_blocks(const double* q, const double* v, BlockSink& sink) const = 0;
+  /// J; 0 for what has none.
+  virtual double potential(const double* /*q*/) const { return 0; }
+};
+
+/// The terms of `forces`, of springs damped along their own line, and of contacts. The bodies must
+/// outlive the term.
+std::unique_ptr<Term> make_uniform_force(const Bodies& bodies, const UniformForce& force);
+std::unique_ptr<Term> make_axial_springs(const Bodies& bodies,
+                                         std::vector<DescribedSpring> springs);
+std::unique_ptr<Term> make_contact(const Bodies& bodies, const Contact& contact);
+
+/// Friction is regularised: mu N u / sqrt(|u|^2 + s^2) at the sliding velocity u, with s this
+/// speed in m/s. What should stick creeps, slower than s.
+inline constexpr double friction_speed = 0.01;
+
+/// The pairs (i, j), i < j, that may touch, ascending: a uniform grid whose cells are as wide as
+/// the widest particle.
+void possible_contacts(const Bodies& bodies, const double* q,
+                       std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);
+
+}  // namespace odeum::scene

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forces on each particle from its own velocity alone.
+#include <cmath>
+
+#include "odeum/scene/model/terms.hpp"
+
+namespace odeum::scene {
+namespace {
+
+std::size_t count_free(const Bodies& bodies) {
+  std::size_t count = 0;
+  for (const double inverse : bodies.inverse_mass) count += inverse != 0;
+  return count;
+}
+
+/// A force that a law makes from the velocity: `law.force(v, f)` and `law.derivative(v)`.
+template <class Law>
+class UniformTerm final : public Term {
+ public:
+  UniformTerm(const Bodies& bodies, const Law& law) : bodies_(bodies), law_(law) {}
+
+  TermInfo info() const override {
+    TermInfo info = law_.info();
+    info.count = count_free(bodies_);
+    info.unit = "particles";
+    info.velocity_dependent = true;
+    return info;
+  }
+
+  std::uint64_t add(const double*, const double* v, double* a) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!bodies_.free(i)) continue;
+      double force[3];
+      law_.force(v + 3 * i, force);
+      for (std::size_t d = 0; d < 3; ++d) a[3 * i + d] += bodies_.inverse_mass[i] * force[d];
+    }
+    return bodies_.size();
+  }
+
+  void add_blocks(const double*, const double* v, BlockSink& sink) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (bodies_.free(i)) sink.add(i, i, Mat3{}, law_.derivative(v + 3 * i));
+  }
+
+ private:
+  const Bodies& bodies_;
+  Law law_;
+};
+
+Mat3 diagonal(double x) { return {x, 0, 0, 0, x, 0, 0, 0, x}; }
+
+struct DragLaw : Drag {
+  static TermInfo info() { return {.name = "drag", .law = "-c v", .unit = {}, .linear = true}; }
+  void force(const double* v, double* f) const {
+    for (int d = 0; d < 3; ++d) f[d] = -coefficient * v[d];
+  }
+  Mat3 derivative(const double*) const { return diagonal(-coefficient); }
+};
+
+struct WindLaw : Wind {
+  static TermInfo info() {
+    return {.name = "wind", .law = "c (w - v)", .unit = {}, .linear = true};
+  }
+  void force(const double* v, double* f) const {
+    for (std::size_t d = 0; d < 3; ++d) f[d] = coefficient * (velocity[d] - v[d]);
+  }
+  Mat3 derivative(const double*) const { return diagonal(-coefficient); }
+};
+
+struct QuadraticDragLaw : QuadraticDrag {
+  static TermInfo info() { return {.name = "quadratic_drag", .law = "-c |v| v", .unit = {}}; }
+  static double speed(const double* v) {
+    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
+  void force(const double* v, double* f) const {
+    const double factor = coefficient * speed(v);
+    for (int d = 0; d < 3; ++d) f[d] = -factor * v[d];
+  }
+  // -c (|v| I + v v^T / |v|), which goes to 0 with v.
+  Mat3 derivative(const double* v) const {
+    const double s = speed(v);
+    Mat3 m = diagonal(-coefficient * s);
+    if (s > 0)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) m[3 * i + j] -= coefficient * v[i] * v[j] / s;
+    return m;
+  }
+};
+
+struct MagneticLaw : MagneticField {
+  static TermInfo info() {
+    return {.name = "magnetic", .law = "q v x B", .unit = {}, .linear = true};
+  }
+  void force(const double* v, double* f) const {
+    f[0] = charge * (v[1] * field[2] - v[2] * field[1]);
+    f[1] = charge * (v[2] * field[0] - v[0] * field[2]);
+    f[2] = charge * (v[0] * field[1] - v[1] * field[0]);
+  }
+  Mat3 derivative(const double*) const {
+    const double x = charge * field[0], y = charge * field[1], z = charge * field[2];
+    return {0, z, -y, -z, 0, x, y, -x, 0};
+  }
+};
+
+template <class Law>
+std::unique_ptr<Term> make(const Bodies& bodies, const Law& law) {
+  return std::make_unique<UniformTerm<Law>>(bodies, law);
+}
+
+struct Maker {
+  const Bodies& bodies;
+  std::unique_ptr<Term> operator()(const Drag& f) const { return make(bodies, DragLaw{f}); }
+  std::unique_ptr<Term> operator()(const QuadraticDrag& f) const {
+    return make(bodies, QuadraticDragLaw{f});
+  }
+  std::unique_ptr<Term> operator()(const Wind& f) const { return make(bodies, WindLaw{f}); }
+  std::unique_ptr<Term> operator()(const MagneticField& f) const {
+    return make(bodies, MagneticLaw{f});
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Term> make_uniform_force(const Bodies& bodies, const UniformForce& force) {
+  return std::visit(Maker{bodies}, force);
+}
+
+}  // namespace odeum::scene

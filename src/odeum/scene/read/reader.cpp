@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/read/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "odeum/input/text_file.hpp"
+#include "odeum/scene/read/reader_fields.hpp"
+
+namespace odeum::scene {
+namespace {
+
+using namespace reading;
+
+Vec3 read_gravity(const Value& value, char up) {
+  if (value.is_list()) return value.vector();
+  Vec3 gravity{};
+  gravity[static_cast<std::size_t>(up - 'x')] = -value.number();
+  for (double& component : gravity) component += 0.0;  // no -0
+  return gravity;
+}
+
+SolverChoice read_solver(const Value& value) {
+  const Mapping mapping(value, {"type", "timestep", "tolerance"});
+  SolverChoice choice;
+  const Value type = mapping.at("type");
+  choice.type = type.text();
+  choice.where = fmt::format("{}:{}:{}: {}", value.context().file, type.place().line,
+                             type.place().column, type.key());
+  mapping.with("timestep", [&](const Value& v) { choice.step = v.number(Sign::positive); });
+  mapping.with("tolerance", [&](const Value& v) { choice.tolerance = v.number(Sign::positive); });
+  if (choice.step.has_value() == choice.tolerance.has_value())
+    value.fail(choice.step ? "both settings" : "no setting",
+               choice.step ? "timestep and tolerance" : "neither timestep nor tolerance",
+               "one of timestep and tolerance");
+  return choice;
+}
+
+// Two springs between the same particles are allowed, and mostly a mistake.
+void warn_of_duplicates(Context& context) {
+  struct Pair {
+    std::size_t low, high, spring;
+    auto operator<=>(const Pair&) const = default;
+  };
+  std::vector<Pair> pairs;
+  const auto& springs = context.scene.springs;
+  for (std::size_t s = 0; s < springs.size(); ++s)
+    pairs.push_back(
+        {std::min(springs[s].a, springs[s].b), std::max(springs[s].a, springs[s].b), s});
+  std::sort(pairs.begin(), pairs.end());
+  constexpr std::size_t most_told = 5;
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    if (pairs[i].low != pairs[i - 1].low || pairs[i].high != pairs[i - 1].high) continue;
+    if (++count <= most_told)
+      context.warn(context.spring_places[pairs[i].spring],
+                   fmt::format("springs: a second spring between particles {} and {}; both act",
+                               pairs[i].low, pairs[i].high));
+  }
+  if (count > most_told)
+    context.warn({}, fmt::format("springs: {} more such second springs", count - most_told));
+}
+
+void read_all(Context& context, const YamlNode& root) {
+  const Value whole(context, root, "");
+  if (root.kind != YamlNode::Kind::mapping)
+    Value(context, root, "scene").fail("no scene", "a mapping of keys");
+  const Mapping mapping(
+      whole, {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth",
+              "forces", "contacts", "emitters", "output", "allow_negative_damping"});
+  Description& scene = context.scene;
+  mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
+  mapping.with("up", [&](const Value& v) {
+    const std::string axis = v.text();
+    if (axis != "x" && axis != "y" && axis != "z") v.fail("an unknown axis", "x, y or z");
+    scene.up = axis[0];
+  });
+  scene.gravity = {};
+  scene.gravity[static_cast<std::size_t>(scene.up - 'x')] = -9.81;
+  mapping.with("gravity", [&](const Value& v) { scene.gravity = read_gravity(v, scene.up); });
+  if (mapping.has("duration") || context.options.need_duration)
+    scene.duration = mapping.at("duration").number(Sign::positive);
+  if (mapping.has("solver") || context.options.need_solver)
+    scene.solver = read_solver(mapping.at("solver"));
+  context.allow_negative_damping = mapping.boolean_or("allow_negative_damping", false);
+
+  mapping.with("particles", read_particles);
+  // The ids of springs may name the particles of cloths, which come after those listed.
+  mapping.with("cloth", read_cloths);
+  mapping.with("springs", read_springs);
+  mapping.with("forces", read_forces);
+  mapping.with("contacts", read_contacts);
+  mapping.with("emitters", read_emitters);
+  if (scene.particles.empty() && scene.emitters.empty())
+    Value(context, root, "particles")
+        .fail("no particles", "none", "particles, a cloth or an emitter");
+  mapping.with("output", [&](const Value& v) {
+    const Mapping output(v, {"every"});
+    output.with("every", [&](const Value& e) { scene.frame_interval = e.number(Sign::positive); });
+  });
+  warn_of_duplicates(context);
+}
+
+}  // namespace
+
+ReadScene read_scene_file(const std::string& path, const ReadOptions& options) {
+  return read_scene(path,
+                    read_text_file(path, "scene", options.most_bytes, "--max-megabytes raises it"),
+                    options);
+}
+
+ReadScene read_scene(const std::string& file, const std::string& text, const ReadOptions& options) {
+  Context context;
+  context.file = file;
+  context.options = options;
+  const auto root = parse_yaml(file, text, {.name = "scene"});
+  read_all(context, *root);
+  return {std::move(context.scene), std::move(context.warnings)};
+}
+
+}  // namespace odeum::scene

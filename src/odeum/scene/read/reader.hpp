@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "odeum/input/yaml_tree.hpp"
+#include "odeum/scene/model/description.hpp"
+
+namespace odeum::scene {
+
+struct ReadOptions {
+  std::size_t most_bytes = 64'000'000;
+  std::size_t most_particles = 1'000'000;
+  bool need_solver = true;    ///< false: who reads brings a solver and a setting
+  bool need_duration = true;  ///< false: who reads brings an end
+};
+
+struct ReadScene {
+  Description description;
+  std::vector<std::string> warnings;  ///< `file:line:column: key: what is odd`
+};
+
+/// Reads a scene file; its format is described in README.md. Throws InputError for everything that
+/// is wrong with the path, the text or the numbers.
+ReadScene read_scene_file(const std::string& path, const ReadOptions& options = {});
+/// The same from a text; `file` is what errors call it.
+ReadScene read_scene(const std::string& file, const std::string& text,
+                     const ReadOptions& options = {});
+
+}  // namespace odeum::scene

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "odeum/scene/read/reader.hpp"
+
+/// The parts of the scene reader: values with checks, and mappings that know their keys.
+namespace odeum::scene::reading {
+
+/// What is being read, and what has been remarked so far.
+struct Context {
+  std::string file;
+  ReadOptions options;
+  Description scene;
+  std::vector<std::string> warnings;
+  std::vector<Place> spring_places;  ///< of each spring of the scene
+  bool allow_negative_damping = false;
+
+  void warn(Place place, const std::string& rest);
+};
+
+enum class Sign { any, not_negative, positive };
+
+/// A value and what it is called: `particles[3].pos`.
+class Value {
+ public:
+  Value(Context& context, const YamlNode& node, std::string key)
+      : context_(&context), node_(&node), key_(std::move(key)) {}
+
+  double number(Sign sign = Sign::any) const;
+  std::uint64_t whole(std::uint64_t least, std::uint64_t most) const;
+  bool boolean() const;
+  std::string text() const;
+  Vec3 vector() const;
+  /// The elements of a list (nothing counts as an empty one).
+  std::vector<Value> list() const;
+  /// The elements of a list of exactly n.
+  std::vector<Value> list_of(std::size_t n, const char* expected) const;
+
+  bool is_list() const { return node_->kind == YamlNode::Kind::sequence; }
+  [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
+  [[noreturn]] void fail(const std::string& what, const std::string& got,
+                         const std::string& expected) const;
+  void warn(const std::string& what) const { context_->warn(node_->place, key_ + ": " + what); }
+
+  Context& context() const { return *context_; }
+  const YamlNode& node() const { return *node_; }
+  const std::string& key() const { return key_; }
+  Place place() const { return node_->place; }
+
+ private:
+  Context* context_;
+  const YamlNode* node_;
+  std::string key_;
+};
+
+/// A mapping whose keys are known: another one, or the same twice, is an error.
+class Mapping {
+ public:
+  Mapping(const Value& value, std::initializer_list<std::string_view> known);
+
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  /// Throws where the key is missing.
+  Value at(std::string_view key) const;
+  void with(std::string_view key, const std::function<void(const Value&)>& use) const;
+  double number_or(std::string_view key, Sign sign, double otherwise) const;
+  bool boolean_or(std::string_view key, bool otherwise) const;
+  /// A damping: not negative, or a warning where the scene allows it.
+  double damping() const;
+  /// `axial` or `full`.
+  bool axial_or(bool otherwise) const;
+
+  /// The one key of a mapping that stands for a choice: `- drag: {...}`.
+  const std::string& only_key() const { return value_.node().items.front()->text; }
+  const Value& value() const { return value_; }
+
+ private:
+  const YamlNode* find(std::string_view key) const;
+  Value value_;
+};
+
+void read_particles(const Value& list);
+void read_springs(const Value& list);
+void read_cloths(const Value& list);
+void read_forces(const Value& list);
+void read_contacts(const Value& list);
+void read_emitters(const Value& list);
+/// Appends a spring after looking at its ends; `rest_length` below 0 stands for the distance.
+void add_spring(const Value& at, DescribedSpring spring, bool rest_length_given);
+/// A mass within the limit of particles, for `more` of them; fails where there are too many.
+void make_room(const Value& at, std::uint64_t more);
+
+}  // namespace odeum::scene::reading

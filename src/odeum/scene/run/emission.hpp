@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/scene/model/description.hpp"
+
+namespace odeum::scene {
+
+/// A particle that an emitter brings into the scene, from `birth` until `death`, s.
+struct EmittedParticle {
+  double birth = 0, death = 0;
+  DescribedParticle particle;
+};
+
+/// All particles born before `until`, by time of birth (those of one time in the order of their
+/// emitters): number k of an emitter at k / rate, its direction uniform in the cone of `spread`
+/// around the emitter's velocity. The same seed, the same particles, on every machine.
+std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitters, double until);
+
+}  // namespace odeum::scene

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/run/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "odeum/scene/run/emission.hpp"
+
+namespace odeum::scene {
+namespace {
+
+/// Times of a run: whole steps where the step is fixed, so that every solve has a whole number.
+class Clock {
+ public:
+  explicit Clock(const RunSetting& setting)
+      : setting_(setting), fixed_(setting.mode == Mode::fixed) {}
+
+  double step() const { return setting_.until / static_cast<double>(setting_.steps); }
+  /// The number of the step after which something due at t happens (fixed), or of no meaning.
+  std::uint64_t index(double t) const {
+    const double exact = t / step();
+    const double near = std::round(exact);
+    return static_cast<std::uint64_t>(
+        std::abs(exact - near) < 1e-9 * (1 + near) ? near : std::ceil(exact));
+  }
+  double moment(double t) const { return fixed_ ? time_of(index(t)) : t; }
+  double frame_moment(double t) const {
+    return fixed_ ? time_of(static_cast<std::uint64_t>(std::llround(t / step()))) : t;
+  }
+  double time_of(std::uint64_t i) const {
+    return i >= setting_.steps ? setting_.until : static_cast<double>(i) * step();
+  }
+
+  /// What to ask of a solver from `begin` on, with times counted from there.
+  Request request(double begin, const std::vector<double>& stops, double seconds_left) const {
+    Request request;
+    request.mode = setting_.mode;
+    request.tolerance = setting_.tolerance;
+    request.budget = setting_.budget;
+    request.budget.seconds = seconds_left;
+    for (const double stop : stops) request.stops.push_back(stop - begin);
+    if (fixed_) {
+      const std::uint64_t first = index(begin);
+      request.steps = index(stops.back()) - first;
+      for (std::size_t k = 0; k < stops.size() && first > 0; ++k)
+        request.stops[k] = static_cast<double>(index(stops[k]) - first) * step();
+    }
+    return request;
+  }
+
+ private:
+  const RunSetting& setting_;
+  bool fixed_;
+};
+
+class Run {
+ public:
+  Run(const Description& description, const RunSetting& setting, const Solve& solve, Tally* tally)
+      : now_(description), setting_(setting), solve_(solve), tally_(tally), clock_(setting) {
+    now_.emitters.clear();
+    for (std::size_t i = 0; i < now_.particles.size(); ++i) ids_.push_back(i);
+    next_id_ = ids_.size();
+    for (const EmittedParticle& one : emitted_particles(description.emitters, setting.until)) {
+      births_[clock_.moment(one.birth)].push_back(one);
+      if (const double death = clock_.moment(std::min(one.death, 2 * setting.until));
+          death < setting.until)
+        births_.try_emplace(death);  // a moment where the run is cut
+    }
+    for (std::uint64_t k = 1;; ++k) {
+      const double due = static_cast<double>(k) * setting.frame_interval;
+      if (!(due < setting.until * (1 - 1e-9))) break;
+      const double t = clock_.frame_moment(due);
+      if (t > 0 && t < setting.until && (frames_due_.empty() || t > frames_due_.back()))
+        frames_due_.push_back(t);
+    }
+    frames_due_.push_back(setting.until);
+  }
+
+  RunResult operator()() {
+    double t = 0;
+    if (births_.contains(0)) change_population(0);
+    compile();
+    keep_frame(0, problem_->start().data());
+    while (t < setting_.until && result_.status == Status::ok) {
+      const auto next = births_.upper_bound(t);
+      const double end =
+          next == births_.end() ? setting_.until : std::min(next->first, setting_.until);
+      advance(t, end);
+      t = end;
+      if (t < setting_.until && result_.status == Status::ok) {
+        change_population(t);
+        compile();
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void compile() {
+    auto problem = std::make_shared<SceneProblem>(now_);
+    problem->count_into(tally_);
+    problem_ = std::move(problem);
+  }
+
+  void keep_frame(double t, const double* y) {
+    Frame frame{.t = t, .ids = ids_, .y = {y, y + problem_->size()}};
+    frame.kinetic = problem_->kinetic(y);
+    frame.potential = problem_->potential(y);
+    frame.momentum = problem_->momentum(y);
+    frame.angular_momentum = problem_->angular_momentum(y);
+    result_.frames.push_back(std::move(frame));
+    result_.t = t;
+  }
+
+  void advance(double begin, double end) {
+    std::vector<double> stops;
+    for (; next_frame_ < frames_due_.size() && frames_due_[next_frame_] <= end; ++next_frame_)
+      stops.push_back(frames_due_[next_frame_]);
+    const std::size_t frames = stops.size();
+    if (stops.empty() || stops.back() < end) stops.push_back(end);
+    const std::size_t n = problem_->size();
+    if (n == 0) {  // nobody lives: time passes
+      for (std::size_t k = 0; k < frames; ++k) keep_frame(stops[k], nullptr);
+      return;
+    }
+    const double spent =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    const Outcome outcome =
+        solve_(problem_, clock_.request(begin, stops, setting_.budget.seconds - spent));
+    ++result_.solves;
+    result_.counters.steps += outcome.counters.steps;
+    result_.counters.rejected_steps += outcome.counters.rejected_steps;
+    result_.counters.rhs_evaluations += outcome.counters.rhs_evaluations;
+    result_.counters.jacobian_evaluations += outcome.counters.jacobian_evaluations;
+    for (std::size_t k = 0; k < frames && (k + 1) * n <= outcome.states.size(); ++k)
+      keep_frame(stops[k], outcome.states.data() + k * n);
+    if (outcome.status != Status::ok) {
+      result_.status = outcome.status;
+      result_.detail = outcome.detail;
+      if (std::isfinite(outcome.t)) result_.t = begin + outcome.t;
+      if (begin > 0) result_.detail += " (counted from t = " + std::to_string(begin) + ")";
+      return;
+    }
+    result_.t = end;
+    const double* const y = outcome.states.data() + (stops.size() - 1) * n;
+    for (std::size_t i = 0; i < now_.particles.size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d) {
+        now_.particles[i].position[d] = y[3 * i + d];
+        now_.particles[i].velocity[d] = y[n / 2 + 3 * i + d];
+      }
+  }
+
+  // The old die before the new are born. Those that the scene lists live on: springs know them.
+  void change_population(double t) {
+    const std::size_t listed = now_.particles.size() - lives_until_.size();
+    std::size_t kept = listed;
+    for (std::size_t k = 0; k < lives_until_.size(); ++k) {
+      if (lives_until_[k] <= t) {
+        ++result_.deaths;
+        continue;
+      }
+      now_.particles[kept] = now_.particles[listed + k];
+      ids_[kept] = ids_[listed + k];
+      lives_until_[kept - listed] = lives_until_[k];
+      ++kept;
+    }
+    now_.particles.resize(kept);
+    ids_.resize(kept);
+    lives_until_.resize(kept - listed);
+    for (const EmittedParticle& one : births_.at(t)) {
+      now_.particles.push_back(one.particle);
+      ids_.push_back(next_id_++);
+      lives_until_.push_back(clock_.moment(std::min(one.death, 2 * setting_.until)));
+      ++result_.births;
+    }
+  }
+
+  Description now_;  ///< with who lives, where they are
+  const RunSetting& setting_;
+  const Solve& solve_;
+  Tally* tally_;
+  Clock clock_;
+  std::map<double, std::vector<EmittedParticle>> births_;  ///< and, empty, the moments of deaths
+  std::vector<double> frames_due_;
+  std::size_t next_frame_ = 0, next_id_ = 0;
+  std::vector<std::size_t> ids_;
+  std::vector<double> lives_until_;  ///< of those emitted, who come last
+  std::shared_ptr<const SceneProblem> problem_;
+  RunResult result_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+RunResult run_scene(const Description& description, const RunSetting& setting, const Solve& solve,
+                    Tally* tally) {
+  return Run(description, setting, solve, tally)();
+}
+
+double default_frame_interval(double until) {
+  return std::clamp(1.0 / 60, until / 1000, until / 100);
+}
+
+}  // namespace odeum::scene

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "odeum/core/outcome.hpp"
+#include "odeum/scene/model/scene_problem.hpp"
+
+/// Runs a scene from its start to an end: one solve, or where particles are born and die during the
+/// run, one solve from each such moment to the next.
+namespace odeum::scene {
+
+struct RunSetting {
+  Mode mode = Mode::fixed;
+  std::uint64_t steps = 0;    ///< fixed: of the whole run
+  double tolerance = 0;       ///< adaptive
+  double until = 0;           ///< s
+  double frame_interval = 0;  ///< s; at a fixed step frames are kept at the nearest whole step
+  Budget budget = {};         ///< of the whole run
+};
+
+/// The scene at one time.
+struct Frame {
+  double t = 0;
+  std::vector<std::size_t> ids;  ///< of the particles that live, in the order of the state
+  std::vector<double> y;
+  double kinetic = 0, potential = 0;  ///< J
+  Vec3 momentum{}, angular_momentum{};
+};
+
+struct RunResult {
+  Status status = Status::ok;
+  std::string detail;
+  double t = 0;  ///< reached
+  Counters counters;
+  std::size_t solves = 0, births = 0, deaths = 0;
+  std::vector<Frame> frames;  ///< the first at 0, the last at `t` where the status is ok
+};
+
+/// Solves a problem from its start at time 0.
+using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, const Request&)>;
+
+/// Births and deaths wait for the end of the step that they fall into, where the step is fixed. A
+/// method that is not self-starting starts again with each solve. `tally` may be null.
+RunResult run_scene(const Description& description, const RunSetting& setting, const Solve& solve,
+                    Tally* tally = nullptr);
+
+/// How often a frame is kept where the scene does not say: 60 a second, at least 100 and at most
+/// 1000 in all.
+double default_frame_interval(double until);
+
+}  // namespace odeum::scene

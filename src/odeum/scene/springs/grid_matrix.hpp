@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "odeum/linear/conjugate_gradients.hpp"
+#include "odeum/scene/springs/spring_grid.hpp"
+
+namespace odeum::scene {
+
+/// The matrix of an implicit step of springs on a grid,
+///
+///     A = M - g D - g^2 K,
+///
+/// with M the masses, K and D the derivatives of the springs' forces by positions and velocities;
+/// symmetric, and positive definite unless compressed springs outweigh the masses. All vectors have
+/// the grid's layout, three components one after the other, with zeros in the margins.
+class GridMatrix {
+ public:
+  /// `mass` of each particle (kg), 0 where it is fixed. The springs must outlive the matrix, and
+  /// have no negative stiffness * rest_length.
+  GridMatrix(const GridSprings<double>& springs, const double* mass);
+
+  /// Takes the springs as they are at q; `clamped` as GridSprings::stiffness has it: A is positive
+  /// definite then, whatever the springs.
+  void assemble(const double* q, double g, bool clamped = false);
+  /// product = g K x on free particles, 0 on fixed ones. After an assemble() with g != 0.
+  void stiffness_times(const double* x, double* product) const;
+  /// product = A x on free particles, 0 on fixed ones.
+  void multiply(const double* x, double* product) const;
+  /// A x = b on free particles, by conjugate gradients with the inverses of A's diagonal blocks. On
+  /// entry x is the guess on free particles, and the known value on fixed ones; b is zero there.
+  /// False where A is found indefinite.
+  bool solve(const double* b, double* x, double relative_tolerance);
+  /// Products with A that all solves took so far.
+  std::uint64_t products() const { return cg_.products(); }
+
+  /// M x, 0 on fixed particles.
+  void mass_times(const double* x, double* product) const;
+  /// Sets x to zero on free particles.
+  void clear_free(double* x) const;
+
+ private:
+  /// Of the springs of one kind, each at the place of its end a: what it adds to A is
+  /// (c I + s s^T) of the difference of its ends, and to -g^2 K the same with another c.
+  struct Kind {
+    std::size_t offset = 0;          // of b
+    std::vector<double> damping;     // 0 where there is no spring
+    std::vector<double> stiffness;   // c of -g^2 K
+    std::vector<double> components;  // c of A, then the three of s
+  };
+  template <bool whole>
+  void spring_times(const double* x, double* product) const;
+  void invert_diagonal();
+  void precondition(const double* r, double* z) const;
+
+  const GridSprings<double>& springs_;
+  GridLayout layout_;
+  std::vector<double> mass_, free_;  // by place; 1 where a particle is free
+  std::vector<Kind> kinds_;
+  std::vector<double> inverse_[6];  // of the diagonal blocks: xx, xy, xz, yy, yz, zz
+  linear::ConjugateGradients cg_;
+  double g_ = 0;
+};
+
+}  // namespace odeum::scene

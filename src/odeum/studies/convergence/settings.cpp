@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/convergence/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odeum::study {
+namespace {
+
+// Orders are seen on the smooth cases and on the cloths. The hard ones show who gets there at all:
+// eight settings and a small budget do, and leave a full report its five minutes.
+bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
+constexpr std::uint64_t hard_budget = 10'000;
+
+// Step counts from coarse to fine. A factor of two between steps shows a low order well; a high
+// one falls to rounding within a few halvings, so its steps lie closer together, and start coarser.
+std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
+  const double p = std::isnan(order) ? 2 : order;
+  const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
+  const int count = p <= 2 ? 11 : p <= 4 ? 16 : p < 8 ? 20 : 23;
+  const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : p < 8 ? 2 : 4);
+  std::vector<std::uint64_t> ladder;
+  for (int k = 0; k < count; ++k) {
+    const double wanted = start * std::pow(ratio, k);
+    if (quick && p > 2 && k % 2 == 1) continue;
+    const auto units = std::llround(wanted / static_cast<double>(c.steps_multiple));
+    const std::uint64_t steps = static_cast<std::uint64_t>(std::max(units, 1LL)) * c.steps_multiple;
+    if (steps > c.finest_steps && ladder.size() >= 8) break;
+    if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
+  }
+  const std::size_t most = quick ? 6 : shows_orders(c) ? ladder.size() : 8;
+  if (ladder.size() > most) ladder.resize(most);
+  return ladder;
+}
+
+}  // namespace
+
+std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
+  std::vector<Request> requests;
+  Request request;
+  request.mode = pair.mode;
+  request.stops = pair.c->stops;
+  request.budget.evaluations = pair.c->evaluation_budget;
+  const bool many = pair.c->y0.size() > dense_dimension_limit;
+  if (!shows_orders(*pair.c))
+    request.budget.evaluations = std::min(request.budget.evaluations, hard_budget);
+  if (quick) request.budget.evaluations /= many ? 32 : 8;
+  if (pair.mode == Mode::fixed) {
+    for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
+      request.steps = steps;
+      requests.push_back(request);
+    }
+  } else {
+    const int finest = quick || many ? 8 : !shows_orders(*pair.c) ? 10 : 12;
+    // Orders are seen at fixed steps; a tolerance is met within this, or the method is too low.
+    if (many && !quick) request.budget.evaluations /= 4;
+    for (int exponent = 3; exponent <= finest; ++exponent) {
+      request.tolerance = std::pow(10.0, -exponent);
+      requests.push_back(request);
+    }
+  }
+  return requests;
+}
+
+namespace {
+
+// Three numbers of steps between each neighbouring two.
+std::vector<Request> settings_between(const Case& c, Request request,
+                                      const std::vector<std::uint64_t>& steps) {
+  std::vector<Request> requests;
+  const auto multiple = static_cast<double>(c.steps_multiple);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
+    const auto coarse = static_cast<double>(steps[i]), fine = static_cast<double>(steps[i + 1]);
+    request.steps = steps[i];
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double wanted = coarse * std::pow(fine / coarse, share);
+      const auto between =
+          c.steps_multiple * static_cast<std::uint64_t>(std::llround(wanted / multiple));
+      if (between <= request.steps || between >= steps[i + 1]) continue;
+      request.steps = between;
+      requests.push_back(request);
+    }
+  }
+  return requests;
+}
+
+// Finer ones, at a larger budget.
+std::vector<Request> settings_beyond(const Case& c, Request request) {
+  std::vector<Request> requests;
+  const auto units = static_cast<double>(request.steps) / static_cast<double>(c.steps_multiple);
+  request.budget.evaluations *= 3;
+  for (int k = 1; k <= 4; ++k) {
+    request.steps =
+        c.steps_multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
+    requests.push_back(request);
+  }
+  return requests;
+}
+
+}  // namespace
+
+std::vector<Request> second_look(const Pair& pair, const Request& like,
+                                 const std::vector<std::uint64_t>& telling, bool to_rounding) {
+  if (pair.mode != Mode::fixed || !pair.c->has_tag("smooth") || telling.empty()) return {};
+  if (pair.c->y0.size() <= dense_dimension_limit) return settings_between(*pair.c, like, telling);
+  if (to_rounding)
+    return settings_between(
+        *pair.c, like,
+        {telling.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(telling.size(), 5)),
+         telling.end()});
+  Request finest = like;
+  finest.steps = telling.back();
+  return settings_beyond(*pair.c, finest);
+}
+
+// At a fixed step work grows in proportion to the steps; to a tolerance as it did last. Linear
+// systems are solved in fewer products at smaller steps, hence the quarter less.
+double foreseen_work(const std::vector<Cost>& coarser, const Request& next) {
+  if (coarser.empty()) return 0;
+  const Cost& last = coarser.back();
+  double growth = 1;
+  if (next.mode == Mode::fixed) {
+    growth = static_cast<double>(next.steps) / last.setting;
+  } else if (coarser.size() > 1) {
+    const Cost& before = coarser[coarser.size() - 2];
+    const double rate = std::log(last.work / before.work) / std::log(last.setting / before.setting);
+    growth = std::pow(1 / next.tolerance / last.setting, rate);
+  }
+  return 0.75 * growth * last.work;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+#include "odeum/record/output_folder.hpp"
+
+namespace odeum::study {
+
+/// What is left of an invariant at a time: a line of drift.csv.
+struct DriftRow {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string case_id, library, solver;
+  std::string status;  ///< a Status at that time, or not_applicable
+  std::string detail;
+  double step = nan, time = nan;
+  /// `energy`, an invariant of the case, or on a harmonic oscillator `amplitude` and `phase`;
+  /// `none` where there is nothing to look at.
+  std::string invariant = "none";
+  /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
+  /// lag over the exact angle that was run through, which is the relative error of the frequency.
+  double relative_error = nan;
+  double value = nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
+
+  static constexpr const char* file = "drift.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("step", row.step), visit("time", row.time);
+    visit("invariant", row.invariant), visit("relative_error", row.relative_error);
+    visit("value", row.value), visit("detail", row.detail);
+  }
+};
+
+/// The times at which a solver lost a chaotic solution: a line of horizons.csv.
+struct HorizonRow {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string case_id, library, solver;
+  std::string status, detail;
+  Mode mode = Mode::fixed;
+  double setting = nan;  ///< step, or tolerance
+  /// When the largest error of a component reaches 1e-3, by linear interpolation of its logarithm
+  /// between times at which the truth is known; NaN where the solve failed before.
+  double horizon = nan;
+
+  static constexpr const char* file = "horizons.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail), visit("mode", row.mode);
+    visit("setting", row.setting), visit("horizon", row.horizon);
+  }
+};
+
+struct DriftResult {
+  std::vector<DriftRow> rows;
+  std::vector<HorizonRow> horizons;
+};
+
+struct DriftOptions {
+  std::vector<std::string> cases;    ///< globs on case ids; empty: all
+  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
+  unsigned jobs = 1;
+};
+
+/// Runs every fitting pair at a fixed step, half of that at which the case's study of convergence
+/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and looks at what the
+/// exact solution keeps at some 35 times between the first step and the last. Cases tagged
+/// `chaotic` are run for their horizons besides. Results do not depend on `jobs`. Throws
+/// Interrupted.
+DriftResult measure_drift(const DriftOptions& options);
+
+/// The horizons of one solver on one case: three steps and three tolerances.
+std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
+
+/// When errors, positive and at rising times, first reach a threshold; NaN where they never do.
+double time_of_reaching(const std::vector<double>& times, const std::vector<double>& errors,
+                        double threshold);
+
+/// drift.csv and horizons.csv.
+void write_csv(const DriftResult& result, const record::OutputFolder& folder);
+
+}  // namespace odeum::study

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/limits/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/judge/stability_search.hpp"
+#include "odeum/studies/limits/spectrum.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr std::uint64_t most_steps = 1 << 17;
+constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
+
+/// A case, how long it is watched, and what its solution is like in that time.
+struct Stretch {
+  const Case& c;
+  std::string reason;  ///< why there is nothing to measure; empty: there is
+  double window = LargestStep::nan;
+  std::vector<double> sizes;                      ///< by component, the largest along the solution
+  std::vector<std::complex<double>> eigenvalues;  ///< all that lie in the left half plane
+  std::complex<double> largest{LargestStep::nan, LargestStep::nan};
+
+  explicit Stretch(const Case& each) : c(each) {
+    if (c.y0.size() > dense_dimension_limit)
+      reason = fmt::format("{} unknowns: no dense spectrum beyond {}", c.y0.size(),
+                           dense_dimension_limit);
+    else if (!c.problem.view.jacobian)
+      reason = "the case offers no Jacobian";
+    else
+      look();
+  }
+
+ private:
+  void look() {
+    // The horizon, halved until the largest eigenvalue in what is left allows it.
+    window = c.stops.back() - c.t0;
+    while (follow(window) && std::abs(largest) * window > longest_window) window /= 2;
+  }
+
+  /// The solution over a time: sizes and spectrum. False: it could not be had.
+  bool follow(double time) {
+    constexpr int points = 32;
+    Request request;
+    request.mode = Mode::adaptive;
+    request.tolerance = 1e-8;
+    for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
+    const auto radau = std::find_if(c.entrants.begin(), c.entrants.end(), [](const Entrant& e) {
+      return e.info.id() == "odeum/radau_iia5";
+    });
+    const Outcome outcome = radau->solve(request);
+    if (outcome.status != Status::ok) {
+      reason = "the solution could not be followed: " + outcome.detail;
+      return false;
+    }
+    const std::size_t n = c.y0.size();
+    sizes.assign(n, 0);
+    eigenvalues.clear();
+    largest = 0;
+    const auto visit = [&](double t, const double* y) {
+      for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(sizes[i], std::abs(y[i]));
+      for (const std::complex<double>& z : spectrum(c.problem.view, t, y)) {
+        if (std::abs(z) > std::abs(largest)) largest = z;
+        // One of each conjugate pair; rounding may put an imaginary one to the right.
+        if (z.imag() >= 0 && z.real() <= 1e-9 * std::abs(z)) eigenvalues.push_back(z);
+      }
+    };
+    visit(c.t0, c.y0.data());
+    for (int k = 0; k < points; ++k)
+      visit(request.stops[static_cast<std::size_t>(k)],
+            outcome.states.data() + static_cast<std::size_t>(k) * n);
+    return true;
+  }
+};
+
+struct Prediction {
+  double step = LargestStep::nan;
+  std::complex<double> eigenvalue;
+};
+
+/// Where stability ends along the ray of an eigenvalue, as a multiple of 1 / |eigenvalue|; NaN
+/// where no theory covers it.
+double limit_along(const SolverInfo& info, const std::complex<double>& z) {
+  const bool undamped = std::abs(z.real()) <= 1e-9 * std::abs(z);
+  const double re = undamped ? 0 : z.real() / std::abs(z), im = z.imag() / std::abs(z);
+  if (info.amplification)
+    return judge::find_limit([&](double x) {
+             return judge::Growth{std::log(info.amplification(x * re, x * im)),
+                                  judge::growth_rounding};
+           })
+        .limit;
+  if (info.oscillator_amplification && undamped)
+    return judge::find_limit([&](double x) {
+             return judge::Growth{std::log(info.oscillator_amplification(x)),
+                                  judge::growth_rounding};
+           })
+        .limit;
+  return LargestStep::nan;
+}
+
+/// The least of what the eigenvalues allow, those far below the largest left out: they bind no one.
+Prediction predict(const Stretch& stretch, const SolverInfo& info) {
+  Prediction least{LargestStep::nan, stretch.largest};
+  std::map<double, double> by_angle;  // most eigenvalues are real, or turn little
+  for (const std::complex<double>& z : stretch.eigenvalues) {
+    if (std::abs(z) < 0.05 * std::abs(stretch.largest)) continue;
+    const double angle = std::round(std::arg(z) * 1e4);
+    const auto [place, is_new] = by_angle.try_emplace(angle, 0);
+    if (is_new) place->second = limit_along(info, z);
+    if (std::isnan(place->second)) return {LargestStep::nan, stretch.largest};
+    const double step = place->second / std::abs(z);
+    if (!(step >= least.step)) least = {step, z};
+  }
+  return least;
+}
+
+/// Why the last run was not bounded.
+struct Failure {
+  std::string status, detail;
+};
+
+bool bounded(const Stretch& stretch, const Entrant& entrant, std::uint64_t steps,
+             Failure& failure) {
+  if (interrupted) throw Interrupted();
+  Request request;
+  request.steps = steps;
+  for (int k = 1; k <= 4; ++k) request.stops.push_back(stretch.c.t0 + stretch.window * k / 4);
+  request.budget.evaluations = 64 * steps + 1'000;
+  const Outcome outcome = entrant.solve(request);
+  failure = {to_string(outcome.status), outcome.detail};
+  if (outcome.status != Status::ok) return false;
+  const std::size_t n = stretch.sizes.size();
+  for (std::size_t i = 0; i < outcome.states.size(); ++i)
+    if (std::abs(outcome.states[i]) > 10 * stretch.sizes[i % n]) {
+      failure = {"ok", fmt::format("component {} grows to {:.3g}", i % n, outcome.states[i])};
+      return false;
+    }
+  return true;
+}
+
+LargestStep measure(const Stretch& stretch, const Entrant& entrant) {
+  LargestStep row;
+  row.case_id = stretch.c.id;
+  row.library = entrant.info.library;
+  row.solver = entrant.info.method;
+  row.status = "not_applicable";
+  row.detail = !entrant.unfit.empty()   ? entrant.unfit
+               : !entrant.info.fixed    ? "chooses its own steps only"
+               : stretch.reason.empty() ? ""
+                                        : stretch.reason;
+  if (!row.detail.empty()) return row;
+  const Prediction prediction = predict(stretch, entrant.info);
+  row.predicted_step = prediction.step;
+  row.eigenvalue = prediction.eigenvalue;
+  row.window = stretch.window;
+  Failure failure;
+  const std::uint64_t fewest = fewest_bounded_steps(
+      [&](std::uint64_t steps) {
+        Failure now;
+        const bool yes = bounded(stretch, entrant, steps, now);
+        if (!yes) failure = now;
+        return yes;
+      },
+      most_steps);
+  row.status = to_string(Status::ok);
+  if (fewest == 0) {
+    row.status = failure.status == row.status ? to_string(Status::non_finite) : failure.status;
+    row.detail = fmt::format("not bounded in {} steps: {}", most_steps, failure.detail);
+    return row;
+  }
+  row.largest_stable_step = stretch.window / static_cast<double>(fewest);
+  row.detail = fewest == 4
+                   ? "bounded at the largest step that was tried"
+                   : "beyond: " + (failure.detail.empty() ? failure.status : failure.detail);
+  return row;
+}
+
+}  // namespace
+
+std::uint64_t fewest_bounded_steps(const std::function<bool(std::uint64_t)>& is_bounded,
+                                   std::uint64_t most) {
+  std::uint64_t steps = 4;
+  bool now = is_bounded(steps);
+  for (;; steps *= 2) {
+    const bool finer = 2 * steps <= most ? is_bounded(2 * steps) : now;
+    if (now && finer) break;
+    now = finer;
+    if (2 * steps >= most) return 0;
+  }
+  if (steps == 4) return steps;
+  std::uint64_t low = steps / 2, high = steps;
+  while (high - low > std::max<std::uint64_t>(4, high / 256)) {
+    const std::uint64_t middle = (low + high) / 8 * 4;
+    (is_bounded(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+std::vector<LargestStep> measure_limits(const LimitsOptions& options) {
+  struct Task {
+    std::size_t stretch;
+    const Entrant* entrant;
+  };
+  std::vector<const Case*> cases;
+  for (const Case& c : all_cases())
+    if (options.cases.empty() ? c.has_tag("stiff") : any_glob_matches(options.cases, c.id))
+      cases.push_back(&c);
+  std::vector<std::unique_ptr<const Stretch>> stretches(cases.size());
+  parallel_for(cases.size(), options.jobs,
+               [&](std::size_t i) { stretches[i] = std::make_unique<const Stretch>(*cases[i]); });
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (const Entrant& entrant : cases[i]->entrants)
+      if (any_glob_matches(options.solvers, entrant.info.id())) tasks.push_back({i, &entrant});
+  std::vector<LargestStep> rows(tasks.size());
+  Progress progress("limits", static_cast<double>(tasks.size()));
+  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
+    rows[i] = measure(*stretches[tasks[i].stretch], *tasks[i].entrant);
+    progress.advance();
+  });
+  return rows;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/model/momentum.hpp"
+#include "odeum/studies/material/material.hpp"
+#include "support/square_cloth.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr std::size_t side = 11;
+constexpr double horizon = 10, between = 0.5;  // s
+constexpr double steps[] = {1.0 / 60, 1.0 / 240};
+constexpr double tolerance = 1e-6;
+
+struct Competitor {
+  const char* id;
+  Mode mode;
+};
+constexpr Competitor competitors[] = {
+    {"odeum/symplectic_euler", Mode::fixed},
+    {"odeum/velocity_verlet", Mode::fixed},
+    {"odeum/rk4", Mode::fixed},
+    {"odeum/implicit_euler", Mode::fixed},
+    {"odeum/implicit_euler_linearised", Mode::fixed},
+    {"odeum/implicit_midpoint", Mode::fixed},
+    {"odeum/dormand_prince54", Mode::adaptive},
+    {"cvode/adams", Mode::adaptive},
+    {"cvode/bdf", Mode::adaptive},
+    {"gsl/rk4", Mode::fixed},
+    {"gsl/rk8pd", Mode::adaptive},
+    {"gsl/msadams", Mode::adaptive},
+    {"odeint/runge_kutta4", Mode::fixed},
+    {"odeint/velocity_verlet", Mode::fixed},
+    {"odeint/runge_kutta_dopri5", Mode::adaptive},
+    {"bullet/soft_body_force", Mode::fixed},
+    {"bullet/soft_body_links", Mode::fixed},
+    {"bullet/soft_body_links_stock", Mode::fixed},
+    {"bullet/deformable_explicit", Mode::fixed},
+    {"bullet/deformable_implicit", Mode::fixed},
+};
+
+/// The cloth of the cases without what holds it, pulls at it or damps it: its dampers act on the
+/// whole relative velocity, and so would change its angular momentum.
+scene::Scene free_cloth() {
+  scene::Scene scene = cases::square_cloth(side, 10);
+  scene.gravity = {};
+  for (scene::Particle& particle : scene.particles) particle.fixed = false;
+  for (scene::Spring& spring : scene.springs) spring.damping = 0;
+  return scene;
+}
+
+double change(const scene::Vec3& now, const scene::Vec3& first) {
+  double difference = 0, size = 0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    difference += (now[d] - first[d]) * (now[d] - first[d]);
+    size += first[d] * first[d];
+  }
+  return std::sqrt(difference / size);
+}
+
+struct Stage {
+  const char* name;
+  scene::Scene scene;
+  SceneStage solvers{scene};
+  scene::MassSpring problem{scene};
+  std::vector<double> times{};
+  std::vector<double> reference{};  ///< states at the times; empty: none
+  std::string reference_problem{};
+};
+
+std::vector<double> adaptive(const Stage& stage, const char* id, double tol) {
+  Request request;
+  request.mode = Mode::adaptive;
+  request.tolerance = tol;
+  request.stops = stage.times;
+  Outcome outcome = stage.solvers.solver(id).solve(request);
+  return outcome.status == Status::ok ? std::move(outcome.states) : std::vector<double>();
+}
+
+/// Two own methods of different families have to agree on the reference.
+void find_reference(Stage& stage) {
+  const std::vector<double> one = adaptive(stage, "odeum/dormand_prince853", 1e-11),
+                            other = adaptive(stage, "odeum/gragg_bulirsch_stoer", 1e-10);
+  const std::size_t n = stage.solvers.y0->size();
+  double apart = 0;
+  for (std::size_t i = 0; i < std::min(one.size(), other.size()); ++i)
+    if (i % n < n / 2) apart = std::max(apart, std::abs(one[i] - other[i]));
+  if (one.empty() || other.empty() || !(apart < 1e-6))
+    stage.reference_problem =
+        fmt::format("no reference: two own methods are {:.1e} m apart", apart);
+  else
+    stage.reference = one;
+}
+
+void hanging_rows(const Stage& stage, const LongRunRow& blank, double time, const double* y,
+                  const double* exact, std::vector<LongRunRow>& rows) {
+  const std::size_t particles = stage.scene.size();
+  const auto add = [&](const char* quantity, double value, double reference) {
+    LongRunRow row = blank;
+    row.time = time;
+    row.quantity = quantity;
+    row.value = value;
+    row.exact = reference;
+    rows.push_back(std::move(row));
+  };
+  const auto lowest = [&](const double* at) {
+    double low = at[1];
+    for (std::size_t i = 0; i < particles; ++i) low = std::min(low, at[3 * i + 1]);
+    return low;
+  };
+  double apart = not_measured;
+  if (exact)
+    apart = rms_distance({y, y + 3 * particles}, {exact, exact + 3 * particles}, particles);
+  add("energy", stage.problem.energy(y), exact ? stage.problem.energy(exact) : not_measured);
+  add("drape", apart, 0);
+  add("lowest", lowest(y), exact ? lowest(exact) : not_measured);
+}
+
+std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mode, double setting) {
+  LongRunRow blank;
+  blank.scene = stage.name;
+  blank.library = entrant.info.library;
+  blank.solver = entrant.info.method;
+  blank.setting_kind = mode == Mode::fixed ? "step" : "tol";
+  blank.setting = setting;
+  blank.detail = stage.reference_problem;
+  if (!entrant.unfit.empty()) {
+    blank.status = "not_applicable";
+    blank.detail = entrant.unfit;
+    return {blank};
+  }
+  Request request;
+  request.mode = mode;
+  request.stops = stage.times;
+  request.steps = static_cast<std::uint64_t>(std::llround(horizon / setting));
+  if (mode == Mode::adaptive) request.steps = 0, request.tolerance = setting;
+  request.budget.evaluations = 1'000'000;
+  const Outcome outcome = entrant.solve(request);
+  const std::size_t n = stage.solvers.y0->size();
+  std::vector<double> masses;
+  for (const scene::Particle& particle : stage.scene.particles) masses.push_back(particle.mass);
+  const double* const start = stage.solvers.y0->data();
+  std::vector<LongRunRow> rows;
+  blank.status = to_string(Status::ok);
+  for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k) {
+    const double* const y = outcome.states.data() + k * n;
+    const double time = stage.times[k];
+    if (stage.scene.gravity[1] != 0) {
+      hanging_rows(stage, blank, time, y,
+                   stage.reference.empty() ? nullptr : stage.reference.data() + k * n, rows);
+      continue;
+    }
+    for (const auto& [quantity, of] : {std::pair{"linear_momentum", &scene::linear_momentum},
+                                       {"angular_momentum", &scene::angular_momentum}}) {
+      LongRunRow row = blank;
+      row.time = time;
+      row.quantity = quantity;
+      row.value = change(of(masses, y), of(masses, start));
+      row.exact = 0;
+      rows.push_back(std::move(row));
+    }
+  }
+  // Beyond the range of doubles nothing is a number: the run ends where that begins.
+  const auto lost = std::find_if(rows.begin(), rows.end(), [](const LongRunRow& row) {
+    return !std::isfinite(row.value) && row.quantity != "drape";
+  });
+  const bool overflown = lost != rows.end();
+  rows.erase(lost, rows.end());
+  if (outcome.status != Status::ok || overflown) {
+    LongRunRow row = blank;
+    row.status = to_string(overflown ? Status::non_finite : outcome.status);
+    row.detail = overflown ? "beyond the range of doubles" : outcome.detail;
+    row.time = outcome.t;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options) {
+  Stage stages[] = {{"hanging", cases::square_cloth(side, 10)}, {"free", free_cloth()}};
+  for (Stage& stage : stages)
+    for (int k = 1; k * between <= horizon; ++k) stage.times.push_back(k * between);
+  find_reference(stages[0]);
+  struct Task {
+    const Stage* stage;
+    const Entrant* entrant;
+    Mode mode;
+    double setting;
+    std::vector<LongRunRow> rows;
+  };
+  std::vector<Task> tasks;
+  for (const Stage& stage : stages)
+    for (const Competitor& competitor : competitors)
+      for (const Entrant& entrant : stage.solvers.entrants) {
+        if (entrant.info.id() != competitor.id || !any_glob_matches(options.solvers, competitor.id))
+          continue;
+        if (competitor.mode == Mode::adaptive)
+          tasks.push_back({&stage, &entrant, Mode::adaptive, tolerance, {}});
+        else
+          for (const double step : steps)
+            tasks.push_back({&stage, &entrant, Mode::fixed, step, {}});
+      }
+  Progress progress("long runs", static_cast<double>(tasks.size()));
+  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
+    Task& task = tasks[i];
+    task.rows = run(*task.stage, *task.entrant, task.mode, task.setting);
+    progress.advance();
+  });
+  std::vector<LongRunRow> rows;
+  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
+  return rows;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/material/material.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/studies/material/vibration.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::study {
+namespace {
+
+// In periods of the slowest mode.
+constexpr double periods_a_round = 4, periods_swinging = 5;
+
+// Where a round of settling begins at the mean of the one before, a swing about the rest loses most
+// of itself: these rounds do unless the rest keeps moving.
+constexpr int most_rounds = 12;
+constexpr double settled_swing = 1e-3;  // of the sag
+
+// A swing that ends beyond this many times its start is growing.
+constexpr double grown = 100;
+
+/// Heights of the masses (the fixed point left out) at each of the last `kept` of `steps` steps.
+struct Run {
+  Outcome outcome;
+  std::vector<std::vector<double>> heights;
+};
+
+Run run(const Specimen& specimen, const SceneStage& stage, const Entrant& entrant, double step,
+        const Iterations& iterations, std::uint64_t steps, std::uint64_t kept) {
+  Request request;
+  request.steps = steps;
+  request.sweeps = iterations.sweeps;
+  request.newton = iterations.newton;
+  for (std::uint64_t i = steps - kept + 1; i <= steps; ++i)
+    request.stops.push_back(static_cast<double>(i) * step);
+  request.budget.evaluations = 1'000 * steps;
+  Run result;
+  result.outcome = entrant.solve(request);
+  if (result.outcome.status != Status::ok) return result;
+  const std::size_t n = stage.y0->size();
+  for (std::uint64_t k = 0; k < kept; ++k) {
+    std::vector<double> heights;
+    for (std::size_t i = 1; i <= specimen.masses; ++i)
+      heights.push_back(result.outcome.states[k * n + 3 * i + 1]);
+    result.heights.push_back(std::move(heights));
+  }
+  return result;
+}
+
+bool unstable(const Outcome& outcome) { return outcome.status == Status::non_finite; }
+
+MaterialRow failed(MaterialRow row, const Outcome& outcome) {
+  row.status = unstable(outcome) ? "unstable" : to_string(outcome.status);
+  row.detail = unstable(outcome) ? "grows beyond all bounds" : outcome.detail;
+  return row;
+}
+
+void remark(MaterialRow& row, const std::string& sentence) {
+  row.detail += (row.detail.empty() ? "" : "; ") + sentence;
+}
+
+/// Sets the start to heights, at rest.
+void start_from(const SceneStage& stage, const std::vector<double>& heights) {
+  std::vector<double>& y = *stage.y0;
+  std::fill(y.begin(), y.end(), 0);
+  for (std::size_t i = 0; i < heights.size(); ++i) y[3 * (i + 1) + 1] = heights[i];
+}
+
+/// Where the lowest mass is over a run, and where all are on average.
+struct Swing {
+  std::vector<double> mean;
+  double half;  ///< half the way between the highest and the lowest, m
+};
+
+Swing swing_of(const Run& run) {
+  Swing swing{std::vector<double>(run.heights.front().size(), 0), 0};
+  double low = run.heights.front().back(), high = low;
+  for (const auto& heights : run.heights) {
+    for (std::size_t i = 0; i < heights.size(); ++i) swing.mean[i] += heights[i];
+    low = std::min(low, heights.back()), high = std::max(high, heights.back());
+  }
+  for (double& height : swing.mean) height /= static_cast<double>(run.heights.size());
+  swing.half = (high - low) / 2;
+  return swing;
+}
+
+}  // namespace
+
+SceneStage::SceneStage(const scene::Scene& scene)
+    : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
+  Contest<scene::MassSpring> contest;
+  contest.problem = std::make_shared<const scene::MassSpring>(scene);
+  contest.y0 = y0;
+  contest.scene = std::make_shared<const scene::Scene>(scene);
+  entrants = cases::enroll(erase(contest));
+}
+
+const Entrant& SceneStage::solver(const std::string& id) const {
+  for (const Entrant& entrant : entrants)
+    if (entrant.info.id() == id) return entrant;
+  throw std::out_of_range("no solver " + id);
+}
+
+bool is_compared(const SolverInfo& info, const MaterialOptions& options) {
+  const std::string id = info.id();
+  const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
+                        id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
+                        id == "odeum/implicit_euler_linearised";
+  return compared && any_glob_matches(options.solvers, id);
+}
+
+MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
+                             const Entrant& entrant, double step, const Iterations& iterations) {
+  MaterialRow row;
+  row.scene = specimen.name;
+  row.library = entrant.info.library;
+  row.solver = entrant.info.method;
+  row.step = step;
+  row.sweeps = iterations.sweeps;
+  row.newton = iterations.newton;
+  row.phase = step * specimen.frequency();
+  row.status = to_string(Status::ok);
+  if (!entrant.unfit.empty()) {
+    row.status = "not_applicable";
+    row.detail = entrant.unfit;
+    return row;
+  }
+  const double period = 2 * std::numbers::pi / specimen.frequency();
+  const auto steps_of = [&](double periods) {
+    return static_cast<std::uint64_t>(std::ceil(std::max(60.0, periods * period / step)));
+  };
+  std::vector<double> heights;
+  const scene::Scene scene = specimen.scene();
+  for (std::size_t i = 1; i <= specimen.masses; ++i)
+    heights.push_back(scene.particles[i].position[1]);
+  double sag = specimen.sag(), swing = 0;
+  for (int round = 0; round < most_rounds; ++round) {
+    start_from(stage, heights);
+    const std::uint64_t count = steps_of(periods_a_round);
+    const Run settling = run(specimen, stage, entrant, step, iterations, count, count);
+    if (settling.outcome.status != Status::ok) return failed(row, settling.outcome);
+    const Swing seen = swing_of(settling);
+    if (!(seen.half < grown * specimen.sag())) {
+      row.status = "unstable";
+      remark(row, "leaves the rest that it starts from");
+      return row;
+    }
+    heights = seen.mean;
+    sag = -heights.back() - static_cast<double>(specimen.masses) * specimen.length;
+    swing = seen.half;
+    if (swing <= settled_swing * std::abs(sag)) break;
+  }
+  if (std::abs(sag) < 1e-9 * specimen.sag())
+    remark(row, "hangs as long as without gravity, to rounding");
+  else
+    row.resting = specimen.sag() / sag;
+  if (sag <= -1e-9 * specimen.sag()) remark(row, "hangs above where it is without gravity");
+  if (swing > 10 * settled_swing * std::abs(sag) && swing > 1e-9 * specimen.sag())
+    remark(row, fmt::format("not settled: rest is the mean of a swing of {:.2g} of the sag",
+                            swing / std::abs(sag)));
+  const std::vector<double> shape = specimen.shape(), resting = heights;
+  const double amplitude = std::max(specimen.sag(), sag) / 10;
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += amplitude * shape[i];
+  start_from(stage, heights);
+  const std::uint64_t swinging = steps_of(periods_swinging);
+  const Run swung = run(specimen, stage, entrant, step, iterations, swinging, swinging);
+  if (swung.outcome.status != Status::ok) return failed(row, swung.outcome);
+  // The part of the motion that is in the slowest mode: masses are equal, so a plain product.
+  double norm = 0;
+  for (const double x : shape) norm += x * x;
+  std::vector<double> z{amplitude};
+  for (const auto& at : swung.heights) {
+    double sum = 0;
+    for (std::size_t i = 0; i < shape.size(); ++i) sum += shape[i] * (at[i] - resting[i]);
+    z.push_back(sum / norm);
+  }
+  if (!(std::abs(z.back()) < grown * amplitude)) {
+    row.status = "unstable";
+    remark(row, "the swing grows");
+    return row;
+  }
+  std::string reason;
+  if (const auto found = fit_vibration(z, step, reason)) {
+    const double w = specimen.frequency(), nominal = specimen.damping_ratio();
+    row.vibrating = found->pull / (w * w);
+    row.damping = nominal > 0 ? found->decay / (2 * nominal * w) : not_measured;
+    row.added_damping_ratio = found->decay / (2 * std::sqrt(found->pull)) - nominal;
+  } else {
+    remark(row, reason);
+  }
+  if (std::isnan(row.resting) || std::isnan(row.vibrating)) row.status = "unmeasured";
+  return row;
+}
+
+std::vector<MaterialRow> measure_responses(const MaterialOptions& options) {
+  constexpr double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
+  constexpr std::uint64_t counts[] = {1, 2, 4, 8, 16, 32};
+  struct Task {
+    Specimen specimen;
+    std::string id;
+    Iterations iterations;
+    std::vector<MaterialRow> rows;
+  };
+  std::vector<Task> tasks;
+  for (const Specimen& specimen : {one_mass(), hanging_chain()}) {
+    const SceneStage stage(specimen.scene());
+    for (const Entrant& entrant : stage.entrants) {
+      const SolverInfo& info = entrant.info;
+      const std::string id = info.id();
+      if (!is_compared(info, options)) continue;
+      tasks.push_back({specimen, id, {}, {}});
+      // As it comes is one sweep, or Newton's one iteration.
+      for (const std::uint64_t count : counts) {
+        // Conjugate gradients are done after as many iterations as there are masses.
+        const bool newton = !info.newton.empty();
+        if (!info.sweeps.empty() && (newton ? count < 2 * specimen.masses : count > 1))
+          tasks.push_back({specimen, id, {.sweeps = count}, {}});
+        if (newton && count == 4) tasks.push_back({specimen, id, {.newton = count}, {}});
+      }
+    }
+  }
+  Progress progress("material", static_cast<double>(tasks.size()));
+  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
+    Task& task = tasks[i];
+    const SceneStage stage(task.specimen.scene());  // its own: the start is moved
+    for (const double step : steps)
+      task.rows.push_back(
+          measure_response(task.specimen, stage, stage.solver(task.id), step, task.iterations));
+    progress.advance();
+  });
+  std::vector<MaterialRow> rows;
+  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
+  return rows;
+}
+
+MaterialResult measure_material(const MaterialOptions& options) {
+  MaterialResult result;
+  result.material = measure_responses(options);
+  result.errors = measure_error_parts(options);
+  result.long_run = measure_long_runs(options);
+  // Own engines are not enrolled under names of solvers: a choice of solvers leaves them out.
+  if (options.solvers.empty()) {
+    result.cost = measure_cloth_cost({11, 32, 64, 128, 256, 512}, 0.1);
+    result.implicit_wins = measure_implicit_wins(32, {10, 100, 1e3, 1e4, 1e5, 1e6},
+                                                 {1.0 / 240, 1.0 / 120, 1.0 / 60, 1.0 / 30}, 0.03);
+  }
+  return result;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+#include "odeum/studies/material/rows.hpp"
+#include "odeum/studies/material/specimen.hpp"
+
+namespace odeum::study {
+
+struct MaterialOptions {
+  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
+  unsigned jobs = 1;                 ///< for the runs that are not timed
+};
+
+/// Whether a solver is one of those whose stiffness and error parts are looked at: every engine's,
+/// and the own ones whose answer is known.
+bool is_compared(const SolverInfo& info, const MaterialOptions& options);
+
+/// All five files. Results but for times do not depend on `jobs`. Throws Interrupted.
+MaterialResult measure_material(const MaterialOptions& options);
+
+/// Solvers on a specimen, or any other scene, with a start that may be moved between solves.
+struct SceneStage {
+  explicit SceneStage(const scene::Scene& scene);
+  const Entrant& solver(const std::string& id) const;  ///< throws std::out_of_range
+  std::shared_ptr<std::vector<double>> y0;             ///< all positions, then all velocities
+  std::vector<Entrant> entrants;
+};
+
+/// How many iterations a step is given, see Request.
+struct Iterations {
+  std::uint64_t sweeps = 0, newton = 0;
+};
+
+/// Lets the specimen settle under gravity, then swing in its slowest mode, at steps of about `step`
+/// seconds.
+MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
+                             const Entrant& entrant, double step, const Iterations& iterations);
+std::vector<MaterialRow> measure_responses(const MaterialOptions& options);
+
+/// RMS distance over particles of the positions (the first 3 `particles` entries) of two states.
+double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
+                    std::size_t particles);
+
+/// What a split of errors is made of.
+struct SplitPlan {
+  double time = 0.25;                ///< s
+  std::vector<std::uint64_t> steps;  ///< rising, each twice the one before, three at least
+  std::vector<Iterations> tried;
+  Iterations converged, half;  ///< the most, and half of it: by what is left between them
+  double order = 1;            ///< of the step, for the extrapolation to h -> 0
+};
+/// Positions at plan.time after so many steps; nothing where the run failed, and why.
+using RunCloth = std::function<std::optional<std::vector<double>>(
+    std::uint64_t steps, const Iterations& iterations, std::string& reason)>;
+
+/// A row for each number of steps and each of plan.tried; library and solver are left empty.
+std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,
+                                       const std::vector<double>& truth);
+std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options);
+
+/// Drape, energy and momentum of cloths over 10 s.
+std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options);
+
+/// Own engines, timed in turns on one processor.
+std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,
+                                             double seconds_each);
+std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
+                                                   const std::vector<double>& stiffnesses,
+                                                   const std::vector<double>& frames,
+                                                   double seconds_each);
+
+}  // namespace odeum::study

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/studies/material/material.hpp"
+
+namespace odeum::study {
+namespace {
+
+/// What a run came to: positions, or why there are none.
+struct Reached {
+  std::optional<std::vector<double>> positions;
+  std::string reason;
+};
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  return rms_distance(a, b, a.size() / 3);
+}
+
+/// The limit h -> 0 of a scheme of order p from two runs, the second at half the step.
+std::vector<double> extrapolate(const std::vector<double>& coarse, const std::vector<double>& fine,
+                                double order) {
+  std::vector<double> limit;
+  const double weight = 1 / (std::exp2(order) - 1);
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    limit.push_back(fine[i] + weight * (fine[i] - coarse[i]));
+  return limit;
+}
+
+}  // namespace
+
+double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
+                    std::size_t particles) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3 * particles; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(particles));
+}
+
+std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,
+                                       const std::vector<double>& truth) {
+  std::map<std::uint64_t, Reached> converged;
+  const auto reach = [&](std::uint64_t steps, const Iterations& iterations) {
+    Reached reached;
+    reached.positions = run(steps, iterations, reached.reason);
+    return reached;
+  };
+  for (const std::uint64_t steps : plan.steps) converged[steps] = reach(steps, plan.converged);
+  std::optional<std::vector<double>> limit;
+  double step_left = not_measured;
+  std::string no_limit;
+  const std::size_t n = plan.steps.size();
+  const Reached &a = converged[plan.steps[n - 3]], &b = converged[plan.steps[n - 2]],
+                &c = converged[plan.steps[n - 1]];
+  if (a.positions && b.positions && c.positions) {
+    limit = extrapolate(*b.positions, *c.positions, plan.order);
+    step_left = distance(*limit, extrapolate(*a.positions, *b.positions, plan.order));
+  } else {
+    no_limit = "no limit h -> 0: " + (c.positions ? b.positions ? a.reason : b.reason : c.reason);
+  }
+  std::vector<ErrorPartsRow> rows;
+  for (const std::uint64_t steps : plan.steps) {
+    const Reached& at = converged[steps];
+    const bool iterates = plan.converged.sweeps + plan.converged.newton > 0;
+    const Reached half = iterates ? reach(steps, plan.half) : at;
+    for (const Iterations& iterations : plan.tried) {
+      ErrorPartsRow row;
+      row.time = plan.time;
+      row.step = plan.time / static_cast<double>(steps);
+      row.sweeps = iterations.sweeps;
+      row.newton = iterations.newton;
+      row.step_left = step_left;
+      const Reached tried = iterates ? reach(steps, iterations) : at;
+      row.status = tried.positions ? "ok" : "unstable";
+      row.detail = tried.positions ? no_limit : tried.reason;
+      if (tried.positions) row.total = distance(*tried.positions, truth);
+      if (tried.positions && at.positions)
+        row.iteration = distance(*tried.positions, *at.positions);
+      if (at.positions && half.positions)
+        row.iteration_left = distance(*at.positions, *half.positions);
+      if (limit && at.positions) row.time_step = distance(*at.positions, *limit);
+      if (limit) row.model = distance(*limit, truth);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
+  const auto& cases = all_cases();
+  const auto cloth = std::find_if(cases.begin(), cases.end(),
+                                  [](const Case& c) { return c.id == "cloth11_two_way"; });
+  const std::size_t n = cloth->y0.size(), positions = n / 2;
+  SplitPlan plan;
+  plan.steps = {20, 40, 80, 160, 320, 640};
+  std::vector<double> truth(n);
+  if (!cloth->truth.at(plan.time, truth.data())) return {};
+  truth.resize(positions);
+  struct Task {
+    const Entrant* entrant;
+    SplitPlan plan;
+    std::vector<ErrorPartsRow> rows;
+  };
+  std::vector<Task> tasks;
+  for (const Entrant& entrant : cloth->entrants) {
+    const SolverInfo& info = entrant.info;
+    if (!is_compared(info, options)) continue;
+    plan.order = std::isfinite(info.order) ? info.order : 1;
+    plan.tried = {{}};
+    plan.converged = plan.half = {};
+    if (!info.newton.empty()) {  // sweeps as they come are converged, see the adapter
+      plan.tried = {{.sweeps = 1}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {}};
+      plan.converged = {.newton = 4}, plan.half = {.newton = 2};
+    } else if (!info.sweeps.empty()) {
+      plan.tried = {
+          {}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {.sweeps = 16}, {.sweeps = 32}};
+      plan.converged = {.sweeps = 64}, plan.half = {.sweeps = 32};
+    }
+    tasks.push_back({&entrant, plan, {}});
+  }
+  Progress progress("error parts", static_cast<double>(tasks.size()));
+  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
+    Task& task = tasks[i];
+    const auto run = [&](std::uint64_t steps, const Iterations& iterations,
+                         std::string& reason) -> std::optional<std::vector<double>> {
+      if (interrupted) throw Interrupted();
+      Request request;
+      request.steps = steps;
+      request.stops = {task.plan.time};
+      request.sweeps = iterations.sweeps;
+      request.newton = iterations.newton;
+      request.budget.evaluations = 10'000 * steps;
+      Outcome outcome = task.entrant->solve(request);
+      reason = outcome.detail;
+      if (outcome.status != Status::ok) return std::nullopt;
+      outcome.states.resize(positions);
+      return std::move(outcome.states);
+    };
+    if (task.entrant->unfit.empty()) {
+      task.rows = split_error(task.plan, run, truth);
+    } else {
+      ErrorPartsRow row;
+      row.status = "not_applicable";
+      row.detail = task.entrant->unfit;
+      task.rows = {row};
+    }
+    for (ErrorPartsRow& row : task.rows) {
+      row.library = task.entrant->info.library;
+      row.solver = task.entrant->info.method;
+    }
+    progress.advance();
+  });
+  std::vector<ErrorPartsRow> rows;
+  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
+  return rows;
+}
+
+}  // namespace odeum::study

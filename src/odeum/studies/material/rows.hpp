@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/precision/stopwatch.hpp"
+
+/// What the study of engines and cloths finds. A row names its columns once, in `each`; its file is
+/// written and read by that.
+namespace odeum::study {
+
+inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// What a solver makes of springs of known stiffness and damping: a line of material.csv.
+struct MaterialRow {
+  std::string scene;  ///< one_mass, hanging_chain
+  std::string library, solver;
+  /// A Status, `unstable`, `not_applicable`, or `unmeasured` where it ran but numbers are missing.
+  std::string status, detail;
+  double step = not_measured;                 ///< s
+  std::uint64_t sweeps = 0;                   ///< Request::sweeps; 0: as it comes
+  std::uint64_t newton = 0;                   ///< Request::newton; 0: as it comes
+  double phase = not_measured;                ///< step times the slowest mode's frequency, radians
+  double resting = not_measured;              ///< stiffness shown at rest under gravity / nominal
+  double vibrating = not_measured;            ///< stiffness shown by the slowest mode / nominal
+  double damping = not_measured;              ///< damping shown by the slowest mode / nominal
+  double added_damping_ratio = not_measured;  ///< damping ratio shown less the nominal one
+
+  static constexpr const char* file = "material.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("step", row.step), visit("sweeps", row.sweeps);
+    visit("newton", row.newton), visit("phase", row.phase), visit("resting", row.resting);
+    visit("vibrating", row.vibrating), visit("damping", row.damping);
+    visit("added_damping_ratio", row.added_damping_ratio), visit("detail", row.detail);
+  }
+};
+
+/// Where the error of a cloth comes from: a line of material_error.csv. Errors are RMS distances of
+/// particles in m; the parts are steps of one path from the run to the truth, so that `total` is at
+/// most their sum.
+struct ErrorPartsRow {
+  std::string library, solver, status, detail;
+  double time = not_measured, step = not_measured;  ///< s
+  std::uint64_t sweeps = 0, newton = 0;             ///< as in MaterialRow
+  double total = not_measured;                      ///< run to truth
+  double iteration = not_measured;  ///< run to the same with iterations converged; 0: none
+  double time_step = not_measured;  ///< that to its limit h -> 0
+  double model = not_measured;      ///< that limit to the truth
+  /// How far the limits may be off: of iterations at this step, and of the step.
+  double iteration_left = not_measured, step_left = not_measured;
+
+  static constexpr const char* file = "material_error.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
+    visit("time", row.time), visit("step", row.step), visit("sweeps", row.sweeps);
+    visit("newton", row.newton), visit("total", row.total), visit("iteration", row.iteration);
+    visit("time_step", row.time_step), visit("model", row.model);
+    visit("iteration_left", row.iteration_left), visit("step_left", row.step_left);
+    visit("detail", row.detail);
+  }
+};
+
+/// A quantity of a cloth in a long run at one time: a line of cloth_long.csv.
+struct LongRunRow {
+  std::string scene;  ///< hanging, free
+  std::string library, solver, status, detail;
+  std::string setting_kind;       ///< step, tol
+  double setting = not_measured;  ///< s, or relative and absolute tolerance
+  double time = not_measured;     ///< s
+  /// `drape` (RMS distance of particles from the reference, m), `lowest` (lowest height, m),
+  /// `energy` (J), `linear_momentum`, `angular_momentum` (change over the first value).
+  std::string quantity = "none";
+  double value = not_measured;
+  double exact = not_measured;  ///< of the reference
+
+  static constexpr const char* file = "cloth_long.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("setting_kind", row.setting_kind);
+    visit("setting", row.setting), visit("time", row.time), visit("quantity", row.quantity);
+    visit("value", row.value), visit("exact", row.exact), visit("detail", row.detail);
+  }
+};
+
+/// What a step of a cloth costs a particle: a line of cloth_cost.csv.
+struct ClothCostRow {
+  std::uint64_t side = 0;  ///< particles along an edge of the square
+  std::string precision;   ///< f64, f32
+  double wall_ns_min = not_measured, wall_ns_median = not_measured;  ///< a particle and step
+  std::uint64_t repetitions = 0;
+  Conditions conditions;
+
+  static constexpr const char* file = "cloth_cost.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("side", row.side), visit("precision", row.precision);
+    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
+    visit("repetitions", row.repetitions), visit("drift", row.conditions.drift);
+    visit("processor_share", row.conditions.processor_share);
+    visit("measured", row.conditions.measured);
+  }
+};
+
+/// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
+struct ImplicitWinsRow {
+  double stiffness = not_measured;  ///< N/m
+  double frame = not_measured;      ///< s; of explicit engines NaN, they step as they can
+  std::string engine;               ///< verlet_f32, imex_f32, implicit_f64
+  std::string status, detail;
+  double step = not_measured;                                        ///< s
+  double wall_ns_min = not_measured, wall_ns_median = not_measured;  ///< a simulated second
+  std::uint64_t repetitions = 0;
+  double error = not_measured;       ///< RMS distance of particles from the truth, m
+  double truth_left = not_measured;  ///< how far two runs for the truth are apart, m
+  Conditions conditions;
+
+  static constexpr const char* file = "implicit_wins.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("stiffness", row.stiffness), visit("frame", row.frame), visit("engine", row.engine);
+    visit("status", row.status), visit("step", row.step), visit("wall_ns_min", row.wall_ns_min);
+    visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
+    visit("error", row.error), visit("truth_left", row.truth_left);
+    visit("drift", row.conditions.drift), visit("processor_share", row.conditions.processor_share);
+    visit("measured", row.conditions.measured), visit("detail", row.detail);
+  }
+};
+
+struct MaterialResult {
+  std::vector<MaterialRow> material;
+  std::vector<ErrorPartsRow> errors;
+  std::vector<LongRunRow> long_run;
+  std::vector<ClothCostRow> cost;
+  std::vector<ImplicitWinsRow> implicit_wins;
+  std::string problem;  ///< why a file that was there could not be used; a sentence
+  bool empty() const {
+    return material.empty() && errors.empty() && long_run.empty() && cost.empty() &&
+           implicit_wins.empty();
+  }
+};
+
+/// A file for each kind of row; of the timed ones only where there are rows.
+void write_csv(const MaterialResult& result, const record::OutputFolder& folder);
+
+/// What an earlier run left; a file that is missing or cannot be used leaves its rows empty.
+MaterialResult read_material_csv(const std::filesystem::path& folder);
+
+}  // namespace odeum::study

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "odeum/studies/material/rows.hpp"
+
+/// The parts of the section on engines and cloths, each a piece of HTML; empty where nothing was
+/// measured.
+namespace odeum::report {
+
+std::string response_tables(const std::vector<study::MaterialRow>& rows);
+std::string error_parts_table(const std::vector<study::ErrorPartsRow>& rows);
+std::string long_run_table(const std::vector<study::LongRunRow>& rows);
+std::string cloth_cost_table(const std::vector<study::ClothCostRow>& rows);
+std::string implicit_wins_table(const std::vector<study::ImplicitWinsRow>& rows);
+
+/// A solver and what its step was given: "bullet/soft_body_links, 4 iterations".
+template <class Row>
+std::string competitor(const Row& row) {
+  std::string text = row.library + "/" + row.solver;
+  if (row.sweeps > 0)
+    text += ", " + std::to_string(row.sweeps) + (row.sweeps == 1 ? " iteration" : " iterations");
+  if (row.newton > 0) text += ", " + std::to_string(row.newton) + " Newton";
+  return text;
+}
+
+/// The shade of a cell for how far a number is from what it should be: t1 to t3 above, t-1 to t-3
+/// below; `size` against three limits.
+std::string shade(double signed_size, double slight, double strong, double extreme);
+
+/// "1/60 s" for a step that is a whole part of a second, else "0.0125 s".
+std::string show_step(double seconds);
+
+}  // namespace odeum::report

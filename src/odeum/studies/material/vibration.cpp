@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/material/vibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace odeum::study {
+namespace {
+
+/// Of a motion, what lies below this part of its start is left out: rounding, and slow remainders
+/// of other modes.
+constexpr double least_part = 1e-4;
+
+/// Least squares in three unknowns by modified Gram and Schmidt; rows are {1, y, x, right side}.
+std::array<long double, 3> least_squares(std::vector<std::array<long double, 4>> rows) {
+  std::array<std::array<long double, 4>, 3> r{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    long double norm = 0;
+    for (const auto& row : rows) norm += row[i] * row[i];
+    norm = std::sqrt(norm);
+    for (auto& row : rows) row[i] /= norm;
+    r[i][i] = norm;
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      for (const auto& row : rows) r[i][j] += row[i] * row[j];
+      for (auto& row : rows) row[j] -= r[i][j] * row[i];
+    }
+  }
+  std::array<long double, 3> x{};
+  for (std::size_t i = 3; i-- > 0;) {
+    x[i] = r[i][3];
+    for (std::size_t j = i + 1; j < 3; ++j) x[i] -= r[i][j] * x[j];
+    x[i] /= r[i][i];
+  }
+  return x;
+}
+
+}  // namespace
+
+std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step,
+                                       std::string& reason) {
+  const double start = std::abs(z.front());
+  std::size_t end = z.size();
+  while (end > 1 && std::abs(z[end - 1]) < least_part * start) --end;
+  // From rest, a cosine is down to 1/e after 1.2 radians: half of that keeps clear of half a turn.
+  std::size_t fallen = 1;
+  while (fallen + 1 < end && z[fallen] / z.front() > std::exp(-1)) ++fallen;
+  const std::size_t lag = std::max<std::size_t>(1, fallen / 2);
+  if (end < 2 * lag + 4) {
+    reason = end <= 2   ? "gone within a step"
+             : end < 20 ? fmt::format("gone within {} steps, too few to tell a vibration", end - 1)
+                        : "too slow to be seen in this time";
+    return std::nullopt;
+  }
+  std::vector<std::array<long double, 4>> rows;
+  for (std::size_t j = lag; j + lag < end; ++j) rows.push_back({1, z[j - lag], z[j], z[j + lag]});
+  const auto [c, b, a] = least_squares(std::move(rows));
+  const long double tau = static_cast<long double>(lag) * step, d = a * a + 4 * b;
+  Vibration found;
+  found.rest = static_cast<double>(c / (1 - a - b));
+  if (d < 0) {
+    const long double fall = std::log(-b) / 2, turn = std::atan2(std::sqrt(-d), a);
+    found.pull = static_cast<double>((fall * fall + turn * turn) / (tau * tau));
+    found.decay = static_cast<double>(-2 * fall / tau);
+  } else {
+    const long double fast = (a - std::sqrt(d)) / 2, slow = (a + std::sqrt(d)) / 2;
+    // A root that is nothing but rounding is a motion that a single step takes away.
+    if (!(fast > 1e-9L && slow > 0)) {
+      reason = slow > 0 && std::abs(fast) <= 1e-9L
+                   ? "creeps to rest, its velocity is lost at each step"
+                   : "changes sign from step to step: no oscillator does";
+      return std::nullopt;
+    }
+    found.pull = static_cast<double>(std::log(fast) * std::log(slow) / (tau * tau));
+    found.decay = static_cast<double>(-(std::log(fast) + std::log(slow)) / tau);
+  }
+  if (!std::isfinite(found.pull) || !std::isfinite(found.decay)) {
+    reason = "no oscillator passes through the motion";
+    return std::nullopt;
+  }
+  return found;
+}
+
+}  // namespace odeum::study

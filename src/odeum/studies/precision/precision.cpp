@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/precision/precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "odeum/contest/inlined.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/judge/errors.hpp"
+#include "odeum/studies/precision/stopwatch.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t most_repetitions = 15;
+constexpr double longest_repeated_ns = 2e7;
+
+/// A setting of a solver: what was measured, and what a timed run needs.
+struct Trial {
+  PrecisionRow row;
+  Request request;
+  std::vector<double> states;
+  double guarded_ns = 0;  ///< of the run under the guard: what to expect
+  Times times;
+
+  bool ok() const { return row.status == to_string(Status::ok); }
+};
+
+/// A solver on a case in one mode, with its settings from coarse to fine.
+struct Contender {
+  const Entrant* entrant;
+  Mode mode;
+  const Entrant* inlined;  ///< the same for timed runs; null where there is none
+  std::vector<Trial> trials;
+};
+
+struct Stage {
+  const Case& c;
+  std::vector<double> stops;
+  double floor;
+  judge::Judge judge;
+
+  explicit Stage(const Case& each)
+      : c(each),
+        stops(each.timed_stops.empty() ? each.stops : each.timed_stops),
+        floor(each.timed_stops.empty() ? each.truth.floor : each.timed_floor),
+        judge(each, stops) {}
+
+  /// How much longer the horizon is than that of other studies.
+  double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
+};
+
+std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) {
+  std::vector<Request> requests;
+  Request request;
+  request.stops = stage.stops;
+  request.budget.evaluations = stage.c.evaluation_budget;
+  const bool many = stage.c.y0.size() > dense_dimension_limit;
+  request.budget.evaluations =
+      many ? request.budget.evaluations / 8
+           : std::min<std::uint64_t>(
+                 400'000, static_cast<std::uint64_t>(
+                              stage.stretch() * static_cast<double>(request.budget.evaluations)));
+  request.budget.seconds = seconds;
+  request.mode = mode;
+  if (mode == Mode::adaptive) {
+    // Errors grow along a long horizon: only tolerances near rounding show what is in reach.
+    const int finest = stage.stretch() > 1 ? 14 : 12;
+    for (int exponent = 3; exponent <= finest; ++exponent) {
+      request.tolerance = std::pow(10.0, -exponent);
+      requests.push_back(request);
+    }
+    return requests;
+  }
+  const double coarsest = static_cast<double>(stage.c.coarsest_steps) * stage.stretch();
+  for (int k = 0; k < 8; ++k) {
+    const auto units =
+        std::ceil(std::ldexp(coarsest, k) / static_cast<double>(stage.c.steps_multiple));
+    request.steps = static_cast<std::uint64_t>(units) * stage.c.steps_multiple;
+    requests.push_back(request);
+  }
+  return requests;
+}
+
+PrecisionRow blank_row(const Stage& stage, const SolverInfo& info, Mode mode) {
+  PrecisionRow row;
+  row.case_id = stage.c.id;
+  row.library = info.library;
+  row.solver = info.method;
+  row.mode = mode;
+  row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
+  return row;
+}
+
+/// The run that counts and judges.
+Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& request) {
+  Trial trial{.row = blank_row(stage, entrant.info, request.mode),
+              .request = request,
+              .states = {},
+              .times = {}};
+  trial.row.setting = request.mode == Mode::adaptive ? request.tolerance
+                                                     : (request.stops.back() - stage.c.t0) /
+                                                           static_cast<double>(request.steps);
+  const auto start = std::chrono::steady_clock::now();
+  Outcome outcome = entrant.solve(request);
+  trial.guarded_ns =
+      std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  trial.row.status = to_string(outcome.status);
+  trial.row.detail = outcome.detail;
+  trial.row.counters = outcome.counters;
+  if (!trial.ok()) return trial;
+  trial.row.error = 0;
+  for (const judge::StopError& error : stage.judge.errors(outcome))
+    trial.row.error = std::max(trial.row.error, error.error_max);
+  if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
+  trial.states = std::move(outcome.states);
+  return trial;
+}
+
+void run_guarded(const Stage& stage, Contender& contender, double seconds) {
+  const Entrant& entrant = *contender.entrant;
+  const std::string& reason = entrant.unfit.empty() && contender.mode == Mode::fixed
+                                  ? stage.c.no_fixed_steps
+                                  : entrant.unfit;
+  if (!reason.empty()) {
+    Trial& trial = contender.trials.emplace_back();
+    trial.row = blank_row(stage, entrant.info, contender.mode);
+    trial.row.status = "not_applicable";
+    trial.row.detail = reason;
+    return;
+  }
+  for (const Request& request : settings_of(stage, contender.mode, seconds)) {
+    contender.trials.push_back(run_guarded(stage, entrant, request));
+    // Finer settings would only cost more.
+    if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
+  }
+}
+
+/// Times a trial once with the bare right-hand side, and sees that it ends where the counted run
+/// ended: to a tenth of that run's error, or to what a different order of roundings may do.
+void time_once(const Stage& stage, const Contender& contender, Trial& trial) {
+  const auto& solve = contender.inlined ? contender.inlined->solve : contender.entrant->solve;
+  trial.row.inlined = contender.inlined != nullptr;
+  Request request = trial.request;
+  request.budget.watched = false;
+  Outcome outcome;
+  trial.times.ns.push_back(time_call([&] { outcome = solve(request); }, trial.times.ns.empty()
+                                                                            ? trial.guarded_ns / 2
+                                                                            : trial.times.min()));
+  double apart = outcome.states.size() == trial.states.size() ? 0 : nan;
+  for (std::size_t i = 0; i < trial.states.size() && !std::isnan(apart); ++i)
+    apart = std::max(apart, std::abs(outcome.states[i] - trial.states[i]));
+  const double allowed = 0.1 * trial.row.error + stage.floor + 1e4 * stage.judge.rounding_unit();
+  if (!(apart <= allowed))
+    trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
+}
+
+/// Interleaved repetitions: one round over all solvers at a setting, then the next round.
+void time_all(const Stage& stage, std::vector<Contender>& contenders, double seconds) {
+  double once = 0;
+  std::size_t most_settings = 0;
+  for (const Contender& contender : contenders) {
+    most_settings = std::max(most_settings, contender.trials.size());
+    for (const Trial& trial : contender.trials)
+      if (trial.ok()) once += std::max(trial.guarded_ns, 20'000.0);
+  }
+  const auto rounds = static_cast<std::uint64_t>(
+      std::clamp(seconds * 1e9 / std::max(once, 1.0), 2.0, double(most_repetitions)));
+  const Pinned pinned;
+  for (std::size_t k = 0; k < most_settings; ++k)
+    for (std::uint64_t round = 0; round < rounds; ++round)
+      for (Contender& contender : contenders) {
+        if (k >= contender.trials.size() || !contender.trials[k].ok()) continue;
+        if (interrupted) throw Interrupted();
+        Trial& trial = contender.trials[k];
+        // A long run is an average in itself: twice is enough.
+        if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
+        time_once(stage, contender, trial);
+      }
+}
+
+/// Whether a solver is timed in a mode. Who can do both is run at fixed steps too where that may
+/// be the faster way: on smooth problems of few unknowns.
+bool runs(const Case& c, const SolverInfo& info, Mode mode) {
+  if (mode == Mode::adaptive) return info.adaptive;
+  const bool worth =
+      c.y0.size() <= dense_dimension_limit && c.no_fixed_steps.empty() && !c.has_tag("stiff");
+  return info.fixed && (!info.adaptive || worth);
+}
+
+std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& options) {
+  const Stage stage(c);
+  const std::vector<Entrant> inlined = inlined_solvers(c);
+  std::vector<Contender> contenders;
+  for (const Entrant& entrant : c.entrants) {
+    const std::string id = entrant.info.id();
+    if (!any_glob_matches(options.solvers, id)) continue;
+    const auto same = std::find_if(inlined.begin(), inlined.end(),
+                                   [&](const Entrant& e) { return e.info.id() == id; });
+    for (const Mode mode : {Mode::adaptive, Mode::fixed})
+      if (runs(c, entrant.info, mode))
+        contenders.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, {}});
+  }
+  parallel_for(contenders.size(), options.jobs, [&](std::size_t i) {
+    run_guarded(stage, contenders[i], options.seconds_per_solve);
+  });
+
+  Conditions conditions;
+  for (int attempt = 0; attempt < options.attempts; ++attempt) {
+    for (Contender& contender : contenders)
+      for (Trial& trial : contender.trials) trial.times.ns.clear();
+    const Watch watch;
+    time_all(stage, contenders, options.seconds_per_case);
+    conditions = watch.end();
+    if (!disturbed(conditions.drift, conditions.processor_share)) break;
+  }
+  std::vector<PrecisionRow> rows;
+  for (Contender& contender : contenders)
+    for (Trial& trial : contender.trials) {
+      PrecisionRow& row = trial.row;
+      row.wall_ns_min = trial.times.min();
+      row.wall_ns_median = trial.times.median();
+      row.repetitions = trial.times.ns.size();
+      row.measured = conditions.measured;
+      if (row.repetitions) {
+        row.drift = conditions.drift;
+        row.processor_share = conditions.processor_share;
+      }
+      if (disturbed(row.drift, row.processor_share)) {
+        if (!row.detail.empty()) row.detail += "; ";
+        row.detail += fmt::format(
+            "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "
+            "the processor for {:.0f} % of the time",
+            100 * row.drift, 100 * row.processor_share);
+      }
+      rows.push_back(std::move(row));
+    }
+  mark_pareto(rows);
+  return rows;
+}
+
+}  // namespace
+
+bool disturbed(double drift, double processor_share) {
+  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
+}
+
+PrecisionResult measure_precision(const PrecisionOptions& options) {
+  std::vector<const Case*> cases;
+  for (const Case& c : all_cases())
+    if (any_glob_matches(options.cases, c.id)) cases.push_back(&c);
+  PrecisionResult result;
+  Progress progress("precision", static_cast<double>(cases.size()));
+  for (const Case* c : cases) {
+    std::vector<PrecisionRow> rows = measure_case(*c, options);
+    const double floor = c->timed_stops.empty() ? c->truth.floor : c->timed_floor;
+    for (PrecisionSummary& line : summarise(rows, floor)) result.summary.push_back(std::move(line));
+    std::move(rows.begin(), rows.end(), std::back_inserter(result.rows));
+    progress.advance();
+  }
+  return result;
+}
+
+}  // namespace odeum::study

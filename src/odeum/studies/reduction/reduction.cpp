@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/reduction/reduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr int decades = 8;
+constexpr double horizon = 2;
+
+/// y' = lambda (y - cos t) - sin t.
+struct ProtheroRobinson {
+  static constexpr std::size_t dimension = 1;
+  double lambda = -1;
+
+  void rhs(double t, const double* y, double* f) const {
+    f[0] = lambda * (y[0] - std::cos(t)) - std::sin(t);
+  }
+  void jacobian(double, const double*, double* j) const { j[0] = lambda; }
+  void time_derivative(double t, const double*, double* d) const {
+    d[0] = lambda * std::sin(t) - std::cos(t);
+  }
+};
+
+std::vector<Entrant> entrants_at(double lambda) {
+  Contest<ProtheroRobinson> contest;
+  contest.problem = std::make_shared<const ProtheroRobinson>(ProtheroRobinson{lambda});
+  contest.y0 = std::make_shared<const std::vector<double>>(1, 1.0);
+  return cases::enroll(erase(contest));
+}
+
+ReductionRow measure(const Entrant& entrant, double lambda) {
+  ReductionRow row;
+  row.library = entrant.info.library;
+  row.solver = entrant.info.method;
+  row.lambda = lambda;
+  row.claimed_order = entrant.info.order;
+  const std::string reason = !entrant.unfit.empty() ? entrant.unfit
+                             : entrant.info.fixed   ? ""
+                                                    : "chooses its own steps only";
+  if (!reason.empty()) {
+    row.fit.verdict = judge::Verdict::not_applicable;
+    row.fit.reason = reason;
+    return row;
+  }
+  std::vector<judge::ErrorPoint> points;
+  std::string last_failure;
+  for (std::uint64_t steps = 8; steps <= 512; steps *= 2) {
+    if (interrupted) throw Interrupted();
+    Request request;
+    request.steps = steps;
+    request.stops = {horizon};
+    request.budget.evaluations = 1'000 * steps;
+    const Outcome outcome = entrant.solve(request);
+    judge::ErrorPoint point{.step = horizon / static_cast<double>(steps),
+                            .error = ReductionRow::nan};
+    point.steps = static_cast<double>(steps);
+    point.rounding_unit = std::numeric_limits<double>::epsilon() / 2;
+    if (outcome.status == Status::ok)
+      point.error = std::abs(outcome.states.back() - std::cos(horizon));
+    else
+      last_failure = std::string(to_string(outcome.status)) + ", " + outcome.detail;
+    points.push_back(point);
+  }
+  row.fit =
+      judge::fit_order(points, row.claimed_order, judge::fixed_step_tolerance(row.claimed_order));
+  row.error_finest = points.back().error;
+  if (row.fit.verdict != judge::Verdict::confirmed && !last_failure.empty())
+    row.fit.reason += "; " + last_failure;
+  return row;
+}
+
+}  // namespace
+
+std::vector<ReductionRow> measure_reduction(const ReductionOptions& options) {
+  std::vector<std::vector<Entrant>> stages;
+  std::vector<double> lambdas;
+  for (int k = 0; k <= decades; ++k) {
+    lambdas.push_back(-std::pow(10.0, k));
+    stages.push_back(entrants_at(lambdas.back()));
+  }
+  std::vector<std::size_t> solvers;
+  for (std::size_t i = 0; i < stages.front().size(); ++i)
+    if (any_glob_matches(options.solvers, stages.front()[i].info.id())) solvers.push_back(i);
+  std::vector<ReductionRow> rows(solvers.size() * lambdas.size());
+  Progress progress("reduction", static_cast<double>(rows.size()));
+  parallel_for(rows.size(), options.jobs, [&](std::size_t i) {
+    const std::size_t k = i % lambdas.size();
+    rows[i] = measure(stages[k][solvers[i / lambdas.size()]], lambdas[k]);
+    progress.advance();
+  });
+  return rows;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/judge/order_fit.hpp"
+#include "odeum/record/output_folder.hpp"
+
+namespace odeum::study {
+
+/// The order of one solver at one stiffness: a line of order_reduction.csv.
+struct ReductionRow {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string library, solver;
+  double lambda = nan;  ///< of y' = lambda (y - cos t) - sin t
+  double claimed_order = nan;
+  judge::OrderFit fit;
+  double error_finest = nan;  ///< absolute, at the finest step; NaN where that failed
+
+  static constexpr const char* file = "order_reduction.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("lambda", row.lambda);
+    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
+    visit("error_finest", row.error_finest), visit("order_low", row.fit.low);
+    visit("order_high", row.fit.high), visit("points", row.fit.points);
+    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason);
+  }
+};
+
+struct ReductionOptions {
+  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
+  unsigned jobs = 1;
+};
+
+/// Prothero and Robinson's problem from y = 1 at t = 0, which cos t solves, to t = 2 for lambda =
+/// -1, -10, ..., -1e8 at 8, 16, ..., 512 fixed steps: the same window of steps at every lambda.
+/// Where the stages of a method are of lower order than the method, the order falls as h lambda
+/// grows. Explicit solvers are run too: their rows say where they end. Results do not depend on
+/// `jobs`. Throws Interrupted.
+std::vector<ReductionRow> measure_reduction(const ReductionOptions& options);
+
+/// order_reduction.csv.
+void write_csv(const std::vector<ReductionRow>& rows, const record::OutputFolder& folder);
+
+}  // namespace odeum::study

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/stability/growth_meter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+namespace odeum::study {
+namespace {
+
+constexpr std::uint64_t window = 16;    // states at the end of a run that its growth is read off
+constexpr std::uint64_t recorded = 64;  // runs up to this length are recorded whole
+constexpr double clear_noise = 1e-7;    // growth known this well needs no longer run
+
+/// The growth of a solution that dies away for good, from its start to where it has; none where it
+/// does not.
+std::optional<judge::Growth> decay(std::span<const judge::PlaneState> states, double below) {
+  const double start = judge::length(states[0]);
+  std::size_t dead = 1;
+  while (dead < states.size() && !(judge::length(states[dead]) < below * start)) ++dead;
+  if (dead == states.size()) return std::nullopt;
+  for (std::size_t k = dead; k < states.size(); ++k)
+    if (!(judge::length(states[k]) < 1e3 * below * start)) return std::nullopt;  // it came back
+  const double left =
+      std::max(judge::length(states[dead]) / start, std::numeric_limits<double>::min());
+  return judge::Growth{std::log(left) / static_cast<double>(dead), 0};
+}
+
+}  // namespace
+
+GrowthMeter::GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator, Watch watch)
+    : probe_(probe),
+      entrant_(entrant),
+      oscillator_(oscillator),
+      watch_(watch),
+      decayed_below_(entrant.info.family == "multistep" ? 1e-250 : 1e-9) {
+  // Ten times what the costliest solvers here (extrapolation, iterations that crawl) take.
+  request_.budget.evaluations = 20'000'000;
+}
+
+std::string GrowthMeter::failure() const {
+  const std::string status = to_string(status_);
+  if (detail_.empty()) return status;
+  return detail_.rfind(status, 0) == 0 ? detail_ : status + ", " + detail_;
+}
+
+bool GrowthMeter::run(std::uint64_t steps, double scale) {
+  const std::uint64_t first = steps <= recorded ? 1 : steps - window;
+  request_.steps = steps;
+  request_.stops.clear();
+  for (std::uint64_t k = first; k <= steps; ++k) request_.stops.push_back(static_cast<double>(k));
+  const Outcome outcome = entrant_.solve(request_);
+  status_ = outcome.status;
+  detail_ = outcome.detail;
+  if (status_ != Status::ok) return false;
+  states_.clear();
+  if (first == 1) states_.push_back({oscillator_ ? scale : 1, 0});
+  for (std::size_t k = 0; k + 1 < outcome.states.size(); k += 2)
+    states_.push_back({outcome.states[k] * scale, outcome.states[k + 1]});
+  return true;
+}
+
+judge::Growth GrowthMeter::measure(double first, double second) {
+  probe_.place(first, second);
+  const double scale = oscillator_ && first != 0 ? first : 1;
+  judge::Growth growth;
+  for (std::uint64_t steps = watch_.first_steps;; steps *= 4) {
+    if (!run(steps, scale)) {
+      // Numbers that overflow have grown; whatever else stopped the solver, it gave no answer.
+      if (status_ == Status::non_finite) return {std::numeric_limits<double>::infinity(), 0};
+      return {};
+    }
+    if (steps <= recorded)
+      if (const auto decayed = decay(states_, decayed_below_)) return *decayed;
+    const std::span<const judge::PlaneState> all = states_;
+    if (judge::length(all.back()) < 1e-280)
+      return {std::log(1e-280) / static_cast<double>(steps), 0};
+    growth = judge::dominant_growth(
+        all.last(std::min<std::size_t>(window + 1, all.size())),
+        oscillator_ ? judge::Coefficients::real : judge::Coefficients::complex);
+    if (growth.noise <= clear_noise || std::abs(growth.log_per_step) > 10 * growth.noise)
+      return growth;
+    if (steps * 4 > watch_.last_steps) {
+      // No one or two roots dominate yet: the mean over the run, which a beat falsifies by a
+      // factor of the order of 10 in length at most.
+      const double mean = std::log(judge::length(all.back()) / scale) / static_cast<double>(steps);
+      return {mean, std::log(10.0) / static_cast<double>(steps)};
+    }
+  }
+}
+
+}  // namespace odeum::study
