@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rules of CONTRIBUTING.md that a program can check: no include points upwards, files and
+// functions are short. What broke them when the test was written stands in known.txt, which only
+// shrinks.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "source_tree.hpp"
+
+namespace odeum::rules {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = ODEUM_SOURCE_DIR;
+
+/// The lines of known.txt of one kind (`include`, `file`, `function`), without that word.
+std::set<std::string> known(const std::string& kind) {
+  std::set<std::string> keys;
+  std::ifstream in(root / "tests/rules/known.txt");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with(kind + " ")) keys.insert(line.substr(kind.size() + 1));
+  return keys;
+}
+
+void expect_only_known(const std::vector<Violation>& violations, const std::string& kind) {
+  std::set<std::string> missing = known(kind);
+  const std::set<std::string> allowed = missing;
+  for (const Violation& each : violations) {
+    missing.erase(each.key);
+    EXPECT_TRUE(allowed.contains(each.key))
+        << each.file << ":" << each.line << ": " << each.key << ": " << each.rule;
+  }
+  for (const std::string& key : missing)
+    ADD_FAILURE() << "mended, remove from tests/rules/known.txt: " << kind << " " << key;
+}
+
+TEST(Rules, IncludesPointDown) {
+  const std::vector<std::string> rooms = rooms_of(root / "CONTRIBUTING.md");
+  ASSERT_GE(rooms.size(), 20U) << "the table of rooms in CONTRIBUTING.md was not found";
+  for (const std::string& room : rooms) {
+    const std::size_t name = room.find("/<name>");
+    EXPECT_TRUE(fs::is_directory(root / room.substr(0, name))) << room << " is no folder";
+  }
+  expect_only_known(upward_includes(root, rooms), "include");
+}
+
+TEST(Rules, FilesAreShort) { expect_only_known(long_files(root), "file"); }
+
+TEST(Rules, FunctionsAreShort) { expect_only_known(long_functions(root), "function"); }
+
+/// A checkout of a few files in a folder of its own.
+class Checkout : public testing::Test {
+ protected:
+  void SetUp() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+  void write(const std::string& file, const std::string& text) {
+    fs::create_directories((folder_ / file).parent_path());
+    std::ofstream(folder_ / file) << text;
+  }
+  std::vector<std::string> faults() {
+    for (const char* folder : {"src", "adapters", "cases", "tests"})
+      fs::create_directories(folder_ / folder);
+    write(
+        "CONTRIBUTING.md",
+        "| `not/a/room` | x |\n## Rooms\n| folder | holds |\n|---|---|\n| `src/odeum/core` | x |\n"
+        "| `cases/support` | x |\n| `src/odeum/studies/<name>` | x |\n## Other\n| `no/room` | x "
+        "|\n");
+    std::vector<std::string> lines;
+    for (const Violation& each : upward_includes(folder_, rooms_of(folder_ / "CONTRIBUTING.md")))
+      lines.push_back(each.file + ":" + std::to_string(each.line) + ": " + each.rule);
+    return lines;
+  }
+  fs::path folder_ =
+      fs::temp_directory_path() /
+      (std::string("odeum_rules_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Checkout, AnUpwardIncludeIsNamedWithFileLineAndRule) {
+  write("src/odeum/core/low.hpp", "#pragma once\n#include \"odeum/studies/drift/rows.hpp\"\n");
+  write("src/odeum/studies/drift/rows.hpp", "#include \"odeum/core/low.hpp\"\n#include <vector>\n");
+  EXPECT_EQ(faults(),
+            std::vector<std::string>{"src/odeum/core/low.hpp:2: src/odeum/core stands below "
+                                     "src/odeum/studies/drift"});
+}
+
+TEST_F(Checkout, SiblingsDoNotIncludeOneAnother) {
+  write("src/odeum/studies/drift/rows.hpp", "#include \"rows_too.hpp\"\n");
+  write("src/odeum/studies/drift/rows_too.hpp", "");
+  write("src/odeum/studies/limits/rows.hpp", "#include \"odeum/studies/drift/rows.hpp\"\n");
+  EXPECT_EQ(faults(), std::vector<std::string>{
+                          "src/odeum/studies/limits/rows.hpp:1: src/odeum/studies/limits and "
+                          "src/odeum/studies/drift stand side by side"});
+}
+
+TEST_F(Checkout, SourcesIncludeCasesInStudiesOnly) {
+  write("cases/support/stage.hpp", "");
+  write("src/odeum/studies/drift/rows.hpp", "#include \"support/stage.hpp\"\n");
+  EXPECT_EQ(faults(), std::vector<std::string>{});
+  write("src/odeum/core/low.hpp", "#include \"support/stage.hpp\"\n");
+  EXPECT_EQ(faults().size(), 1U);
+}
+
+TEST_F(Checkout, AFolderOutsideOfTheTableIsNamed) {
+  write("src/odeum/attic/old.hpp", "");
+  ASSERT_EQ(faults().size(), 1U);
+  EXPECT_TRUE(faults().front().starts_with("src/odeum/attic/old.hpp:1: lies in no room"));
+}
+
+TEST_F(Checkout, ALongFileIsFoundUnlessItHasAReason) {
+  std::string text;
+  for (int i = 0; i < 151; ++i) text += "int x;\n";
+  faults();
+  write("src/odeum/kernel/long.hpp", text);
+  write("src/odeum/core/not_long.hpp", text);
+  ASSERT_EQ(long_files(folder_).size(), 1U);
+  write("src/odeum/kernel/long.hpp", "// long: a table\n" + text);
+  EXPECT_TRUE(long_files(folder_).empty());
+}
+
+/// The names of the functions that are too long.
+std::vector<std::string> long_names(const std::string& text) {
+  std::vector<std::string> names;
+  for (const Violation& each : long_functions_of("f", text)) names.push_back(each.key);
+  return names;
+}
+
+TEST(LongFunctions, AreFoundWhateverStandsAround) {
+  std::string body = "{\n";
+  for (int i = 0; i < 59; ++i) body += "  if (x) { f('{', \"}\", R\"(}})\"); }  // }\n";
+  body += "}\n";  // 61 lines
+  const std::string shorter = "{\n" + body.substr(body.find('\n', 2) + 1);
+  const std::string names = "namespace a {\nstruct B {\n";
+  EXPECT_EQ(long_names("int g(int x = 1'000) " + body), std::vector<std::string>{"f g"});
+  EXPECT_EQ(long_names("int g() " + shorter), std::vector<std::string>{});
+  EXPECT_EQ(
+      long_names(names + "#if X(1)\ntemplate <class T>\nint g(int x) const " + body + "};\n}"),
+      std::vector<std::string>{"f g"});
+  EXPECT_EQ(long_names("const auto g = [](int x) " + body), std::vector<std::string>{"f g"});
+  EXPECT_EQ(long_names("struct alignas(8) B " + body), std::vector<std::string>{});
+  EXPECT_EQ(long_names("int table[f(3)] = " + body), std::vector<std::string>{});
+  EXPECT_EQ(long_names("int g() {\n// long: a list\n" + body + "}"), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace odeum::rules
