@@ -47,10 +47,10 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
     const char *yaml, *says;
   };
   for (const auto& [yaml, says] : {
-           Fault{"A: [[]]\nb: [x]\n", "t.yaml:2:5: b[1]: no number; got x, expected a number"},
+           Fault{"A: [[]]\nb: [x]\n", "t.yaml:2:5: b[1]: not a number; got x, expected a number"},
            Fault{"A: [[]]\nb: [1]\nb: [1]\n",
-                 "t.yaml:3:1: b: a second time; the first is in line 2"},
-           Fault{"A: [[]]\nb: [.nan]\n", "t.yaml:2:5: b[1]: no number"},
+                 "t.yaml:3:1: b: duplicate key; the first is in line 2"},
+           Fault{"A: [[]]\nb: [.nan]\n", "t.yaml:2:5: b[1]: not a number"},
            Fault{"A: [[]]\nb: [010]\n", "a leading zero"},
            Fault{"A: [[]]\nb: [1]\n---\nA: [[]]\n", "a second document"},
            Fault{"a: &x [*x]\n", "an anchor"},
@@ -58,11 +58,11 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
            Fault{"A: [[1, 2]]\nb: [1]\n", "t.yaml:1:5: A[1]: got a list of 2"},
            Fault{"A: [[]]\nb: [1]\nordre: 1\n", "did you mean order?"},
            Fault{"A: [[]]\nb: [1]\norder: 1.5\n", "got 1.5, expected a whole number from 1 to 10"},
-           Fault{"A: [[]]\nb: [1]\norder_embedded: 1\n", "a claim about no row"},
+           Fault{"A: [[]]\nb: [1]\norder_embedded: 1\n", "claim without the row"},
            Fault{"b: [1]\n", "A: missing"},
            Fault{"[1, 2]", "got a list of 2, expected a mapping with A and b"},
            Fault{"", "t.yaml:1:1: tableau: empty"},
-           Fault{"A: [\n", "no YAML"},
+           Fault{"A: [\n", "not YAML"},
            Fault{"A: \x01\n", "t.yaml:1:4: tableau: a binary file or a control character"},
            Fault{"A: [[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]", "nested too deeply"},
        })

@@ -11,8 +11,8 @@
 
 namespace odeum {
 
-/// sqrt(mean over components of (e_i / (tol + tol max(|y_i|, |y_new_i|)))^2): one is "as large as
-/// asked" (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)).
+/// sqrt(mean over components of (e_i / (tol + tol max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
+/// (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)).
 template <class S>
 double scaled_error_norm(const S& error, const S& y, const S& y_new, double tolerance) {
   double sum = 0;
@@ -42,16 +42,16 @@ double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, do
   return std::min({100 * h0, h1, horizon - t0});
 }
 
-/// What a controller tells the loop after a trial step.
+/// A controller's decision after a trial step.
 struct Decision {
   bool accept;
   double next_step;
 };
 
 /// The adaptive loop. `Trial` makes one trial step from (t, y) with h, leaves the new state in
-/// y_new and returns the scaled error and status; `decide` judges it; `settle` hears whether the
-/// step was kept. A step is only ever shortened to end exactly on a stop. Accepting and choosing
-/// are the controller's; walking is the loop's.
+/// y_new and returns the scaled error and status; `decide` accepts or rejects it and chooses the
+/// next step; `settle` is told whether the step was accepted. The loop only shortens steps that
+/// would pass a stop.
 template <Ode P, class Trial, class Decide, class Settle>
 Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
                      const Request& request, double first_step, Trial&& trial, Decide&& decide,
@@ -61,7 +61,7 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
   double t = t0, h = first_step;
   for (const double stop : request.stops) {
     while (t < stop) {
-      // Near zero there is no rounding of t: a first step may be far shorter than the horizon's.
+      // Relative to t, not to the horizon: near t = 0 a first step may be very short.
       const double smallest = std::max(16 * std::numeric_limits<double>::epsilon() * std::abs(t),
                                        std::numeric_limits<double>::min());
       const bool last =
@@ -75,7 +75,7 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
       }
       double error = 0;
       const Status status = trial(t, h_used, y, y_new, error);
-      if (problem.tripped()) return outcome;  // the guard says why
+      if (problem.tripped()) return outcome;  // the guard has the reason
       const Decision decision = status == Status::ok && std::isfinite(error)
                                     ? decide(h_used, error)
                                     : Decision{false, h_used / 4};
@@ -84,7 +84,7 @@ Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
         t = last ? stop : t + h_used;
         std::swap(y, y_new);
         ++outcome.counters.steps;
-        // A step cut short to meet a stop says little about the next one.
+        // A step shortened to meet a stop does not limit the next one.
         h = last ? std::max(h, decision.next_step) : decision.next_step;
       } else {
         ++outcome.counters.rejected_steps;

@@ -6,7 +6,7 @@
 namespace odeum {
 
 /// An embedded pair under a control of step_control.hpp; `lower_order` is the lower of its two
-/// orders. A stepper that can use its stages again is told whether the step was kept.
+/// orders. A stepper that reuses stages is told whether the step was accepted.
 template <class Stepper, class StepControl = IntegralControl, Ode P>
 Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
                           const Request& request, int lower_order) {

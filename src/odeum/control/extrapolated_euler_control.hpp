@@ -10,9 +10,9 @@
 
 namespace odeum {
 
-/// Chooses step and column of an adaptive run by the work a unit of time (IV.9; Solving ODEs I,
-/// II.9): it aims at column `target`, takes the one before where that is exact enough, the one
-/// after where it is needed.
+/// Chooses step and column of an adaptive run by the work per unit step (IV.9; Solving ODEs I,
+/// II.9): column `target`, the one before where that meets the tolerance, the one after where
+/// necessary.
 template <Ode P>
 class ExtrapolatedEulerControl {
  public:
@@ -20,7 +20,7 @@ class ExtrapolatedEulerControl {
       : table_(problem), scale_(make_state(problem)), tolerance_(tolerance) {
     target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance)),
                          std::size_t{2}, last - 1);
-    // In units of an evaluation with its solve; a factorisation counts as two.
+    // In units of one evaluation with its solve; a factorisation counts as two.
     const auto substeps = [](std::size_t j) {
       return static_cast<double>(ExtrapolatedEulerTable<P>::substeps(j));
     };
@@ -49,7 +49,7 @@ class ExtrapolatedEulerControl {
       step_[j] = h * std::clamp(factor, 0.1, 8.0);
       cost_[j] = work_[j] / step_[j];
       if (error <= 1 && (j + 1 >= target_ || first_)) break;
-      // No hope within the columns that are left.
+      // The remaining columns cannot reach the tolerance.
       const auto n = static_cast<double>(ExtrapolatedEulerTable<P>::substeps(target_));
       if (j + 1 == target_ && error > 4 * n * (n + 1)) break;
       if (j == target_ && error > 2 * (n + 1)) break;

@@ -13,8 +13,8 @@ namespace odeum {
 
 /// Order and step control of an extrapolation table (Hairer, Norsett, Wanner, Solving ODEs I,
 /// II.9): the wanted line k is where the work per unit step W_k = A_k / H_k is least. A step is
-/// accepted at line k - 1, k or k + 1; two monitors give up early where that is not to be hoped.
-/// Lines are counted from 0 here, so that line k has order 2 (k + 1).
+/// accepted at line k - 1, k or k + 1; two monitors reject it early where convergence by then
+/// cannot be expected. Lines are counted from 0 here, so that line k has order 2 (k + 1).
 template <int Lines>
 class OrderAndStepControl {
  public:
@@ -23,8 +23,8 @@ class OrderAndStepControl {
   int wanted() const { return wanted_; }
 
   /// Goes through the lines from 1 on: `error_of(line)` computes one and returns its scaled error.
-  /// Afterwards `line()` is the last one computed. The errors of lines far before the wanted one
-  /// decide nothing, and are not looked at.
+  /// Afterwards `line()` is the last one computed. The errors of lines well before the wanted one
+  /// decide nothing and are ignored.
   template <class ErrorOf>
   Decision attempt(double h, ErrorOf&& error_of) {
     for (line_ = 1;; ++line_) {
@@ -46,12 +46,12 @@ class OrderAndStepControl {
  private:
   static constexpr std::size_t at(int line) { return static_cast<std::size_t>(line); }
   static int within(int line) { return std::clamp(line, 2, Lines - 2); }
-  /// W_j < 0.9 W_k. Line 0 has no error estimate, and nothing to say.
+  /// W_j < 0.9 W_k. Line 0 has no error estimate.
   bool cheaper(int j, int k) const {
     return j >= 1 && work[at(j)] / step_[at(j)] < 0.9 * work[at(k)] / step_[at(k)];
   }
-  /// An error above it is not brought below 1 by the lines up to k + 1, of which each divides it
-  /// by about (n_j / n_0)^2.
+  /// A larger error is not brought below 1 by the lines up to k + 1, each of which divides it by
+  /// about (n_j / n_0)^2.
   double monitor() const {
     double product = 1;
     for (int j = line_ + 1; j <= wanted_ + 1; ++j) product *= (j + 1) * (j + 1);
@@ -69,7 +69,7 @@ class OrderAndStepControl {
     return line <= line_ ? step_[at(line)] : step_[at(line_)] * work[at(line)] / work[at(line_)];
   }
   Decision accept(double h) {
-    // In the step after a rejected one neither order nor step grows.
+    // After a rejected step neither order nor step grows.
     const int next = within(rejected_ ? std::min(next_wanted(), wanted_) : next_wanted());
     const double step = rejected_ ? std::min(h, step_for(next)) : step_for(next);
     wanted_ = next;

@@ -7,10 +7,10 @@
 
 namespace odeum {
 
-/// Gustafsson's predictive control for stiff problems (Solving ODEs II, IV.8, (8.20)): the error of
-/// an accepted step is seen beside that of the one before, so that a step that has to shrink along
-/// the solution shrinks before it is rejected. `order` is that of the error estimate, whose size
-/// goes with h^(order+1).
+/// Gustafsson's predictive control for stiff problems (Solving ODEs II, IV.8, (8.20)): the errors
+/// of the last two accepted steps are extrapolated, so that a step that must shrink along the
+/// solution shrinks before it is rejected. `order` is that of the error estimate, whose size goes
+/// with h^(order+1).
 class PredictiveController {
  public:
   explicit PredictiveController(int order, double largest_growth = 6)

@@ -6,8 +6,8 @@
 
 namespace odeum {
 
-/// x^p to a relative 1e-5, for positive normal x with |p log2 x| < 1000: what a step control asks
-/// for, whose factors are guesses to some per cent. std::pow costs as much as a stage of a small
+/// x^p to a relative 1e-5, for positive normal x with |p log2 x| < 1000: enough for a step control,
+/// whose factors are estimates to some per cent. std::pow costs as much as a stage of a small
 /// problem.
 inline double quick_power(double x, double p) {
   // log2 of the mantissa, moved to [1/sqrt 2, sqrt 2), by the series of atanh.

@@ -7,8 +7,9 @@
 #include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/method.hpp"
 
-/// How the next step follows from the scaled error of the last one. With q the lower order of the
-/// pair the error goes as h^k, k = q + 1; 0.9 is the safety factor; one step changes h by 0.2 to 5.
+/// The next step from the scaled error of the last one. With q the lower order of the pair the
+/// error goes as h^k, k = q + 1; 0.9 is the safety factor; h changes by a factor of 0.2 to 5 per
+/// step.
 namespace odeum {
 
 /// h <- h * 0.9 err^(-1/k)  (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.13)).
@@ -25,10 +26,9 @@ class IntegralControl {
   double power_;
 };
 
-/// Proportional-integral: h <- h * 0.9 err_n^(-0.7/k) err_{n-1}^(0.4/k) after an accepted step, the
-/// error of the accepted step before damping the answer; integral after a rejected one, and no
-/// growth in the step that follows it (Gustafsson, ACM TOMS 17 (1991) 533-554; Hairer, Wanner,
-/// Solving ODEs II, IV.2).
+/// Proportional-integral: h <- h * 0.9 err_n^(-0.7/k) err_{n-1}^(0.4/k) after an accepted step,
+/// integral after a rejected one, and no growth in the step that follows it (Gustafsson, ACM TOMS
+/// 17 (1991) 533-554; Hairer, Wanner, Solving ODEs II, IV.2).
 class ProportionalIntegralControl {
  public:
   static constexpr const char* name = "embedded pair, proportional-integral control";
@@ -42,7 +42,7 @@ class ProportionalIntegralControl {
     const double damped =
         0.9 * quick_power(error, -0.7 / power_) * quick_power(last_error_, 0.4 / power_);
     const double wanted = IntegralControl::factor(damped);
-    last_error_ = std::max(error, 1e-4);  // one lucky step does not brake the next
+    last_error_ = std::max(error, 1e-4);  // a single very small error does not limit the next step
     return {true, h * (std::exchange(rejected_, false) ? std::min(wanted, 1.0) : wanted)};
   }
 
@@ -52,8 +52,8 @@ class ProportionalIntegralControl {
   bool rejected_ = false;
 };
 
-/// Integral control that leaves h as it is while the error is in [0.4, 1], where it would change h
-/// by little: a step that does not change needs no new coefficients, factorisation or pow.
+/// Integral control that leaves h unchanged while the error is in [0.4, 1], where it would change h
+/// by little: a constant step needs no new coefficients, factorisation or pow.
 class DeadBandControl {
  public:
   static constexpr const char* name = "embedded pair, integral control with a dead band";

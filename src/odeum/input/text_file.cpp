@@ -21,7 +21,7 @@ std::string read_text_file(const std::string& path, const std::string& name, std
     return InputError(path, {},
                       fmt::format("{}: {}; got {}, expected {}", name, what, got, expected));
   };
-  // Not blocking: a FIFO that nobody writes to would wait for ever.
+  // Not blocking: opening a FIFO without a writer would not return.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) throw refuse("cannot be read", std::strerror(errno), "a file");
   struct Closer {
@@ -31,7 +31,7 @@ std::string read_text_file(const std::string& path, const std::string& name, std
   struct stat status {};
   if (::fstat(file, &status) != 0) throw refuse("cannot be read", std::strerror(errno), "a file");
   if (!S_ISREG(status.st_mode))
-    throw refuse("no regular file",
+    throw refuse("not a regular file",
                  S_ISDIR(status.st_mode)    ? "a directory"
                  : S_ISFIFO(status.st_mode) ? "a FIFO"
                                             : "a device",

@@ -5,8 +5,9 @@
 
 namespace odeum {
 
-/// The text of a file of at most `most_bytes`. Throws InputError for what is no regular file, is
-/// larger or cannot be read; `name` says what the file is for ("scene"), `raise` what allows more.
+/// The text of a file of at most `most_bytes`. Throws InputError for what is not a regular file, is
+/// larger or cannot be read; `name` is the kind of file in errors ("scene"), `raise` the option
+/// that allows more.
 std::string read_text_file(const std::string& path, const std::string& name, std::size_t most_bytes,
                            const std::string& raise = "");
 

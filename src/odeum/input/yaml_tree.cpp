@@ -19,7 +19,7 @@ Place place_of(const YAML::Mark& mark) {
   return {static_cast<std::size_t>(mark.line) + 1, static_cast<std::size_t>(mark.column) + 1};
 }
 
-/// Builds the tree from yaml-cpp's events and enforces the limits as they come.
+/// Builds the tree from yaml-cpp's events and enforces the limits at each event.
 class Builder final : public YAML::EventHandler {
  public:
   Builder(const std::string& file, const YamlFormat& format) : file_(file), format_(format) {}
@@ -45,9 +45,7 @@ class Builder final : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end())
-      fail(mark,
-           "an alias within what its own anchor names, which would never end; got the alias, "
-           "expected one after it");
+      fail(mark, "an alias within its own anchor, a cycle; got the alias, expected one after it");
     attach(found->second, place_of(mark));
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -157,8 +155,8 @@ void require_text(const std::string& file, std::string_view text, const std::str
     const std::size_t length = utf8_length(text.substr(i));
     if (length == 0)
       throw InputError(file, place,
-                       fmt::format("{}: no UTF-8 text; got the byte 0x{:02x}, expected UTF-8", name,
-                                   unsigned{c}));
+                       fmt::format("{}: not UTF-8 text; got the byte 0x{:02x}, expected UTF-8",
+                                   name, unsigned{c}));
     const bool blank = c == '\t' || c == '\n' || c == '\r';
     if ((c < 0x20 && !blank) || c == 0x7f)
       throw InputError(file, place,
@@ -226,7 +224,7 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::s
   } catch (const YAML::Exception& error) {
     throw InputError(
         file, place_of(error.mark),
-        format.name + ": no YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
+        format.name + ": not YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
   }
 }
 

@@ -25,32 +25,32 @@ class InputError : public std::runtime_error {
 /// What was found, for an error: `text` on one line, without control characters, not too long.
 std::string shown(std::string_view text);
 
-/// The tree of a YAML document: what yaml-cpp's own nodes do not tell is kept (every key of a
-/// mapping, quotes) and what could not be walked is refused (see parse_yaml).
+/// The tree of a YAML document: keeps what yaml-cpp's own nodes drop (duplicate keys, quotes) and
+/// refuses what cannot be traversed (see parse_yaml).
 struct YamlNode {
   enum class Kind { null, scalar, sequence, mapping };
   Kind kind = Kind::null;
   Place place;
   std::string text;     ///< of a scalar
-  bool quoted = false;  ///< a scalar that is text whatever it looks like
+  bool quoted = false;  ///< a quoted scalar: text, never a number
   std::vector<std::shared_ptr<const YamlNode>>
       items;             ///< of a sequence; of a mapping key, value, ...
-  std::size_t size = 1;  ///< nodes below and this one, where aliases count as what they stand for
+  std::size_t size = 1;  ///< number of nodes from here down, with aliases expanded
 
   std::string kind_name() const;
 };
 
-/// What a YAML file is for, and how large it may be.
+/// The kind of a YAML file and its limits.
 struct YamlFormat {
-  std::string name;                ///< "scene", for sentences about the whole of it
+  std::string name;                ///< "scene", the name in errors about the whole file
   std::size_t depth = 32;          ///< levels of nesting
-  std::size_t nodes = 20'000'000;  ///< with aliases written out
+  std::size_t nodes = 20'000'000;  ///< with aliases expanded
   bool aliases = true;             ///< whether it may have anchors and aliases
 };
 
-/// Parses one document. Throws InputError (with `file` for its text) for what is no YAML, no UTF-8
-/// or binary, empty, more than one document, deeper or larger than the format allows once aliases
-/// are written out, or an alias within what its anchor names; for tags.
+/// Parses one document. Throws InputError (with `file` for its text) for a text that is not YAML,
+/// not UTF-8, binary, empty, more than one document, or deeper or larger (aliases expanded) than
+/// the format allows; for an alias within its own anchor; for tags.
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::string& text,
                                            const YamlFormat& format);
 

@@ -14,9 +14,9 @@
 namespace odeum {
 
 /// Numerical differentiation formulas of orders 1 to 5 with a quasi-constant step (Shampine,
-/// Reichelt, The MATLAB ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2): the backward
-/// differences of the solution are kept; a change of step is a change of their grid. One run from
-/// t0 through every stop; stops before the last are interpolated.
+/// Reichelt, The MATLAB ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2): the method
+/// stores backward differences of the solution and interpolates them to another grid when the step
+/// changes. One run from t0 through every stop; stops before the last are interpolated.
 template <Ode P>
 class VariableBdf {
  public:
@@ -136,7 +136,7 @@ class VariableBdf {
     }
     order_ = order;
     const double factor = std::min(10.0, safety * best);
-    // A step that would change by little is kept, and its factors with it.
+    // A small change of the step is not made, so that the factors can be reused.
     if (factor < 1 || factor >= 1.2 || order != static_cast<int>(k)) rescale(factor);
   }
 
@@ -176,12 +176,13 @@ class VariableBdf {
         last = size;
       }
       if (jacobian_fresh_) return false;
-      linearised_ = false;  // once more, from the start, with a new Jacobian
+      linearised_ = false;  // try again from the prediction with a new Jacobian
     }
   }
 
-  /// The prediction y - d; but one of the other sign than the state may lead to another solution,
-  /// or from a decay to zero past it: the state itself is the safer guess then.
+  /// The prediction y - d. Components whose sign differs from the state's start from the state
+  /// instead: their Newton iteration could converge to another solution, or overshoot a decay to
+  /// zero.
   void guess() {
     for (std::size_t n = 0; n < y_.size(); ++n) {
       const double predicted = y_[n] - d_[n], state = difference_[0][n];
@@ -207,8 +208,8 @@ class VariableBdf {
 
   const Guarded<P>& problem_;
   const Request& request_;
-  /// Small steps of a low order leave errors that add up: a fraction of what is asked, locally, for
-  /// what is asked at the end.
+  /// Local errors of many small steps of low order accumulate: the local tolerance is a fraction of
+  /// the one requested, so that the error at the end meets it.
   double tolerance_;
   ShiftedSystem<Guarded<P>> system_;
   double t_, h_ = 0, newton_tolerance_ = 0, factored_for_ = 0;

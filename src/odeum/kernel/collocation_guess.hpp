@@ -31,13 +31,13 @@ class CollocationGuess {
       for (std::size_t n = 0; n < y.size(); ++n) {
         double sum = -last_z_[Stages - 1][n];
         for (std::size_t j = 0; j < Stages; ++j) sum += weights_[i][j] * last_z_[j][n];
-        // A guess of the other sign than y may lead to another solution, or from a decay to zero
-        // past it; y itself is the safer guess then.
+        // A component guessed with the other sign than y's starts from y instead: it could converge
+        // to another solution, or overshoot a decay to zero.
         z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
       }
   }
 
-  /// Takes the stages of a step of h that was accepted; z is left with older ones.
+  /// Takes over the stages of an accepted step of h by swapping; z then holds older ones.
   void remember(double h, std::array<State<P>, Stages>& z) {
     std::swap(last_z_, z);
     last_h_ = h;

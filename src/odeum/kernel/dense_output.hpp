@@ -25,8 +25,8 @@ void cubic_hermite(double theta, double h, const S& y0, const S& f0, const S& y1
 ///
 ///     y(t + theta h) = cubic(theta) + theta^2 (1 - theta)^2 h sum_i d_i k_i,
 ///
-/// which changes neither value nor slope at the ends: a row d is all that there is to say. The
-/// weights b_i(theta) of the sum of both:
+/// which changes neither value nor slope at the ends, so that the row d defines it. The weights
+/// b_i(theta) of the sum of both:
 template <std::size_t S>
 constexpr std::array<double, S> weights_between(const Tableau<S>& tableau,
                                                 const std::array<double, S>& d, double theta) {
@@ -40,7 +40,7 @@ constexpr std::array<double, S> weights_between(const Tableau<S>& tableau,
 }
 
 /// Whether sum_i b_i(theta) Phi_i(tau) = theta^|tau| / gamma(tau) for every tree of at most 4
-/// nodes. Both sides are polynomials of degree 4 in theta: five points decide.
+/// nodes. Both sides are polynomials of degree 4 in theta: five points suffice.
 template <std::size_t S>
 consteval bool interpolates(const Tableau<S>& tableau, const std::array<double, S>& d) {
   if (!tableau.first_same_as_last()) return false;
@@ -57,7 +57,7 @@ consteval bool interpolates(const Tableau<S>& tableau, const std::array<double, 
       row[i] /= theta;
       for (std::size_t j = 0; j < S; ++j) scaled.a[i][j] /= theta;
     }
-    // The division enlarges coefficients up to fourfold, in the products of three: 64 times.
+    // The division enlarges coefficients up to 4 times, products of three up to 64 times.
     if (order_residual<4>(scaled, row) > 64 * order_rounding) return false;
   }
   return true;

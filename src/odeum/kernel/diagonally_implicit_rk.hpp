@@ -24,8 +24,8 @@ constexpr bool is_diagonally_implicit(const Tableau<S>& tableau) {
 ///     Y_i = y + h sum_{j<i} a_ij k_j + h a_ii f(t + c_i h, Y_i),   k_i = f(t + c_i h, Y_i),
 ///
 /// by Newton's method, and y <- y + h sum_i b_i k_i. A stage with a_ii = 0 is evaluated. Where the
-/// diagonal is the same in all stages they share one factorisation. k_i is taken from the equation,
-/// not evaluated: that would multiply what Newton leaves over by the stiffness.
+/// diagonal is the same in all stages they share one factorisation. k_i is taken from the equation:
+/// evaluating f would multiply Newton's remaining error by the stiffness.
 template <const auto& T, Ode P>
 class DiagonallyImplicitRungeKutta {
  public:
@@ -37,7 +37,7 @@ class DiagonallyImplicitRungeKutta {
     k_.fill(base_);
   }
 
-  /// For adaptive runs: stages to a fraction of the tolerance, not to rounding.
+  /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
   void solve_to(double tolerance) { newton_.solve_to(tolerance, 0.02); }
 
   Status step(double t, double h, State<P>& y) {
@@ -76,7 +76,7 @@ class DiagonallyImplicitRungeKutta {
         stage_ = base_;
         continue;
       }
-      // The guess: the slope of the stage before.
+      // Initial guess: the slope of the previous stage.
       stage_ = base_;
       if (i > 0)
         for (std::size_t n = 0; n < y.size(); ++n) stage_[n] += gamma_h * k_[i - 1][n];
@@ -106,8 +106,8 @@ class DiagonallyImplicitRungeKutta {
 };
 
 /// The adaptive run of an implicit one-step method with an embedded estimate, whose Stepper has
-/// `solve_to`. `order` is that of the estimate. The step is kept where it would grow by little: the
-/// factors then serve the next step too.
+/// `solve_to`. `order` is that of the estimate. The step is kept where it would grow by little, so
+/// that the next step reuses the factors.
 template <class Stepper, Ode P>
 Outcome run_implicit_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
                           const Request& request, int order) {

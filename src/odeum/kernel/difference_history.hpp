@@ -6,9 +6,9 @@
 
 namespace odeum {
 
-/// Backward differences of a solution on an even grid of times, newest first: [0] is the state, [j]
-/// the j-th difference. A change of step is a change of that grid (Shampine, Reichelt, The MATLAB
-/// ODE suite, section 2).
+/// Backward differences of a solution on a uniform grid of times, newest first: [0] is the state,
+/// [j] the j-th difference. A change of the step interpolates them to a new grid (Shampine,
+/// Reichelt, The MATLAB ODE suite, section 2).
 template <int MaxOrder, Ode P>
 class DifferenceHistory {
  public:
@@ -17,7 +17,7 @@ class DifferenceHistory {
   State<P>& operator[](std::size_t j) { return difference_[j]; }
   const State<P>& operator[](std::size_t j) const { return difference_[j]; }
 
-  /// The grid of `factor` times the step, for order k: (R(factor) R(1))^T D.
+  /// Interpolates to the grid of `factor` times the step, for order k: (R(factor) R(1))^T D.
   void rescale(double factor, std::size_t k) {
     using Matrix = std::array<std::array<double, MaxOrder + 1>, MaxOrder + 1>;
     const auto grid = [k](double ratio) {
@@ -45,7 +45,7 @@ class DifferenceHistory {
     }
   }
 
-  /// A step forward with an order of k: d is the difference of order k + 1 that it ended with.
+  /// Appends an accepted step of order k: d is its difference of order k + 1.
   void advance(std::size_t k, const State<P>& d) {
     for (std::size_t n = 0; n < d.size(); ++n) {
       difference_[k + 2][n] = d[n] - difference_[k + 1][n];

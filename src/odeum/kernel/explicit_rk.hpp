@@ -47,8 +47,8 @@ class ExplicitRungeKutta {
       error[n] = increment<Row::difference>(weights, n, std::make_index_sequence<stages>{});
     return Status::ok;
   }
-  /// The last step was accepted: the next one, of any length, starts from where it ended. The last
-  /// stage of a first-same-as-last tableau is then the first one.
+  /// The last step was accepted: the next one, of any length, starts at its end. The last stage of
+  /// a first-same-as-last tableau is reused as the first.
   void advance() {
     if constexpr (T.first_same_as_last()) {
       std::swap(k_.front(), k_.back());
@@ -111,15 +111,15 @@ class ExplicitRungeKutta {
     return weights;
   }
 
-  /// The last stage with a weight.
+  /// The last stage with a nonzero weight.
   static constexpr std::size_t newest = [] {
     std::size_t i = stages - 1;
     while (i > 0 && T.b[i] == 0) --i;
     return i;
   }();
 
-  // Of the stages I. Most of a step is summed before it is added to y: then it rounds as two
-  // additions do, not as one a stage.
+  // Sums the stages I. The increment is summed before it is added to y, so that y is rounded once
+  // per sum and not once per stage.
   template <Row row, std::size_t... I>
   Real increment([[maybe_unused]] const std::array<Real, stages>& weights,
                  [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {

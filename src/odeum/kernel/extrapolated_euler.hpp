@@ -29,9 +29,9 @@ class ExtrapolatedEulerTable {
 
   void linearise(double t, const State<P>& y) { system_.linearise(t, y); }
 
-  /// Adds row j (from 0); the table then holds T_{j,1}, ..., T_{j,j+1}. False: the matrix cannot be
-  /// used. `contraction` of the first row: how the corrections of a Newton iteration on its first
-  /// substep would shrink; above one, the step is too long for its Jacobian.
+  /// Adds row j (from 0); the table then holds T_{j,1}, ..., T_{j,j+1}. False: the matrix is
+  /// singular or not finite. `contraction` of the first row: how the corrections of a Newton
+  /// iteration on its first substep would shrink; above one, the step is too long for its Jacobian.
   bool add_row(std::size_t j, double t, double h, const State<P>& y, double& contraction) {
     const double substep = h / static_cast<double>(substeps(j));
     if (!system_.factorise(substep)) return false;

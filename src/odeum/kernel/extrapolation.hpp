@@ -13,8 +13,8 @@ namespace odeum {
 /// Substeps of line j (from 0): 2, 4, 6, ...; the harmonic sequence doubled.
 constexpr int extrapolation_substeps(int line) { return 2 * (line + 1); }
 
-/// What the entry (j, k) of the extrapolation table adds to T_{j,k-1}: the difference to the entry
-/// above, over (n_j / n_{j-k})^2 - 1.
+/// The weight w of the extrapolation table, T_{j,k} = T_{j,k-1} + w (T_{j,k-1} - T_{j-1,k-1}): 1
+/// over (n_j / n_{j-k})^2 - 1.
 constexpr double extrapolation_weight(int line, int column) {
   const double ratio =
       static_cast<double>(extrapolation_substeps(line)) / extrapolation_substeps(line - column);
@@ -24,12 +24,11 @@ constexpr double extrapolation_weight(int line, int column) {
 /// The extrapolation table of one step of length h, line by line. With f = f(t, y) given to
 /// begin(), line j costs n_j evaluations and its last entry has order 2 (j + 1).
 ///
-/// Each line is a chain of evaluations, of which every one waits for the one before, while lines
-/// know nothing of each other: those that are sure to be wanted are computed side by side, so that
-/// the processor works on several while each waits.
+/// The evaluations of a line depend on each other, those of different lines do not: lines that are
+/// certain to be needed are computed side by side, so that the processor overlaps their latencies.
 ///
-/// All that is summed and extrapolated are increments, differences to y: the weights of the table
-/// then magnify the rounding of numbers of size h, and a step rounds as one addition does.
+/// Increments relative to y are summed and extrapolated, not states: the weights of the table then
+/// amplify the rounding of numbers of size h, and a step rounds y once.
 template <class P, int Lines>
 class ExtrapolationTable {
  public:
@@ -38,7 +37,7 @@ class ExtrapolationTable {
     for (auto* states : {&before_, &now_, &argument_, &table_}) states->fill(f0_);
   }
 
-  /// A step from (t, y), of which the first `sure` lines will be asked for.
+  /// A step from (t, y); the first `sure` lines are certain to be needed.
   void begin(double t, double h, const State<P>& y, int sure) {
     t_ = t;
     y0_ = y;
@@ -56,7 +55,7 @@ class ExtrapolationTable {
   void add_line(int line, State<P>* difference = nullptr) {
     if (line >= computed_) midpoint_rule(line, line);
     State<P>& now = now_[static_cast<std::size_t>(line)];
-    // table_[k] holds T_{line-1,k}; the line moves through it from the left.
+    // table_[k] holds T_{line-1,k}; the new line overwrites it from the left.
     for (int k = 0; k < line; ++k) {
       State<P>& above = table_[static_cast<std::size_t>(k)];
       const double weight = weights[static_cast<std::size_t>(line)][static_cast<std::size_t>(k)];
@@ -126,7 +125,7 @@ class ExtrapolationTable {
 
   const P& problem_;
   double t_ = 0, h_ = 0;
-  int computed_ = 0;  ///< lines of which now_ has the result of the midpoint rule
+  int computed_ = 0;  ///< lines whose midpoint rule has been computed (in now_)
   State<P> f0_, y0_, f_;
   std::array<State<P>, Lines> before_, now_, argument_, table_;
 };

@@ -43,7 +43,7 @@ class FullyImplicitRungeKutta {
       last = size;
       ++since_renewal;
       if (rate > (fresh ? slow_fresh : slow_kept)) {
-        // At the middle of where the iteration has come to.
+        // The Jacobian at the mean of the stages' present values.
         State<P> where = y;
         if (rate < 1)
           for (std::size_t n = 0; n < y.size(); ++n) where[n] += system_.z[T.stages / 2][n];
@@ -99,8 +99,8 @@ class FullyImplicitRungeKutta {
   double factored_for_ = 0;
 };
 
-/// Fits problems of few unknowns. The stages couple through the whole Jacobian, of which a large
-/// problem's own solver has the inverse at real gamma h only.
+/// Fits problems of few unknowns. The stages couple through the dense Jacobian, while a large
+/// problem's own solver inverts I - gamma h J for real gamma h only.
 struct ForFewUnknowns {
   static constexpr std::string_view needs =
       "a dense Jacobian, so 128 unknowns at most: the stages couple through the whole of it";
@@ -111,7 +111,7 @@ struct ForFewUnknowns {
     return size_of(problem) <= dense_dimension_limit;
   }
 };
-static_assert(dense_dimension_limit == 128, "as the sentence says");
+static_assert(dense_dimension_limit == 128, "as `needs` says");
 
 /// Base of a fully implicit method.
 template <const auto& T>

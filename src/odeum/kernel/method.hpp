@@ -13,11 +13,10 @@
 ///     static constexpr MethodInfo info{...};
 ///     template <class P> using Stepper = ...;      // one step on problem P, see below
 ///
-/// and one of the needs below as its base (what a type cannot say, a need asks of the problem:
-/// `static bool fits_problem(const auto& problem)`, for abilities that only some of the problems
-/// behind problem/shared.hpp have); a Runge-Kutta method shows its coefficients as
-/// `static constexpr const auto& tableau`, which tests then alter one by one. A Stepper is built
-/// from a problem and has
+/// and one of the needs below as its base (`static bool fits_problem(const auto& problem)` asks at
+/// run time for what only some of the problems behind problem/shared.hpp offer); a Runge-Kutta
+/// method has its coefficients as `static constexpr const auto& tableau`, which mutation tests
+/// alter one by one. A Stepper is built from a problem and has
 ///
 ///     Status step(double t, double h, State<P>& y);   // y at t becomes y at t + h
 ///
@@ -25,13 +24,13 @@
 /// called once before the first step; where it has an embedded row,
 /// `Status step(double t, double h, State<P>& y, State<P>& error)` with the error estimate.
 ///
-/// A method that chooses its own steps (and its order, perhaps) has beside that, or instead
-/// (`fixed_step = false`), the whole of an adaptive run, from t0 through every stop of the request:
+/// A method that chooses its own steps (and possibly order) has in addition, or instead
+/// (`fixed_step = false`), a complete adaptive run from t0 through every stop of the request:
 ///
 ///     template <class P> static Outcome integrate(const Guarded<P>& problem, double t0,
 ///                                                 const State<P>& y0, const Request& request);
 ///
-/// It needs no constraint of its own: what a problem must offer is said by `fits`.
+/// It needs no constraint: `fits` says what a problem must offer.
 namespace odeum {
 
 /// How an embedded pair chooses its steps, see control/step_control.hpp.
@@ -40,14 +39,14 @@ enum class Control { integral, proportional_integral, dead_band };
 struct MethodInfo {
   std::string_view id;
   std::string_view family;
-  int order;               ///< 0: none is claimed, it varies or the method is exact
+  int order;               ///< 0: no claim, since the order varies or the method is exact
   int order_embedded = 0;  ///< order of the embedded row; 0: none
-  bool one_step = true;    ///< the next state follows from the present one and nothing else
+  bool one_step = true;    ///< the next state depends on the present one only
   bool fixed_step = true;  ///< can be run at a fixed step
   /// An adaptive run varies the order too, so that none is claimed for it.
   bool adaptive_order = false;
   Control control = Control::integral;  ///< of an embedded pair
-  std::string_view controller{};        ///< a method with an `integrate`: what chooses, in words
+  std::string_view controller{};        ///< of a method with `integrate`: its step control in words
   std::string_view source;
 };
 
@@ -66,13 +65,13 @@ struct ForSecondOrder {
 /// Fits q'' = a(t, q).
 struct ForSeparable {
   static constexpr std::string_view needs =
-      "a second-order problem q'' = a(t, q) whose acceleration does not look at the velocity";
+      "a second-order problem q'' = a(t, q) whose acceleration does not depend on the velocity";
   template <class P>
   static constexpr bool fits = Separable<P>;
 };
 
 /// One step of a method at h = 1 on the undamped oscillator q'' = -w^2 q as a matrix on (w q, q'),
-/// row-major; a second-order method states it, for the theory of its stability.
+/// row-major; from it follows the stability limit of a second-order method.
 using OscillatorMap = std::array<double, 4>;
 
 /// The largest modulus of the eigenvalues of a 2 x 2 matrix.

@@ -28,9 +28,9 @@ class History {
   std::size_t newest_ = 0, count_ = 0;
 };
 
-/// The values that a multistep method lacks at its start, by a one-step method whose order is the
+/// Starting values of a multistep method, by substeps of a one-step method whose order is the
 /// multistep method's or one less: its local error is then of the right order, and the substeps
-/// make it small beside what follows.
+/// keep it below the errors of the steps that follow.
 template <class OneStep, Ode P>
 class StartingProcedure {
  public:
@@ -96,9 +96,9 @@ class Adams {
   State<P> predicted_, f_predicted_;
 };
 
-/// Backward differences of order K at a fixed step, by Newton's method from the polynomial through
-/// the last K states. Both are summed from the newest state and the differences of neighbours,
-/// which are small and exact, so that rounding does not grow by the size of the alphas.
+/// BDF of order K at a fixed step, by Newton's method from the polynomial through the last K
+/// states. Formula and guess are summed from the newest state and the differences of neighbours,
+/// which are small and exact, so that the alphas do not amplify rounding.
 template <std::size_t K, Ode P, class OneStep>
 class BackwardDifferences {
  public:

@@ -10,16 +10,16 @@
 
 namespace odeum {
 
-/// The size that a Newton or fixed-point correction must fall under, relative to the largest
-/// component of the state: far below any truncation error that a study resolves, far enough above
+/// Convergence threshold of Newton and fixed-point corrections, relative to the largest component
+/// of the state: far below the truncation errors that a study resolves, and far enough above
 /// rounding to be reached.
 inline constexpr double iteration_tolerance = 1e-13;
-/// A state that has decayed below this, towards the smallest numbers, has no digits left to
-/// converge in: corrections are then measured against it.
+/// Corrections to a state smaller than this are measured against it: subnormal numbers have no
+/// digits left to converge in.
 inline constexpr double smallest_state = 1e15 * std::numeric_limits<double>::min();
 
-/// To what Newton's linear systems need be solved: the next correction mends the rest, and this is
-/// far below the contraction that the iteration is content with.
+/// Relative residual of Newton's linear systems: the next correction removes the rest, and it is
+/// far below the contraction that the iteration accepts.
 inline constexpr double correction_accuracy = 1e-8;
 
 /// The largest modulus of the components; NaN where one is NaN.
@@ -34,9 +34,9 @@ double max_norm(const S& x) {
 }
 
 /// Newton's method for y = base + gamma_h f(t, y): the equation of every diagonally implicit stage
-/// and of every implicit multistep formula. The factors are kept from call to call, for other
-/// stages and steps, as long as gamma_h is the same and the iteration converges fast; a slow one
-/// earns a new Jacobian (Hairer, Wanner, Solving ODEs II, IV.8).
+/// and of every implicit multistep formula. The factors are kept between calls, for other stages
+/// and steps, as long as gamma_h is the same and the iteration converges fast; slow convergence
+/// triggers a new Jacobian (Hairer, Wanner, Solving ODEs II, IV.8).
 template <Ode P>
 class Newton {
  public:
@@ -46,9 +46,9 @@ class Newton {
         correction_(make_state(problem)),
         guess_(correction_) {}
 
-  /// Iterate to `fraction` of a tolerance (relative and absolute, the same number) from now on,
-  /// and give up soon where that is not in sight: the step will be retried shorter. Without it the
-  /// iteration goes to rounding, and persists.
+  /// From now on iterate to `fraction` of a tolerance (relative and absolute, the same number), and
+  /// fail early where convergence is too slow, since the step will be retried shorter. Without it
+  /// the iteration goes on to rounding.
   void solve_to(double tolerance, double fraction) {
     accuracy_ = tolerance * fraction;
     max_iterations_ = 10;
@@ -74,7 +74,7 @@ class Newton {
       if (since_renewal > 0 && rate < 1 && size * rate / (1 - rate) <= safety()) return Status::ok;
       const bool slow = since_renewal > 0 && rate > (fresh ? slow_fresh : slow_kept);
       if (!std::isfinite(size) || rate >= 1) {
-        // Too far out to be linearised there: back to the guess, unless that has been tried.
+        // Not finite or diverging: if the Jacobian was a reused one, restart from the guess.
         if (fresh && (accuracy_ > 0 || !std::isfinite(size))) return fail();
         if (!fresh) y = guess_;
       }
@@ -90,8 +90,8 @@ class Newton {
   }
 
  private:
-  // A contraction worse than this earns a new Jacobian: a kept one soon, since the next steps will
-  // profit too.
+  // A contraction above this triggers a new Jacobian: earlier for a reused one, since the next
+  // steps profit too.
   static constexpr double slow_kept = 0.05, slow_fresh = 0.1;
 
   bool renew(double t, double gamma_h, const State<P>& y, bool& fresh) {
@@ -104,15 +104,14 @@ class Newton {
     factored_for_ = 0;
     return Status::newton_failed;
   }
-  /// What a predicted remainder may measure: it is a guess, and at rounding there is no later
-  /// check on it.
+  /// Bound on the predicted remainder; smaller at rounding, where no later check follows.
   double safety() const { return accuracy_ > 0 ? 1 : 0.01; }
 
-  /// The correction, one being small enough.
+  /// Size of the correction; one is small enough.
   double measure(const State<P>& base, const State<P>& y) const {
     if (accuracy_ == 0) {
       const double size = max_norm(correction_);
-      if (size == 0) return 0;  // of a state that may be zero too
+      if (size == 0) return 0;  // the state may be zero too
       return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
     }
     double sum = 0;
@@ -126,7 +125,7 @@ class Newton {
   const P& problem_;
   ShiftedSystem<P> system_;
   State<P> correction_, guess_;
-  double factored_for_ = 0;  ///< gamma_h of the factors; zero: there are none
+  double factored_for_ = 0;  ///< gamma_h of the factors; 0: none
   double accuracy_ = 0;
   int max_iterations_ = 50;
 };

@@ -13,15 +13,16 @@ namespace odeum {
 
 /// Trial steps of a Radau IIA method with an odd number of stages, for an adaptive run (Solving
 /// ODEs II, IV.8): the guess from the collocation polynomial of the last step, simplified Newton
-/// that stops as soon as it is seen not to converge in time, Jacobian and factors kept while it
-/// converges fast, and an error estimate of order S that is filtered by the real system's matrix.
+/// iteration that stops as soon as convergence within its limit cannot be expected, Jacobian and
+/// factors kept while it converges fast, and an error estimate of order S filtered by the matrix of
+/// the real system.
 template <const auto& T, Ode P>
 class RadauTrial {
  public:
   static constexpr std::size_t stages = T.stages;
   static_assert(stages % 2 == 1);
 
-  /// `tolerance`: what the estimate is held to, see internal_tolerance.
+  /// `tolerance`: bound on the estimate, see internal_tolerance.
   RadauTrial(const P& problem, double tolerance, double newton_fraction)
       : problem_(problem),
         tolerance_(tolerance),
@@ -34,9 +35,9 @@ class RadauTrial {
         moved_f_(f0_),
         guess_(problem, StageSystem<T, P>::nodes) {}
 
-  /// The estimate is of order S, the method of order 2S - 1: a step that meets the tolerance by the
-  /// estimate is far more accurate than asked. Hence 0.03 tol^((S+1)/2S): so too Hairer's codes,
-  /// with 0.1, which at loose tolerances is looser than asked.
+  /// The estimate is of order S, the method of order 2S - 1: a step whose estimate meets the
+  /// tolerance is far more accurate than requested. Hence 0.03 tol^((S+1)/2S), as in Hairer's
+  /// codes, whose factor 0.1 misses loose tolerances.
   static double internal_tolerance(double tolerance) {
     return 0.03 * std::pow(tolerance, (stages + 1.0) / (2.0 * stages));
   }
@@ -77,7 +78,7 @@ class RadauTrial {
     return Status::ok;
   }
 
-  /// After a step of h that was accepted: the next one starts elsewhere.
+  /// After an accepted step of h.
   void accept(double h) {
     guess_.remember(h, system_.z);
     moved_ = true;
@@ -179,14 +180,14 @@ struct RadauMethod : FullyImplicitMethod<T> {
     constexpr int order = T.stages;
     PredictiveController controller(order, 8);
     const auto decide = [&](double h, double norm) {
-      // A step that took many iterations grows less.
+      // Many Newton iterations limit the growth of the step.
       const double effort =
           (1.0 + 2 * Trial::max_iterations) / (trial.iterations() + 2.0 * Trial::max_iterations);
       Decision decision = controller.decide(h, norm / power(effort, order + 1));
       decision.accept = norm < 1;
       if (decision.accept) {
         trial.accept(h);
-        // Kept where it would change by little: the factors serve the next step too.
+        // Kept where it would change by little, so that the next step reuses the factors.
         if (decision.next_step >= h && decision.next_step < 1.2 * h) decision.next_step = h;
       } else {
         trial.reject();

@@ -11,7 +11,7 @@ namespace odeum {
 
 /// One step of any Rosenbrock method on any problem: a linear system for each stage, all with the
 /// same matrix I - gamma h J, J = df/dy(t, y). See tableau/rosenbrock_tableau.hpp for the formula;
-/// here it is multiplied by gamma h. A problem without df/dt is taken as autonomous.
+/// here it is multiplied by gamma h. A problem without df/dt is assumed autonomous.
 template <const auto& T, Ode P>
 class Rosenbrock {
  public:
@@ -45,7 +45,7 @@ class Rosenbrock {
  private:
   static constexpr auto alpha = T.row_sums(T.alpha_matrix());
   static constexpr auto gamma = T.row_sums(T.gamma_matrix());
-  // A sum of cancelling terms is zero but for rounding.
+  // Terms that cancel sum to zero up to rounding.
   static constexpr bool has_time_term(std::size_t i) {
     return gamma[i] > 1e-12 || gamma[i] < -1e-12;
   }

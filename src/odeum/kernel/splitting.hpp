@@ -8,8 +8,8 @@
 
 namespace odeum {
 
-/// One step of a symplectic splitting of q'' = a(t, q), see tableau/splitting.hpp. Each kick takes
-/// a at the time to which the drifts before it have come. Unrolled; zero coefficients vanish.
+/// One step of a symplectic splitting of q'' = a(t, q), see tableau/splitting.hpp. Each kick
+/// evaluates a at the time reached by the drifts before it. Unrolled; zero coefficients vanish.
 template <const auto& C, class P>
 class SplittingStepper {
  public:

@@ -36,7 +36,8 @@ class StageSystem {
   }
 
   void linearise(double t, const State<P>& y) { real_.linearise(t, y.data()); }
-  /// For the step h, with the Jacobian of the last linearise(); false: it cannot be used.
+  /// Factorises for the step h, with the Jacobian of the last linearise(); false: singular or not
+  /// finite.
   bool factorise(double h) {
     if constexpr (has_real)
       if (!real_.factorise(h * transform_.inverse_mu[0].real())) return false;
@@ -60,7 +61,7 @@ class StageSystem {
       }
   }
 
-  /// One Newton iteration. `measure(stage, correction of z_stage)` sees every correction.
+  /// One Newton iteration. Calls `measure(stage, correction of z_stage)` for every correction.
   template <class Measure>
   void iterate(double t, double h, const State<P>& y, Measure&& measure) {
     for (std::size_t i = 0; i < stages; ++i) {

@@ -59,7 +59,7 @@ std::vector<Wide> characteristic_polynomial(const Matrix& m) {
   return p;
 }
 
-/// All roots at once (Weierstrass, Durand, Kerner); ours are simple.
+/// All roots at once (Weierstrass, Durand, Kerner); they must be simple.
 std::vector<Wide> roots(const std::vector<Wide>& p) {
   const std::size_t s = p.size() - 1;
   std::vector<Wide> x(s);

@@ -11,8 +11,8 @@
 namespace odeum::linear {
 
 /// The inverse of the complex matrix I - g J, J real and row-major of n x n entries, N of them
-/// known at compile time or `dynamic`. Real and imaginary parts are kept apart: plain loops over
-/// them are vector code, std::complex's are not.
+/// known at compile time or `dynamic`. Real and imaginary parts are stored apart: compilers
+/// vectorise plain loops over them, not those over std::complex.
 template <std::size_t N>
 class ComplexInverse {
  public:
@@ -46,8 +46,8 @@ class ComplexInverse {
   constexpr std::size_t size() const { return N == dynamic ? n_ : N; }
   double modulus(std::size_t at) const { return std::abs(re_[at]) + std::abs(im_[at]); }
 
-  /// Gauss-Jordan elimination in place, on the transposed matrix. Without pivoting it gives up
-  /// (false) where a multiplier is large.
+  /// Gauss-Jordan elimination in place, on the transposed matrix. Without pivoting; false where a
+  /// multiplier is large.
   template <bool pivoting>
   bool eliminate(std::complex<double> g, const double* jacobian) {
     constexpr double largest_multiplier = 100;

@@ -54,7 +54,7 @@ class ConjugateGradients {
   std::uint64_t products() const { return products_; }
 
  private:
-  // Sixteen sums at once: one alone would wait for each addition in turn.
+  // Sixteen independent sums, since one would be bound by the latency of additions.
   double dot(const double* a, const double* b) const {
     constexpr std::size_t lanes = 16;
     double sums[lanes] = {};

@@ -18,7 +18,7 @@ class DenseLu {
 
   /// False where the matrix is singular or has an entry that is not finite.
   bool factorise() {
-    double finite = 0;  // NaN when any entry is not finite: elimination may never look at it
+    double finite = 0;  // NaN when any entry is not finite: elimination may not read them all
     for (const double entry : lu_) finite += entry * 0.0;
     if (std::isnan(finite)) return false;
     for (std::size_t i = 0; i < n_; ++i) row_[i] = i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one unit that compiles Eigen's eigenvalues, which take long.
+// The only unit that includes Eigen's eigenvalue solvers, which compile slowly.
 #include "odeum/linear/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -16,19 +16,19 @@ namespace odeum {
 class ShiftedSolver {
  public:
   virtual ~ShiftedSolver() = default;
-  /// Evaluates J at (t, y) and factorises; false where the matrix cannot be used.
+  /// Evaluates J at (t, y) and factorises; false where the matrix is singular or not finite.
   virtual bool factorise(double t, const double* y, double gamma_h) = 0;
-  /// Overwrites x = r by the solution: its residual is `relative` of r at most where the solver
-  /// iterates, of the size of rounding where it is direct.
+  /// Overwrites x = r by the solution: the residual is at most `relative` times r for an iterative
+  /// solver, of the size of rounding for a direct one.
   virtual bool solve(double* x, double relative) = 0;
-  static constexpr double exact = 1e-12;  ///< for solutions that nothing corrects later
-  /// Products with a matrix as sparse as J that all solves took so far; 0 where they are direct.
+  static constexpr double exact = 1e-12;  ///< for solutions without a later correction
+  /// Products with a matrix of J's sparsity by all solves so far; 0 for a direct solver.
   virtual std::uint64_t products() const { return 0; }
 };
 
 /// The default for few unknowns: dense, of the analytic Jacobian or of forward differences where
-/// the problem has none. The Jacobian is kept apart from its factors, so that it serves several
-/// gamma_h.
+/// the problem has none. The Jacobian is stored apart from its factors, so that it can be
+/// factorised for several gamma_h.
 template <Ode P>
 class DenseShiftedSolver final : public ShiftedSolver {
  public:
@@ -82,13 +82,13 @@ auto make_shifted_solver(const P& problem) {
   }
 }
 
-/// The type of what make_shifted_solver returns: a pointer-like handle.
+/// What make_shifted_solver returns: a pointer-like handle.
 template <Ode P>
 using ShiftedSolverOf = decltype(make_shifted_solver(std::declval<const P&>()));
 
-/// (I - gamma_h J) x = r by whatever the problem has, in two parts: `linearise` says where the
-/// Jacobian is taken, `factorise` with which gamma_h; the second may follow alone. A problem's own
-/// solver does both at once, so that the point is kept for it.
+/// Solves (I - gamma_h J) x = r by the problem's own solver or the default, in two parts:
+/// `linearise` evaluates the Jacobian at (t, y), `factorise` takes gamma_h and may be called again
+/// alone. A problem's own solver does both at once, for which the point is stored.
 template <Ode P>
 class ShiftedSystem {
  public:

@@ -12,9 +12,9 @@
 
 namespace odeum::linear {
 
-/// The inverse of a row-major N x N matrix, N few and known at compile time: for so few unknowns a
-/// solve by multiplication, free of the chain of dependent operations of a triangular solve, pays
-/// for the dearer factorisation after two or three solves. Same interface as DenseLu.
+/// The inverse of a row-major N x N matrix, N small and known at compile time: a solve by
+/// multiplication has no chain of dependent operations, unlike a triangular solve, which repays the
+/// more expensive factorisation after two or three solves. Same interface as DenseLu.
 template <std::size_t N>
 class SmallInverse {
  public:
@@ -38,7 +38,7 @@ class SmallInverse {
   /// Overwrites x (N entries) by the solution.
   void solve(double* x) const {
     std::array<double, N> sum{};
-    // Column by column: N independent sums, each a multiply-add a column.
+    // Column by column: N independent sums, one multiply-add per column.
     for (std::size_t j = 0; j < N; ++j)
       for (std::size_t i = 0; i < N; ++i) sum[i] += columns(i, j) * x[j];
     for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
@@ -71,10 +71,10 @@ class SmallInverse {
   }
 
   /// Gauss-Jordan elimination in place, on the transposed matrix, so that the result is stored
-  /// column by column. Without pivoting it gives up (false) where a multiplier is large.
+  /// column by column. Without pivoting; false where a multiplier is large.
   template <bool pivoting>
   bool eliminate() {
-    constexpr double largest_multiplier = 100;  // two digits lost at most in a step
+    constexpr double largest_multiplier = 100;  // at most two digits lost per elimination step
     std::array<double, N* N>& m = inverse_;
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < N; ++j) m[i * N + j] = a(j, i);
@@ -118,7 +118,7 @@ class SmallInverse {
 /// Up to this many unknowns the inverse is faster than a triangular solve.
 inline constexpr std::size_t small_inverse_limit = 16;
 
-/// What solves dense systems of a problem's dimension.
+/// The dense solver for a problem's dimension.
 template <std::size_t N>
 using DenseSolver =
     std::conditional_t<(N <= small_inverse_limit),

@@ -6,7 +6,8 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 1, L-stable (implicit Euler); started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 1, L-stable (implicit Euler); started by
+/// Rodas5P.
 struct bdf1 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf1",

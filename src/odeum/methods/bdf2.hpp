@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 2, A-stable; started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 2, A-stable; started by Rodas5P.
 struct bdf2 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf2",

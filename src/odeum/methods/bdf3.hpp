@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 3, A(86.03 degrees)-stable; started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 3, A(86.03 degrees)-stable; started by Rodas5P.
 struct bdf3 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf3",

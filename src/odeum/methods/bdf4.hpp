@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 4, A(73.35 degrees)-stable; started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 4, A(73.35 degrees)-stable; started by Rodas5P.
 struct bdf4 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf4",

@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 5, A(51.84 degrees)-stable; started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 5, A(51.84 degrees)-stable; started by Rodas5P.
 struct bdf5 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf5",

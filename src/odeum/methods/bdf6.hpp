@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Backward differences of order 6, A(17.84 degrees)-stable; started by Rodas5P.
+/// Backward differentiation formula (BDF) of order 6, A(17.84 degrees)-stable; started by Rodas5P.
 struct bdf6 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf6",

@@ -5,8 +5,8 @@
 
 namespace odeum::methods {
 
-/// Variable step, variable order (1 to 5) by backward differences: numerical differentiation
-/// formulas, which have a smaller error constant than BDF at nearly the same stability.
+/// Numerical differentiation formulas of variable step and variable order (1 to 5): a smaller error
+/// constant than BDF at nearly the same stability.
 struct bdf_variable : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "bdf_variable",

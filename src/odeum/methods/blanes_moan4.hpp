@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Blanes and Moan's order 4 for q'' = a(t, q): six accelerations a step (the last one serves the
-/// next step), symmetric.
+/// Blanes and Moan's method of order 4 for q'' = a(t, q): six evaluations of a per step (the last
+/// is reused by the next step), symmetric.
 inline constexpr Splitting<7> blanes_moan4_splitting{
     .kick = {0.0829844064174052, 0.396309801498368, -0.0390563049223486, 0.1195241940131508,
              -0.0390563049223486, 0.396309801498368, 0.0829844064174052},

@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Blanes and Moan's order 6 for q'' = a(t, q): eleven accelerations a step (the last one serves
-/// the next step), symmetric.
+/// Blanes and Moan's method of order 6 for q'' = a(t, q): eleven evaluations of a per step (the
+/// last is reused by the next step), symmetric.
 inline constexpr Splitting<12> blanes_moan6_splitting{
     .kick = {0.0414649985182624, 0.198128671918067, -0.0400061921041533, 0.0752539843015807,
              -0.0115113874206879, 0.2366699247869311, 0.2366699247869311, -0.0115113874206879,

@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Bogacki and Shampine's pair: steps with order 3, estimates with order 2. The last stage is the
-/// first of the next step.
+/// Bogacki and Shampine's pair: the solution has order 3, the embedded row order 2. First same as
+/// last.
 inline constexpr Tableau<4> bogacki_shampine32_tableau{
     .a = {{{0}, {1. / 2}, {0, 3. / 4}, {2. / 9, 1. / 3, 4. / 9}}},
     .b = {2. / 9, 1. / 3, 4. / 9},

@@ -7,8 +7,8 @@
 namespace odeum::methods {
 
 /// Cash and Karp's embedded pair. The paper gives a row of weights for each order from 5 to 1 on
-/// the same six stages; the pair steps with order 5 and estimates with order 4, and each lower row
-/// is a method of its own (cash_karp54_order4, ..., cash_karp54_order1).
+/// the same six stages; the pair advances with order 5 and estimates the error with order 4, and
+/// each lower order is a method of its own (cash_karp54_order4, ..., cash_karp54_order1).
 inline constexpr Tableau<6> cash_karp54_tableau{
     .a = {{{0, 0, 0, 0, 0, 0},
            {1. / 5, 0, 0, 0, 0, 0},

@@ -7,8 +7,8 @@
 
 namespace odeum::methods {
 
-/// The row of order 1: explicit Euler with five evaluations to spare of Cash and Karp's six stages,
-/// on its own.
+/// Cash and Karp's weights of order 1 on their six stages, as a method of its own: explicit Euler
+/// that evaluates five unused stages.
 inline constexpr Tableau<6> cash_karp54_order1_tableau =
     cash_karp54_tableau.with_row({1, 0, 0, 0, 0, 0}, 1);
 static_assert(proven(cash_karp54_order1_tableau));

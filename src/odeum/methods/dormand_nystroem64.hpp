@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Dormand, El-Mikkawy and Prince's pair 6(4) for q'' = a(t, q): six stages, of which the last is
-/// the first of the next step. Steps with order 6, estimates with order 4.
+/// Dormand, El-Mikkawy and Prince's pair 6(4) for q'' = a(t, q): six stages, first same as last.
+/// The solution has order 6, the embedded row order 4.
 inline constexpr NystroemTableau<6> dormand_nystroem64_tableau{
     .c = {0, 1. / 10, 3. / 10, 7. / 10, 17. / 25, 1},
     .a = {{{0},

@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Dormand, El-Mikkawy and Prince's pair 8(6) for q'' = a(t, q): nine stages, of which the last is
-/// the first of the next step. Steps with order 8, estimates with order 6.
+/// Dormand, El-Mikkawy and Prince's pair 8(6) for q'' = a(t, q): nine stages, first same as last.
+/// The solution has order 8, the embedded row order 6.
 inline constexpr NystroemTableau<9> dormand_nystroem86_tableau{
     .c = {0, 1. / 20, 1. / 10, 3. / 10, 1. / 2, 7. / 10, 9. / 10, 1, 1},
     .a = {{{0},

@@ -7,8 +7,8 @@
 
 namespace odeum::methods {
 
-/// Dormand and Prince's pair 5(4): steps with order 5, estimates with order 4. The last stage is
-/// the first of the next step.
+/// Dormand and Prince's pair 5(4): the solution has order 5, the embedded row order 4. First same
+/// as last.
 inline constexpr Tableau<7> dormand_prince54_tableau{
     .a = {{{0},
            {1. / 5},
@@ -24,8 +24,8 @@ inline constexpr Tableau<7> dormand_prince54_tableau{
 };
 static_assert(proven(dormand_prince54_tableau));
 
-/// What its interpolant of order 4 adds to Hermite's (Hairer, Norsett, Wanner, Solving ODEs I,
-/// II.6).
+/// The row d of its interpolant of order 4, see kernel/dense_output.hpp (Hairer, Norsett, Wanner,
+/// Solving ODEs I, II.6).
 inline constexpr std::array<double, 7> dormand_prince54_dense_row{
     -12715105075. / 11282082432,  0,
     87487479700. / 32700410799,   -10690763975. / 1880347072,

@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Dormand and Prince's pair 5(4) whose step is kept as long as the error is in a dead band
+/// Dormand and Prince's pair 5(4) under integral control with a dead band
 /// (control/step_control.hpp).
 struct dormand_prince54_dead_band : ForAnyProblem,
                                     ExplicitRungeKuttaMethod<dormand_prince54_tableau> {

@@ -48,8 +48,9 @@ inline constexpr std::array<double, 12> dormand_prince853_third_order = {
     0.022058823529411764706};
 static_assert(has_exactly_order(dormand_prince853_tableau, dormand_prince853_third_order, 3));
 
-/// Steps with order 8. The two estimates e5 and e3 give e5 |e5| / sqrt(|e5|^2 + 0.01 |e3|^2), in
-/// norms that weigh a component by 1 + |y|: of the size of h^6 h^6 / h^4 = h^8, as if of order 7.
+/// The solution has order 8. The error estimate is e5 |e5| / sqrt(|e5|^2 + 0.01 |e3|^2), with norms
+/// that weigh a component by 1 / (1 + |y|); it is of size h^6 h^6 / h^4 = h^8, as of an embedded
+/// row of order 7.
 struct dormand_prince853 : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "dormand_prince853",

@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// Explicit (forward) Euler: the tangent at the start of the step.
+/// Explicit (forward) Euler: y_{n+1} = y_n + h f(t_n, y_n).
 inline constexpr Tableau<1> explicit_euler_tableau{
     .a = {{{0}}},
     .b = {1},

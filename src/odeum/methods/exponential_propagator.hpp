@@ -16,7 +16,7 @@ namespace odeum::methods {
 ///
 ///     B = [A b; 0 0],   (y, 1) <- e^(h B) (y, 1),
 ///
-/// rounding is its only error, so it claims no order. To a tolerance it goes from stop to stop.
+/// exact up to rounding, so that no order is claimed. Adaptive runs step from stop to stop.
 struct exponential_propagator {
   static constexpr MethodInfo info{
       .id = "exponential_propagator",
@@ -41,7 +41,7 @@ struct exponential_propagator {
    public:
     explicit Stepper(const P& problem) : problem_(problem), product_(make_state(problem)) {}
 
-    /// non_finite where e^(h B) overflows: there is no state to show.
+    /// non_finite, without a state, where e^(h B) overflows.
     Status step(double /*t*/, double h, State<P>& y) {
       const std::size_t n = y.size();
       if (!(h == h_)) make_propagator(n, h);

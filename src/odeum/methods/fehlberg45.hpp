@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Fehlberg's 4(5) pair as published: the row of order 4 makes the step, the row of order 5 serves
-/// the estimate only (no local extrapolation).
+/// Fehlberg's 4(5) pair as published: the solution has order 4, the row of order 5 only estimates
+/// the error (no local extrapolation).
 inline constexpr Tableau<6> fehlberg45_tableau{
     .a = {{{0},
            {1. / 4},

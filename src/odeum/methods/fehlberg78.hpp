@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Fehlberg's 7(8) pair as published: the row of order 7 makes the step, the row of order 8 serves
-/// the estimate only. Both rows agree on y' = f(t), where the estimate is therefore blind.
+/// Fehlberg's 7(8) pair as published: the solution has order 7, the row of order 8 only estimates
+/// the error. On y' = f(t) both rows give the same result, so that the estimate is zero.
 inline constexpr Tableau<13> fehlberg78_tableau{
     .a = {{{0},
            {2. / 27},

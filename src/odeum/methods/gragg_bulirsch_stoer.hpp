@@ -8,8 +8,8 @@
 namespace odeum::methods {
 
 /// Gragg, Bulirsch and Stoer: the modified midpoint rule in 2, 4, 6, ... substeps, extrapolated to
-/// substeps of no length. At a fixed step four lines, order 8, 21 evaluations; to a tolerance the
-/// number of lines is chosen with the step.
+/// substep zero. At a fixed step four lines of the table, order 8, 21 evaluations per step;
+/// adaptive runs choose the number of lines and the step.
 struct gragg_bulirsch_stoer : ForAnyProblem {
   static constexpr int fixed_lines = 4;
   static constexpr MethodInfo info{

@@ -6,7 +6,8 @@
 
 namespace odeum::methods {
 
-/// Heun's method, the explicit trapezoidal rule: the mean of the slopes at both ends.
+/// Heun's method, the explicit trapezoidal rule: the mean of f at the start and at the Euler
+/// prediction of the end.
 inline constexpr Tableau<2> heun_tableau{
     .a = {{{0, 0}, {1, 0}}},
     .b = {1. / 2, 1. / 2},

@@ -6,8 +6,7 @@
 
 namespace odeum::methods {
 
-/// Implicit (backward) Euler: the tangent at the end of the step, y_{n+1} = y_n + h f(t_{n+1},
-/// y_{n+1}).
+/// Implicit (backward) Euler: y_{n+1} = y_n + h f(t_{n+1}, y_{n+1}).
 inline constexpr Tableau<1> implicit_euler_tableau{
     .a = {{{1}}},
     .b = {1},

@@ -9,13 +9,13 @@
 namespace odeum::methods {
 
 /// Implicit Euler solved by fixed-point iteration y <- y_n + h f(t_{n+1}, y), which contracts only
-/// where h times the Lipschitz constant of f is below one: implicit, yet with an explicit method's
-/// step limit. Gives up after `max_iterations`.
+/// where h times the Lipschitz constant of f is below one: implicit, yet with the step limit of an
+/// explicit method. newton_failed after `max_iterations`.
 struct implicit_euler_fixed_point : ForAnyProblem {
   static constexpr int max_iterations = 200;
-  /// The size that a correction must fall under, relative to the state. A correction is a
-  /// difference of states and carries their rounding, which must stay far below it (here 1e-5 of
-  /// it): the step at which the iteration gives up is to follow from the method, not from rounding.
+  /// Converged where the correction is below this, relative to the state. It is 1e5 times the
+  /// rounding that a difference of states carries, so that the largest step follows from
+  /// contraction and not from rounding.
   static constexpr double correction_tolerance = 1e-11;
   static constexpr MethodInfo info{
       .id = "implicit_euler_fixed_point",
@@ -52,8 +52,8 @@ struct implicit_euler_fixed_point : ForAnyProblem {
     State<P> f_, y_next_;
   };
 
-  /// |R(z)| of the iteration as it is stopped; NaN where it gives up. On y' = z y the correction
-  /// number k is z^k y_n, and what has been reached by then the geometric sum 1 + z + ... + z^k.
+  /// |R(z)| of the truncated iteration; NaN where it does not converge. On y' = z y correction k is
+  /// z^k y_n, and the iterate is the geometric sum 1 + z + ... + z^k times y_n.
   static double amplification(double re, double im) {
     const std::complex<double> z(re, im);
     std::complex<double> power = 1, sum = 1;

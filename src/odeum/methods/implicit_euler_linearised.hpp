@@ -14,8 +14,8 @@ namespace odeum::methods {
 ///
 ///     (I - h M^-1 df/dv - h^2 M^-1 df/dx) dv = h M^-1 (f + h df/dx v),
 ///
-/// which is how the shifted solver of a second-order problem forms it. Explicit time enters as
-/// f(t + h, y), so no df/dt is needed: f(t + h, y) = f(t, y) + h f_t + O(h^2).
+/// the form in which the shifted solver of a second-order problem solves it. Explicit time enters
+/// as f(t + h, y) = f(t, y) + h f_t + O(h^2), so that df/dt is not needed.
 struct implicit_euler_linearised : ForAnyProblem {
   static constexpr MethodInfo info{
       .id = "implicit_euler_linearised",

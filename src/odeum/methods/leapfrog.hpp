@@ -10,7 +10,7 @@ namespace odeum::methods {
 ///     v_{1/2} = v_0 + h/2 a_0,
 ///     q_{n+1} = q_n + h v_{n+1/2},   v_{n+3/2} = v_{n+1/2} + h a_{n+1}.
 ///
-/// The state it shows at t_{n+1} has the velocity half a step back: v_{n+3/2} - h/2 a_{n+1}.
+/// The velocity reported at t_{n+1} is v_{n+3/2} - h/2 a_{n+1}.
 struct leapfrog : ForSeparable {
   static constexpr MethodInfo info{
       .id = "leapfrog",
@@ -46,7 +46,7 @@ struct leapfrog : ForSeparable {
     State<P> a_, v_half_;
   };
 
-  /// The map from shown state to shown state is that of velocity Verlet.
+  /// The map between reported states is that of velocity Verlet.
   static OscillatorMap oscillator_map(double w) {
     return {1 - w * w / 2, w, -w * (1 - w * w / 4), 1 - w * w / 2};
   }

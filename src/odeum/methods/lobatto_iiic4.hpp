@@ -7,7 +7,7 @@
 
 namespace odeum::methods {
 
-/// Lobatto IIIC of three stages: L-stable, both ends of the step are nodes.
+/// Lobatto IIIC of three stages: L-stable; both ends of the step are nodes.
 inline constexpr Tableau<3> lobatto_iiic4_tableau{
     .a = {{{1. / 6, -1. / 3, 1. / 6}, {1. / 6, 5. / 12, -1. / 12}, {1. / 6, 2. / 3, 1. / 6}}},
     .b = {1. / 6, 2. / 3, 1. / 6},

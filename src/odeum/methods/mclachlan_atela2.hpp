@@ -6,7 +6,8 @@
 
 namespace odeum::methods {
 
-/// McLachlan and Atela's order 2 of least error: two kicks, two drifts, not symmetric.
+/// McLachlan and Atela's splitting of order 2 with the smallest error constants: two kicks, two
+/// drifts, not symmetric.
 inline constexpr Splitting<2> mclachlan_atela2_splitting{
     .kick = {0.29289321881345247560, 0.70710678118654752440},
     .drift = {0.70710678118654752440, 0.29289321881345247560},

@@ -6,8 +6,9 @@
 
 namespace odeum::methods {
 
-/// McLachlan and Atela's order 3 of least error: three kicks, three drifts, not symmetric; the one
-/// is the other read backwards. Digits beyond those published follow from the order conditions.
+/// McLachlan and Atela's splitting of order 3 with the smallest error constants: three kicks and
+/// the same drifts in reverse order, not symmetric. Digits beyond those published follow from the
+/// order conditions.
 inline constexpr Splitting<3> mclachlan_atela3_splitting{
     .kick = {0.26833009578175992496, -0.18799161879915978201, 0.91966152301739985705},
     .drift = {0.91966152301739985705, -0.18799161879915978201, 0.26833009578175992496},

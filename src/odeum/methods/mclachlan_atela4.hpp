@@ -6,7 +6,8 @@
 
 namespace odeum::methods {
 
-/// McLachlan and Atela's order 4 of least error: four kicks, four drifts, not symmetric.
+/// McLachlan and Atela's splitting of order 4 with the smallest error constants: four kicks, four
+/// drifts, not symmetric.
 inline constexpr Splitting<4> mclachlan_atela4_splitting{
     .kick = {0.134496199277431089, -0.224819803079420806, 0.756320000515668291,
              0.334003603286321425},

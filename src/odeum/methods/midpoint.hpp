@@ -6,7 +6,7 @@
 
 namespace odeum::methods {
 
-/// The explicit midpoint rule: the slope in the middle, reached by an Euler half step.
+/// The explicit midpoint rule: f at the middle of the step, predicted by half an Euler step.
 inline constexpr Tableau<2> midpoint_tableau{
     .a = {{{0, 0}, {1. / 2, 0}}},
     .b = {0, 1},

@@ -7,8 +7,8 @@
 
 namespace odeum::methods {
 
-/// Verwer's ROS2, L-stable. Of the two values of gamma the smaller one, whose error is the
-/// smaller too.
+/// Verwer's ROS2, L-stable. gamma is the smaller of the two possible values, which gives the
+/// smaller error constant.
 inline constexpr double ros2_gamma = 1 - std::numbers::sqrt2 / 2;
 inline constexpr RosenbrockTableau<2> ros2_tableau =
     rosenbrock_from<2>({{{0, 0}, {1, 0}}}, {{{ros2_gamma, 0}, {-2 * ros2_gamma, ros2_gamma}}},

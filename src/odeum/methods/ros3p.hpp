@@ -8,8 +8,8 @@
 namespace odeum::methods {
 
 /// Lang and Verwer's ROS3P: A-stable, order 3 without reduction on parabolic problems. On linear
-/// problems its embedded row gives the same result as the row itself, and so an estimate of zero
-/// for any step: adaptive runs go by step doubling.
+/// problems its embedded row gives the same result as the main row, and so an estimate of zero for
+/// any step: adaptive runs use step doubling.
 inline constexpr double ros3p_gamma = 1. / 2 + std::numbers::sqrt3 / 6;
 inline constexpr RosenbrockTableau<3> ros3p_tableau =
     rosenbrock_from<3>({{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}},

@@ -8,8 +8,8 @@
 
 namespace odeum::methods {
 
-/// The L-stable singly diagonally implicit method of two stages: of the two roots of
-/// gamma^2 - 2 gamma + 1/2 the smaller one, whose error constant is the smaller too.
+/// The L-stable singly diagonally implicit method of two stages; gamma is the smaller root of
+/// gamma^2 - 2 gamma + 1/2, which gives the smaller error constant.
 inline constexpr double sdirk2_gamma = 1 - std::numbers::sqrt2 / 2;
 inline constexpr Tableau<2> sdirk2_tableau{
     .a = {{{sdirk2_gamma, 0}, {1 - sdirk2_gamma, sdirk2_gamma}}},

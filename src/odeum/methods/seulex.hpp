@@ -7,7 +7,7 @@
 namespace odeum::methods {
 
 /// Extrapolated linearly implicit Euler: at a fixed step column 5 of the table, order 5; adaptive
-/// runs choose the column too.
+/// runs choose column and step.
 struct seulex : ForAnyProblem {
   static constexpr std::size_t fixed_column = 5;
   static constexpr MethodInfo info{
@@ -15,7 +15,7 @@ struct seulex : ForAnyProblem {
       .family = "extrapolation",
       .order = fixed_column,
       .adaptive_order = true,
-      .controller = "step and column, by work a unit of time",
+      .controller = "step and column, by work per unit step",
       .source = "Deuflhard, Hairer, Zugck, Numer. Math. 51 (1987) 501-516; Solving ODEs II, IV.9"};
   template <class P>
   using Stepper = ExtrapolatedEuler<fixed_column, P>;

@@ -9,8 +9,8 @@ namespace odeum::methods {
 ///
 ///     q_{n+1} = 2 q_n - q_{n-1} + h^2 a(t_n, q_n),   q_1 = q_0 + h v_0 + h^2/2 a_0.
 ///
-/// The velocity shown is the central difference (q_{n+1} - q_{n-1}) / 2h. Its rounding grows like
-/// epsilon |q| / h^2 over a run: the scheme adds h^2 a to numbers of the size of q.
+/// The velocity reported is the central difference (q_{n+1} - q_{n-1}) / 2h. Its rounding error
+/// grows like epsilon |q| / h^2 over a run: the scheme adds h^2 a to numbers of the size of q.
 struct stormer_verlet : ForSeparable {
   static constexpr MethodInfo info{.id = "stormer_verlet",
                                    .family = "symplectic",
@@ -51,7 +51,7 @@ struct stormer_verlet : ForSeparable {
     State<P> a_, previous_, next_;
   };
 
-  /// The map from shown state to shown state is that of velocity Verlet.
+  /// The map between reported states is that of velocity Verlet.
   static OscillatorMap oscillator_map(double w) {
     return {1 - w * w / 2, w, -w * (1 - w * w / 4), 1 - w * w / 2};
   }

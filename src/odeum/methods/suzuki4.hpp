@@ -6,8 +6,9 @@
 
 namespace odeum::methods {
 
-/// Suzuki's order 4: five velocity-Verlet steps, four of length p = 1 / (4 - 4^(1/3)) around one
-/// backwards. Smaller steps back than three of them need, hence smaller errors.
+/// Suzuki's composition of order 4: five velocity-Verlet steps, four of length p h around a
+/// backward one of (1 - 4 p) h, p = 1 / (4 - 4^(1/3)). Smaller errors than three steps (yoshida4),
+/// since the backward step is shorter.
 inline constexpr Splitting<6> suzuki4_splitting = compose_verlet(
     around_the_middle<2>({1 / (4 - 1.5874010519681994748), 1 / (4 - 1.5874010519681994748)}), 4);
 static_assert(proven(suzuki4_splitting) && suzuki4_splitting.symmetric());

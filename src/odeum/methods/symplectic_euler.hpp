@@ -9,7 +9,7 @@ namespace odeum::methods {
 ///
 ///     v_{n+1} = v_n + h a(t_n, q_n, v_n),   q_{n+1} = q_n + h v_{n+1}.
 ///
-/// Symplectic where a does not look at v; with damping it stays of order 1.
+/// Symplectic where a does not depend on v; of order 1 with damping too.
 struct symplectic_euler : ForSecondOrder {
   static constexpr MethodInfo info{
       .id = "symplectic_euler",

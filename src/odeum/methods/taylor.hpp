@@ -13,8 +13,8 @@
 namespace odeum::methods {
 
 /// Taylor's method: the series of the solution, from the recurrence that the problem offers. Order
-/// 12 at a fixed step. To a tolerance, the order p is the one of least work for it, and h is 1/e^2
-/// of the radius of convergence that the last two coefficients tell (Jorba and Zou).
+/// 12 at a fixed step. Adaptive runs take the order of least work for the tolerance, and h = 1/e^2
+/// of the radius of convergence estimated from the last two coefficients (Jorba and Zou).
 struct taylor {
   static constexpr int fixed_order = 12;
   static constexpr MethodInfo info{
@@ -35,7 +35,7 @@ struct taylor {
     return true;
   }
 
-  /// y <- sum_k c_k h^k by Horner's rule, with c as WithTaylorSeries has it.
+  /// y <- sum_k c_k h^k by Horner's rule, with c laid out as in WithTaylorSeries.
   template <class S>
   static void sum(const std::vector<double>& c, int order, double h, S& y) {
     const std::size_t n = y.size();
@@ -64,7 +64,7 @@ struct taylor {
     std::vector<double> c_;
   };
 
-  /// The step to which the last two coefficients of the series lead; infinite for a polynomial.
+  /// The step size by the last two coefficients of the series; infinite for a polynomial.
   static double safe_step(const std::vector<double>& c, int order, std::size_t n) {
     const auto size = [&](int k) {
       double largest = 0;

@@ -8,8 +8,8 @@
 
 namespace odeum::methods {
 
-/// A trapezoidal step to t + (2 - sqrt 2) h, then the second backward difference formula: L-stable,
-/// one factorisation for both. The embedded row, of order 3, only estimates: it is not stable.
+/// A trapezoidal step to t + (2 - sqrt 2) h, then BDF2: L-stable, one factorisation for both. The
+/// embedded row has order 3 and is not A-stable; it only estimates the error.
 inline constexpr double tr_bdf2_d = 1 - std::numbers::sqrt2 / 2;
 inline constexpr double tr_bdf2_w = std::numbers::sqrt2 / 4;
 inline constexpr Tableau<3> tr_bdf2_tableau{

@@ -7,8 +7,8 @@
 
 namespace odeum::methods {
 
-/// Tsitouras's pair 5(4), made under the first column's simplifying assumption alone: steps with
-/// order 5, estimates with order 4. The last stage is the first of the next step.
+/// Tsitouras's pair 5(4), derived under the first column simplifying assumption only: the solution
+/// has order 5, the embedded row order 4. First same as last.
 inline constexpr Tableau<7> tsitouras54_tableau{
     .a = {{{0},
            {161. / 1000},
@@ -29,8 +29,8 @@ inline constexpr Tableau<7> tsitouras54_tableau{
 };
 static_assert(proven(tsitouras54_tableau));
 
-/// What its interpolant of order 4 adds to Hermite's: the coefficients of theta^4 in the paper's
-/// b_i(theta).
+/// The row d of its interpolant of order 4, see kernel/dense_output.hpp: the coefficients of
+/// theta^4 in the paper's b_i(theta).
 inline constexpr std::array<double, 7> tsitouras54_dense_row{-1.0530884977290216,
                                                              0.1017,
                                                              2.490627285651252793,

@@ -9,9 +9,9 @@ namespace odeum::methods {
 ///
 ///     q_{n+1} = q_n + h v_n + h^2/2 a_n,   v_{n+1} = v_n + h/2 (a_n + a_{n+1}).
 ///
-/// Where a looks at the velocity, a_{n+1} is taken at the predicted velocity v_n + h a_n, which
+/// Where a depends on the velocity, a_{n+1} is taken at the predicted velocity v_n + h a_n, which
 /// keeps order 2 (the velocity at the half step, often used there, lowers it to 1). One evaluation
-/// a step: a_{n+1} serves the next one.
+/// per step: a_{n+1} is reused by the next one.
 struct velocity_verlet : ForSecondOrder {
   static constexpr MethodInfo info{
       .id = "velocity_verlet",

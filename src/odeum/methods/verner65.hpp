@@ -6,9 +6,9 @@
 
 namespace odeum::methods {
 
-/// Verner's pair 6(5) of nine stages, the one that he calls most robust: steps with order 6,
-/// estimates with order 5. The last stage is the first of the next step. His most efficient one has
-/// weights of size 1e4, which in double precision miss the condition of order 2 by 6e-12 already.
+/// Verner's pair 6(5) of nine stages, the one that he calls most robust: the solution has order 6,
+/// the embedded row order 5. First same as last. His most efficient one has weights of size 1e4,
+/// whose rounding to double violates the condition of order 2 by 6e-12.
 inline constexpr Tableau<9> verner65_tableau{
     .a = {{{0},
            {9. / 50},

@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Verner's pair 9(8) of sixteen stages, the one that he calls most efficient: steps with order 9,
-/// estimates with order 8.
+/// Verner's pair 9(8) of sixteen stages, the one that he calls most efficient: the solution has
+/// order 9, the embedded row order 8.
 inline constexpr Tableau<16, long double> verner98_digits{
     .a = {{{0},
            {1731.L / 50000},

@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Yoshida's order 6 in seven velocity-Verlet steps, solution A. Digits beyond those published
-/// follow from the order conditions.
+/// Yoshida's composition of order 6: seven velocity-Verlet steps, solution A. Digits beyond those
+/// published follow from the order conditions.
 inline constexpr Splitting<8> yoshida6_splitting = compose_verlet(
     around_the_middle<3>({-1.1776799841788710069, 0.23557321335935813368, 0.78451361047755726382}),
     6);

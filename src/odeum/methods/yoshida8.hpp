@@ -6,8 +6,8 @@
 
 namespace odeum::methods {
 
-/// Yoshida's order 8 in fifteen velocity-Verlet steps, solution D. Digits beyond those published
-/// follow from the order conditions.
+/// Yoshida's composition of order 8: fifteen velocity-Verlet steps, solution D. Digits beyond those
+/// published follow from the order conditions.
 inline constexpr Splitting<16> yoshida8_splitting = compose_verlet(
     around_the_middle<7>({0.1027998493917964407, -1.9606102329753108076, 1.9381391376225259866,
                           -0.1582406353680501752, -1.4448522368606051577, 0.25369333656621135415,

@@ -8,7 +8,7 @@
 
 #include "odeum/problem/ode_view.hpp"
 
-/// What a problem is: a small struct with a right-hand side, and whatever else it can offer.
+/// A problem is a small struct with a right-hand side and whatever else it can offer.
 ///
 ///     struct Decay {
 ///       static constexpr std::size_t dimension = 1;       // or odeum::dynamic, with a size()
@@ -43,7 +43,7 @@ struct StateOf<Real, dynamic> {
 };
 }  // namespace detail
 
-/// What a problem computes in: double, unless it names another type as `real`.
+/// The number type of a problem: double, unless it names another one as `real`.
 template <class P>
 using RealOf = typename detail::RealOf<P>::type;
 
@@ -71,7 +71,7 @@ concept WithJacobianTimes = Ode<P> &&
   p.jacobian_times(t, y, x, product);
 };
 
-/// Offers df/dt. A problem without it is taken as autonomous; is_autonomous() asks one.
+/// Offers df/dt. A problem without it is assumed autonomous; see is_autonomous().
 template <class P>
 concept NonAutonomous = Ode<P> && requires(const P& p, double t, const double* y, double* d) {
   p.time_derivative(t, y, d);
@@ -85,12 +85,12 @@ concept SecondOrder = Ode<P> &&
   p.acceleration(t, q, v, a);
 };
 
-/// q'' = a(t, q): the acceleration does not look at the velocity.
+/// q'' = a(t, q): the acceleration does not depend on the velocity.
 template <class P>
 concept Separable = SecondOrder<P> && !P::velocity_dependent;
 
 /// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp: a pointer, null
-/// where it has none after all.
+/// where it has none.
 template <class P>
 concept WithShiftedSolver = Ode<P> && requires(const P& p) {
   p.shifted_solver();
@@ -106,8 +106,8 @@ concept WithTaylorSeries = Ode<P> &&
   p.taylor(t, y, order, c);
 };
 
-/// y' = A y + b with constant A and b. `linear_matrix` fills A, dense and row-major; b is what the
-/// right-hand side says at y = 0.
+/// y' = A y + b with constant A and b. `linear_matrix` fills A, dense and row-major; b is the
+/// right-hand side at y = 0.
 template <class P>
 concept LinearConstant = Ode<P> && requires(const P& p, double* a) {
   p.linear_matrix(a);
@@ -127,8 +127,8 @@ constexpr std::size_t size_of(const P& problem) {
     return P::dimension;
 }
 
-/// Whether the right-hand side does not look at t. A type that stands for many problems says it at
-/// run time.
+/// Whether the right-hand side does not depend on t. A type that stands for many problems decides
+/// it at run time.
 template <Ode P>
 constexpr bool is_autonomous(const P& problem) {
   if constexpr (requires { problem.autonomous(); })

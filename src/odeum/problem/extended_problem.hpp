@@ -8,8 +8,8 @@
 
 namespace odeum {
 
-/// A case's problem in extended precision (64 bits of mantissa on x86), for orders that double
-/// cannot show: those that set in at steps whose errors are smaller than its rounding.
+/// A case's problem in extended precision (64 bits of mantissa on x86), for orders that are reached
+/// only at steps whose errors are below the rounding of double.
 struct ExtendedProblem {
   using real = long double;
   static constexpr std::size_t dimension = dynamic;
@@ -17,7 +17,7 @@ struct ExtendedProblem {
   std::function<void(real t, const real* y, real* dydt)> f;
   std::vector<real> y0;
   std::function<bool(double t, real* y)> truth;  ///< as Truth::at
-  double floor = 0;                              ///< absolute error that the truth leaves open
+  double floor = 0;                              ///< absolute error of the truth
 
   std::size_t size() const { return y0.size(); }
   void rhs(real t, const real* y, real* dydt) const { f(t, y, dydt); }

@@ -7,9 +7,9 @@
 
 namespace odeum {
 
-/// A problem made of functions: one type for every right-hand side, so that a method is compiled
-/// for it once. For proofs, where a call is not what costs. The problem must be complete: a
-/// Jacobian, and df/dt, which is zero for an autonomous one.
+/// A problem of std::functions: one type for every right-hand side, so that a method is compiled
+/// for it once. For proofs, where the cost of a call does not matter. Jacobian and df/dt (zero
+/// where autonomous) must be set.
 struct FunctionProblem {
   static constexpr std::size_t dimension = dynamic;
   std::size_t unknowns = 0;

@@ -21,7 +21,7 @@ struct OdeView {
   /// df/dt; null for autonomous problems, where it is zero.
   void (*time_derivative)(const void* problem, double t, const double* y, double* dfdt) = nullptr;
 
-  /// A solver of (I - gamma_h J) x = r made for the problem, which the caller owns; see
+  /// The problem's own solver of (I - gamma_h J) x = r, owned by the caller; see
   /// linear/shifted_solver.hpp.
   ShiftedSolver* (*shifted_solver)(const void* problem) = nullptr;
 

@@ -9,15 +9,15 @@
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 
-/// Problems behind function pointers that are problems again: every case goes on the stage through
-/// one of three types, so that the methods, own and peers', are compiled for these three and not
-/// for every case.
+/// Problems behind function pointers that fulfil the concepts again: every case is run as one of
+/// three types, so that methods, own and peers', are compiled for these three and not for every
+/// case.
 ///
-/// A type says at compile time what is offered, so these offer all that they can make up for: a
-/// Jacobian (by differences where the problem has none), df/dt (zero where it is autonomous), a
-/// shifted solver (null where it has none). What a problem itself has is known at run time, from
-/// its view(). An ability that cannot be made up for becomes a pointer of OdeView, a member here,
-/// and a line in a method's `fits_problem`, see kernel/method.hpp.
+/// Concepts are checked at compile time, so these types offer all that has a fallback: a Jacobian
+/// (by differences where the problem has none), df/dt (zero where autonomous), a shifted solver
+/// (null where there is none). What a problem itself has is known at run time, from its view(). A
+/// capability without a fallback is a pointer of OdeView, a member here, and a line in a method's
+/// `fits_problem`, see kernel/method.hpp.
 namespace odeum {
 
 class SharedOde {
@@ -51,7 +51,7 @@ class SharedOde {
                                                                : nullptr);
   }
 
-  // Not to be made up for: a method that needs one asks `offers` first, in its fits_problem.
+  // Without a fallback: a method that needs one asks `offers` in its fits_problem.
   bool offers_taylor() const { return view_.taylor != nullptr; }
   void taylor(double t, const double* y, int order, double* c) const {
     view_.taylor(view_.problem, t, y, order, c);

@@ -132,9 +132,9 @@ std::complex<double> stability_function(const DynamicTableau<double>& t, std::co
 
 StabilityClass stability_class(const std::function<double(std::complex<double>)>& amplification) {
   StabilityClass found;
-  // Two decades: a value that goes to zero falls to a hundredth, and the roots of a six-step
-  // method, as |z|^(-1/6), to less than half; one that has a limit stays. Farther out, 1 + z b^T k
-  // would lose the limit to rounding.
+  // Two points two decades apart: a value that tends to zero falls to a hundredth (the roots of a
+  // six-step method, as |z|^(-1/6), to less than half); one with a finite limit does not change.
+  // Farther out rounding in 1 + z b^T k would hide the limit.
   const double far = amplification(-1e6), farther = amplification(-1e8);
   found.at_infinity = farther < far / 2   ? 0
                       : farther < 2 * far ? farther

@@ -8,7 +8,7 @@
 
 namespace odeum {
 
-/// What the places and sizes of a tableau's coefficients say of the method.
+/// Structural properties of a Runge-Kutta method, read off its coefficients.
 struct Structure {
   enum class Kind { explicit_stages, diagonally_implicit, fully_implicit };
   Kind kind = Kind::explicit_stages;
@@ -43,9 +43,9 @@ struct StabilityClass {
 std::string describe(const StabilityClass& stability);
 
 /// From |R(z)| as a function of z: the widest sector about the negative real axis on whose edges
-/// |R| <= 1 + 1e-12 wherever it is looked at (1e-6 < |z| < 1e9, forty points a decade). By the
-/// maximum principle the edges speak for the sector, provided that no pole lies within, for which
-/// the real axis and two rays inside are looked at too.
+/// |R| <= 1 + 1e-12 at every sample (1e-6 < |z| < 1e9, forty points per decade). By the maximum
+/// principle a bound on the edges holds in the sector, provided that no pole lies within; the real
+/// axis and two rays inside are sampled for that.
 StabilityClass stability_class(const std::function<double(std::complex<double>)>& amplification);
 StabilityClass stability_class(const DynamicTableau<double>& tableau);
 

@@ -64,7 +64,7 @@ class Parser {
     skip_blanks();
     if (at_ < text_.size()) {
       if (text_[at_] == ',') throw CoefficientError("a comma (decimals are written with a point)");
-      throw CoefficientError(fmt::format("'{}' where the number should end", text_.substr(at_, 8)));
+      throw CoefficientError(fmt::format("'{}' after the end of the number", text_.substr(at_, 8)));
     }
     return x;
   }
@@ -123,9 +123,8 @@ class Parser {
       fraction = digits();
     }
     if (whole_part.empty() && fraction.empty()) {
-      if (at_ - (point ? 1 : 0) >= text_.size())
-        throw CoefficientError("nothing where a number should be");
-      throw CoefficientError("no number");
+      if (at_ - (point ? 1 : 0) >= text_.size()) throw CoefficientError("a number is missing");
+      throw CoefficientError("not a number");
     }
     if (whole_part.size() > 1 && whole_part[0] == '0')
       throw CoefficientError("a leading zero (octal or decimal?)");
@@ -177,7 +176,7 @@ class Parser {
 }  // namespace
 
 Coefficient parse_coefficient(std::string_view text) {
-  mpf_set_default_prec(coefficient_bits);  // what GMP's temporaries are made with
+  mpf_set_default_prec(coefficient_bits);  // the precision of GMP's temporaries
   if (text.size() > longest_text)
     throw CoefficientError(fmt::format("a number of more than {} characters", longest_text));
   const Coefficient x = Parser(text).whole();

@@ -28,7 +28,7 @@ using Nodes = std::array<long double, S>;
 /// The first `count` roots of f in (0, 1): by changes of sign on a grid, then bisection.
 template <std::size_t S, class F>
 constexpr Nodes<S> roots_in_unit_interval(F f, std::size_t count) {
-  constexpr int grid = 1009;  // prime: no root of ours lies on it
+  constexpr int grid = 1009;  // prime, so that no root lies on the grid
   Nodes<S> roots{};
   std::size_t found = 0;
   for (int g = 0; g < grid && found < count; ++g) {
@@ -86,8 +86,9 @@ constexpr Tableau<S> collocation(const Nodes<S>& c, int order) {
   return t;
 }
 
-/// Butcher's simplifying assumptions prove an order without a tree (theorem IV.5.1): B(p), C(eta),
-/// D(zeta) with p <= eta + zeta + 1 and p <= 2 eta + 2. B(p + 1) must fail: the order is exact.
+/// Butcher's simplifying assumptions prove an order without rooted trees (theorem IV.5.1): B(p),
+/// C(eta), D(zeta) with p <= eta + zeta + 1 and p <= 2 eta + 2. B(p + 1) must fail: the order is
+/// exact.
 template <std::size_t S>
 consteval bool collocation_proven(const Tableau<S>& t, int eta, int zeta) {
   constexpr double rounding = 1e-14;

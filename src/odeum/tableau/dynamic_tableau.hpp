@@ -7,8 +7,8 @@
 
 namespace odeum {
 
-/// A Runge-Kutta tableau whose number of stages is known at run time only, over any kind of number.
-/// Unlike Tableau, it has nodes of its own: a user may state nodes that contradict the row sums.
+/// A Runge-Kutta tableau whose number of stages is known at run time only, over any number type.
+/// Unlike Tableau it stores the nodes: a user may state nodes that contradict the row sums.
 template <class Number>
 struct DynamicTableau {
   std::size_t stages = 0;
@@ -31,7 +31,7 @@ struct DynamicTableau {
     for (std::size_t i = 0; i < stages; ++i) c.push_back(row_sum(i));
   }
   bool is_explicit() const { return zero_from(0); }
-  /// No stage looks at a later one: they are solved one after the other.
+  /// No stage depends on a later one: they are solved one after the other.
   bool is_diagonally_implicit() const { return zero_from(1); }
 
  private:

@@ -8,7 +8,7 @@ namespace odeum {
 namespace {
 
 constexpr int most_iterations = 50;
-/// Newton's corrections end at rounding: twice in a row under this, or one far under it.
+/// The relative size of a correction below which Newton's iteration has converged.
 constexpr double settled = 1e-14;
 
 double largest(const std::vector<double>& x) {
@@ -20,7 +20,7 @@ double largest(const std::vector<double>& x) {
   return norm;
 }
 
-/// Whether Newton's iteration has come to its end, from one correction to the next.
+/// Decides from its corrections whether Newton's iteration has converged.
 class Settling {
  public:
   /// `size` of a correction to quantities of size `scale`.

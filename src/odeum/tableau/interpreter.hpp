@@ -9,21 +9,21 @@
 
 namespace odeum {
 
-/// Runs any Runge-Kutta tableau as its formulas stand, with the nodes that the tableau states:
+/// Evaluates the formulas of any Runge-Kutta tableau literally, with the nodes that the tableau
+/// states:
 ///
 ///     k_i = f(t + c_i h, y + h sum_j a_ij k_j),   y <- y + h sum_i b_i k_i.
 ///
-/// Slow and independent of the kernels, which is the point: what they compute is held against it.
-/// Implicit stages are solved by Newton's method, one by one where no stage looks at a later one,
-/// else all together.
+/// Slow and independent of the kernels, which are tested against it. Implicit stages are solved by
+/// Newton's method, one by one where no stage depends on a later one, else all together.
 class TableauInterpreter {
  public:
   /// Both must outlive the interpreter.
   TableauInterpreter(const DynamicTableau<double>& tableau, const FunctionProblem& problem);
 
-  /// newton_failed where the stages cannot be solved for.
+  /// newton_failed where Newton's method for the stages does not converge.
   Status step(double t, double h, std::vector<double>& y);
-  /// The same, and h sum_i (b_i - b_hat_i) k_i; the tableau must have an embedded row.
+  /// The same, and `error` = h sum_i (b_i - b_hat_i) k_i; the tableau must have an embedded row.
   Status step(double t, double h, std::vector<double>& y, std::vector<double>& error);
 
  private:

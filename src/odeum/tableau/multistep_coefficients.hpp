@@ -36,7 +36,8 @@ constexpr std::array<double, Count> lagrange_integrals(int first) {
   return integrals;
 }
 
-/// y_{n+1} = y_n + h times the integral of the polynomial through f_n, ..., f_{n+1-K}. Order K.
+/// Adams-Bashforth: y_{n+1} = y_n + h times the integral of the polynomial through f_n, ...,
+/// f_{n+1-K}. Order K.
 template <std::size_t K>
 constexpr MultistepCoefficients<K> adams_bashforth_coefficients() {
   MultistepCoefficients<K> c;
@@ -47,7 +48,7 @@ constexpr MultistepCoefficients<K> adams_bashforth_coefficients() {
   return c;
 }
 
-/// The same through f_{n+1}, f_n, ..., f_{n+1-K}. Order K + 1.
+/// Adams-Moulton: the same through f_{n+1}, f_n, ..., f_{n+1-K}. Order K + 1.
 template <std::size_t K>
 constexpr MultistepCoefficients<K> adams_moulton_coefficients() {
   MultistepCoefficients<K> c;
@@ -57,7 +58,7 @@ constexpr MultistepCoefficients<K> adams_moulton_coefficients() {
   return c;
 }
 
-/// sum_{j=1}^K nabla^j y_{n+1} / j = h f_{n+1}. Order K.
+/// BDF: sum_{j=1}^K nabla^j y_{n+1} / j = h f_{n+1}. Order K.
 template <std::size_t K>
 constexpr MultistepCoefficients<K> backward_difference_coefficients() {
   MultistepCoefficients<K> c;
@@ -72,7 +73,8 @@ constexpr MultistepCoefficients<K> backward_difference_coefficients() {
   return c;
 }
 
-/// Whether the formula is exact for polynomials of degree `order` and no more ((III.2.6)).
+/// Whether the formula is exact for polynomials of degree `order` and not of degree `order` + 1
+/// ((III.2.6)).
 template <std::size_t K>
 consteval bool multistep_proven(const MultistepCoefficients<K>& c, int order) {
   const auto violation = [&](int q) {

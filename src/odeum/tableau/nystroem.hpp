@@ -24,7 +24,7 @@ struct NystroemTableau {
   int order_hat = 0;
 
   constexpr bool has_embedded_rows() const { return order_hat != 0; }
-  /// The last stage is the first of the next step.
+  /// First same as last: the last stage is the first of the next step.
   constexpr bool reuses_last_stage() const {
     for (std::size_t j = 0; j < S; ++j)
       if (a[S - 1][j] != b_q[j]) return false;
@@ -44,7 +44,7 @@ struct NystroemTrees {
 
   std::array<int, count> nodes{};
   std::array<std::size_t, count> base{}, grafted{};
-  /// The exact solution's factor: a stage at theta has theta^(n-1) times it.
+  /// The factor of the exact solution; at a stage at theta it is multiplied by theta^(n-1).
   std::array<double, count> factor{};
 
   consteval NystroemTrees() {

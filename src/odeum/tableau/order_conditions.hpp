@@ -101,13 +101,13 @@ constexpr double order_residual(const Tableau<S>& tableau, const std::array<doub
   return worst;
 }
 
-/// What rounded coefficients of size one to ten leave of a condition that holds: a hundred
-/// roundings. The published pairs leave 1e-14 (Tsitouras 5(4), whose coefficients reach 13) at
-/// most.
+/// The largest residual of a condition that holds, with coefficients of size one to ten rounded to
+/// double: a hundred roundings. The largest of the published pairs is 1e-14 (Tsitouras 5(4), whose
+/// coefficients reach 13).
 inline constexpr double order_rounding = 1e-13;
 
-/// Whether the row meets every condition up to `order` (at most 10) and fails one of the next
-/// (which is not asked at order 10).
+/// Whether the row meets every condition up to `order` (at most 10) and fails one of the next (not
+/// checked at order 10).
 template <std::size_t S>
 constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<double, S>& row,
                                  int order) {

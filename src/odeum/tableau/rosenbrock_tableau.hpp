@@ -18,7 +18,7 @@ namespace odeum {
 ///     (I / (gamma h) - J) u_i = f(t + alpha_i h, y + sum a_ij u_j) + sum c_ij u_j / h
 ///                               + gamma_i h df/dt,          y <- y + sum m_i u_i.
 ///
-/// Published methods are stated in one form or the other; what is missing is derived.
+/// Methods are published in one form or the other; the other form is derived.
 template <std::size_t S>
 struct RosenbrockTableau {
   static constexpr std::size_t stages = S;
@@ -117,8 +117,8 @@ constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
                                      const std::array<double, S>& b) {
   constexpr auto& trees = rooted_trees<Order>;
   const auto alpha = tableau.alpha_matrix(), gamma = tableau.gamma_matrix();
-  std::array<std::array<double, S>, trees.count> phi{};   // as the whole of a tree
-  std::array<std::array<double, S>, trees.count> many{};  // as a part of one with more children
+  std::array<std::array<double, S>, trees.count> phi{};   // as the whole tree
+  std::array<std::array<double, S>, trees.count> many{};  // as one of several branches
   double worst = 0;
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
     double sum = 0;
@@ -141,8 +141,8 @@ constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
   return worst;
 }
 
-/// Whether the row has order `Order` and no more. Coefficients that are published to 16 digits and
-/// are of size up to a hundred leave `rounding`.
+/// Whether the row has order `Order` and no more. `rounding` allows for coefficients of size up to
+/// a hundred published to 16 digits.
 template <int Order, std::size_t S>
 constexpr bool rosenbrock_has_exactly_order(const RosenbrockTableau<S>& tableau,
                                             const std::array<double, S>& m, double rounding) {

@@ -7,26 +7,26 @@
 #include "odeum/tableau/dynamic_tableau.hpp"
 #include "odeum/tableau/rooted_trees.hpp"
 
-/// Order conditions at run time, over any kind of number: in exact fractions a condition holds
-/// exactly or not at all.
+/// Order conditions at run time, over any number type: in exact fractions a condition holds exactly
+/// or not at all.
 namespace odeum {
 
-/// How far the coefficients may be from those that were meant: each by its `absolute`, plus by
-/// `relative` times its size (half a unit in the last place for numbers held as double).
+/// Bound on the error of each coefficient: its `absolute`, plus `relative` times its size (half a
+/// unit in the last place for numbers held as double).
 struct CoefficientRounding {
   double absolute = 0, relative = 0;
 };
-/// Coefficients written as double, a few of them by a short calculation in double.
+/// For coefficients held as double, a few of them computed by a short expression in double.
 inline constexpr CoefficientRounding double_rounding{.absolute = 0, .relative = 0x1p-51};
 
-/// What the conditions say of a row of weights.
+/// The result of checking the order conditions of a row of weights.
 template <class Number>
 struct RowOrder {
   int order = 0;       ///< every condition up to it holds
   bool fails = false;  ///< a condition of the next order fails; else `order` is the highest checked
   std::size_t tree = 0;     ///< the first condition that fails
   Number residual{};        ///< sum_i b_i Phi_i(tau) - 1/gamma(tau) of that tree
-  double allowance = 0;     ///< what rounding of the coefficients may have a part in, for that tree
+  double allowance = 0;     ///< bound on the residual that rounding explains
   int failing = 0, of = 0;  ///< how many conditions of the next order fail, and how many there are
 };
 
@@ -42,8 +42,8 @@ double as_double(const Number& x) {
 /// The order of a row with the stages of `tableau`, nodes taken from the row sums. A condition
 /// holds where its residual is zero or within what the rounding of the coefficients explains: to
 /// first order, (number of factors) x (relative rounding) x sum |b_i| Phi_i(|A|), and as much for
-/// the absolute one with one factor left out. `at_most`: conditions beyond this order are not
-/// looked at.
+/// the absolute one with one factor left out. `at_most`: the highest order whose conditions are
+/// checked.
 template <class Number>
 RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::vector<Number>& row,
                               const CoefficientRounding& rounding,
@@ -72,7 +72,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
           double graft_size = 0, graft_slope = 0;
           for (std::size_t j = 0; j < s; ++j) {
             const double a = magnitude[i * s + j];
-            if (a == 0) continue;  // a zero is meant
+            if (a == 0) continue;  // a zero is exact
             graft_slope += size[r][j] + a * slope[r][j];
             graft += tableau.at(i, j) * phi[r][j];
             graft_size += a * size[r][j];

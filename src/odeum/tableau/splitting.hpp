@@ -17,7 +17,7 @@ struct Splitting {
   std::array<double, S> kick{}, drift{};
   int order = 0;
 
-  /// The share of the step that lies before kick number i.
+  /// Fraction of the step before kick i.
   constexpr double c(std::size_t i) const {
     double sum = 0;
     for (std::size_t j = 0; j < i; ++j) sum += drift[j];
@@ -25,7 +25,7 @@ struct Splitting {
   }
   /// It ends with a kick where the next step begins with one: the acceleration serves both.
   constexpr bool reuses_last_stage() const { return drift[S - 1] == 0 && kick[0] != 0; }
-  /// Read backwards it is the same: with -h it undoes its step.
+  /// Symmetric coefficients: a step with -h inverts a step with h.
   constexpr bool symmetric() const {
     const bool kicks_at_ends = drift[S - 1] == 0;  // else it has to begin with a drift: kick_0 = 0
     if (!kicks_at_ends && kick[0] != 0) return false;
@@ -37,7 +37,7 @@ struct Splitting {
     }
     return true;
   }
-  /// The explicit Nystroem method that it is, by whose order conditions it is proven.
+  /// The equivalent explicit Nystroem method, whose order conditions prove it.
   constexpr NystroemTableau<S> as_nystroem() const {
     NystroemTableau<S> n;
     n.order = order;

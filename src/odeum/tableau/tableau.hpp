@@ -33,7 +33,7 @@ struct Tableau {
         if (a[i][j] != 0) return false;
     return true;
   }
-  /// The last stage is the first of the next step: its argument is the new state.
+  /// First same as last: the argument of the last stage is the new state.
   constexpr bool first_same_as_last() const {
     if (a[0][0] != 0) return false;
     for (std::size_t j = 0; j < S; ++j)

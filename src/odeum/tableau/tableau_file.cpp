@@ -15,7 +15,7 @@ namespace {
 const std::vector<std::string> keys{"name", "source", "order", "order_embedded",
                                     "c",    "A",      "b",     "b_hat"};
 
-/// A tableau of numbers as they were written.
+/// A tableau of numbers as written in the file.
 struct Written {
   std::size_t stages = 0;
   std::vector<Coefficient> a, b, c, b_hat;
@@ -44,7 +44,7 @@ class Reader {
     if (const YamlNode* b_hat = find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
     const int order = claim("order"), order_hat = claim("order_embedded");
     if (order_hat != 0 && w.b_hat.empty())
-      fail_at(*find("order_embedded"), "order_embedded", "a claim about no row", "b_hat");
+      fail_at(*find("order_embedded"), "order_embedded", "claim without the row", "b_hat");
 
     const bool exact = all_of(w, [](const Coefficient& x) { return x.rational; });
     if (exact)
@@ -60,7 +60,7 @@ class Reader {
         result.tableau);
     result.rounded.order = order;
     result.rounded.order_hat = order_hat;
-    // What 512 bits leave of a root, with room for the sums that it enters.
+    // Rounding of a root to 512 bits, with a margin for the sums that it enters.
     if (!exact) result.rounding.relative = 1e-140;
     all_of(w, [&](const Coefficient& x) {
       result.rounding.absolute = std::max(result.rounding.absolute, x.uncertainty);
@@ -91,14 +91,14 @@ class Reader {
     return *value;
   }
 
-  /// The key whose place among the root's items is `i`.
+  /// Item `i` of the root, which is a key.
   void check_key(std::size_t i) const {
     const YamlNode& key = *root_.items[i];
     if (key.kind != YamlNode::Kind::scalar) fail_at(key, "tableau", got(key), "a word as a key");
     for (std::size_t k = 0; k < i; k += 2)
       if (root_.items[k]->text == key.text)
         fail_at(key, key.text,
-                fmt::format("a second time; the first is in line {}", root_.items[k]->place.line),
+                fmt::format("duplicate key; the first is in line {}", root_.items[k]->place.line),
                 "one");
     if (std::count(keys.begin(), keys.end(), key.text)) return;
     const std::string near = nearest(key.text, keys);

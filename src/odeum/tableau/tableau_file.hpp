@@ -10,7 +10,7 @@
 
 namespace odeum {
 
-/// What a person's tableau file says.
+/// The contents of a tableau file.
 ///
 ///     name: Heun with Euler            # optional, as is source
 ///     order: 2                         # claims, both optional
@@ -21,22 +21,22 @@ namespace odeum {
 ///     b_hat: [1, 0]                    # optional
 struct TableauFile {
   std::string name, source;
-  /// Over fractions where no coefficient needs more, else to `coefficient_bits`.
+  /// In fractions where every coefficient is rational, else to `coefficient_bits`.
   std::variant<DynamicTableau<mpq_class>, DynamicTableau<mpf_class>> tableau;
-  DynamicTableau<double> rounded;  ///< the same as double: what runs
-  CoefficientRounding rounding;    ///< what decimals that were cut off leave open
-  bool has_nodes = false;          ///< c was written
+  DynamicTableau<double> rounded;  ///< the same rounded to double, for running it
+  CoefficientRounding rounding;    ///< error bounds of rounded decimals
+  bool has_nodes = false;          ///< the file has c
 
   bool exact() const { return tableau.index() == 0; }
 };
 
-/// Most stages that a file may have.
+/// The largest number of stages of a file.
 inline constexpr std::size_t most_stages = 40;
 
-/// Reads a file of at most 1 MiB. Throws InputError for everything that is wrong with the path, the
-/// text or the numbers; for anchors and aliases, which no tableau needs.
+/// Reads a file of at most 1 MiB. Throws InputError for a path that cannot be read, a text or
+/// numbers that are wrong, anchors and aliases.
 TableauFile read_tableau_file(const std::string& path);
-/// The same from a text; `file` is what errors call it.
+/// The same from a text; `file` is its name in errors.
 TableauFile read_tableau(const std::string& file, const std::string& text);
 
 }  // namespace odeum

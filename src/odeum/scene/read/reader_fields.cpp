@@ -86,11 +86,11 @@ double Value::number(Sign sign) const {
   const std::string expected = sign == Sign::any            ? "a number"
                                : sign == Sign::not_negative ? "a number that is not negative"
                                                             : "a positive number";
-  if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("no number", expected);
+  if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("not a number", expected);
   const std::string& text = node_->text;
   if (is_not_finite(text)) fail("not finite", "a finite number");
   if (has_decimal_comma(text)) fail("a decimal comma", "a number with a decimal point");
-  if (!is_decimal(text)) fail("no number", expected);
+  if (!is_decimal(text)) fail("not a number", expected);
   if (has_octal_look(text))
     fail("a leading zero, which YAML may take as octal", "a number without it");
   double value = 0;
@@ -98,7 +98,7 @@ double Value::number(Sign sign) const {
   const auto [end, error] = std::from_chars(bare.data(), bare.data() + bare.size(), value);
   if (error == std::errc::result_out_of_range)
     fail("beyond what a double holds", "a number between 1e-308 and 1e308, or 0");
-  if (error != std::errc{} || end != bare.data() + bare.size()) fail("no number", expected);
+  if (error != std::errc{} || end != bare.data() + bare.size()) fail("not a number", expected);
   if ((sign != Sign::any && value < 0) || (sign == Sign::positive && value == 0))
     fail(value < 0 ? "negative" : "zero", expected);
   return value;
@@ -106,7 +106,7 @@ double Value::number(Sign sign) const {
 
 std::uint64_t Value::whole(std::uint64_t least, std::uint64_t most) const {
   const std::string expected = fmt::format("a whole number from {} to {}", least, most);
-  if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("no number", expected);
+  if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("not a number", expected);
   const std::string& text = node_->text;
   if (!is_decimal(text)) fail("no whole number", expected);
   if (has_octal_look(text))
