@@ -64,6 +64,36 @@ ${calls}    return list;
   set(ODEUM_CASE_FILES ${files} ${ODEUM_GENERATED}/odeum_cases.cpp PARENT_SCOPE)
 endfunction()
 
+# odeum_studies.cpp: make_studies() from every folder in src/odeum/studies that has a study.cpp, which
+# defines std::unique_ptr<Study> make_<folder>().
+function(odeum_generate_studies)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/studies/*/study.cpp)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS files)
+    get_filename_component(name ${file} DIRECTORY)
+    get_filename_component(name ${name} NAME)
+    string(APPEND declarations "std::unique_ptr<Study> make_${name}();\n")
+    string(APPEND calls "  studies.push_back(make_${name}());\n")
+  endforeach()
+  odeum_write(${ODEUM_GENERATED}/odeum_studies.cpp
+"#include <algorithm>
+
+#include \"odeum/studies/study.hpp\"
+
+namespace odeum::study {
+${declarations}
+Studies make_studies() {
+  Studies studies;
+${calls}  std::stable_sort(studies.begin(), studies.end(), [](const auto& a, const auto& b) {
+    return a->declaration().place < b->declaration().place;
+  });
+  return studies;
+}
+}
+")
+endfunction()
+
 # odeum_inlined.hpp/.cpp: inlined_solvers() from every file in cases/inlined, its stem the function.
 function(odeum_generate_inlined)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.cpp)

@@ -93,8 +93,10 @@ class Order : public testing::TestWithParam<Pair> {};
 
 TEST_P(Order, IsAsClaimed) {
   const Pair& pair = GetParam();
-  const study::ConvergenceResult result = study::converge(
-      {.cases = {pair.case_id}, .solvers = {"odeum/" + pair.method}, .modes = {pair.mode}});
+  const study::ConvergenceResult result =
+      study::converge({.cases = {pair.case_id},
+                       .solvers = {"odeum/" + pair.method},
+                       .own = {{"mode", to_string(pair.mode)}}});
   ASSERT_EQ(result.orders.size(), 1U);
   const judge::OrderFit& fit = result.orders.front().fit;
   if (const Exception* exception = exception_for(pair)) {

@@ -75,7 +75,7 @@ class Page : public testing::Test {
   }
   std::string page_of(const ReportData& data) {
     const record::OutputFolder folder(root_ / "out");
-    write_csv(data.convergence, folder);
+    record::write(data.convergence, folder);
     write_page(data, folder);
     return read(folder.path() / "index.html");
   }

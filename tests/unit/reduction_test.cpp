@@ -18,9 +18,11 @@ const ReductionRow& row_at(const std::vector<ReductionRow>& rows, const std::str
 
 // Hairer and Wanner, Solving ODEs II, IV.15, table 15.1: what is left where h |lambda| is large.
 TEST(Reduction, IsToTheOrderOfTheStages) {
-  const auto rows = measure_reduction(
-      {.solvers = {"odeum/gauss4", "odeum/gauss6", "odeum/radau_iia5", "odeum/sdirk4",
-                   "odeum/lobatto_iiic4", "odeum/bdf4", "odeum/implicit_midpoint"}});
+  const auto rows =
+      measure_reduction(
+          {.solvers = {"odeum/gauss4", "odeum/gauss6", "odeum/radau_iia5", "odeum/sdirk4",
+                       "odeum/lobatto_iiic4", "odeum/bdf4", "odeum/implicit_midpoint"}})
+          .rows;
   EXPECT_EQ(rows.size(), 7U * 9);
   struct Expected {
     const char* solver;
@@ -43,7 +45,7 @@ TEST(Reduction, IsToTheOrderOfTheStages) {
 }
 
 TEST(Reduction, SaysWhyThereIsNoOrder) {
-  const auto rows = measure_reduction({.solvers = {"odeum/rk4", "odeum/leapfrog"}});
+  const auto rows = measure_reduction({.solvers = {"odeum/rk4", "odeum/leapfrog"}}).rows;
   EXPECT_EQ(row_at(rows, "rk4", -1).fit.verdict, judge::Verdict::confirmed);
   const ReductionRow& stiff = row_at(rows, "rk4", -1e8);
   EXPECT_EQ(stiff.fit.verdict, judge::Verdict::undetermined) << "a few steps end, at 1e40 and more";

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/cli/study_command.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum_build_info.hpp"
@@ -39,12 +40,12 @@ int run(int argc, char** argv) {
   int result = success;
   add_list(app, result);
   add_run(app, result);
-  add_converge(app, result);
+  const odeum::study::Studies studies = odeum::study::make_studies();
+  for (const auto& study : studies) add_study(app, *study, result);
   add_stability(app, result);
   add_precision(app, result);
   add_drift(app, result);
   add_limits(app, result);
-  add_reduction(app, result);
   add_material(app, result);
   add_report(app, result);
   add_verify(app, result);
@@ -64,13 +65,6 @@ int run(int argc, char** argv) {
   return result;
 }
 
-/// What to do after an interruption: some commands keep a journal.
-const char* how_to_go_on(std::string_view command) {
-  for (const std::string_view keeps : {"converge", "stability", "report"})
-    if (command == keeps) return "the same command with --resume goes on from here";
-  return "no file was written";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -85,8 +79,11 @@ int main(int argc, char** argv) {
   } catch (const odeum::record::FileError& error) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     return file_failed;
+  } catch (const Stopped& stopped) {
+    fmt::print(stderr, "odeum: interrupted; {}\n", stopped.what());
+    return interrupted_code;
   } catch (const odeum::Interrupted&) {
-    fmt::print(stderr, "odeum: interrupted; {}\n", how_to_go_on(argv[1]));
+    fmt::print(stderr, "odeum: interrupted; no file was written\n");
     return interrupted_code;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "odeum: out of memory\n");

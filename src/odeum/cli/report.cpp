@@ -58,10 +58,8 @@ void run(const Options& options) {
   report::ReportData data;
   data.quick = options.quick;
   data.command_line = options.quick ? "odeum report --quick" : "odeum report";
-  study::ConvergenceOptions convergence;
-  convergence.quick = options.quick;
-  convergence.jobs = options.jobs_or_cores();
-  data.convergence = study::converge(convergence, &converged);
+  data.convergence =
+      study::converge({.quick = options.quick}, study::Runner(options.jobs_or_cores(), &converged));
   study::StabilityOptions stability;
   stability.jobs = options.jobs_or_cores();
   if (options.quick) {
@@ -77,7 +75,7 @@ void run(const Options& options) {
   data.material = options.quick
                       ? study::read_material_csv(folder.path())
                       : study::measure_material({.solvers = {}, .jobs = options.jobs_or_cores()});
-  write_csv(data.convergence, folder);
+  record::write(data.convergence, folder);
   write_csv(data.stability, folder);
   write_csv(data.proofs, folder);
   if (!options.quick) write_csv(data.material, folder);

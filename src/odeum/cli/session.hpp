@@ -26,6 +26,12 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The work was interrupted; what() says how to go on.
+class Stopped : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Prints data to stdout. A closed pipe ends the program's talk quietly; a full disk is a
 /// FileError.
 void print(const std::string& text);
@@ -59,12 +65,10 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
 /// Each adds its subcommand; `result` receives the exit code when it runs.
 void add_list(CLI::App& app, int& result);
 void add_run(CLI::App& app, int& result);
-void add_converge(CLI::App& app, int& result);
 void add_stability(CLI::App& app, int& result);
 void add_precision(CLI::App& app, int& result);
 void add_drift(CLI::App& app, int& result);
 void add_limits(CLI::App& app, int& result);
-void add_reduction(CLI::App& app, int& result);
 void add_material(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
 void add_verify(CLI::App& app, int& result);

@@ -7,12 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/convergence/extended_order.hpp"
-#include "odeum/studies/convergence/pair_result.hpp"
 #include "odeum/studies/convergence/settings.hpp"
 
 namespace odeum::study {
@@ -25,12 +21,22 @@ double claimed_order(const Pair& pair) {
   return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
 }
 
-ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
-  ConvergenceRow row;
-  row.case_id = pair.c->id;
-  row.library = pair.entrant->info.library;
-  row.solver = pair.entrant->info.method;
+template <class Row>
+Row blank_row(const Pair& pair) {
+  Row row = named_row<Row>(*pair.c, pair.entrant->info);
   row.mode = pair.mode;
+  return row;
+}
+
+OrderRow make_order(const Pair& pair, const judge::OrderFit& fit) {
+  OrderRow row = blank_row<OrderRow>(pair);
+  row.claimed_order = claimed_order(pair);
+  row.fit = fit;
+  return row;
+}
+
+ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
+  ConvergenceRow row = blank_row<ConvergenceRow>(pair);
   row.status = to_string(outcome.status);
   row.detail = outcome.detail;
   row.counters = outcome.counters;
@@ -68,17 +74,13 @@ const std::string& reason_against(const Pair& pair) {
   return pair.mode == Mode::fixed ? pair.c->no_fixed_steps : none;
 }
 
-PairResult not_applicable(const Pair& pair) {
-  PairResult result;
-  ConvergenceRow row = make_row(pair, {.steps = 1, .stops = {nan}}, {});
-  row.status = "not_applicable";
-  row.detail = reason_against(pair);
-  row.steps = 0;
-  row.step = row.tolerance = nan;
-  result.rows.push_back(row);
-  result.order.fit.verdict = judge::Verdict::not_applicable;
-  result.order.fit.reason = row.detail;
-  return result;
+ConvergenceResult not_applicable(const Pair& pair, const std::string& reason) {
+  ConvergenceRow row = not_applicable(blank_row<ConvergenceRow>(pair), reason);
+  row.step = row.tolerance = row.error_max = row.error_rms = row.energy_error = nan;
+  judge::OrderFit fit;
+  fit.verdict = judge::Verdict::not_applicable;
+  fit.reason = reason;
+  return {.rows = {row}, .times = {}, .orders = {make_order(pair, fit)}};
 }
 
 /// The runs of one pair, as they come in.
@@ -145,9 +147,9 @@ class PairRuns {
     return fit;
   }
 
-  PairResult result() && {
-    PairResult result;
-    result.order.fit = fit();
+  ConvergenceResult result() && {
+    ConvergenceResult result;
+    result.orders.push_back(make_order(pair_, fit()));
     for (Run& run : runs_) {
       result.rows.push_back(std::move(run.row));
       std::move(run.times.begin(), run.times.end(), std::back_inserter(result.times));
@@ -220,75 +222,40 @@ void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit&
   fit = *closer;
 }
 
-PairResult run_pair(const Pair& pair, const judge::Judge& judge, bool quick) {
-  if (!reason_against(pair).empty()) return not_applicable(pair);
+ConvergenceResult run_pair(const Pair& pair, const judge::Judge& judge, bool quick) {
+  if (const std::string& reason = reason_against(pair); !reason.empty())
+    return not_applicable(pair, reason);
   PairRuns runs(pair, judge);
   const std::vector<Request> requests = convergence_settings(pair, quick);
   runs.climb(requests);
   if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();
   runs.look_again(requests.front());
   const std::uint64_t end = runs.steps_of_least_error();
-  PairResult result = std::move(runs).result();
-  look_closer(pair, end, result.order.fit);
+  ConvergenceResult result = std::move(runs).result();
+  look_closer(pair, end, result.orders.front().fit);
   return result;
 }
 
-// Who a row is of does not stand in the record: the pair says it.
-void sign(const Pair& pair, PairResult& result) {
-  const auto mark = [&](auto& row) {
-    row.case_id = pair.c->id;
-    row.library = pair.entrant->info.library;
-    row.solver = pair.entrant->info.method;
-    row.mode = pair.mode;
-  };
-  for (ConvergenceRow& row : result.rows) mark(row);
-  for (TimeRow& row : result.times) mark(row);
-  mark(result.order);
-  result.order.claimed_order = claimed_order(pair);
-}
-
-std::vector<Pair> select_pairs(const ConvergenceOptions& options) {
-  std::vector<Pair> pairs;
-  for (const Case& c : all_cases()) {
-    if (!any_glob_matches(options.cases, c.id)) continue;
-    for (const Entrant& entrant : c.entrants) {
-      if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
-      for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
-        const bool offered = mode == Mode::fixed ? entrant.info.fixed : entrant.info.adaptive;
-        const bool wanted =
-            options.modes.empty() || std::count(options.modes.begin(), options.modes.end(), mode);
-        if (offered && wanted) pairs.push_back({&c, &entrant, mode});
-      }
-    }
-  }
-  return pairs;
+std::string key_of(const Pair& pair) {
+  return pair.c->id + ' ' + pair.entrant->info.id() + ' ' + to_string(pair.mode);
 }
 
 }  // namespace
 
-ConvergenceResult converge(const ConvergenceOptions& options, record::Journal* journal) {
-  const std::vector<Pair> pairs = select_pairs(options);
-  std::vector<PairResult> results(pairs.size());
-  Progress progress("converge", static_cast<double>(pairs.size()));
-  parallel_for(pairs.size(), options.jobs, [&](std::size_t i) {
-    const Pair& pair = pairs[i];
-    const std::string key = pair.c->id + ' ' + pair.entrant->info.id() + ' ' + to_string(pair.mode);
-    if (const auto held = journal ? journal->find(key) : std::nullopt) {
-      results[i] = read_record(*held);
-    } else {
-      results[i] = run_pair(pair, judge::Judge(*pair.c, pair.c->stops), options.quick);
-      if (journal && !interrupted) journal->add(key, write_record(results[i]));
+ConvergenceResult converge(const Options& options, const Runner& runner) {
+  const std::string only = options.word("mode");
+  std::vector<Pair> pairs;
+  for (Pair pair : select_pairs(select_cases(options.cases), options.solvers))
+    for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
+      pair.mode = mode;
+      const SolverInfo& info = pair.entrant->info;
+      if ((mode == Mode::fixed ? info.fixed : info.adaptive) &&
+          (only.empty() || only == to_string(mode)))
+        pairs.push_back(pair);
     }
-    sign(pair, results[i]);
-    progress.advance();
+  return runner.run("converge", pairs, key_of, [&](const Pair& pair) {
+    return run_pair(pair, judge::Judge(*pair.c, pair.c->stops), options.quick);
   });
-  ConvergenceResult all;
-  for (PairResult& result : results) {
-    std::move(result.rows.begin(), result.rows.end(), std::back_inserter(all.rows));
-    std::move(result.times.begin(), result.times.end(), std::back_inserter(all.times));
-    all.orders.push_back(std::move(result.order));
-  }
-  return all;
 }
 
 }  // namespace odeum::study

@@ -2,11 +2,11 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/judge/order_fit.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
@@ -23,6 +23,17 @@ struct ConvergenceRow {
   double error_max = 0, error_rms = 0;
   double energy_error = 0;  ///< relative to the largest |energy| of the truth at the stops
   Counters counters;
+
+  static constexpr const char* file = "convergence.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail), visit("step", row.step);
+    visit("steps", row.steps), visit("error_max", row.error_max), visit("error_rms", row.error_rms);
+    visit("energy_error", row.energy_error);
+    visit("rhs_evaluations", row.counters.rhs_evaluations);
+    visit("jacobian_evaluations", row.counters.jacobian_evaluations), visit("mode", row.mode);
+    visit("tolerance", row.tolerance), visit("rejected_steps", row.counters.rejected_steps);
+  }
 };
 
 /// The error of one solve at one stop: a line of convergence_times.csv.
@@ -32,6 +43,14 @@ struct TimeRow {
   double step = 0, time = 0;
   double error_max = 0, error_rms = 0;
   double energy = 0, energy_error = 0;
+
+  static constexpr const char* file = "convergence_times.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("mode", row.mode), visit("step", row.step), visit("time", row.time);
+    visit("error_max", row.error_max), visit("error_rms", row.error_rms);
+    visit("energy", row.energy), visit("energy_error", row.energy_error);
+  }
 };
 
 /// The order of one solver on one case: a line of orders.csv.
@@ -40,27 +59,27 @@ struct OrderRow {
   Mode mode = Mode::fixed;
   double claimed_order = 0;
   judge::OrderFit fit;
+
+  static constexpr const char* file = "orders.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
+    visit("order_low", row.fit.low), visit("order_high", row.fit.high);
+    visit("points", row.fit.points), visit("step_coarsest", row.fit.step_coarsest);
+    visit("step_finest", row.fit.step_finest), visit("floor", row.fit.floor);
+    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason), visit("mode", row.mode);
+  }
 };
 
 struct ConvergenceResult {
   std::vector<ConvergenceRow> rows;
   std::vector<TimeRow> times;
   std::vector<OrderRow> orders;
+  static auto lists(auto& result) { return std::tie(result.rows, result.times, result.orders); }
 };
 
-struct ConvergenceOptions {
-  std::vector<std::string> cases;    ///< globs on case ids; empty: all
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  std::vector<Mode> modes;           ///< empty: both
-  bool quick = false;                ///< fewer step sizes
-  unsigned jobs = 1;
-};
-
-/// Error against step for every fitting pair. Results do not depend on `jobs`. With a journal,
-/// pairs that it holds are not run again. Throws Interrupted.
-ConvergenceResult converge(const ConvergenceOptions& options, record::Journal* journal = nullptr);
-
-/// The CSV files of a result: convergence.csv, convergence_times.csv, orders.csv.
-void write_csv(const ConvergenceResult& result, const record::OutputFolder& folder);
+/// Error against step for every fitting pair in both modes; `quick`: at fewer step sizes. Throws
+/// Interrupted.
+ConvergenceResult converge(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study

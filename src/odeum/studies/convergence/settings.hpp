@@ -3,16 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/studies/runner.hpp"
 
 namespace odeum::study {
-
-/// One solver on one case in one mode: the unit of work, and of the journal.
-struct Pair {
-  const Case* c;
-  const Entrant* entrant;
-  Mode mode;
-};
 
 /// The settings at which a study of convergence runs a pair, from coarse to fine: numbers of steps,
 /// or tolerances from 1e-3 on.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/record/csv_rows.hpp"
+#include "odeum/record/rows.hpp"
 #include "odeum/studies/hard_cases/hard_cases.hpp"
 
 namespace odeum::study {
@@ -13,14 +13,10 @@ void write_csv(const std::vector<LargestStep>& rows, const record::OutputFolder&
   record::write_rows(rows, folder);
 }
 
-void write_csv(const std::vector<ReductionRow>& rows, const record::OutputFolder& folder) {
-  record::write_rows(rows, folder);
-}
-
 void write_csv(const HardCaseResults& result, const record::OutputFolder& folder) {
   write_csv(result.drift, folder);
   write_csv(result.largest_steps, folder);
-  write_csv(result.reduction, folder);
+  record::write_rows(result.reduction, folder);
 }
 
 HardCaseResults read_hard_cases(const std::filesystem::path& folder) {

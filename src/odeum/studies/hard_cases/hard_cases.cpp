@@ -30,7 +30,7 @@ void append(DriftResult& all, DriftResult more) {
 HardCaseResults measure_hard_cases(unsigned jobs) {
   HardCaseResults all;
   all.measured = true;
-  all.reduction = measure_reduction({.solvers = {}, .jobs = jobs});
+  all.reduction = measure_reduction({}, Runner(jobs)).rows;
   all.largest_steps = measure_limits({.cases = {}, .solvers = {"odeum/*"}, .jobs = jobs});
   all.drift = measure_drift({.cases = {}, .solvers = {"odeum/*"}, .jobs = jobs});
   // A list of no solvers would mean all of them.

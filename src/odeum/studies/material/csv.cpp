@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/record/csv_rows.hpp"
+#include "odeum/record/rows.hpp"
 #include "odeum/studies/material/rows.hpp"
 
 namespace odeum::study {

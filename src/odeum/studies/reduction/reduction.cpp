@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/reduction/reduction.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::study {
@@ -37,9 +36,7 @@ std::vector<Entrant> entrants_at(double lambda) {
 }
 
 ReductionRow measure(const Entrant& entrant, double lambda) {
-  ReductionRow row;
-  row.library = entrant.info.library;
-  row.solver = entrant.info.method;
+  auto row = named_row<ReductionRow>(entrant.info);
   row.lambda = lambda;
   row.claimed_order = entrant.info.order;
   const std::string reason = !entrant.unfit.empty() ? entrant.unfit
@@ -79,24 +76,26 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
 
 }  // namespace
 
-std::vector<ReductionRow> measure_reduction(const ReductionOptions& options) {
-  std::vector<std::vector<Entrant>> stages;
-  std::vector<double> lambdas;
+ReductionResult measure_reduction(const Options& options, const Runner& runner) {
+  struct Task {
+    double lambda;
+    Entrant entrant;
+  };
+  std::vector<std::vector<Task>> stages;
   for (int k = 0; k <= decades; ++k) {
-    lambdas.push_back(-std::pow(10.0, k));
-    stages.push_back(entrants_at(lambdas.back()));
+    const double lambda = -std::pow(10.0, k);
+    std::vector<Task>& stage = stages.emplace_back();
+    for (Entrant& entrant : entrants_at(lambda))
+      if (any_glob_matches(options.solvers, entrant.info.id()))
+        stage.push_back({lambda, std::move(entrant)});
   }
-  std::vector<std::size_t> solvers;
+  std::vector<Task> tasks;  // by solver, then by stiffness
   for (std::size_t i = 0; i < stages.front().size(); ++i)
-    if (any_glob_matches(options.solvers, stages.front()[i].info.id())) solvers.push_back(i);
-  std::vector<ReductionRow> rows(solvers.size() * lambdas.size());
-  Progress progress("reduction", static_cast<double>(rows.size()));
-  parallel_for(rows.size(), options.jobs, [&](std::size_t i) {
-    const std::size_t k = i % lambdas.size();
-    rows[i] = measure(stages[k][solvers[i / lambdas.size()]], lambdas[k]);
-    progress.advance();
-  });
-  return rows;
+    for (const std::vector<Task>& stage : stages) tasks.push_back(stage[i]);
+  return runner.run(
+      "reduction", tasks,
+      [](const Task& task) { return fmt::format("{} {}", task.entrant.info.id(), task.lambda); },
+      [](const Task& task) { return ReductionResult{{measure(task.entrant, task.lambda)}}; });
 }
 
 }  // namespace odeum::study

@@ -2,10 +2,11 @@
 #pragma once
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "odeum/judge/order_fit.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
@@ -28,19 +29,15 @@ struct ReductionRow {
   }
 };
 
-struct ReductionOptions {
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  unsigned jobs = 1;
+struct ReductionResult {
+  std::vector<ReductionRow> rows;
+  static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
 /// Prothero and Robinson's problem from y = 1 at t = 0, which cos t solves, to t = 2 for lambda =
 /// -1, -10, ..., -1e8 at 8, 16, ..., 512 fixed steps: the same window of steps at every lambda.
 /// Where the stages of a method are of lower order than the method, the order falls as h lambda
-/// grows. Explicit solvers are run too: their rows say where they end. Results do not depend on
-/// `jobs`. Throws Interrupted.
-std::vector<ReductionRow> measure_reduction(const ReductionOptions& options);
-
-/// order_reduction.csv.
-void write_csv(const std::vector<ReductionRow>& rows, const record::OutputFolder& folder);
+/// grows. Explicit solvers are run too: their rows say where they end. Throws Interrupted.
+ReductionResult measure_reduction(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study

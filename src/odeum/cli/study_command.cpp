@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/study_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "odeum/cli/session.hpp"
+#include "odeum_build_info.hpp"
+
+namespace odeum::cli {
+namespace {
+
+/// What the program is, to the byte: results of other code or other flags are not resumed.
+std::string program_mark() {
+  std::ifstream file("/proc/self/exe", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  return fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
+                     std::hash<std::string>()(bytes));
+}
+
+void add_own_option(CLI::App& command, const study::Option& option, study::Options& into) {
+  CLI::Option* added = command.add_option("--" + option.name, into.own[option.name], option.help);
+  if (option.words.empty())
+    added->type_name("N")->check(CLI::Range(option.least, option.most));
+  else
+    added->check(CLI::IsMember(option.words));
+}
+
+void run_study(study::Study& study, study::Options options, const StudyOptions& common) {
+  std::erase_if(options.own, [](const auto& option) { return option.second.empty(); });
+  const study::Declaration& declaration = study.declaration();
+  if (common.resume && !declaration.no_resume.empty())
+    throw UsageError("--resume: " + declaration.no_resume);
+  check_case_globs(options.cases);
+  options.solvers = common.solvers;
+  check_solver_globs(options.solvers);
+  const record::OutputFolder folder(common.out);
+  std::optional<record::Journal> journal;
+  if (declaration.no_resume.empty())
+    journal.emplace(folder, declaration.name, journal_mark(options), common.resume);
+  try {
+    study.measure(options, study::Runner(common.jobs_or_cores(), journal ? &*journal : nullptr));
+  } catch (const Interrupted&) {
+    throw Stopped(journal ? "the same command with --resume goes on from here"
+                          : "no file was written");
+  }
+  study.write(folder);
+  if (journal) journal->finish();
+  print(study.table());
+  remark(fmt::format("{} {} in {}", fmt::join(study.files(), ", "),
+                     study.files().size() == 1 ? "is" : "are", common.out));
+}
+
+}  // namespace
+
+std::string journal_mark(const study::Options& options) {
+  static const std::string program = program_mark();
+  return program + ' ' + options.text();
+}
+
+void add_study(CLI::App& app, study::Study& study, int& result) {
+  struct Given {
+    StudyOptions common;
+    study::Options study;
+  };
+  const auto given = std::make_shared<Given>();
+  const study::Declaration& declaration = study.declaration();
+  CLI::App* command = app.add_subcommand(declaration.name, declaration.help);
+  if (!declaration.cases_help.empty())
+    command->add_option("--case", given->study.cases, declaration.cases_help)->type_name("GLOB");
+  if (!declaration.quick_help.empty())
+    command->add_flag("--quick", given->study.quick, declaration.quick_help);
+  for (const study::Option& option : declaration.options)
+    add_own_option(*command, option, given->study);
+  add_study_options(*command, given->common);
+  command->callback([given, &study, &result] {
+    run_study(study, given->study, given->common);
+    result = success;
+  });
+}
+
+}  // namespace odeum::cli

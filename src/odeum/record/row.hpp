@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <complex>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+/// A row names its file and columns once, and everything that is done with rows follows from that:
+///
+///   struct OrderRow {
+///     std::string case_id;
+///     double order = 0;
+///     static constexpr const char* file = "orders.csv";
+///     static void each(auto& row, auto&& visit) {
+///       visit("case", row.case_id), visit("order", row.order);
+///     }
+///   };
+///
+/// A member that is visited is text, a number, a count, a complex number (two columns, _re and
+/// _im), an enumeration that has a to_string, or one of the wrappers below.
+namespace odeum::record {
+
+/// A value that follows from other members: written, never read back.
+template <class T>
+struct Derived {
+  T value;
+};
+template <class T>
+Derived(T) -> Derived<T>;
+
+/// A bool or an enumeration of two values as one of two words.
+template <class T>
+struct Words {
+  T& value;
+  const char *first, *second;
+};
+template <class T>
+Words(T&, const char*, const char*) -> Words<T>;
+
+/// Numbers that the journal keeps and the file has no column for.
+template <class T>
+struct Unlisted {
+  T& values;
+};
+template <class T>
+Unlisted(T&) -> Unlisted<T>;
+
+using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
+struct Field {
+  std::string column;
+  Cell value;
+  bool derived = false;
+};
+/// A cell as plain text, and as a field of a CSV file.
+std::string cell_text(const Cell& cell);
+std::string csv_field(const Cell& cell);
+
+/// Where the fields of a row are read from, by column or in their order.
+class FieldSource {
+ public:
+  virtual ~FieldSource() = default;
+  virtual std::string next(const std::string& column) = 0;
+  virtual bool keeps_unlisted() const = 0;
+};
+/// What a field says is no value of its member.
+class BadField : public std::exception {
+ public:
+  const char* what() const noexcept override { return "a field is malformed"; }
+};
+/// The number that a text is; throws BadField.
+double number_of(std::string_view text);
+std::int64_t integer_of(std::string_view text);
+
+namespace detail {
+
+struct Lister {
+  std::vector<Field>& fields;
+  bool unlisted = false;  ///< with what has no column
+  bool derived = false;
+
+  void add(std::string column, Cell value) const {
+    fields.push_back({std::move(column), std::move(value), derived});
+  }
+  void operator()(const char* column, const std::string& value) const { add(column, value); }
+  void operator()(const char* column, const char* value) const { add(column, std::string(value)); }
+  void operator()(const char* column, double value) const { add(column, value); }
+  void operator()(const char* column, std::unsigned_integral auto value) const {
+    add(column, static_cast<std::uint64_t>(value));
+  }
+  void operator()(const char* column, std::signed_integral auto value) const {
+    add(column, static_cast<std::int64_t>(value));
+  }
+  void operator()(const char* column, const std::complex<double>& value) const {
+    add(std::string(column) + "_re", value.real());
+    add(std::string(column) + "_im", value.imag());
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(const char* column, Enum value) const {
+    add(column, std::string(to_string(value)));
+  }
+  template <class T>
+  void operator()(const char* column, const Words<T>& words) const {
+    add(column, std::string(static_cast<bool>(words.value) ? words.second : words.first));
+  }
+  template <class T>
+  void operator()(const char* column, const Derived<T>& value) const {
+    Lister{fields, unlisted, true}(column, value.value);
+  }
+  template <class T>
+  void operator()(const char* column, const Unlisted<T>& kept) const {
+    if (!unlisted) return;
+    add(column, static_cast<std::uint64_t>(kept.values.size()));
+    for (const auto value : kept.values) add(column, static_cast<double>(value));
+  }
+};
+
+struct Reader {
+  FieldSource& source;
+
+  void operator()(const char* column, std::string& value) const { value = source.next(column); }
+  void operator()(const char* column, double& value) const {
+    value = number_of(source.next(column));
+  }
+  template <std::integral Count>
+  void operator()(const char* column, Count& value) const {
+    const std::int64_t found = integer_of(source.next(column));
+    value = static_cast<Count>(found);
+    if (static_cast<std::int64_t>(value) != found || (found < 0) != (value < Count{}))
+      throw BadField();
+  }
+  void operator()(const char* column, std::complex<double>& value) const {
+    const double re = number_of(source.next(std::string(column) + "_re"));
+    value = {re, number_of(source.next(std::string(column) + "_im"))};
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(const char* column, Enum& value) const {
+    constexpr int most_enumerators = 16;
+    const std::string text = source.next(column);
+    for (int k = 0; k < most_enumerators; ++k)
+      if (value = static_cast<Enum>(k); text == to_string(value)) return;
+    throw BadField();
+  }
+  template <class T>
+  void operator()(const char* column, const Words<T>& words) const {
+    const std::string text = source.next(column);
+    if (text != words.first && text != words.second) throw BadField();
+    words.value = static_cast<T>(text == words.second);
+  }
+  template <class T>
+  void operator()(const char*, const Derived<T>&) const {}
+  template <class T>
+  void operator()(const char* column, const Unlisted<T>& kept) const {
+    if (!source.keeps_unlisted()) return;
+    std::size_t count = 0;
+    (*this)(column, count);
+    kept.values.clear();
+    for (; count > 0; --count)
+      kept.values.push_back(static_cast<typename T::value_type>(number_of(source.next(column))));
+  }
+};
+
+}  // namespace detail
+
+/// The fields of a row in the order of its columns; `unlisted`: with what has no column.
+template <class Row>
+std::vector<Field> fields_of(const Row& row, bool unlisted = false) {
+  std::vector<Field> fields;
+  Row::each(row, detail::Lister{fields, unlisted});
+  return fields;
+}
+
+/// The row whose fields a source gives. Throws BadField.
+template <class Row>
+Row row_of(FieldSource& source) {
+  Row row;
+  Row::each(row, detail::Reader{source});
+  return row;
+}
+
+}  // namespace odeum::record

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "odeum/record/output_folder.hpp"
+#include "odeum/record/row.hpp"
+
+/// What is done with lists of rows. A Result is a struct of such lists, one for each file, that
+/// names them once:
+///
+///   struct DriftResult {
+///     std::vector<DriftRow> rows;
+///     std::vector<HorizonRow> horizons;
+///     static auto lists(auto& result) { return std::tie(result.rows, result.horizons); }
+///   };
+namespace odeum::record {
+
+using Fields = std::vector<Field>;
+
+namespace detail {
+
+/// The text of a file: a header with the columns of `blank`, then a line a row.
+std::string csv_text(const Fields& blank, const std::vector<Fields>& rows);
+
+/// Calls `read` for every row of folder/name, which must have the columns of `blank`. Returns why
+/// the file cannot be used, in a sentence; empty where it was read or is not there.
+std::string read_csv(const std::filesystem::path& folder, const std::string& name,
+                     const Fields& blank, const std::function<void(FieldSource&)>& read);
+
+/// Fields one after the other, as the journal keeps them: exact, whatever their characters but
+/// 0x1f.
+void add_to_record(const Fields& fields, std::string& record);
+class RecordSource : public FieldSource {
+ public:
+  explicit RecordSource(std::string_view text) : rest_(text) {}
+  std::string next(const std::string& column) override;
+  bool keeps_unlisted() const override { return true; }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Rows of a group were measured together and stay together: those of a case and a solver, or of a
+/// case where the rows are compared with one another (`Row::compared_within_case`).
+using Group = std::pair<std::string, std::string>;
+template <class Row>
+Group group_of(const Row& row) {
+  Group group;
+  if constexpr (requires { row.case_id; }) group.first = row.case_id;
+  if constexpr (
+      !requires { Row::compared_within_case; } && requires { row.library; })
+    group.second = row.library + "/" + row.solver;
+  return group;
+}
+
+}  // namespace detail
+
+/// Writes folder/Row::file. Where there are no rows and the Row says `keeps_earlier`, a file that
+/// is there stays as it is.
+template <class Row>
+void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
+  if constexpr (requires { Row::keeps_earlier; })
+    if (rows.empty()) return;
+  std::vector<Fields> fields;
+  fields.reserve(rows.size());
+  for (const Row& row : rows) fields.push_back(fields_of(row));
+  folder.write(Row::file, detail::csv_text(fields_of(Row()), fields));
+}
+
+/// What an earlier run left in folder/Row::file, all rows or none; nothing where there is no file.
+/// Where it cannot be used, a sentence is added to `problem`.
+template <class Row>
+std::vector<Row> read_rows(const std::filesystem::path& folder, std::string& problem) {
+  std::vector<Row> rows;
+  const std::string why =
+      detail::read_csv(folder, Row::file, fields_of(Row()),
+                       [&](FieldSource& source) { rows.push_back(row_of<Row>(source)); });
+  if (why.empty()) return rows;
+  problem += (problem.empty() ? "" : "; ") + why;
+  return {};
+}
+
+/// Writes the file of every list.
+template <class Result>
+void write(const Result& result, const OutputFolder& folder) {
+  std::apply([&](const auto&... list) { (write_rows(list, folder), ...); }, Result::lists(result));
+}
+
+/// Reads every list, see read_rows.
+template <class Result>
+Result read(const std::filesystem::path& folder, std::string& problem) {
+  Result result;
+  std::apply([&]<class... Row>(
+                 std::vector<Row>&... list) { ((list = read_rows<Row>(folder, problem)), ...); },
+             Result::lists(result));
+  return result;
+}
+
+template <class Result>
+bool is_empty(const Result& result) {
+  return std::apply([](const auto&... list) { return (list.empty() && ...); },
+                    Result::lists(result));
+}
+
+/// The names of the files.
+template <class Result>
+std::vector<std::string> files_of() {
+  const Result result;
+  return std::apply(
+      []<class... Row>(const std::vector<Row>&...) {
+        return std::vector<std::string>{Row::file...};
+      },
+      Result::lists(result));
+}
+
+namespace detail {
+
+/// Calls work(list, other) for each list of `to` and the same one of `from`.
+template <class Result, class Work>
+void for_both(Result& to, Result& from, Work&& work) {
+  auto first = Result::lists(to), second = Result::lists(from);
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (work(std::get<I>(first), std::get<I>(second)), ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(first)>>());
+}
+
+}  // namespace detail
+
+/// Adds the rows of another result at the ends of the lists.
+template <class Result>
+void append(Result& result, Result more) {
+  detail::for_both(result, more, [](auto& list, auto& other) {
+    std::move(other.begin(), other.end(), std::back_inserter(list));
+  });
+}
+
+/// Adds the rows of an earlier run whose group was not measured now and is still `known(case,
+/// solver)`; both names are empty in groups that have none.
+template <class Result, class Known>
+void add_earlier(Result& result, Result earlier, Known&& known) {
+  detail::for_both(result, earlier, [&](auto& list, auto& other) {
+    std::set<detail::Group> measured;
+    for (const auto& row : list) measured.insert(detail::group_of(row));
+    for (auto& row : other)
+      if (const detail::Group group = detail::group_of(row);
+          !measured.contains(group) && known(group.first, group.second))
+        list.push_back(std::move(row));
+  });
+}
+
+/// A result as a text for the journal, and back. Throws BadField for another text.
+template <class Result>
+std::string to_record(const Result& result) {
+  std::string record;
+  std::apply(
+      [&](const auto&... list) {
+        const auto add = [&](const auto& rows) {
+          detail::add_to_record({{"", static_cast<std::uint64_t>(rows.size())}}, record);
+          for (const auto& row : rows) detail::add_to_record(fields_of(row, true), record);
+        };
+        (add(list), ...);
+      },
+      Result::lists(result));
+  return record;
+}
+template <class Result>
+Result from_record(std::string_view text) {
+  Result result;
+  detail::RecordSource source(text);
+  std::apply(
+      [&]<class... Row>(std::vector<Row>&... list) {
+        const auto take = [&]<class Each>(std::vector<Each>& rows) {
+          for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
+            rows.push_back(row_of<Each>(source));
+        };
+        (take(list), ...);
+      },
+      Result::lists(result));
+  return result;
+}
+
+}  // namespace odeum::record

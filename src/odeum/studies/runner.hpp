@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/record/rows.hpp"
+
+namespace odeum::study {
+
+/// A solver on a case, and where a study looks at both ways of choosing steps, in a mode.
+struct Pair {
+  const Case* c;
+  const Entrant* entrant;
+  Mode mode = Mode::fixed;
+};
+
+/// Every selected case (globs on ids; none: all), every selected solver on it (globs on
+/// library/method), in the order of enrolment.
+std::vector<const Case*> select_cases(const std::vector<std::string>& globs);
+std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
+                               const std::vector<std::string>& solver_globs);
+
+/// A row with the names of its case and solver.
+template <class Row>
+Row named_row(const SolverInfo& info) {
+  Row row;
+  row.library = info.library;
+  row.solver = info.method;
+  return row;
+}
+template <class Row>
+Row named_row(const Case& c, const SolverInfo& info) {
+  Row row = named_row<Row>(info);
+  row.case_id = c.id;
+  return row;
+}
+/// The row of a pair that there is nothing to measure for.
+template <class Row>
+Row not_applicable(Row row, const std::string& reason) {
+  row.status = "not_applicable";
+  row.detail = reason;
+  return row;
+}
+
+/// Does the work of a study: several tasks at a time, with their progress shown, and with a
+/// journal, so that a run that was killed goes on where it ended.
+class Runner {
+ public:
+  explicit Runner(unsigned jobs = 1, record::Journal* journal = nullptr)
+      : jobs_(jobs), journal_(journal) {}
+
+  /// Calls work(task), which returns a Result (record/rows.hpp), for each task and joins what comes
+  /// out in the order of the tasks, so that it does not depend on the number of jobs. What the
+  /// journal holds for a task is not measured again: key(task) names it, differently for each task
+  /// of a run, and `what` tells the parts of a study apart. Throws Interrupted.
+  template <class Task, class Key, class Work>
+  auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
+    using Result = decltype(work(tasks.front()));
+    std::vector<Result> results(tasks.size());
+    Progress progress(what, static_cast<double>(tasks.size()));
+    parallel_for(tasks.size(), jobs_, [&](std::size_t i) {
+      results[i] =
+          held_or([&] { return what + ' ' + key(tasks[i]); }, [&] { return work(tasks[i]); });
+      progress.advance();
+    });
+    Result all;
+    for (Result& result : results) record::append(all, std::move(result));
+    return all;
+  }
+
+  /// The same with nothing kept: for times, which hold for the run that took them alone.
+  unsigned jobs() const { return jobs_; }
+
+ private:
+  template <class Key, class Work>
+  auto held_or(Key&& key, Work&& work) const {
+    using Result = decltype(work());
+    if (!journal_) return work();
+    const std::string name = key();
+    if (const auto held = journal_->find(name)) return record::from_record<Result>(*held);
+    Result result = work();
+    // What an interruption cut short is no result.
+    if (interrupted) throw Interrupted();
+    journal_->add(name, record::to_record(result));
+    return result;
+  }
+
+  unsigned jobs_;
+  record::Journal* journal_;
+};
+
+}  // namespace odeum::study

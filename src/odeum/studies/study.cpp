@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/study.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+
+namespace odeum::study {
+
+double Options::number(const std::string& name, double otherwise) const {
+  const auto found = own.find(name);
+  return found == own.end() ? otherwise : record::number_of(found->second);
+}
+
+std::string Options::word(const std::string& name) const {
+  const auto found = own.find(name);
+  return found == own.end() ? "" : found->second;
+}
+
+std::string Options::text() const { return fmt::format("{} {} {} {}", cases, solvers, quick, own); }
+
+bool is_known(const std::string& case_id, const std::string& solver) {
+  static const std::set<record::detail::Group> known = [] {
+    std::set<record::detail::Group> all{{"", ""}};
+    for (const Case& c : all_cases()) {
+      all.insert({c.id, ""});
+      for (const Entrant& entrant : c.entrants) {
+        all.insert({c.id, entrant.info.id()});
+        all.insert({"", entrant.info.id()});
+      }
+    }
+    return all;
+  }();
+  return known.contains({case_id, solver});
+}
+
+}  // namespace odeum::study

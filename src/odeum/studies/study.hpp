@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/record/rows.hpp"
+#include "odeum/studies/runner.hpp"
+
+/// A study is a folder, studies/<name>/: what its rows are, how they are measured, its section of
+/// the page, and `std::unique_ptr<Study> make_<name>()`, which is found by CMake. Its command, its
+/// part of the report, its files and its journal follow from that.
+namespace odeum::study {
+
+/// What is asked of a study.
+struct Options {
+  std::vector<std::string> cases = {};    ///< globs on case ids; empty: all
+  std::vector<std::string> solvers = {};  ///< globs on library/method; empty: all
+  bool quick = false;
+  std::map<std::string, std::string> own = {};  ///< by Option::name; what was not given is missing
+
+  double number(const std::string& name, double otherwise) const;
+  std::string word(const std::string& name) const;  ///< empty where it was not given
+  /// The same for the same options, for the journal.
+  std::string text() const;
+};
+
+/// An option of one study alone: a word out of a list, or a number between bounds.
+struct Option {
+  std::string name, help;               ///< the name without its dashes
+  std::vector<std::string> words = {};  ///< empty: a number
+  double least = 0, most = std::numeric_limits<double>::max();
+};
+
+/// What the command line has to know of a study.
+struct Declaration {
+  std::string name;  ///< of the command and of the journal
+  std::string help;  ///< one line
+  int place = 0;     ///< on the page and in the list of commands: low ones first
+  std::string cases_help = "cases, with * and ?";  ///< of --case; empty: takes none
+  std::string quick_help = {};                     ///< of --quick; empty: takes none
+  std::string no_resume = {};  ///< why there is no --resume, in a clause; empty: there is
+  std::vector<Option> options = {};
+};
+
+class Study {
+ public:
+  explicit Study(Declaration declaration) : declaration_(std::move(declaration)) {}
+  virtual ~Study() = default;
+  const Declaration& declaration() const { return declaration_; }
+  /// Measures, and adds what comes out to the rows that there are. Throws Interrupted.
+  virtual void measure(const Options& options, const Runner& runner) = 0;
+  /// What a report runs; nothing: it shows what earlier runs left in its folder.
+  virtual std::vector<Options> report_runs(bool quick) const { return {Options{.quick = quick}}; }
+  /// Adds the rows of earlier runs that were not measured now, of cases and solvers that are still
+  /// there.
+  virtual void add_earlier(const std::filesystem::path& folder) = 0;
+  virtual void write(const record::OutputFolder& folder) const = 0;
+  /// The files that write() writes.
+  virtual std::vector<std::string> files() const = 0;
+  /// The result for a terminal.
+  virtual std::string table() const = 0;
+  /// Why files of an earlier run could not be used; empty: they could.
+  const std::string& problem() const { return problem_; }
+  /// Whether this run measured anything, and not only read it.
+  bool measured() const { return measured_; }
+
+ protected:
+  std::string problem_;
+  bool measured_ = false;
+
+ private:
+  Declaration declaration_;
+};
+
+/// Whether a case (empty: none) and a solver (likewise) are still there.
+bool is_known(const std::string& case_id, const std::string& solver);
+
+/// A study whose result is a struct of lists of rows, see record/rows.hpp.
+template <class Result>
+class StudyOf : public Study {
+ public:
+  using Study::Study;
+  void measure(const Options& options, const Runner& runner) final {
+    record::append(result_, run(options, runner));
+    measured_ = true;
+  }
+  void add_earlier(const std::filesystem::path& folder) override {
+    record::add_earlier(result_, record::read<Result>(folder, problem_), is_known);
+  }
+  void write(const record::OutputFolder& folder) const override { record::write(result_, folder); }
+  std::vector<std::string> files() const override { return record::files_of<Result>(); }
+  const Result& result() const { return result_; }
+
+ protected:
+  virtual Result run(const Options& options, const Runner& runner) const = 0;
+  Result result_;
+};
+
+using Studies = std::vector<std::unique_ptr<Study>>;
+/// Every study, in the order of their places, without results.
+Studies make_studies();
+
+/// The result of the study that has one of this type; an empty one where there is none.
+template <class Result>
+const Result& result_of(const Studies& studies) {
+  for (const auto& study : studies)
+    if (const auto* found = dynamic_cast<const StudyOf<Result>*>(study.get()))
+      return found->result();
+  static const Result none;
+  return none;
+}
+
+}  // namespace odeum::study
