@@ -7,7 +7,7 @@
 namespace odeum::cases {
 namespace {
 
-/// A satellite between Earth and Moon, in axes that turn with them.
+/// The restricted three-body problem Earth, Moon, satellite, in rotating axes.
 struct Arenstorf {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = true;
@@ -49,7 +49,7 @@ struct Arenstorf {
     const double r2 = x * x + y * y;
     return r2 * std::sqrt(r2);
   }
-  /// Half of Jacobi's constant, with its sign turned.
+  /// Minus half of Jacobi's constant.
   static double jacobi(const double* y) {
     return (y[2] * y[2] + y[3] * y[3] - y[0] * y[0] - y[1] * y[1]) / 2 -
            earth / std::hypot(y[0] + moon, y[1]) - moon / std::hypot(y[0] - earth, y[1]);
@@ -58,7 +58,7 @@ struct Arenstorf {
 
 }  // namespace
 
-/// A closed orbit of the restricted three-body problem, with narrow passes by the Moon.
+/// A periodic orbit of the restricted three-body problem with close passes of the Moon.
 std::vector<Case> arenstorf() {
   Case c;
   c.id = "arenstorf";
@@ -69,7 +69,8 @@ std::vector<Case> arenstorf() {
   c.tags = {"nonlinear", "autonomous", "second_order", "celestial", "unstable"};
   c.y0 = {0.994, 0, 0, -2.00158510637908252240537862224};
   c.stops = {17.0652165601579625588917206249};
-  c.no_fixed_steps = "the passes by the Moon take steps a thousand times shorter than the rest";
+  c.no_fixed_steps =
+      "close passes of the Moon need steps a thousand times shorter than the rest of the orbit";
   c.evaluation_budget = 60'000;
   c.truth = reference_truth("arenstorf", 5.5e-11);
   c.invariants = {{"jacobi", Arenstorf::jacobi}};

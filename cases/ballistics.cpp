@@ -49,7 +49,7 @@ struct Projectile {
 
 }  // namespace
 
-/// A stone that falls through air, and one thrown through none.
+/// Fall with quadratic drag, and a projectile without drag.
 std::vector<Case> ballistics() {
   Case drag;
   drag.id = "freefall_drag";

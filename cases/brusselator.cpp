@@ -24,7 +24,7 @@ struct Brusselator {
 
 }  // namespace
 
-/// A chemical oscillator that is drawn to its cycle.
+/// A chemical oscillator with an attracting limit cycle.
 std::vector<Case> brusselator() {
   Case c;
   c.id = "brusselator2";

@@ -31,7 +31,7 @@ struct ChargedParticle {
 
 }  // namespace
 
-/// A charge that circles in a uniform magnetic field.
+/// A charge in a uniform magnetic field.
 std::vector<Case> charged_particle() {
   Case c;
   c.id = "charged_particle";

@@ -14,7 +14,8 @@ struct Variant {
   const char* title;
   double stiffness;
   bool tension_only;
-  double floor;  ///< of the reference, as its index or its program states its digits
+  double
+      floor;  ///< absolute error of the reference, from the digits stated in its index or program
   std::uint64_t coarsest_steps;
 };
 
@@ -30,8 +31,8 @@ Case make_variant(const Variant& variant) {
       std::to_string(static_cast<int>(variant.stiffness)) + ", d = 0.05";
   c.source = "mass-spring cloth with structural, shear and bend springs, Provot 1995";
   c.tags = {"nonlinear", "autonomous", "second_order", "mechanical", "cloth"};
-  // `smooth` promises that methods of every order are seen to converge within the budget. The stiff
-  // cloth is smooth too, but its fast modes leave low orders no room: h < 1e-5 s and t = 2 s.
+  // `smooth` means that methods of every order converge visibly within the budget. The stiff cloth
+  // is smooth too, but its fast modes would need h < 1e-5 s of low orders, up to t = 2 s.
   c.tags.emplace_back(variant.tension_only      ? "kinked"
                       : variant.stiffness > 100 ? "stiff"
                                                 : "smooth");
@@ -41,12 +42,13 @@ Case make_variant(const Variant& variant) {
   c.steps_multiple = 8;
   c.coarsest_steps = variant.coarsest_steps;
   c.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
-  // Half a second or less. The smooth one has room for every own method to show its order.
+  // Half a second per solve or less; the smooth one is large enough for every own method to show
+  // its order.
   c.evaluation_budget = variant.tension_only ? 8'000 : variant.stiffness > 100 ? 10'000 : 60'000;
   c.truth = reference_truth(variant.reference, variant.floor);
   if (c.has_tag("smooth")) {
-    // A thrown spring is shortest at t = 0.005 s, where its length has branch points 0.007 s off
-    // the real axis: an order of 9 sets in at steps whose errors are below 1e-15.
+    // A spring of the moving middle is shortest at t = 0.005 s, where its length has branch points
+    // 0.007 s off the real axis: order 9 is reached only at steps whose errors are below 1e-15.
     ExtendedProblem extended = scene::extended_mass_spring(*scene);
     extended.truth = extended_truth(variant.reference);
     extended.floor = 1e-20;  // the digits of the file
@@ -58,8 +60,8 @@ Case make_variant(const Variant& variant) {
 
 }  // namespace
 
-/// A cloth hung along one edge with its middle thrown: two-way springs, tension-only springs (a
-/// kinked force), and a hundred times stiffer.
+/// A cloth fixed along one edge whose middle has an initial velocity: two-way springs, tension-only
+/// springs (a force with a kink), and springs a hundred times stiffer.
 std::vector<Case> cloth() {
   return {make_variant({"cloth11_two_way", "cloth11_two_way_long", "Cloth", 10, false, 4e-17, 160}),
           make_variant({"cloth11_tension_only", "cloth11_tension_only",

@@ -34,8 +34,8 @@ struct DahlquistComplex {
   void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
 };
 
-/// For physics engines: a particle in a medium that answers its velocity with the force
-/// m B v; y is the velocity, one component for real lambda, two for complex.
+/// For physics engines: a particle with the force m B v; y is the velocity, one component for real
+/// lambda, two for complex.
 scene::Scene as_scene(std::complex<double> lambda, bool complex) {
   scene::Scene scene;
   scene.particles = {{.velocity = {1, 0, 0}, .mass = 1}};
@@ -94,7 +94,7 @@ Probe lambda_probe() {
 
 }  // namespace
 
-/// Dahlquist's test equation: decay, a damped and a pure rotation.
+/// Dahlquist's test equation: real, complex and imaginary lambda.
 std::vector<Case> dahlquist() {
   Case complex = complex_case("complex", "Dahlquist's equation, damped rotation",
                               "y' = (-0.5 + 2i) y, y(0) = 1", {-0.5, 2});

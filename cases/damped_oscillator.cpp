@@ -8,8 +8,8 @@
 namespace odeum::cases {
 namespace {
 
-/// m y'' + d y' + k (y - rest) = 0. Damping that is absent is not in the type either, so that
-/// methods for separable systems fit the undamped one.
+/// m y'' + d y' + k (y - rest) = 0. The undamped type has no damping term, so that methods for
+/// separable systems fit it.
 template <bool Damped>
 struct Oscillator {
   static constexpr std::size_t dimension = 2;
@@ -35,8 +35,8 @@ struct Oscillator {
   }
 };
 
-/// The oscillator as a particle on a spring along x. The anchor stands `length` before the
-/// equilibrium, far enough that the spring never turns over: then its force is linear in x.
+/// The oscillator as a particle on a spring along x. The anchor is `length` before the equilibrium,
+/// so far that the spring never passes zero length and its force is linear in x.
 scene::Scene as_scene(double m, double d, double k, double rest, double y0, double length) {
   scene::Scene scene;
   scene.particles = {{.position = {rest - length, 0, 0}, .fixed = true},
@@ -80,7 +80,7 @@ Case make_variant(const Variant& variant) {
   return c;
 }
 
-/// q'' = -2 zeta w q' - w^2 q with movable w and zeta, for the stability study.
+/// q'' = -2 zeta w q' - w^2 q with variable w and zeta, for the stability study.
 template <bool Damped>
 Probe probe() {
   return make_probe(Oscillator<Damped>{}, {1, 0}, as_scene(1, 0, 1, 0, 1, 1e3),

@@ -55,7 +55,7 @@ struct DoublePendulum {
 
 }  // namespace
 
-/// A double pendulum that swings mildly.
+/// A double pendulum at small amplitudes, where its motion is regular.
 std::vector<Case> double_pendulum() {
   Case c;
   c.id = "double_pendulum_mild";

@@ -29,7 +29,7 @@ struct Duffing {
 
 }  // namespace
 
-/// A spring that hardens.
+/// A hardening spring.
 std::vector<Case> duffing() {
   Case c;
   c.id = "duffing_free";

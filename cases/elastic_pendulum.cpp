@@ -7,7 +7,7 @@
 namespace odeum::cases {
 namespace {
 
-/// A mass on a stiff spring that swings, in polar coordinates (r, theta):
+/// A mass swinging on a stiff spring, in polar coordinates (r, theta):
 ///
 ///     r'' = r theta'^2 + g cos theta - k (r - 1),   theta'' = -(g sin theta + 2 r' theta') / r.
 struct ElasticPendulum {
@@ -63,7 +63,7 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
 
 }  // namespace
 
-/// A pendulum whose rod is a stiff spring: fast vibrations beside a slow swing.
+/// A pendulum whose rod is a stiff spring: a fast radial vibration and a slow swing.
 std::vector<Case> elastic_pendulum() {
   return {make_variant("elastic_pendulum_k1e4", "Elastic pendulum",
                        "r'' = r th'^2 + g cos th - 1e4 (r - 1), th'' = -(g sin th + 2 r' th') / r",

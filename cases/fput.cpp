@@ -62,7 +62,7 @@ Case make_variant(const char* id, const char* title, const char* equation, Chain
   for (std::size_t j = 0; j < Chain::masses; ++j)
     c.y0[j] = std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
   c.stops = {10, 50};
-  c.no_convergence = "64 unknowns and no order that smaller cases do not show";
+  c.no_convergence = "64 unknowns; smaller cases show the same orders";
   c.steps_multiple = 5;
   c.coarsest_steps = 80;
   c.finest_steps = 2560;
@@ -74,7 +74,7 @@ Case make_variant(const char* id, const char* title, const char* equation, Chain
 
 }  // namespace
 
-/// Energy put into the longest wave of a chain, and its return.
+/// A nonlinear chain with its energy initially in the longest mode, and the recurrence.
 std::vector<Case> fput() {
   return {make_variant("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic",
                        "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + d^2 / 4",

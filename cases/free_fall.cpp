@@ -26,7 +26,7 @@ struct FreeFall {
 
 }  // namespace
 
-/// A body thrown upwards. The schemes themselves have closed forms here, which tests hold them to.
+/// A body thrown upwards. The numerical solutions have closed forms too, which tests use.
 std::vector<Case> free_fall() {
   Case c;
   c.id = "free_fall";

@@ -32,7 +32,7 @@ struct HenonHeiles {
 
 }  // namespace
 
-/// A star in a galaxy's field, at an energy where its orbit is regular.
+/// Henon and Heiles's model of a star in a galaxy, at an energy where the orbit is regular.
 std::vector<Case> henon_heiles() {
   Case c;
   c.id = "henon_heiles_regular";

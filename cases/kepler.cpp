@@ -25,7 +25,7 @@ Case describe(const char* id, const char* title, double eccentricity, double flo
 
 }  // namespace
 
-/// Two bodies, on a moderate and on a narrow ellipse.
+/// Kepler's problem with eccentricities 0.6 and 0.9.
 std::vector<Case> kepler() {
   Case moderate = describe("kepler_e06", "Kepler's ellipse, e = 0.6", 0.6, 7e-16);
   moderate.stops = {1, 3};
@@ -34,7 +34,7 @@ std::vector<Case> kepler() {
   moderate.finest_steps = 24576;
   moderate.evaluation_budget = 500'000;
   moderate.tags.emplace_back("smooth");
-  // A hundred periods. What 200 pi loses when it is rounded is 5.7e-14 in time at most.
+  // A hundred periods. Rounding 200 pi to double shifts the time by at most 5.7e-14.
   moderate.timed_stops = {200 * std::numbers::pi};
   moderate.timed_floor = 2e-12;
   set_stage(moderate, Kepler{});

@@ -47,8 +47,8 @@ struct Lorenz {
 
 }  // namespace
 
-/// Chaos: errors grow as exp(0.9 t). To t = 10 a double still holds the answer; at t = 50 rounding
-/// the parameters alone has changed it beyond recognition.
+/// Chaotic: errors grow as exp(0.9 t). Double precision resolves the solution to t = 10; by t = 50
+/// the rounding of the parameters alone has decorrelated it.
 std::vector<Case> lorenz() {
   Case c;
   c.id = "lorenz_kehlet_logg";
@@ -62,8 +62,8 @@ std::vector<Case> lorenz() {
   c.finest_steps = 16384;
   c.evaluation_budget = 80'000;
   c.truth = reference_truth("lorenz_kehlet_logg", 6.9e-15);
-  // Between its few times, for the horizons of the study of drift: our own computation, which a
-  // test holds to it.
+  // A denser reference for the horizons of the drift study, computed here; a test compares it with
+  // the published one.
   c.truth.at = [sparse = c.truth.at, dense = reference_truth("lorenz_dense", 6.9e-15).at](
                    double t, double* y) { return sparse(t, y) || dense(t, y); };
   set_stage(c, Lorenz{});

@@ -64,7 +64,7 @@ void exact(const SumAndDifference& p, const double* y0, double t, double* y) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double squares[2] = {c * c * b11 + 2 * c * s * b12 + s * s * b22,
                              s * s * b11 - 2 * c * s * b12 + c * c * b22};
-  // Weighted coordinates z = sqrt(m) x, turned into the modes and back.
+  // Mass-weighted coordinates z = sqrt(m) x, rotated into the modes and back.
   const double z[2] = {r1 * (y0[0] + y0[1]) / 2, r2 * (y0[0] - y0[1]) / 2};
   const double w[2] = {r1 * (y0[2] + y0[3]) / 2, r2 * (y0[2] - y0[3]) / 2};
   const double mode[2] = {c * z[0] + s * z[1], -s * z[0] + c * z[1]};
@@ -89,7 +89,8 @@ std::vector<Case> mass_matrix() {
   c.id = "mass_matrix";
   c.title = "Two masses in sum and difference coordinates";
   c.equation = "M (s, d)'' = -K (s, d), M = 1/4 [4 -2; -2 4], K = 1/4 [9 -1; -1 17]";
-  c.source = "two coupled oscillators, Goldstein, Classical Mechanics, chapter 6: M is no diagonal";
+  c.source =
+      "two coupled oscillators, Goldstein, Classical Mechanics, chapter 6: M is not diagonal";
   c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
   c.y0 = {1, 0.5, 0, -0.3};
   c.stops = {2.5, 5, 7.5, 10};
@@ -100,7 +101,7 @@ std::vector<Case> mass_matrix() {
     exact(problem, y0.data(), t, y);
     return true;
   };
-  c.truth.floor = 1e-14;  // a few roundings of numbers of size 1, omega t up to 30
+  c.truth.floor = 1e-14;  // rounding of numbers of size 1 with omega t up to 30
   c.truth.source = "closed form: normal modes in x1 and x2";
   set_stage(c, problem);
   return {c};

@@ -30,7 +30,7 @@ struct Oregonator {
 
 }  // namespace
 
-/// An oscillating chemical reaction, whose components jump by five decades.
+/// An oscillating chemical reaction whose components change by five decades.
 std::vector<Case> oregonator() {
   Case c;
   c.id = "oregonator";
@@ -43,7 +43,7 @@ std::vector<Case> oregonator() {
   c.tags = {"nonlinear", "autonomous", "stiff", "oscillatory", "chemistry"};
   c.y0 = {1, 2, 3};
   c.stops = {120, 240, 360};
-  c.no_fixed_steps = "a fixed step would have to follow jumps of five decades all the way";
+  c.no_fixed_steps = "a fixed step would have to resolve jumps of five decades throughout";
   c.evaluation_budget = 60'000;
   c.truth = reference_truth("oregonator", 6e-13);
   set_stage(c, Oregonator{});

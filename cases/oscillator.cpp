@@ -29,7 +29,7 @@ Case make_variant(const char* id, const char* reference, const char* title, doub
 
 }  // namespace
 
-/// Around critical damping, where the two roots of the closed form meet.
+/// Linear oscillators on both sides of critical damping, where the two roots coincide.
 std::vector<Case> oscillator() {
   return {
       make_variant<false>("osc_undamped", "osc_undamped", "Oscillator, no damping", 0, 1e-25),

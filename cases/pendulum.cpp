@@ -48,7 +48,7 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
 
 }  // namespace
 
-/// A pendulum that swings moderately, and one that almost stands on its head.
+/// A pendulum with amplitudes of 1 and 3 rad, the latter close to the separatrix.
 std::vector<Case> pendulum() {
   return {make_variant("pendulum_small", "Pendulum", "theta'' = -sin theta, theta(0) = 1", 1),
           make_variant("pendulum_large", "Pendulum that nearly turns over",

@@ -5,7 +5,7 @@
 
 namespace odeum::cases {
 
-/// Seven stars with close encounters.
+/// A planar problem of seven bodies with close encounters.
 std::vector<Case> pleiades() {
   Case c;
   c.id = "pleiades";

@@ -43,8 +43,7 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
 
 }  // namespace
 
-/// Where the order of implicit methods falls to that of their stages; and the same with a layer at
-/// the start.
+/// Order reduction of implicit methods to their stage order, without and with an initial layer.
 std::vector<Case> prothero_robinson() {
   return {
       make_variant("prothero_robinson_1e3_smooth", "Prothero and Robinson's problem",

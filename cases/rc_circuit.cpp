@@ -24,8 +24,8 @@ struct RcCircuit {
 
 }  // namespace
 
-/// A capacitor charged through a resistor by a sine source of 50 Hz, over one period. Its explicit
-/// time is what a wrong node or a missing time derivative shows in.
+/// A capacitor charged through a resistor by a sine source of 50 Hz, over one period.
+/// Non-autonomous, so that a wrong node or a missing time derivative shows.
 std::vector<Case> rc_circuit() {
   Case c;
   c.id = "rc_circuit";

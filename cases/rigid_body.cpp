@@ -44,7 +44,7 @@ Case describe(const char* id, const char* reference, const char* title, double f
 
 }  // namespace
 
-/// Two rigid bodies that turn freely.
+/// Euler's equations of two free rigid bodies.
 std::vector<Case> rigid_body() {
   constexpr double i1 = 2, i2 = 1, i3 = 2.0 / 3;
   Case free = describe("rigid_body_hlw", "rigid_body_hlw", "Free rigid body", 1.5e-16);

@@ -34,7 +34,8 @@ std::vector<Case> robertson() {
   set_stage(brief, Robertson{});
   Case c = describe("robertson", "Robertson's reactions to equilibrium");
   c.stops = {0.4, 40, 4e3, 4e5, 4e7, 4e9, 4e11};
-  c.no_fixed_steps = "twelve decades of time: no fixed step serves the first and the last";
+  c.no_fixed_steps =
+      "twelve decades of time: no fixed step resolves the first and reaches the last";
   set_stage(c, Robertson{});
   return {brief, c};
 }

@@ -34,7 +34,7 @@ struct StiffChain {
 
 }  // namespace
 
-/// A fast vibration of small amplitude on a slow one.
+/// A fast vibration of small amplitude superposed on a slow one.
 std::vector<Case> stiff_chain() {
   Case c;
   c.id = "stiff_chain2_k1e4";

@@ -21,11 +21,12 @@ Case describe(const char* id, const char* reference, const char* title, const ch
   return c;
 }
 
-constexpr const char* jumps = "a fixed step would have to follow jumps a million times shorter";
+constexpr const char* jumps =
+    "a fixed step would have to resolve jumps a million times shorter than the period";
 
 }  // namespace
 
-/// Relaxation oscillations at three stiffnesses.
+/// Van der Pol's oscillator at three stiffnesses.
 std::vector<Case> van_der_pol() {
   Case mild = describe("vdp_mu1", "vdp_mu1", "Van der Pol's oscillator",
                        "x'' = (1 - x^2) x' - x, x(0) = 2, x'(0) = 0", {1, 5, 10});

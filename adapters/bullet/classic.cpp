@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Soft bodies in btSoftRigidDynamicsWorld: driven by forces on their nodes, or by links.
+// Soft bodies in btSoftRigidDynamicsWorld: with forces applied to their nodes, or with links.
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
@@ -34,11 +34,11 @@ class ClassicEngine : public Engine {
  private:
   CollisionParts parts_;
   btSequentialImpulseConstraintSolver solver_;
-  std::unique_ptr<btSoftBody> body_;  // outlives the world, which lets go of it
+  std::unique_ptr<btSoftBody> body_;  // outlives the world, which only refers to it
   btSoftRigidDynamicsWorld world_;
 };
 
-/// The springs' and the medium's forces are ours, gravity is the world's.
+/// The adapter applies the forces of springs and medium, the world gravity.
 class ForceEngine final : public ClassicEngine {
  public:
   ForceEngine(const scene::Scene& scene, const std::vector<double>& state)
@@ -50,7 +50,7 @@ class ForceEngine final : public ClassicEngine {
         v_(n_),
         a_(n_) {
     body().m_links.clear();
-    body().m_cfg.piterations = 0;  // or velocities would be recomputed from positions
+    body().m_cfg.piterations = 0;  // otherwise velocities are recomputed from positions
   }
 
   bool exert(double t, Guard& guard) override {
@@ -92,9 +92,9 @@ class ForceEngine final : public ClassicEngine {
 /// `piterations` sweeps; velocities follow from the positions, times 1 - kDP.
 class LinkEngine final : public ClassicEngine {
  public:
-  /// `matched`: kLST such that the stretch of one link ends as backward Euler would have it at
-  /// small strain, 1/(1 + k w h^2) with w the sum of the inverse masses; otherwise Bullet's own 1.
-  /// The share is set for the number of sweeps, which one link therefore does not notice.
+  /// `matched`: kLST such that the strain of a single link is multiplied by 1/(1 + k w h^2) per
+  /// step, as by backward Euler at small strain, with w the sum of the inverse masses, for any
+  /// number of sweeps; otherwise Bullet's default of 1.
   LinkEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
              bool matched)
       : ClassicEngine(scene, state) {
@@ -105,10 +105,11 @@ class LinkEngine final : public ClassicEngine {
       const double w = link.m_n[0]->m_im + link.m_n[1]->m_im;
       const double strength = -std::expm1(-std::log1p(scene.springs[s].stiffness * w * h * h) /
                                           body().m_cfg.piterations);
-      link.m_c0 = w / strength;  // as btSoftBody::updateLinkConstants has it
+      link.m_c0 = w / strength;  // as in btSoftBody::updateLinkConstants
     }
     const double rate = *medium_damping(scene) + anchored_damping(scene).value_or(0);
-    body().m_cfg.kDP = rate * h / (1 + rate * h);  // the rest, 1/(1 + b h), is backward Euler's
+    body().m_cfg.kDP =
+        rate * h / (1 + rate * h);  // the remaining factor 1/(1 + b h) is backward Euler's
   }
 };
 

@@ -16,8 +16,8 @@
 namespace odeum::adapters::bullet {
 namespace {
 
-/// A medium as the deformable world can have it: a damper from each free particle to a fixed one
-/// where it starts, of no stiffness. The added particles come after the scene's own.
+/// A viscous medium in the deformable world: a damper without stiffness from each free particle to
+/// an added fixed particle at its initial position. The added particles come after the scene's.
 struct WithDampers {
   scene::Scene scene;
   std::vector<double> state;
@@ -41,15 +41,15 @@ WithDampers with_dampers(const scene::Scene& scene, const std::vector<double>& s
   return result;
 }
 
-/// Bullet's solver with its counts within reach. As it comes: 300 iterations of conjugate
-/// gradients, one of Newton's.
+/// Bullet's solver with settable iteration counts. Defaults: 300 iterations of conjugate gradients,
+/// one Newton iteration.
 class CountedSolver final : public btDeformableBodySolver {
  public:
   void count(const Plan& plan) {
     if (plan.sweeps > 0) m_cg.m_maxIterations = plan.sweeps;
     if (plan.newton == 0) return;
     m_maxNewtonIterations = plan.newton;
-    m_newtonTolerance = 0;  // or 1e-4 N s would end them early
+    m_newtonTolerance = 0;  // the default 1e-4 N s ends them early
   }
 };
 
@@ -62,7 +62,7 @@ class DeformableEngine final : public Engine {
     if (implicit) solver_.count(plan);
     contacts_.setDeformableSolver(&solver_);
     world_.setImplicit(implicit);
-    world_.setUseProjection(true);  // the implicit solver is not meant to run without it
+    world_.setUseProjection(true);  // required by the implicit solver
     world_.getWorldInfo().m_maxDisplacement = no_displacement_limit;
     if (const double rate = *medium_damping(scene); rate != 0) {
       const WithDampers dampers = with_dampers(scene, state, rate);
@@ -79,12 +79,12 @@ class DeformableEngine final : public Engine {
   void build(const scene::Scene& scene, const std::vector<double>& state) {
     body_ = make_body(world_.getWorldInfo(), scene, state);
     world_.addSoftBody(body_.get());
-    // Also where it is zero: without this force the implicit solver reads an uninitialised one.
+    // Also for zero gravity: without this force the implicit solver reads an uninitialised one.
     gravity_.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
     world_.addForce(body_.get(), &gravity_);
     if (!scene.springs.empty()) {
-      // "false": damping acts on the whole relative velocity, as the scene says, not along the
-      // spring only.
+      // "false": damping acts on the whole relative velocity, as in the scene, not along the spring
+      // only.
       springs_.emplace(scene.springs[0].stiffness, scene.springs[0].damping, false);
       world_.addForce(body_.get(), &*springs_);
     }

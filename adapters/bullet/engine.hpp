@@ -10,20 +10,20 @@ class btSoftBody;
 
 namespace odeum::adapters::bullet {
 
-/// A Bullet world in which a scene has been built as one soft body, ready to step. Each solve has
-/// its own; Bullet keeps nothing that worlds share while they step (see the findings), so solves
-/// may run in several threads.
+/// A Bullet world with a scene built as one soft body, ready to step. Each solve has its own;
+/// worlds share no state while they step (see the findings), so that solves may run in several
+/// threads.
 class Engine {
  public:
   virtual ~Engine() = default;
-  /// Puts the forces on the nodes that are ours to compute. False: the guard tripped.
+  /// Applies to the nodes the forces that the adapter computes. False: the guard tripped.
   virtual bool exert(double /*t*/, Guard&) { return true; }
   /// One step of h seconds. False: Bullet did not step, since h is below its SIMD_EPSILON.
   virtual bool step(double h) = 0;
   virtual const btSoftBody& body() const = 0;
 };
 
-/// How an engine is to step.
+/// Settings of an engine's step.
 struct Plan {
   double h = 0;    ///< s
   int sweeps = 0;  ///< Request::sweeps; 0: Bullet's own

@@ -16,9 +16,9 @@ namespace {
 
 struct Method {
   const char* name;
-  const char* scheme;  ///< what it does a step, and where Bullet says so
+  const char* scheme;  ///< its step, and where Bullet defines it
   double order;
-  bool our_forces;  ///< each step evaluates forces of ours; otherwise the engine's own
+  bool our_forces;  ///< each step evaluates forces of the adapter; otherwise the engine's own
   std::string (*objection)(const scene::Scene&);
   MakeEngine make;
   const char* sweeps;  ///< what Request::sweeps counts; empty: nothing
@@ -38,8 +38,8 @@ const Method methods[] = {
      "damping between free particles is left out",
      1, false, objection_of_links, make_soft_body_links, "Gauss-Seidel sweeps over the links", ""},
     {"soft_body_links_stock",
-     "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 as it comes: lengths are "
-     "projected to the rest lengths, whatever the stiffness",
+     "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 (the default): lengths are "
+     "projected to the rest lengths, for any stiffness",
      no_claim, false, objection_of_stock_links, make_soft_body_links_stock,
      "Gauss-Seidel sweeps over the links", ""},
     {"deformable_explicit",
@@ -50,7 +50,7 @@ const Method methods[] = {
      "btDeformableMultiBodyDynamicsWorld, setImplicit(true): one Newton step of backward Euler, "
      "linearised at x + h v",
      1, false, objection_of_deformable, make_deformable_implicit,
-     "iterations of conjugate gradients at most", "Newton iterations"},
+     "limit of conjugate gradient iterations", "Newton iterations"},
 };
 
 Outcome failed(Status status, std::string detail) {
@@ -67,7 +67,7 @@ std::string objection_to(const scene::Scene& scene, const Method& method) {
 }
 
 /// Entry e of [all positions, all velocities] of the scene's n particles. The body may have nodes
-/// of the adapter's own after them.
+/// added by the adapter after them.
 double entry(const btSoftBody& body, std::size_t n, std::size_t e) {
   const bool velocity = e >= 3 * n;
   const std::size_t k = velocity ? e - 3 * n : e;
@@ -84,8 +84,8 @@ std::vector<double> initial_state(const scene::Scene& scene, const std::vector<d
 }
 
 /// Bullet neither reports a number that is not finite nor stops at one (a NaN in the deformable
-/// solver's change of velocity is even set to zero), so every step of h is looked at. Below the
-/// reach no clamp has acted.
+/// solver's change of velocity is even set to zero), so that every step is checked. Below the limit
+/// of distance no clamp has acted.
 bool in_reach(const btSoftBody& body, double h) {
   for (int i = 0; i < body.m_nodes.size(); ++i)
     for (int d = 0; d < 3; ++d)
@@ -151,7 +151,7 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
     outcome = refused(error.what());
   }
   guard.conclude(request, outcome);
-  // The guard's admissions bound the steps; the engine's own force evaluations are unknown.
+  // The guard's budget bounds the steps; the engine's own force evaluations are unknown.
   if (!method.our_forces) outcome.counters.rhs_evaluations = 0;
   return outcome;
 }

@@ -4,7 +4,7 @@
 
 #include "odeum/contest/solver.hpp"
 
-/// Bullet 3.24, double precision: a physics engine, so it is given the scene of a case (bodies and
+/// Bullet 3.24, double precision: a physics engine, which is given the scene of a case (bodies and
 /// forces) and not its right-hand side. Fixed step only.
 namespace odeum::adapters::bullet {
 

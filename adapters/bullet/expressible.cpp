@@ -41,7 +41,7 @@ std::optional<double> eigenvalue(const std::array<double, 9>& b, const Vec3& w) 
 }
 
 constexpr const char* medium_sentence =
-    "needs a force on the velocity that only slows it down; this one turns or drives the motion";
+    "needs a velocity force that is damping only; this one turns or drives the motion";
 
 }  // namespace
 
@@ -110,24 +110,25 @@ std::string objection_of_forces(const Scene&) { return {}; }
 
 std::string objection_of_links(const Scene& scene) {
   if (has_tension_only(scene))
-    return "needs springs that pull and push: Bullet's links have no tension-only kind";
+    return "needs two-way springs: Bullet's links have no tension-only kind";
   if (!medium_damping(scene)) return medium_sentence;
   return {};
 }
 
 std::string objection_of_stock_links(const Scene& scene) {
-  if (scene.springs.empty()) return "needs springs: without links it is bullet/soft_body_links";
+  if (scene.springs.empty())
+    return "needs springs: without links it is the same as bullet/soft_body_links";
   return objection_of_links(scene);
 }
 
 std::string objection_of_deformable(const Scene& scene) {
   if (has_tension_only(scene))
-    return "needs springs that pull and push: btDeformableMassSpringForce has no tension-only kind";
+    return "needs two-way springs: btDeformableMassSpringForce has no tension-only kind";
   for (const Spring& spring : scene.springs)
     if (spring.stiffness != scene.springs[0].stiffness ||
         spring.damping != scene.springs[0].damping)
-      return "needs one stiffness and one damping for all springs, which is all that "
-             "btDeformableMassSpringForce holds";
+      return "needs one stiffness and one damping for all springs, as btDeformableMassSpringForce "
+             "holds";
   const auto damping = medium_damping(scene);
   if (!damping) return medium_sentence;
   const double* mass = nullptr;

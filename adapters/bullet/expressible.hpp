@@ -5,13 +5,13 @@
 
 #include "odeum/scene/model/scene.hpp"
 
-/// What of a scene each of Bullet's models of a body can say.
+/// Which scenes each of Bullet's models of a body can represent.
 namespace odeum::adapters::bullet {
 
 /// The rate b >= 0 (1/s) of a medium that slows every free particle down by the force -m b v;
-/// nothing where the scene's velocity matrix does anything else to the motion. The matrix is asked
-/// only about the velocities that occur: where they and gravity are all eigenvectors of one
-/// eigenvalue -b, and no spring turns the motion, it is such a medium. 0 without a matrix.
+/// nothing where the scene's velocity matrix has another effect on the motion. Only the velocities
+/// that occur count: if they and gravity are eigenvectors of one eigenvalue -b, and no spring
+/// changes the direction of motion, it is such a medium. 0 without a matrix.
 std::optional<double> medium_damping(const scene::Scene& scene);
 
 /// The rate b (1/s) at which spring dampers slow down every free particle, where all of them are
@@ -19,11 +19,11 @@ std::optional<double> medium_damping(const scene::Scene& scene);
 /// joins free particles, or the rates differ.
 std::optional<double> anchored_damping(const scene::Scene& scene);
 
-/// Whether every number of the scene is finite. Bullet does not ask: a NaN damping, for one, leaves
-/// a deformable body undamped.
+/// Whether every number of the scene is finite. Bullet does not check: for example a NaN damping
+/// leaves a deformable body undamped.
 bool finite(const scene::Scene& scene);
 
-/// Each returns, in a sentence, what the model lacks for this scene; empty where it lacks nothing.
+/// Each returns, as a sentence, why the model cannot represent this scene; empty where it can.
 std::string objection_of_bodies(const scene::Scene& scene);  ///< any body at all
 std::string objection_of_forces(const scene::Scene& scene);
 std::string objection_of_links(const scene::Scene& scene);

@@ -34,7 +34,7 @@ std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world_info, const sce
   body->m_links.reserve(static_cast<int>(scene.springs.size()));
   for (const scene::Spring& spring : scene.springs)
     body->appendLink(static_cast<int>(spring.a), static_cast<int>(spring.b));
-  // Bullet would take the present lengths for the rest lengths at the first step.
+  // Otherwise Bullet takes the present lengths as rest lengths at the first step.
   body->updateConstants();
   body->m_bUpdateRtCst = false;
   for (std::size_t s = 0; s < scene.springs.size(); ++s) {

@@ -13,20 +13,20 @@
 
 namespace odeum::adapters::bullet {
 
-/// Bullet clamps speeds, which makes another equation where it binds. A world's clamp (1000 m a
-/// step as it comes) is switched off by this.
+/// Bullet clamps speeds, which changes the equation where the clamp acts. This disables a world's
+/// clamp (default: 1000 m per step).
 inline constexpr double no_displacement_limit = std::numeric_limits<double>::infinity();
 
-/// The clamp of explicit deformable bodies, the diagonal of the bounding box a step, cannot be
-/// switched off: the margin (m; 0.25 as it comes) widens the box. This one still has a square.
+/// The clamp of explicit deformable bodies, the diagonal of the bounding box per step, cannot be
+/// disabled; the margin (m; default 0.25) widens the box. This one can still be squared.
 inline constexpr double endless_margin = 1e140;
 
-/// A run that gets here (m) has diverged. It lies far below the margin, since damping may bring a
-/// speed that was clamped down again within the step.
+/// A run that reaches this distance (m) has diverged. It is far below the margin, since damping may
+/// reduce a clamped speed within the step.
 inline constexpr double beyond_reach = 1e100;
 
-/// What every Bullet world asks for. Nothing collides here, so the pools are kept small: as they
-/// come they take megabytes, which Bullet clears at each creation.
+/// The components of every Bullet world. Nothing collides here, so the pools are small: by default
+/// they take megabytes, which Bullet clears at each creation.
 struct CollisionParts {
   CollisionParts() : configuration(small_pools()), dispatcher(&configuration) {}
 
@@ -38,9 +38,9 @@ struct CollisionParts {
   static btDefaultCollisionConstructionInfo small_pools();
 };
 
-/// One soft body for a scene: node i is particle i, placed and moving as the state says (all
-/// positions, then all velocities), and link s is spring s with its rest length. It never sleeps
-/// and never collides.
+/// One soft body for a scene: node i is particle i with its position and velocity of the state (all
+/// positions, then all velocities), link s is spring s with its rest length. Sleeping and
+/// collisions are disabled.
 std::unique_ptr<btSoftBody> make_body(btSoftBodyWorldInfo& world_info, const scene::Scene& scene,
                                       const std::vector<double>& state);
 

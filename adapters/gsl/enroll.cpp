@@ -29,16 +29,15 @@ const Method methods[] = {
      "implicit Gaussian 4th order Runge-Kutta, error by step doubling; the two half steps are "
      "kept"},
     {"bsimp", &gsl_odeiv2_step_bsimp, Kind::extrapolation, varies,
-     "implicit Bulirsch-Stoer method of Bader and Deuflhard; its order is chosen from the "
-     "dimension "
-     "when it is made"},
+     "implicit Bulirsch-Stoer method of Bader and Deuflhard; its order follows from the dimension"},
     {"msadams", &gsl_odeiv2_step_msadams, Kind::adams, varies,
      "variable-coefficient Adams method in Nordsieck form, orders 1 to 12"},
     {"msbdf", &gsl_odeiv2_step_msbdf, Kind::bdf, varies,
      "variable-coefficient BDF method in Nordsieck form, orders 1 to 5"},
 };
 
-/// bsimp fixes its order when it is made, from the dimension; the library is asked.
+/// The order that the library reports for a stepper; bsimp fixes it at creation, from the
+/// dimension.
 double order_of(const Method& method, std::size_t dimension) {
   if (method.kind != Kind::extrapolation || dimension > dense_dimension_limit) return method.order;
   const std::unique_ptr<gsl_odeiv2_step, decltype(&gsl_odeiv2_step_free)> step(

@@ -4,7 +4,8 @@
 
 #include "odeum/contest/solver.hpp"
 
-/// The GNU Scientific Library's ordinary differential equations, gsl_odeiv2: eleven steppers.
+/// The GNU Scientific Library's solvers of ordinary differential equations, gsl_odeiv2: eleven
+/// steppers.
 namespace odeum::adapters::gsl {
 
 /// Adds every stepper of the library as an entrant of the contest.

@@ -6,7 +6,7 @@
 
 namespace odeum::adapters::gsl {
 
-/// What a stepper needs to be run.
+/// What a stepper needs.
 enum class Kind {
   explicit_rk,    ///< a right-hand side
   implicit_rk,    ///< a Jacobian, and a tolerance for its Newton iteration
@@ -19,14 +19,14 @@ struct Method {
   const char* name;
   const gsl_odeiv2_step_type* const* type;
   Kind kind;
-  double order;  ///< as gsl_odeiv2_step_order tells; NaN where it varies
+  double order;  ///< as given by gsl_odeiv2_step_order; NaN where it varies
   const char* source;
 
   bool multistep() const { return kind == Kind::adams || kind == Kind::bdf; }
   bool needs_jacobian() const { return kind != Kind::explicit_rk && kind != Kind::adams; }
 };
 
-/// Integrates as asked; never throws, a library's failure is an outcome.
+/// Integrates as requested; never throws, since a library's failure is an outcome.
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request);
 
 }  // namespace odeum::adapters::gsl

@@ -12,17 +12,17 @@
 namespace odeum::adapters::gsl {
 namespace {
 
-/// At a fixed step nothing is controlled, but the Newton iteration inside the implicit steppers
-/// still asks the driver's control object how small an error is wanted: this small, relative and
-/// absolute. Looser lets the iteration of the second half step end after one round, which is a
-/// floor of rk4imp (at 1e-13: errors of 1e-9 where the method has 1e-13, reports/findings/gsl.md);
-/// tighter is below rounding and fails.
+/// At a fixed step there is no error control, but the Newton iteration of the implicit steppers
+/// takes its tolerance from the driver's control object: this value, relative and absolute. With a
+/// larger one the iteration of the second half step stops after one iteration, which is a floor of
+/// rk4imp (at 1e-13: errors of 1e-9 where the method has 1e-13, reports/findings/gsl.md); a smaller
+/// one is below rounding and fails.
 constexpr double newton_tolerance = 1e-15;
 
 /// The library has no rule for a first step; the controllers enlarge a small one quickly.
 constexpr double first_step_fraction = 1e-4;
 
-/// The problem as the library's callbacks reach it.
+/// The problem as passed to the library's callbacks.
 struct Problem {
   Problem(const OdeView& view, const Budget& budget) : guarded(view, budget), jacobian(guarded) {}
 
@@ -30,7 +30,7 @@ struct Problem {
   DenseJacobian jacobian;
 };
 
-/// GSL_EBADFUNC is the answer that ends a run at once; any other failure only halves the step.
+/// GSL_EBADFUNC ends a run at once; any other failure halves the step.
 int rhs(double t, const double y[], double dydt[], void* problem) {
   return static_cast<Problem*>(problem)->guarded.rhs(t, y, dydt) == 0 ? GSL_SUCCESS : GSL_EBADFUNC;
 }
@@ -77,8 +77,8 @@ void fail(Outcome& outcome, Status status, const char* name, int error, double t
       fmt::format("{} returned {} ({}) at t = {}", name, name_of(error), gsl_strerror(error), t);
 }
 
-/// bsimp answers "success" with an infinite error estimate where a sub-step ran away, to make a
-/// controller shorten the step; its result is then no step at all.
+/// bsimp returns success with an infinite error estimate where a sub-step diverged, so that a
+/// controller shortens the step; its result is not a valid step.
 bool ran_away(const gsl_odeiv2_driver& driver) {
   for (std::size_t i = 0; i < driver.sys->dimension; ++i)
     if (std::isinf(driver.e->yerr[i])) return true;
@@ -92,7 +92,7 @@ void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, cons
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
       double t = grid.t(i);
-      // Without a control object a step is accepted whatever its error estimate says.
+      // Without a control object a step is accepted for any error estimate.
       const int error = gsl_odeiv2_evolve_apply_fixed_step(driver.e, nullptr, driver.s, driver.sys,
                                                            &t, grid.h(), y.data());
       if (error != GSL_SUCCESS)
@@ -100,7 +100,7 @@ void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, cons
       if (method.kind == Kind::extrapolation && ran_away(driver)) {
         outcome.status = Status::newton_failed;
         outcome.t = grid.t(i);
-        outcome.detail = fmt::format("{} gave up a step at t = {}: infinite error estimate",
+        outcome.detail = fmt::format("{} failed a step at t = {}: infinite error estimate",
                                      method.name, grid.t(i));
         return;
       }
@@ -126,8 +126,8 @@ Outcome refuse_fixed(const Method& method) {
   Outcome outcome;
   outcome.status = Status::refused;
   outcome.detail = fmt::format(
-      "{} chooses its order from a tolerance; held at a fixed step it stays at order 1 "
-      "or 2, or its corrector fails, as the tolerance has it",
+      "{} chooses its order from a tolerance; at a fixed step it stays at order 1 or 2, "
+      "or its corrector fails, depending on the tolerance",
       method.name);
   return outcome;
 }
@@ -135,7 +135,7 @@ Outcome refuse_fixed(const Method& method) {
 }  // namespace
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
-  // The library's default handler aborts the process. It is global: switched off once.
+  // The library's default handler aborts the process. It is global and disabled once.
   static const gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   static_cast<void>(previous);
 

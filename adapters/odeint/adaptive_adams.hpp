@@ -6,12 +6,12 @@
 
 #include "odeint/run.hpp"
 
-/// The Adams steppers of variable coefficients, which are started and made in ways of their own.
+/// The Adams steppers of variable coefficients, which need their own creation and start.
 namespace odeum::adapters::odeint {
 
-/// At a fixed step. Left to start itself the stepper begins at order 1 and is held to order 3 for
-/// ever; so the first step is made by initialize(), as K sub-steps of a one-step method of order
-/// K + 2, the order that initialize() can make use of.
+/// At a fixed step. A stepper that starts itself begins at order 1 and never exceeds order 3; so
+/// the first step is made by initialize(), as K sub-steps of a one-step method of order K + 2, the
+/// order that initialize() can use.
 template <std::size_t K, Ode P>
 Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
   static_assert(K % 2 == 0, "extrapolation_stepper has even orders only");
@@ -26,7 +26,7 @@ Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
       if (started) {
         stepper.do_step(system, state, t, h);
       } else {
-        // initialize() copies it: static, so that its work space is zero and not indeterminate.
+        // initialize() copies it: static, so that its work space is zero and not uninitialised.
         static const boost::numeric::odeint::extrapolation_stepper<K + 2, Y> starter;
         stepper.initialize(starter, system, state, t, h);
         started = true;
@@ -35,7 +35,7 @@ Outcome run_adaptive_adams(const Contest<P>& contest, const Request& request) {
   });
 }
 
-/// To a tolerance, at orders up to K.
+/// Adaptive, at orders up to K.
 template <std::size_t K, Ode P>
 Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
@@ -43,7 +43,7 @@ Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) 
     using Y = State<P>;
     using Stepper = boost::numeric::odeint::controlled_adams_bashforth_moulton<
         boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y>>;
-    // The longest step is 1 unless told, which is no bound that a problem asked for.
+    // The default largest step is 1, a bound that no problem requested.
     Stepper stepper(typename Stepper::step_adjuster_type(request.tolerance, request.tolerance,
                                                          request.stops.back() - contest.t0));
     Y y = start_of(contest);

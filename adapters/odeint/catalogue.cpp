@@ -13,7 +13,7 @@ constexpr double varies = std::numeric_limits<double>::quiet_NaN();
 
 enum Modes { fixed_only, adaptive_only, both };
 
-/// `order` is what order() or stepper_order() of the stepper's header claims. A family of steppers
+/// `order` is what order() or stepper_order() in the stepper's header claims. A family of steppers
 /// is one row; its number is appended to the name, and its order is that number plus `order`.
 struct Row {
   const char* name;
@@ -28,7 +28,7 @@ struct Row {
 
 constexpr const char* controlled =
     "make_controlled(abs, rel): error within abs + rel (|y| + h |y'|)";
-constexpr const char* own_control = "its own";
+constexpr const char* own_control = "the stepper's own";
 constexpr const char* needs_nothing = "";
 constexpr const char* needs_dense = "a dense Jacobian (differenced where there is none)";
 constexpr const char* needs_second_order = "q'' = a(t, q, v)";

@@ -7,7 +7,7 @@
 
 namespace odeum::adapters::odeint {
 
-/// What odeint's documentation says about a stepper. Throws std::logic_error for an unknown name.
+/// A stepper's properties as documented by odeint. Throws std::logic_error for an unknown name.
 SolverInfo info_of(std::string_view method);
 
 /// The steppers on uBLAS matrices: they are compiled once, behind function pointers.

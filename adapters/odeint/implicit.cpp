@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <exception>
 
-// implicit_euler ends the process with std::exit(0) where its matrix is singular. That one call,
-// in its header alone (everything it includes is included above), becomes an exception.
+// implicit_euler ends the process with std::exit(0) where its matrix is singular. That call, in its
+// header only (everything it includes is included above), becomes an exception.
 namespace odeum::adapters::odeint {
 struct SingularMatrix {};
 }  // namespace odeum::adapters::odeint
@@ -38,7 +38,7 @@ struct Rhs {
   }
 };
 
-/// implicit_euler passes the time of the step's end, rosenbrock4 wants df/dt as well.
+/// implicit_euler passes the time of the step's end; rosenbrock4 also needs df/dt.
 struct Jacobian {
   GuardedView* problem;
   DenseJacobian* jacobian;
@@ -65,7 +65,7 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
     body(System{Rhs{&problem}, Jacobian{&problem, &jacobian}}, y, outcome);
   } catch (const SingularMatrix&) {
     outcome.status = Status::newton_failed;
-    outcome.detail = "implicit_euler met a singular matrix (the library's answer is std::exit(0))";
+    outcome.detail = "implicit_euler: singular matrix (where the library calls std::exit(0))";
   } catch (...) {
     explain_exception(outcome);
   }

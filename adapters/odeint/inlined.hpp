@@ -25,12 +25,12 @@
 #include "odeint/enroll.hpp"
 #include "odeint/run.hpp"
 
-/// What enroll.hpp declares, to be compiled for a problem's own type: heavy.
+/// The definitions of enroll.hpp for a problem's own type; slow to compile.
 namespace odeum::adapters::odeint {
 
 namespace od = boost::numeric::odeint;
 
-/// Puts steppers of one contest on the list.
+/// Appends the steppers of one contest to the list.
 template <Ode P>
 class Roster {
  public:
@@ -68,8 +68,8 @@ constexpr Run<P> run_extrapolation =
     run_either<od::extrapolation_stepper<Order, State<P>>,
                run_out_of_place<od::extrapolation_stepper<Order, State<P>>, P>, P>;
 
-/// adams_bashforth_moulton started as adams_bashforth is: its default, runge_kutta4, would hold it
-/// to order 5.
+/// adams_bashforth_moulton, started like adams_bashforth: its default, runge_kutta4, limits it to
+/// order 5.
 template <std::size_t K, class Y>
 using AdamsBashforthMoulton = od::adams_bashforth_moulton<
     K, Y, double, Y, double, typename od::algebra_dispatcher<Y>::algebra_type,

@@ -27,7 +27,7 @@ void explain_exception(Outcome& outcome) {
   try {
     throw;
   } catch (const Tripped&) {
-    // The guard says why.
+    // The guard has the reason.
   } catch (const boost::numeric::odeint::step_adjustment_error& error) {
     outcome.status = Status::step_too_small;
     outcome.detail = fmt::format("step_adjustment_error: {}", error.what());
@@ -47,6 +47,6 @@ Outcome refuse(const char* why) {
 }  // namespace
 
 Outcome refuse_adaptive() { return refuse("runs at a fixed step only"); }
-Outcome refuse_fixed() { return refuse("chooses its own step, there is no fixed one"); }
+Outcome refuse_fixed() { return refuse("chooses its own steps: runs to a tolerance only"); }
 
 }  // namespace odeum::adapters::odeint

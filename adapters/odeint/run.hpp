@@ -6,8 +6,8 @@
 #include "odeint/walk.hpp"
 #include "odeum/contest/solver.hpp"
 
-/// One function for each way in which odeint's steppers are used; each solves with a stepper type
-/// and a problem type that are known down to the innermost loop.
+/// One function for each way of using odeint's steppers, each a template on stepper and problem
+/// type.
 namespace odeum::adapters::odeint {
 
 template <Ode P>
@@ -53,14 +53,15 @@ using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper>;
 /// The tolerance is both the absolute and the relative one.
 template <class Stepper>
 Controlled<Stepper> make_controlled(double tolerance) {
-  // The library copies the stepper, work space and all: static, that is zero and not indeterminate.
+  // The library copies the stepper with its work space: static, so that it is zero and not
+  // uninitialised.
   static const Stepper blank;
   using Checker = typename Controlled<Stepper>::error_checker_type;
   using Adjuster = typename Controlled<Stepper>::step_adjuster_type;
   return Controlled<Stepper>(Checker(tolerance, tolerance), Adjuster(), blank);
 }
 
-/// To a tolerance through controlled_runge_kutta, which is what make_controlled makes.
+/// Adaptive, by the controlled_runge_kutta that make_controlled returns.
 template <class Stepper, Ode P>
 Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
@@ -116,7 +117,7 @@ Outcome run_dense(const Contest<P>& contest, const Request& request) {
   });
 }
 
-/// A stepper on pairs (q, v), with the kind of system that it wants.
+/// A stepper on pairs (q, v), with the kind of system that it takes.
 template <class Stepper, template <class> class PairSystem, Ode P>
 Outcome run_pair(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::adaptive) return refuse_adaptive();

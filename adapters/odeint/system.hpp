@@ -21,7 +21,7 @@ template <SecondOrder P>
 using Half =
     typename detail::StateOf<double, P::dimension == dynamic ? dynamic : P::dimension / 2>::type;
 
-/// q'' = a(t, q, v) as odeint's velocity_verlet asks for it.
+/// q'' = a(t, q, v) as odeint's velocity_verlet calls it.
 template <SecondOrder P>
 struct SecondOrderSystem {
   const Guarded<P>* problem;
@@ -32,8 +32,8 @@ struct SecondOrderSystem {
   }
 };
 
-/// q'' = a(q) as odeint's symplectic steppers ask for it: they pass neither time nor velocity.
-/// Where the guard has something to say, it names the time at which the step began.
+/// q'' = a(q) as odeint's symplectic steppers call it: they pass neither time nor velocity. The
+/// guard therefore reports the time at the start of the step.
 template <Separable P>
 struct SymplecticSystem {
   const Guarded<P>* problem;

@@ -7,8 +7,8 @@
 
 #include "odeint/report.hpp"
 
-/// How odeint's steppers are walked from stop to stop. Steps are counted as they are made, so that
-/// an exception out of a right-hand side leaves an outcome that says how far the walk came.
+/// Loops that run odeint's steppers from stop to stop. Steps are counted one by one, so that an
+/// exception from a right-hand side leaves an outcome with the progress made.
 namespace odeum::adapters::odeint {
 
 template <class Y>
@@ -35,8 +35,8 @@ void walk_fixed(double t0, const Request& request, Y& y, Outcome& outcome, Step&
   }
 }
 
-/// Walks a controlled stepper, as integrate_adaptive does, but with a floor under the step, and
-/// with the step before a stop remembered beyond it.
+/// Runs a controlled stepper like integrate_adaptive, but with a smallest step, and keeping the
+/// step size across a stop.
 template <class Controlled, class System, class Y>
 void walk_controlled(Controlled& stepper, System system, double t, const Request& request, Y& y,
                      Outcome& outcome) {
@@ -60,8 +60,8 @@ void walk_controlled(Controlled& stepper, System system, double t, const Request
   }
 }
 
-/// Walks a dense-output stepper: it steps over the stops, which are interpolated, and is shortened
-/// only to end at the horizon. It does not tell its rejected steps.
+/// Runs a dense-output stepper: stops are interpolated, only the last step is shortened to end at
+/// the horizon. It does not report rejected steps.
 template <class Dense, class System, class Y>
 void walk_dense(Dense& stepper, System system, double t0, const Request& request, Y& y,
                 Outcome& outcome) {

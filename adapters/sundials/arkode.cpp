@@ -12,7 +12,7 @@ namespace {
 template <class Id>
 using Names = std::vector<std::pair<Id, const char*>>;
 
-/// Reads the orders off the tables themselves.
+/// Reads the orders from the tables.
 template <class Id>
 std::vector<BuiltInTable<Id>> load(const Names<Id>& names, ARKodeButcherTable (*load_table)(Id)) {
   std::vector<BuiltInTable<Id>> tables;
@@ -79,8 +79,8 @@ const std::vector<ImplicitTable>& implicit_tables() {
 void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part) {
   session.adopt(
       ARKStepCreate(explicit_part, implicit_part, session.t0(), session.y(), session.context()));
-  // Every stop is a step's end, so nothing is interpolated: this interpolant, of the lowest degree,
-  // spares the evaluation a step that the default one would take.
+  // Every stop is the end of a step, so nothing is interpolated: an interpolant of the lowest
+  // degree saves the default's extra evaluation per step.
   void* const arkstep = session.integrator();
   check(ARKStepSetInterpolantType(arkstep, ARK_INTERP_LAGRANGE), "setting the interpolant");
   check(ARKStepSetInterpolantDegree(arkstep, 1), "setting the interpolant's degree");

@@ -19,13 +19,13 @@ namespace odeum::adapters::sundials {
 
 using ButcherTable = std::unique_ptr<ARKodeButcherTableMem, Destroy<&ARKodeButcherTable_Free>>;
 
-/// What ARKODE's own tables say of themselves, without the numbers.
+/// Properties of ARKODE's built-in tables, without the coefficients.
 template <class Id>
 struct BuiltInTable {
   Id id;
   std::string name;    ///< as in the enumeration, without ARKODE_
   std::string method;  ///< the same in lower case
-  int order;           ///< of the solution that is propagated
+  int order;           ///< of the propagated solution
   int order_embedded;  ///< 0: none
 };
 using ExplicitTable = BuiltInTable<ARKODE_ERKTableID>;
@@ -38,12 +38,11 @@ const std::vector<ImplicitTable>& implicit_tables();
 /// Creates ARKStep in a session for y' = explicit_part + implicit_part, one of which is null.
 void create_arkstep(Session& session, ARKRhsFn explicit_part, ARKRhsFn implicit_part);
 
-/// What a solver with a given table says of itself; it can be adaptive where the table has an
-/// embedded row.
+/// Description of a solver with a given table; adaptive where the table has an embedded row.
 SolverInfo describe_table(std::string method, const char* family, int order, int order_embedded,
                           std::string source);
 
-/// One of our tableaus as a table of the library's; null where memory ran out.
+/// An own tableau as a table of the library; null where memory ran out.
 template <std::size_t S>
 ButcherTable as_butcher_table(const Tableau<S>& tableau) {
   ButcherTable table(ARKodeButcherTable_Alloc(static_cast<int>(S), tableau.embedded()));

@@ -18,12 +18,11 @@ namespace {
 
 void create_erkstep(Session& session) {
   session.adopt(ERKStepCreate(Session::rhs, session.t0(), session.y(), session.context()));
-  // Nothing is interpolated, see create_arkstep; here an interpolant costs no evaluation as long as
-  // its degree needs none of its own.
+  // Nothing is interpolated, see create_arkstep; an interpolant of degree 1 costs no evaluation.
   check(ERKStepSetInterpolantDegree(session.integrator(), 1), "setting the interpolant's degree");
 }
 
-/// The library's two ways of stepping with an explicit table.
+/// The library's two steppers for an explicit table.
 struct Stepper {
   const char* prefix;  ///< of the solver's name
   const char* title;
@@ -64,7 +63,7 @@ Method built_in(const Stepper& stepper, const ExplicitTable& table) {
           }};
 }
 
-/// The library's stepping with an own method's coefficients.
+/// The library's steppers with the coefficients of an own method.
 template <class M, std::size_t S>
 Method user(const Stepper& stepper, const Tableau<S>& tableau) {
   const std::string id(M::info.id);

@@ -10,8 +10,8 @@
 namespace odeum::adapters::sundials {
 namespace {
 
-// At a fixed step the tolerances serve Newton's iteration alone, so they are set to what it is to
-// reach, and the matrix is made anew in each step. To a tolerance all is left to the library.
+// At a fixed step the tolerances only control Newton's iteration, so they are set to its accuracy,
+// and the matrix is rebuilt in each step. Adaptive runs use the library's defaults.
 void solve_stages_exactly(Session& session) {
   void* const arkstep = session.integrator();
   const double coefficient = 0.1;  // the library's default
@@ -41,8 +41,8 @@ std::vector<Method> arkode_implicit_methods() {
                             "; Newton iteration"),
          &arkstep_module, [id = table.id](Session& session) { build(session, id); }});
 
-  // The library's default tables of orders 2 to 5 once more, with the one setting that keeps its
-  // error control working on linear problems (reports/findings/sundials.md).
+  // The library's default tables of orders 2 to 5 again, with the one setting that keeps its error
+  // control correct on linear problems (reports/findings/sundials.md).
   for (const int id : {ARKSTEP_DEFAULT_DIRK_2, ARKSTEP_DEFAULT_DIRK_3, ARKSTEP_DEFAULT_DIRK_4,
                        ARKSTEP_DEFAULT_DIRK_5}) {
     for (std::size_t i = 0; i < implicit_tables().size(); ++i) {
@@ -50,7 +50,8 @@ std::vector<Method> arkode_implicit_methods() {
       Method method = list[i];
       method.info.method += "_matrix_each_stage";
       method.info.fixed = false;
-      method.info.source += ", its matrix made anew at each stage (ARKStepSetLSetupFrequency(-1))";
+      method.info.source +=
+          ", with its matrix rebuilt at each stage (ARKStepSetLSetupFrequency(-1))";
       method.build = [build_default = method.build](Session& session) {
         build_default(session);
         check(ARKStepSetLSetupFrequency(session.integrator(), -1),

@@ -10,11 +10,11 @@
 namespace odeum::adapters::sundials {
 namespace {
 
-// CVODE has no fixed step. Its step is held by asking for the same first, least and largest step,
-// and by tolerances that no step can miss; the iteration is held to its own accuracy in return.
+// CVODE has no fixed-step mode. Its step is fixed by equal initial, least and largest steps and by
+// tolerances that every step meets; the convergence coefficient keeps the iteration accurate.
 //
-// Order 1 is all that can be held so: CVODE changes its order only when it changes its step
-// (reports/findings/sundials.md), so a larger maximal order would change nothing.
+// Only order 1 can be run so: CVODE changes its order only together with its step
+// (reports/findings/sundials.md), so that a larger maximal order would have no effect.
 void hold(Session& session) {
   void* const cvode = session.integrator();
   const double h = FixedGrid(session.t0(), session.request()).h();
@@ -25,7 +25,7 @@ void hold(Session& session) {
   check(CVodeSetMaxNonlinIters(cvode, max_exact_iterations), "setting the limit of iterations");
   check(CVodeSetInitStep(cvode, h), "setting the first step");
   check(CVodeSetMaxStep(cvode, h), "setting the largest step");
-  // A hair less than h: CVODE compares the two by way of 1 / h.
+  // Slightly less than h: CVODE compares the two by way of 1 / h.
   check(CVodeSetMinStep(cvode, h * (1 - 1e-12)), "setting the least step");
   check(CVodeSetMaxOrd(cvode, 1), "setting the order");
 }
@@ -47,7 +47,7 @@ std::vector<Method> cvode_held_methods() {
                     create_cvode(session, family);
                     hold(session);
                     if (family == CV_ADAMS) return;
-                    // A matrix of each step's own.
+                    // A new matrix in each step.
                     void* const cvode = session.integrator();
                     check(CVodeSetLSetupFrequency(cvode, 1), "setting the frequency of setups");
                     check(CVodeSetJacEvalFrequency(cvode, 1), "setting the frequency of Jacobians");

@@ -6,8 +6,8 @@
 
 namespace odeum::adapters::sundials {
 
-/// Enrols every solver of CVODE and ARKODE. All of them fit any problem: the implicit ones fall
-/// back on difference quotients where it offers no Jacobian.
+/// Enrols every solver of CVODE and ARKODE. All of them fit any problem: the implicit ones use
+/// difference quotients where it offers no Jacobian.
 void enroll_erased(const ErasedContest& contest, std::vector<Entrant>& entrants);
 
 template <Ode P>

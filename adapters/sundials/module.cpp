@@ -101,8 +101,8 @@ const Module arkstep_module{
     .set_max_iterations = ARKStepSetMaxNonlinIters,
 };
 
-// CVODE and ARKODE agree on the flags down to -11; beyond, each uses numbers that the other does
-// not use for anything that can happen here (no mass matrix, no projection, no roots).
+// CVODE and ARKODE share the flags down to -11; the others that can occur here (no mass matrix, no
+// projection, no roots) do not overlap.
 Status status_of(int flag) {
   switch (flag) {
     case CV_TOO_MUCH_WORK:
@@ -125,7 +125,7 @@ Status status_of(int flag) {
     case CV_FIRST_RHSFUNC_ERR:
     case CV_REPTD_RHSFUNC_ERR:
     case CV_UNREC_RHSFUNC_ERR:
-      return Status::non_finite;  // our right-hand side fails for that reason, or over budget
+      return Status::non_finite;  // the right-hand side fails for that reason, or over budget
     default:
       return Status::refused;
   }

@@ -10,7 +10,7 @@
 #include "odeum/core/outcome.hpp"
 
 /// CVODE, ERKStep and ARKStep have one interface under three prefixes. A Module is that interface
-/// as a table, so that everything which does not differ is written once.
+/// as a table, so that the common code is written once.
 namespace odeum::adapters::sundials {
 
 struct Module {
@@ -21,7 +21,7 @@ struct Module {
   using JacobianTimesSetup = int (*)(double t, N_Vector y, N_Vector f, void* data);
   using JacobianTimes = int (*)(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector f,
                                 void* data, N_Vector);
-  /// Where Newton's iteration is: its system is I - gamma df/dy at (t, y).
+  /// State of Newton's iteration: its matrix is I - gamma df/dy at (t, y).
   struct NewtonPoint {
     double t = 0, gamma = 0;
     N_Vector y = nullptr;
@@ -33,16 +33,16 @@ struct Module {
   int (*set_max_steps)(void*, long steps);
   int (*set_min_step)(void*, double h);
   int (*set_stop_time)(void*, double t);
-  int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed step
+  int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed-step mode
   int (*evolve)(void*, double t_out, N_Vector y, double* t, int task);
   int (*current_time)(void*, double* t);
   int (*steps)(void*, long*);
   int (*error_test_failures)(void*, long*);
-  int (*solve_failures)(void*, long*);  ///< null: there is nothing to be solved
+  int (*solve_failures)(void*, long*);  ///< null: explicit, without an iteration
   char* (*flag_name)(long flag);
   void (*free)(void**);
 
-  // Null where there is nothing to be solved.
+  // Null for explicit modules.
   int (*set_nonlinear_solver)(void*, SUNNonlinearSolver);
   int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);
   int (*set_jacobian)(void*, Jacobian);
@@ -54,10 +54,10 @@ struct Module {
 
 extern const Module cvode_module, erkstep_module, arkstep_module;
 
-/// A call of the library that did not succeed; never leaves the adapter.
+/// A library call that failed; never leaves the adapter.
 struct Failure {
   int flag;
-  const char* what;  ///< what was being done
+  const char* what;  ///< the operation that failed
 };
 
 /// Throws Failure where the flag says that a set-up call did not succeed.

@@ -46,10 +46,10 @@ int solve_embedded(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, do
   const bool solved = own.factorise(at.t, NV_DATA_S(at.y), at.gamma) &&
                       own.solve(NV_DATA_S(x), correction_accuracy);
   if (session.problem().guard().tripped()) return SUNLS_PACKAGE_FAIL_UNREC;
-  return solved ? SUNLS_SUCCESS : SUNLS_LUFACT_FAIL;  // the latter asks for a smaller step
+  return solved ? SUNLS_SUCCESS : SUNLS_LUFACT_FAIL;  // the latter requests a smaller step
 }
 
-/// A linear solver of the library's kind that calls the problem's own.
+/// A linear solver of the library's interface that calls the problem's own.
 SUNLinearSolver embedded(Session& session) {
   SUNLinearSolver const solver = SUNLinSolNewEmpty(session.context());
   if (!solver) return nullptr;
@@ -57,7 +57,7 @@ SUNLinearSolver embedded(Session& session) {
   solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_MATRIX_EMBEDDED; };
   solver->ops->solve = solve_embedded;
   solver->ops->free = [](SUNLinearSolver self) {
-    self->content = nullptr;  // the session's own
+    self->content = nullptr;  // owned by the session
     SUNLinSolFreeEmpty(self);
     return 0;
   };
@@ -80,7 +80,7 @@ void attach_linear_solver(Session& session) {
                          session.problem().guard()));
     solver.reset(embedded(session));
   } else {
-    // Room for 60 directions: the default, 5, is meant for use with a preconditioner.
+    // Up to 60 directions: the default, 5, is meant for use with a preconditioner.
     constexpr int directions = 60, restarts = 2;
     solver.reset(SUNLinSol_SPGMR(session.y(), SUN_PREC_NONE, directions, session.context()));
     if (solver) SUNLinSol_SPGMRSetMaxRestarts(solver.get(), restarts);
@@ -98,8 +98,8 @@ void attach_linear_solver(Session& session) {
 }
 
 double exact_solve_tolerance(const Session& session) {
-  // Fifty units of rounding for the dense solver. An iterative one is asked for residuals another
-  // two hundred times smaller than this, which must stay above rounding.
+  // Fifty times rounding for the dense solver. Iterative solvers are given tolerances two hundred
+  // times smaller than this, which must stay above rounding.
   return dense(session) ? 1e-14 : 1e-11;
 }
 

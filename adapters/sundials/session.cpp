@@ -12,8 +12,8 @@
 namespace odeum::adapters::sundials {
 namespace {
 
-// One context a thread: the library allows no sharing between threads, and short solves need not
-// pay for one each.
+// One context per thread: the library does not allow sharing between threads, and creating one per
+// solve would slow short solves.
 SUNContext context_of_this_thread() {
   struct Context {
     SUNContext handle = nullptr;
@@ -66,7 +66,7 @@ void Session::hear(int code, const char*, const char*, char* message, void* data
 }
 
 void Session::run(Outcome& outcome) {
-  // Steps are bounded by the guard's budget; the library's own limit (500) is switched off.
+  // The guard's budget bounds the steps; the library's own limit (500) is disabled.
   check(module_.set_max_steps(integrator_, -1), "lifting the limit of steps");
   if (fixed_step())
     run_fixed(outcome);
@@ -78,16 +78,16 @@ void Session::run_fixed(Outcome& outcome) {
   const FixedGrid grid(t0_, request_);
   if (module_.set_fixed_step)
     check(module_.set_fixed_step(integrator_, grid.h()), "setting the fixed step");
-  // Beyond the end by half a step, so that the last step is one like the others: a step that ends
-  // at the stop time is shortened by rounding, and its state comes from an interpolant, which at
-  // order 1 is not the step's (reports/findings/sundials.md).
+  // Half a step beyond the end, so that the last step is like the others: a step that ends at the
+  // stop time is shortened by rounding, and its state comes from an interpolant, which at order 1
+  // differs from the step's result (reports/findings/sundials.md).
   const double stop_time = t_end() + grid.h() / 2;
   check(module_.set_stop_time(integrator_, stop_time), "setting the stop time");
   std::uint64_t i = 0;
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
       check(module_.evolve(integrator_, stop_time, y_.get(), &t_, CV_ONE_STEP), "stepping");
-      // The library adds up its own time, with rounding errors; any other step is not ours.
+      // The library accumulates its time with rounding errors; a larger deviation is a wrong step.
       if (std::abs(t_ - grid.t(i + 1)) > 1e-3 * grid.h())
         throw Failure{CV_ILL_INPUT, "stepping, which did not end on the grid"};
     }
@@ -98,7 +98,7 @@ void Session::run_fixed(Outcome& outcome) {
 void Session::run_adaptive(Outcome& outcome) {
   check(module_.set_tolerances(integrator_, request_.tolerance, request_.tolerance),
         "setting the tolerances");
-  // Where t + h rounds to t the library only warns, and goes on; a least step makes that an error.
+  // Where t + h rounds to t the library only warns; a least step makes that an error.
   const double t_largest = std::max(std::abs(t0_), std::abs(t_end()));
   check(module_.set_min_step(integrator_, 4 * std::numeric_limits<double>::epsilon() * t_largest),
         "setting the least step");
@@ -110,7 +110,7 @@ void Session::run_adaptive(Outcome& outcome) {
 }
 
 void Session::explain(const Failure& failure, Outcome& outcome) {
-  if (integrator_) module_.current_time(integrator_, &t_);  // not every failure returns it
+  if (integrator_) module_.current_time(integrator_, &t_);  // some failures do not return it
   outcome.status = status_of(failure.flag);
   outcome.t = t_;
   outcome.detail =
@@ -144,7 +144,7 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
       outcome.counters.rejected_steps = static_cast<std::uint64_t>(error_failures + solve_failures);
     }
     session.problem().guard().conclude(request, outcome);
-  } catch (const Failure& failure) {  // not even a session
+  } catch (const Failure& failure) {  // the session could not be created
     outcome.status = status_of(failure.flag);
     outcome.detail = fmt::format("{} when {}", name_of(*method.module, failure.flag), failure.what);
   }

@@ -28,7 +28,7 @@ class Session {
   /// Keeps a linear solver, and a matrix where it has one, alive as long as the integrator.
   void keep(LinearSolver solver, Matrix matrix);
   void keep(NonlinearSolver solver);
-  /// The problem's own solver of linear systems, where it is used instead of one of the library.
+  /// The problem's own solver of linear systems, where used instead of the library's.
   void keep(std::unique_ptr<ShiftedSolver> solver) { shifted_solver_ = std::move(solver); }
   ShiftedSolver* shifted_solver() const { return shifted_solver_.get(); }
 
@@ -45,11 +45,11 @@ class Session {
 
   /// From t0 to the last stop, as the request says; throws Failure.
   void run(Outcome& outcome);
-  /// What happened, as an outcome's status and sentence.
+  /// A failure as status and detail of an outcome.
   void explain(const Failure& failure, Outcome& outcome);
 
-  /// The right-hand side as the library calls it; `data` is the session. Fails for good once the
-  /// guard has tripped: no smaller step can help.
+  /// The right-hand side as the library calls it; `data` is the session. Fails unrecoverably once
+  /// the guard has tripped, since no smaller step can help.
   static int rhs(double t, N_Vector y, N_Vector dydt, void* data);
 
  private:
@@ -70,7 +70,7 @@ class Session {
   NonlinearSolver nonlinear_solver_;
   std::unique_ptr<ShiftedSolver> shifted_solver_;
   void* integrator_ = nullptr;
-  std::string message_;  ///< the library's last error message, which would else go to stderr
+  std::string message_;  ///< the library's last error message, kept from stderr
 };
 
 /// A solver of the library.

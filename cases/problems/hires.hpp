@@ -4,7 +4,7 @@
 
 namespace odeum::cases {
 
-/// Eight reactions of a plant's response to light.
+/// High irradiance response of a plant: eight reacting species.
 struct Hires {
   static constexpr std::size_t dimension = 8;
 

@@ -4,7 +4,7 @@
 
 namespace odeum::cases {
 
-/// x'' + c x' + x = 0. Damping that is absent is not in the type either.
+/// x'' + c x' + x = 0. The undamped type has no damping term, so that it is separable.
 template <bool Damped>
 struct UnitOscillator {
   static constexpr std::size_t dimension = 2;

@@ -4,7 +4,7 @@
 
 namespace odeum::cases {
 
-/// Three reactions whose rates lie nine decades apart.
+/// Three species; reaction rates that span nine decades.
 struct Robertson {
   static constexpr std::size_t dimension = 3;
   static constexpr double k1 = 0.04, k2 = 3e7, k3 = 1e4;

@@ -11,8 +11,8 @@
 #include "odeint/inlined.hpp"
 #endif
 
-/// Solvers for timed runs alone, with the right-hand side compiled into them and nothing watched:
-/// heavy, one problem a file.
+/// Solvers for timed runs only, with the right-hand side inlined and no guard. They compile slowly:
+/// one problem per file.
 namespace odeum::cases::inlined {
 
 /// Whether a method may be the fastest at some error on a small smooth or stiff problem, so that it

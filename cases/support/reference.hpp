@@ -7,12 +7,12 @@
 
 namespace odeum::cases {
 
-/// The truth held in cases/reference/<name>.csv (built into the program), known at its way points
-/// only. `floor` is what its index says: from its digits, or from inputs rounded to double.
-/// Throws std::runtime_error where the file is missing or malformed.
+/// The truth held in cases/reference/<name>.csv (built into the program), known at its tabulated
+/// times only. `floor` is its absolute error as stated by its index: from its digits, or from
+/// inputs rounded to double. Throws std::runtime_error where the file is missing or malformed.
 Truth reference_truth(const std::string& name, double floor);
 
-/// The same file with all of its digits that extended precision holds, see ExtendedProblem::truth.
+/// The same file rounded to extended precision, see ExtendedProblem::truth.
 std::function<bool(double t, long double* y)> extended_truth(const std::string& name);
 
 }  // namespace odeum::cases

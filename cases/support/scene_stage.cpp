@@ -35,7 +35,7 @@ std::vector<Entrant> enroll_staged(const std::shared_ptr<const scene::SceneProbl
   return enroll(erase(contest));
 }
 
-// The exact motion, as a solver that takes no step.
+// The exact motion in closed form, as a solver without steps.
 Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
   Entrant entrant{.info = {}, .unfit = {}, .solve = {}};
   entrant.info.library = "odeum";

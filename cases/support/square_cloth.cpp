@@ -36,7 +36,8 @@ scene::Scene square_cloth(std::size_t n, double stiffness, bool tension_only) {
   };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
-      for (const std::ptrdiff_t reach : {1, 2}) {  // half of the neighbours: each pair once
+      for (const std::ptrdiff_t reach :
+           {1, 2}) {  // half of the neighbours, so that each pair is added once
         join(i, j, 0, reach);
         join(i, j, reach, -reach);
         join(i, j, reach, 0);

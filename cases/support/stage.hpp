@@ -8,12 +8,12 @@
 
 namespace odeum::cases {
 
-/// Every solver, own and of each library, enrolled on a problem through the shared type that it
-/// belongs to (problem/shared.hpp). A malformed request is refused (std::invalid_argument) before
-/// any of them sees it.
+/// Enrols every solver, own and of each library, on a problem through its shared type
+/// (problem/shared.hpp). A malformed request throws std::invalid_argument before any of them is
+/// called.
 std::vector<Entrant> enroll(const ErasedContest& contest);
 
-/// Puts a problem, and the scene it has for physics engines, on the stage that `c` describes.
+/// Sets the problem of case `c`, and its scene for physics engines where it has one.
 template <Ode P>
 void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = nullptr) {
   Contest<P> contest;
@@ -27,7 +27,8 @@ void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = n
     c.energy = [p = contest.problem](const double* y) { return p->energy(y); };
 }
 
-/// A probe over a problem with a movable parameter: `place(problem, scene, first, second)` sets it.
+/// A probe over a problem with variable parameters: `place(problem, scene, first, second)` sets
+/// them.
 template <Ode P, class Place>
 Probe make_probe(P problem, std::vector<double> y0, scene::Scene scene, Place place) {
   auto movable = std::make_shared<P>(std::move(problem));
