@@ -26,11 +26,11 @@ std::vector<Pair> own_pairs() {
     if (!c.has_tag("smooth")) continue;
     for (const Entrant& entrant : c.entrants) {
       if (entrant.info.library != "odeum" || !entrant.unfit.empty()) continue;
-      if (std::isnan(entrant.info.order)) continue;  // none is claimed
+      if (std::isnan(entrant.info.order)) continue;  // no order is claimed
       if (entrant.info.fixed)
         pairs.push_back({c.id, entrant.info.method, Mode::fixed, entrant.info.order});
-      // Choosing steps knows nothing of the number of unknowns: the small cases show it. On a cloth
-      // low orders meet too few tolerances within the budget, and high orders do so anywhere.
+      // Step control does not depend on the number of unknowns, so that small cases suffice. On a
+      // cloth low orders reach too few tolerances within the budget.
       if (entrant.info.adaptive && !entrant.info.adaptive_order && !c.has_tag("cloth") &&
           entrant.info.order < 6)
         pairs.push_back({c.id, entrant.info.method, Mode::adaptive, entrant.info.order});
@@ -53,7 +53,9 @@ struct Exception {
 constexpr const char* sixth_on_linear = "of order 6 on linear problems with constant coefficients";
 constexpr const char* small_leading_term =
     "its leading error term is small: order 6 down to errors of 1e-9";
-constexpr const char* mean_step = "the mean step is no yardstick: steps vary with the tolerance";
+constexpr const char* mean_step =
+    "the order in the mean step is not defined: the distribution of steps varies with the "
+    "tolerance";
 constexpr const char* higher_to_rounding =
     "its leading error term is small here: a higher order down to rounding";
 constexpr Exception exceptions[] = {
@@ -112,7 +114,7 @@ TEST_P(Order, IsAsClaimed) {
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15
   // (5 % above order 4), the next order of a step's error expansion included; a wrong coefficient
-  // costs a whole order. Adaptive runs: a looser yardstick, see order_fit.hpp.
+  // changes it by a whole order. Adaptive runs: a wider bound, see order_fit.hpp.
   const double band = (pair.mode == Mode::fixed ? judge::fixed_step_tolerance(pair.claimed)
                                                 : judge::adaptive_tolerance(pair.claimed))
                           .order;

@@ -18,10 +18,10 @@ namespace {
 
 constexpr double tolerances[] = {1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 
-/// A controller holds the error of each step to the tolerance. Of a method of low order the steps
-/// grow many as the tolerance falls, and their errors add up: then steps x tolerance bounds the
-/// error, times what the problem makes of it. These methods are allowed that; all others have to
-/// stay within 100 tolerances.
+/// A controller holds the error of each step to the tolerance. A method of low order needs many
+/// steps at small tolerances, whose errors accumulate: then steps x tolerance bounds the error,
+/// times the amplification by the problem. These methods are allowed that; all others have to stay
+/// within 100 tolerances.
 constexpr const char* accumulating[] = {"adams_bashforth1",
                                         "bdf1",
                                         "cash_karp54_order1",
@@ -51,13 +51,13 @@ constexpr const char* accumulating[] = {"adams_bashforth1",
                                         "trapezoidal",
                                         "velocity_verlet"};
 
-/// An `ok` with an error beyond even that, and why.
+/// Known cases of `ok` with a larger error, and their reason.
 struct WrongOk {
   const char* method;
   const char* case_glob;
   double tolerance;  ///< 0: any
   const char* reason;
-  bool always = true;  ///< or as rounding has it on the machine at hand
+  bool always = true;  ///< or depending on rounding on this machine
 };
 constexpr const char* order_reduction =
     "its estimate, of lower order, is held to 0.03 tol^((s+1)/2s), which counts on the method's "
@@ -87,7 +87,7 @@ struct Trial {
   }
 };
 
-/// What a case makes of an error of one tolerance, in its units.
+/// The amplification of an error of one tolerance by a case, in its units.
 struct Yardstick {
   const Case* c;
   double size = 0, amplification = 0;
@@ -111,7 +111,7 @@ void solve(Trial& trial, const judge::Judge& judge) {
   request.mode = Mode::adaptive;
   request.tolerance = trial.tolerance;
   request.stops = trial.c->stops;
-  // Who needs more says so, which is truthful; it keeps this test below a minute.
+  // A solver that needs more ends with over_budget; the limit keeps this test below a minute.
   request.budget.evaluations = 100'000;
   trial.outcome = trial.entrant->solve(request);
   if (trial.outcome.status != Status::ok) return;

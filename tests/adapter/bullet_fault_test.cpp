@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the Bullet adapter does with scenes, requests and runs that it cannot follow.
+// Refusals and failures of the Bullet adapter: scenes, requests and runs that it cannot represent.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -81,7 +81,7 @@ TEST(BulletFault, NumbersThatAreNotFiniteAreSeen) {
     EXPECT_LT(outcome.t, 10000);
   }
   // Each step multiplies by 9, and damping divides by 51 after Bullet's clamp: such a run, once
-  // clamped, stays bounded for ever, and must not pass for a stable one.
+  // clamped, stays bounded, and must not be reported as stable.
   EXPECT_EQ(oscillator(10)["deformable_explicit"].solve(steps(1000, {10000})).status,
             Status::non_finite);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the entries of the Bullet adapter make of springs, and what their iterations are.
+// Stiffness and damping of springs in each solver of the Bullet adapter, and the effect of its
+// iterations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +54,7 @@ TEST(BulletMaterial, ImplicitIsBackwardEulerAndForcesAreSymplecticEuler) {
   }
 }
 
-// With kLST = 1 the stiffness is that of the numbers of sweeps and of the step, not of the
+// With kLST = 1 the stiffness follows from the number of sweeps and the step, not from the
 // material.
 TEST(BulletMaterial, StockLinksAreAsStiffAsTheyAreSwept) {
   const Specimen chain = hanging_chain();
@@ -61,10 +62,11 @@ TEST(BulletMaterial, StockLinksAreAsStiffAsTheyAreSwept) {
     return response(chain, "bullet/soft_body_links_stock", h, {.sweeps = sweeps}).resting;
   };
   const double once = stiffness(1.0 / 240, 1);
-  // A sweep carries what it mends one link on, so that the second does not quite double it.
+  // A sweep propagates a correction by one link, so that a second one does not quite double its
+  // effect.
   EXPECT_NEAR(stiffness(1.0 / 240, 2) / once, 2, 0.1);
   EXPECT_NEAR(stiffness(1.0 / 480, 1) / once, 4, 0.1);
-  EXPECT_EQ(stiffness(1.0 / 240, 0), once) << "one sweep is what Bullet takes as it comes";
+  EXPECT_EQ(stiffness(1.0 / 240, 0), once) << "one sweep is Bullet's default";
   Specimen softer = chain;
   softer.stiffness /= 2;
   // Half of the nominal stiffness, and the same sag: twice the ratio.
@@ -116,7 +118,7 @@ TEST(BulletMaterial, NewtonIterationsEndAtBackwardEulerOfACloth) {
   };
   EXPECT_GT(distance(1), 1e-4);
   EXPECT_LT(distance(8), 1e-6);  // conjugate gradients stop at 1e-8 of a residual, ten steps
-  EXPECT_EQ(distance(0), distance(1)) << "one is what Bullet takes as it comes";
+  EXPECT_EQ(distance(0), distance(1)) << "one is Bullet's default";
 }
 
 }  // namespace

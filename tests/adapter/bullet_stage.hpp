@@ -9,14 +9,14 @@
 
 namespace odeum::bullet_tests {
 
-/// A case for engines: only the dimension of the problem is ever looked at.
+/// A case for engines, which use only the dimension of the problem.
 template <std::size_t N>
 struct Unseen {
   static constexpr std::size_t dimension = N;
   void rhs(double, const double*, double* dydt) const { dydt[0] = std::nan(""); }
 };
 
-/// The entries of the adapter on a scene that a test may move afterwards.
+/// The solvers of the adapter on a scene that a test may change afterwards.
 struct Stage {
   std::shared_ptr<scene::Scene> scene;
   std::vector<Entrant> entrants;

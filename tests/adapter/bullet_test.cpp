@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What scheme each entry of the Bullet adapter is: its order, and its closed form where it has one.
+// The scheme of each solver of the Bullet adapter: its order, and its closed form where it has one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -112,7 +112,8 @@ TEST(Bullet, ForcesOnAMediumAreExplicitEuler) {
 TEST(Bullet, DampingIsBackwardEulerInEveryEntryWithItsOwn) {
   const double exact = std::pow(1 / 1.1, 10);
   const Stage stage = medium(-1);
-  // Links find the velocity as a difference of positions near 1 over h = 0.1: 1e-15 / 0.1 a step.
+  // Links compute the velocity as a difference of positions near 1 over h = 0.1: 1e-15 / 0.1 per
+  // step.
   for (const char* method : {"soft_body_links", "deformable_explicit", "deformable_implicit"}) {
     const Outcome outcome = stage[method].solve(steps(10, {1}));
     EXPECT_NEAR(outcome.states[0], exact, 1e-13) << method;

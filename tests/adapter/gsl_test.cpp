@@ -25,7 +25,7 @@ TEST(Gsl, EachStepperIsHonest) {
 
 TEST(Gsl, ErrorFallsWithTolerance) {
   for (const Entrant& entrant : enrolled({})) {
-    // Of orders 12 and 8, these do better than asked at any tolerance here: that is judged.
+    // Of orders 12 and 8: more accurate than any tolerance here, which is what is tested.
     if (entrant.info.method == "bsimp" || entrant.info.method == "rk8pd") {
       EXPECT_LT(circle_error(entrant.solve(adaptive_request(1e-7))), 1e-7);
     } else {

@@ -79,7 +79,7 @@ TEST(Odeint, OrdersOfEighthOrderSteppers) {
   EXPECT_NEAR(circle_order(find(entrants, "extrapolation_stepper_8"), 4, 3e-14), 8, 0.7);
 }
 
-/// q'' = -q - d q'; the acceleration looks at the velocity only where the type says so.
+/// q'' = -q - d q'; the acceleration depends on the velocity only where the type says so.
 template <bool Damped>
 struct Oscillator {
   static constexpr std::size_t dimension = 2;
@@ -116,7 +116,7 @@ TEST(Odeint, OrdersOfSecondOrderSteppers) {
   EXPECT_NEAR(oscillator_order<false>("symplectic_euler"), 1, 0.2);
   EXPECT_NEAR(oscillator_order<false>("symplectic_rkn_sb3a_mclachlan"), 4, 0.2);
   EXPECT_NEAR(oscillator_order<false>("symplectic_rkn_sb3a_m4_mclachlan"), 4, 0.2);
-  // Claims 1; 2 where the acceleration does not look at the velocity, reports/findings/odeint.md.
+  // Claims 1; 2 where the acceleration does not depend on the velocity, reports/findings/odeint.md.
   EXPECT_NEAR(oscillator_order<false>("velocity_verlet"), 2, 0.2);
   EXPECT_NEAR(oscillator_order<true>("velocity_verlet"), 1, 0.2);
 }

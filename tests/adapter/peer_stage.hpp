@@ -13,8 +13,7 @@
 
 #include "odeum/contest/solver.hpp"
 
-/// A small stage of the adapters' own: one problem that can be made to go wrong, and what the tests
-/// ask of the solvers enrolled on it.
+/// A test problem with injectable faults, and the checks of every solver enrolled on it.
 namespace odeum::test {
 
 /// u' = v + 2 (sin t - u) v,  v' = -u + 1.5 (cos t - v) u from (0, 1), whose solution is
@@ -47,7 +46,7 @@ struct Circle {
   }
 };
 
-/// More unknowns than a dense matrix is made for, and no Jacobian.
+/// More unknowns than the limit for dense matrices, and no Jacobian.
 struct Wide {
   static constexpr std::size_t dimension = dynamic;
   std::size_t size() const { return dense_dimension_limit + 1; }
@@ -114,7 +113,7 @@ inline double circle_order(const Entrant& entrant, std::uint64_t coarsest, doubl
   return order;
 }
 
-/// What every entrant owes at a fixed step, in faults and to a tolerance.
+/// The requirements on every entrant: at a fixed step, with faults and adaptive.
 inline void expect_honest(const Entrant& entrant,
                           const std::function<std::vector<Entrant>(Circle)>& enrolled) {
   SCOPED_TRACE(entrant.info.id());

@@ -8,7 +8,7 @@
 namespace odeum::sundials_tests {
 namespace {
 
-/// y' = lambda y, lambda movable.
+/// y' = lambda y, lambda variable.
 struct Decay {
   static constexpr std::size_t dimension = 1;
   double lambda = -1;
@@ -38,7 +38,8 @@ TEST(SundialsRun, EvaluationsAreThoseOfTheTable) {
   const auto evaluations = [&](const char* id) {
     return find(list, id).solve(fixed(100, {1})).counters.rhs_evaluations;
   };
-  // Seven stages: ERKStep reuses the last as the first, and pays the very first apart.
+  // Seven stages: ERKStep reuses the last as the first, and evaluates the first of the run
+  // separately.
   EXPECT_EQ(evaluations("arkode/erkstep_dormand_prince_7_4_5"), 601u);
   EXPECT_EQ(evaluations("arkode/erkstep_zonneveld_5_3_4"), 501u);
   // ARKStep reuses nothing, and evaluates once more at the start.
@@ -146,7 +147,7 @@ TEST(SundialsNewton, KrylovServesLargeProblemsWithoutAMatrix) {
     const Outcome outcome = find(list, id).solve(adaptive(1e-6, {0.5}));
     ASSERT_EQ(outcome.status, Status::ok) << id << ": " << outcome.detail;
     EXPECT_EQ(outcome.counters.jacobian_evaluations, 0u);
-    for (std::size_t i = 0; i < 200; ++i)  // decay forgets errors: some ten tolerances
+    for (std::size_t i = 0; i < 200; ++i)  // decaying solution: some ten tolerances
       EXPECT_NEAR(outcome.states[i], std::exp(-0.5 * ManyDecays::rate(i)), 3e-5) << id << ' ' << i;
   }
   // Fourth order: from 40 to 80 steps the error of the slowest component falls to a sixteenth.

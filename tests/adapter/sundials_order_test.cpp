@@ -14,7 +14,7 @@
 namespace odeum::sundials_tests {
 namespace {
 
-// Before version 7 ERKStep takes the last stage for the first of the next step wherever c_s = 1
+// Before version 7 ERKStep treats every table with c_s = 1 as first same as last
 // (reports/findings/sundials.md), and these tables lose their order.
 const std::map<std::string, double> orders_of_erkstep_6{{"erkstep_ark324l2sa_erk_4_2_3", 2},
                                                         {"erkstep_ark436l2sa_erk_6_3_4", 3},
@@ -74,7 +74,7 @@ TEST(SundialsOrder, AtAFixedStepIsWhatTheTableClaims) {
     }
     ASSERT_FALSE(slopes.empty()) << entrant.info.id();
     // The finest slope; a quarter of an order is less than what any wrong coefficient costs, and
-    // half of one is allowed from order 5 on, where the window holds a few points only.
+    // half of one is allowed from order 5 on, where the window has few points.
     const double order = order_to_expect(entrant.info);
     EXPECT_NEAR(slopes.back(), order, order < 5 ? 0.25 : 0.5) << entrant.info.id();
   }

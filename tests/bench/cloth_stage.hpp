@@ -10,11 +10,11 @@
 
 namespace odeum::bench {
 
-/// Whose right-hand side the solvers of a stage are given: Odeum's grid kernel, or the loop that a
-/// user of a library writes first, over an array of particles and a list of springs.
+/// The right-hand side given to the solvers: Odeum's grid kernel, or the plain loop of a library's
+/// user over an array of particles and a list of springs.
 enum class Forces { grid, plain };
 
-/// The loop that comes to mind first.
+/// The plain loop over springs.
 struct PlainCloth {
   struct Particle {
     double x[3], v[3], f[3];

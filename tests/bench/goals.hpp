@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-/// The table of speed goals: each row one comparison, made now, on this machine.
+/// The table of speed goals: each row one comparison, measured on this machine.
 namespace odeum::bench {
 
 struct Row {
-  std::string what;          ///< who against whom, at what
+  std::string what;          ///< what is compared
   double goal = 0;           ///< NaN: shown for information
   double measured = 0;       ///< NaN where it could not be measured; `note` then says why
   double low = 0, high = 0;  ///< interval: the least time of one against the median of the other
@@ -19,12 +19,12 @@ struct Row {
   bool met() const { return at_most ? measured <= goal : measured >= goal; }
 };
 
-/// Wall times in seconds of one thing, taken in turns with its rivals.
+/// Wall times in seconds of one of several candidates measured in turn.
 struct Timing {
   double min = 0, median = 0;
 };
 /// Runs all in turn, each at least three times and for `seconds` in all, on one pinned processor
-/// unless they bring their own threads.
+/// unless they use threads of their own.
 std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
                                bool pinned = true);
 /// How many times as long as `ours` the other takes.

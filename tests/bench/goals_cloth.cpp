@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a step of a cloth costs, in forces and in all.
+// The cost of a step of a cloth, of the forces and in total.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,7 +42,7 @@ double peak_instructions() {
 
 /// Arithmetic vector instructions of GridSprings::forces for one neighbour of a vector of
 /// particles, read off spring_grid.cpp: 3 differences, 3 for the squared length, 2 and the series
-/// for 1/sqrt, 3 for the pull, 2 for the damping, 6 for the force.
+/// for 1/sqrt, 3 for the elastic force, 2 for the damping, 6 for the force.
 template <class Real>
 constexpr double instructions_a_neighbour = std::is_same_v<Real, double> ? 23 : 21;
 
@@ -138,7 +138,8 @@ std::vector<Row> cloth_step_rows() {
   for (const auto& size : sizes) {
     const ClothStage stage(size.n, 10), plain(size.n, 10, Forces::plain);
     scene::ClothEngine<double> engine(stage.scene());
-    // Of a run of a peer the set-up is taken off: three quarters of it are steps alone.
+    // The difference of two runs of a peer removes its set-up: three quarters of it are steps
+    // alone.
     const auto steps_of = [](const ClothStage& on, const std::string& id, std::uint64_t steps) {
       return [&on, id, steps] { on.fixed(id, h * static_cast<double>(steps), steps); };
     };

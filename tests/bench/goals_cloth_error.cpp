@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an error costs on a cloth. Errors are RMS distances of positions from a truth that two own
-// high-order methods agree on (see ClothStage::truth).
+// Time to reach an error on a cloth. Errors are RMS distances of positions from a truth that two
+// own high-order methods agree on (see ClothStage::truth).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,8 +20,7 @@ std::vector<double> state_of(const auto& engine, std::size_t particles) {
   return y;
 }
 
-/// One implicit step of ours against Bullet's, both one Newton step of backward Euler at the same
-/// h.
+/// An own implicit step against Bullet's, both one Newton step of backward Euler at the same h.
 Row implicit_row(std::size_t n, double goal) {
   constexpr double h = 0.01, tolerance = 1e-2;
   const std::size_t steps = n > 32 ? 10 : 50;
@@ -97,8 +96,8 @@ void equal_error_rows(std::vector<Row>& rows) {
   const bool rk4_first = by_rk4.time.min < by_verlet.time.min;
   const Reached& own = rk4_first ? by_rk4 : by_verlet;
 
-  // Bullet is of order 1: what its error asks for is out of reach, so its time is taken from the
-  // steps that the last halving of its error says it needs.
+  // Bullet is of order 1 and cannot reach the error in reasonable time: its time is extrapolated
+  // from the rate of its last halving.
   constexpr std::uint64_t coarse = 256;
   const double e1 = error_of(stage.fixed("bullet/deformable_explicit", t, coarse));
   double e2 = 0;

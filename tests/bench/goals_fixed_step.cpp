@@ -18,7 +18,7 @@ const Entrant* find(const std::vector<Entrant>& entrants, const std::string& id)
 
 }  // namespace
 
-// All with the right-hand side compiled into the solver and nothing watched.
+// All with an inlined right-hand side and no guard.
 std::vector<Row> fixed_step_rows() {
   std::vector<Row> rows;
   for (const char* id : {"osc_undamped", "kepler_e06", "hires", "pleiades"}) {
@@ -29,7 +29,7 @@ std::vector<Row> fixed_step_rows() {
     request.mode = Mode::fixed;
     request.stops = c->stops;
     request.budget.watched = false;
-    // A step that every method survives, as often as takes some milliseconds.
+    // A step at which every method is stable, as many as take some milliseconds.
     request.steps =
         (id == std::string("hires") ? 200'000 : 40'000) / c->steps_multiple * c->steps_multiple;
     std::vector<std::function<void()>> rivals;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// Micro-benchmarks: what single parts cost, to see what a change of one of them does. Each
-/// registers its own; no time is judged.
+/// Micro-benchmarks of single parts. Each registers its own; no test depends on the times.
 namespace odeum::bench {
 
-/// A step of a few methods, in a run as a user makes it, with the right-hand side compiled in.
+/// A step of a few methods in a complete run, with an inlined right-hand side.
 void register_steps();
 /// Factorising and solving with small dense matrices, real and complex.
 void register_linear();

@@ -26,7 +26,7 @@ void cloth_forces(benchmark::State& state, std::size_t n) {
       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-// Made once a method in a program: what the first solve of a fully implicit method pays.
+// Computed once per method and program, in the first solve of a fully implicit method.
 template <const auto& T>
 void transform(benchmark::State& state) {
   std::vector<double> a;

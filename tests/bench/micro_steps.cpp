@@ -57,7 +57,7 @@ struct Stage {
   double steps;  ///< attempted ones, rejected included
 };
 
-// Run once watched: that it comes to its end, and in how many steps.
+// One guarded run: checks that it ends ok, and counts its steps.
 Stage stage_of(const Run& run) {
   const Case& c = find_case(run.case_id);
   const std::string id = std::string("odeum/") + run.method;
@@ -92,7 +92,7 @@ void register_steps() {
   for (const Run& run : runs) {
     const std::string name = fmt::format("step/{}/{}/{}", run.case_id, run.method,
                                          run.steps == 0 ? "tolerance" : "fixed");
-    // Set up where it is run, so that a filter that leaves it out costs nothing.
+    // Set up inside, so that benchmarks excluded by a filter cost nothing.
     benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& state) {
       time_solves(state, stage_of(run));
     })->Unit(benchmark::kMicrosecond);

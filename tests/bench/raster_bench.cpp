@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stability raster: 512 x 512 values of z, 50 RK4 steps each. Odeum's lanes against the loop
 // that a user of Boost.odeint writes, std::complex and one z at a time; both compiled with the
-// flags of the build. Repetitions alternate, so that a drift of the clock speed hits both alike.
+// flags of the build. Repetitions alternate, so that a drift of the clock speed affects both.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ void run_odeint(Raster& raster) {
   for (std::size_t i = 0; i < raster.re.size(); ++i) {
     const State z(raster.re[i], raster.im[i]);
     const auto system = [z](const State& y, State& dydt, double) {
-      // (a + ib)(c + id) written out: operator* also handles infinities, at a price in time that
-      // the comparison should not rest on.
+      // (a + ib)(c + id) written out: operator* also handles infinities, whose cost should not
+      // enter the comparison.
       dydt = State(z.real() * y.real() - z.imag() * y.imag(),
                    z.real() * y.imag() + z.imag() * y.real());
     };

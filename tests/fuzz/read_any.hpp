@@ -7,8 +7,7 @@
 
 namespace odeum::fuzz {
 
-/// Whether the reader makes of a text what it promises: a scene of finite numbers, or an error that
-/// begins with the place.
+/// Whether the reader returns a scene of finite numbers or an error that begins with the place.
 inline bool read_any(const std::string& text) {
   scene::ReadOptions options;
   options.most_particles = 20'000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every method is spoilt in every place, and the checks must see it.
+// Every coefficient and update of every method is altered, and the checks must fail.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -60,8 +60,8 @@ TEST(Mutation, SlipsWrittenByHandAreNeverEquivalent) {
 }
 
 // `converge` alone, without the order conditions: most mutants of a coefficient by 0.1 % show in
-// the order. Those that do not are of methods of order 1 and 2, or of coefficients that weigh
-// little: the error that they add is below the method's own at every step that the fit looks at.
+// the order. Those that do not are of methods of order 1 and 2, or of coefficients of little
+// effect: the error that they add is below the method's own at every step of the fit.
 TEST(Mutation, RunningAloneCatchesNearlyAll) {
   Score sum;
   for (const proof::MethodFacts& method : proof::all_method_facts()) {

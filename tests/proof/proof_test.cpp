@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that the table of proofs says of each own method, held to what the method claims.
+// Every entry of the table of proofs against the claims of the method.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -33,8 +33,9 @@ TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
     for (const study::ProvenOrder& order : row.orders) {
       confirmed += order.fit.verdict == judge::Verdict::confirmed;
       as_next += order.passes_as_next;
-      // Linear problems ask for few conditions, and above order 8 the leading term does not yet
-      // lead where rounding begins; no method may fall short of its order.
+      // Linear problems need few conditions, so that a method may have a higher order on them, and
+      // above order 8 the leading term does not dominate before rounding; no method may have less
+      // than its order.
       EXPECT_TRUE(order.fit.verdict == judge::Verdict::confirmed ||
                   order.fit.verdict == judge::Verdict::higher)
           << row.method << " on " << order.ground << ": " << order.fit.reason;
@@ -127,14 +128,14 @@ TEST(Proofs, SymplecticMethodsAndNoOthersKeepTheForm) {
 TEST(Proofs, EnergyStaysBoundedOverAHundredThousandPeriods) {
   int watched = 0;
   for (const proof::MethodFacts& method : proof::all_method_facts()) {
-    // Implicit ones take a hundred times as long: a hundredth of the periods, above.
+    // Implicit methods take a hundred times as long, hence a hundredth of the periods above.
     if (method.info.family != "symplectic" || !method.on_separable) continue;
     const proof::EnergyWatch watch = proof::watch_energy(method.on_separable, 16, 1e5);
     EXPECT_TRUE(watch.bounded()) << method.id() << ": " << watch.first << ", " << watch.last;
     ++watched;
   }
   EXPECT_GE(watched, 5);
-  // The same watch sees the energy of a method that is not symplectic drift away.
+  // The same check detects the energy drift of a method that is not symplectic.
   for (const proof::MethodFacts& method : proof::all_method_facts())
     if (method.info.id == "rk4") {
       EXPECT_FALSE(proof::watch_energy(method.on_mechanics(), 16, 1e3).bounded());
@@ -142,7 +143,8 @@ TEST(Proofs, EnergyStaysBoundedOverAHundredThousandPeriods) {
 }
 
 TEST(Proofs, EstimatesHaveTheirOrderAndSize) {
-  // Pairs that are blind to a kind of problem, as the page shows; anything else is a fault.
+  // Pairs whose estimate vanishes on a kind of problem, as shown on the page; anything else is a
+  // fault.
   const std::set<std::string> blind{
       "fehlberg78 quadrature",  // b - b_hat = 41/840 (-1, 0, ..., 1, 1): c is 0, 1, 0, 1 there
       "ros3p linear",           // both rows have the same R(z)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `odeum verify` is made of: numbers as text, the reader, the conditions, the interpreter.
+// The parts of `odeum verify`: coefficients as text, the reader, the conditions, the interpreter.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,7 +91,7 @@ TEST(Verify, ProvesAndMeasuresBothRows) {
 
 TEST(Verify, FailsWhatIsNotReached) {
   EXPECT_FALSE(proof::verify(tableau_of("order: 3\nA: [[], [1]]\nb: [1/2, 1/2]\n")).passed());
-  // A coefficient off by 1e-12 is off: in fractions there is no rounding to hide in.
+  // A coefficient off by 1e-12 is off: fractions have no rounding.
   const proof::Verification off = proof::verify(
       tableau_of("order: 2\nA: [[], [1000000000001/1000000000000]]\nb: [1/2, 1/2]\n"));
   EXPECT_EQ(off.main.order, 1);

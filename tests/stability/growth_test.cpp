@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Growth read off states of sequences that are known in closed form.
+// Growth measured on sequences of states known in closed form.
 #include "odeum/judge/growth.hpp"
 
 #include <gtest/gtest.h>
@@ -45,8 +45,8 @@ TEST(Growth, OneRoot) {
 }
 
 TEST(Growth, TwoRealRootsOfNearlyEqualSize) {
-  // 0.97^k + 0.5 (-0.95)^k: the lengths see-saw, the recurrence knows both roots. It loses a few
-  // digits in the fit; the band is that of 16 equations with rounding errors of 1e-16.
+  // 0.97^k + 0.5 (-0.95)^k: the lengths alternate, the recurrence determines both roots. The fit
+  // loses a few digits; the band is that of 16 equations with rounding errors of 1e-16.
   const Growth growth = dominant_growth(powers(0.97, -0.95, 0.5), Coefficients::complex);
   EXPECT_NEAR(growth.log_per_step, std::log(0.97), 1e-13);
   EXPECT_LT(growth.noise, 1e-11);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The raster in lanes is the running code: the same numbers as one solve at a time.
+// The vectorised raster gives the same numbers as one solve at a time.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -18,8 +18,8 @@ namespace odeum::study {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// A limit is quoted to 1e-6. Measured and theoretical ones are bisected to 1e-10; what is left is
-// rounding, which an iteration that gives up shows most (1e-16 / 1e-11 / 200 iterations).
+// A limit is quoted to 1e-6. Measured and theoretical ones are bisected to 1e-10; the rest is
+// rounding, largest where an iteration stops converging (1e-16 / 1e-11 / 200 iterations).
 constexpr double quoted = 1e-6;
 
 using Key = std::pair<std::string, std::string>;
@@ -66,10 +66,10 @@ TEST(Limits, OwnOneStepMethodsMeetTheirStabilityFunction) {
     if (!M::info.one_step || M::info.family == "multistep") return;
     for (const StabilityLimit& row : own().limits) {
       if (row.solver != M::info.id || row.status == "not_applicable") continue;
-      // On the imaginary axis |R| exceeds one by c y^6 from 0 on, and with so small a c that the
-      // running code's growth stays below what the study can tell from rounding up to 0.69.
+      // On the imaginary axis |R| exceeds one by c y^6 from 0 on, with a c so small that the growth
+      // cannot be told from rounding up to 0.69.
       if (row.solver == "seulex" && row.axis != "real") continue;
-      // Squaring amplifies the rounding of e^(hA) by |hA|: growth that the study does see.
+      // Squaring amplifies the rounding of e^(hA) by |hA|: growth that the study measures.
       if (row.solver == "exponential_propagator" && row.axis != "real") continue;
       EXPECT_FALSE(std::isnan(row.theory)) << row.solver << " has no theory on " << row.axis;
       EXPECT_LT(row.difference, quoted)

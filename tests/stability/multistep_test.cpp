@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The measurement on methods with a memory, whose limits are textbook values: here their own plain
-// loops stand in for a library's solver.
+// The measurement on multistep methods, whose limits are textbook values, implemented here as plain
+// loops in place of a library's solver.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,8 +66,8 @@ struct Stage {
   }
 };
 
-// Limits are quoted to 1e-6; closer, the two largest roots of a multistep method are so alike in
-// size that only ever longer runs tell them apart.
+// Limits are quoted to 1e-6; closer, the two largest roots of a multistep method are of nearly
+// equal modulus, and only ever longer runs separate them.
 constexpr double quoted = 1e-6;
 
 const LinearMultistep adams_bashforth2{{1, 0}, {3. / 2, -1. / 2}};
@@ -98,8 +98,7 @@ TEST(Multistep, ExplicitMidpointIsNeutralUpToOne) {
 
 TEST(Multistep, ExplicitMidpointGrowsOnTheRealAxis) {
   // The root that grows, -(x + sqrt(1 + x^2)), is excited by the start to the order of x^5 only:
-  // what the study can see of it within a run of 64 steps begins at some 5e-3, not at zero. The
-  // band says so.
+  // within a run of 64 steps it becomes measurable at some 5e-3, not at zero, hence the tolerance.
   const double limit = Stage({{0, 1}, {2, 0}}).limit(-1, 0).limit;
   EXPECT_LT(limit, 2e-2);
 }

@@ -24,15 +24,16 @@ inline double size_of_solution(const Case& c) {
   return size;
 }
 
-/// How much of a tolerance's worth of error, made at any one time, a problem itself makes of it by
-/// one of the case's stops: each component i of the state is moved by d (1 + |y_i|), and what comes
-/// of all of them is added up, in units of d times the size of the solution. At least 1. Measured
-/// at 16 times, at the start more densely, by runs of Radau IIA to 1e-10 with d = 1e-6.
+/// The amplification, by the problem itself, of an error made at any one time up to the case's
+/// later stops: each component i of the state is perturbed by d (1 + |y_i|), and the effects are
+/// summed, in units of d times the size of the solution. At least 1. Measured at 16 times, at the
+/// start more densely, by runs of Radau IIA to 1e-10 with d = 1e-6.
 inline double amplification(const Case& c) {
   constexpr double d = 1e-6;
   const std::size_t n = c.y0.size();
   const auto problem = std::make_shared<const SharedOde>(c.problem.view, c.problem.keep_alive);
-  // An autonomous problem does not know the time: begun at 0, no short step drowns in a large t.
+  // An autonomous problem is started at time 0, where short steps are not lost in the rounding of
+  // t.
   const double shift_by = problem->autonomous() ? 1 : 0;
   const auto solve = [&](double start, const std::vector<double>& y0, std::vector<double> stops) {
     const double t0 = start - shift_by * start;

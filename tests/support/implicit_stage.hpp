@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Problems for implicit methods with their solutions, and runs on them as the catalogue makes them,
-// but with the type of the problem known, which few cases of the catalogue have.
+// Problems for implicit methods with their solutions, and runs on them like those of the catalogue,
+// but on the concrete type of the problem.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +48,7 @@ struct Logistic {
   }
 };
 
-/// The same with its Jacobian, and how often that was asked for.
+/// The same with its Jacobian, and a count of its evaluations.
 struct AnalyticLogistic : Logistic {
   mutable int jacobians = 0;
   void jacobian(double, const double* y, double* j) const {
@@ -165,7 +165,7 @@ Outcome run_to_tolerance(const P& problem, const State<P>& y0, double horizon, d
                 {.mode = Mode::adaptive, .tolerance = tolerance, .stops = {horizon}});
 }
 
-/// Largest error at the end; NaN where the run did not end well.
+/// Largest error at the end; NaN where the run failed.
 template <class S>
 double end_error(const Outcome& outcome, const S& exact) {
   if (outcome.status != Status::ok) return std::numeric_limits<double>::quiet_NaN();

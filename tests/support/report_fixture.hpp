@@ -4,8 +4,8 @@
 
 namespace odeum::test {
 
-/// A made-up contest for the page: as many cases and solvers as the project has, every verdict and
-/// status among them, errors that follow a power of the step down to rounding. The same every time.
+/// Synthetic results for the page: as many cases and solvers as the project has, with every verdict
+/// and status, errors that follow a power of the step down to rounding. Deterministic.
 report::ReportData fabricate_report();
 
 /// The same with two cases and three solvers, for tests that look at single cells.

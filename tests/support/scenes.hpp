@@ -8,9 +8,9 @@
 
 namespace odeum::tests {
 
-/// A net of n x n particles in the unit square, put out of order: positions and velocities moved
-/// by up to `disorder` (m, m/s), masses and springs all different, springs along rows, columns and
-/// one diagonal, every third one tension-only. `fixed` of the particles do not move.
+/// A net of n x n particles in the unit square, perturbed: positions and velocities by up to
+/// `disorder` (m, m/s), masses and springs all different, springs along rows, columns and one
+/// diagonal, every third one tension-only. `fixed` of the particles do not move.
 inline scene::Scene disordered_net(std::size_t n, double disorder, std::size_t fixed,
                                    double stiffness = 10, double damping = 0.05) {
   std::mt19937 random(42);

@@ -34,7 +34,7 @@ void for_each_nystroem(Visit&& visit) {
 template <class M>
 void expect_claimed_order() {
   const int p = M::info.order;
-  // Of a halving of steps that are short but not tiny the next power of h shows too.
+  // At steps that are not tiny the next power of h contributes to the slope of a halving.
   EXPECT_NEAR(measured_order<M::template Stepper>(Kepler{}, 0.2, 2.3, p), p, 0.3) << M::info.id;
   EXPECT_NEAR(measured_order<M::template Stepper>(Driven{}, 0.2, 1.7, p), p, 0.3) << M::info.id;
 }

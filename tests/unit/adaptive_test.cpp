@@ -23,7 +23,7 @@ struct TrialStep {
   double t, h;
 };
 
-/// The adaptive loop over y' = 1 under a controller that the test writes; keeps every trial.
+/// The adaptive loop over y' = 1 under a controller given by the test; records every trial.
 template <class Decide>
 Outcome walk(const std::vector<double>& stops, double first_step, std::vector<TrialStep>& trials,
              Decide&& decide, Status status = Status::ok, double error = 0) {
@@ -107,7 +107,7 @@ struct Pole {
   void rhs(double, const double* y, double* dydt) const { dydt[0] = y[0] * y[0]; }
   void jacobian(double, const double* y, double* j) const { j[0] = 2 * y[0]; }
 };
-struct Rest {  // y' = 0 from y = 0: nothing from which a first step could be told
+struct Rest {  // y' = 0 from y = 0: nothing that determines a first step
   static constexpr std::size_t dimension = 1;
   void rhs(double, const double*, double* dydt) const { dydt[0] = 0; }
   void jacobian(double, const double*, double* j) const { j[0] = 0; }
@@ -160,7 +160,7 @@ struct Prey {
   }
 };
 
-/// Keeps what each step of the midpoint rule starts from and comes to.
+/// Records start and end of each step of the midpoint rule.
 template <class P>
 struct RecordingMidpoint : methods::midpoint::Stepper<P> {
   using Base = methods::midpoint::Stepper<P>;
@@ -198,7 +198,7 @@ TEST(StepDoubling, KeepsBothItsBounds) {
     std::array<double, 2> difference{};
     for (std::size_t n = 0; n < 2; ++n) difference[n] = whole.after[n] - second.after[n];
     const double norm = scaled_error_norm(difference, whole.before, second.after, 1e-6);
-    const bool ends = next.t + next.h >= 10;  // cut short: its length says nothing
+    const bool ends = next.t + next.h >= 10;  // shortened to end at the stop
     if (norm > 1) {
       EXPECT_EQ(next.t, whole.t) << "repeated";
       EXPECT_EQ(next.h, whole.h / 2);
@@ -247,7 +247,7 @@ int lower_order(const SolverInfo& info) {
   methods::All::for_each([&]<class M>() {
     if (info.method != M::info.id) return;
     lower = M::info.order_embedded   ? std::min(M::info.order, M::info.order_embedded)
-            : M::info.adaptive_order ? M::info.order - 1  // the order goes along with the tolerance
+            : M::info.adaptive_order ? M::info.order - 1  // the order varies with the tolerance
                                      : M::info.order;
   });
   return lower;
@@ -274,14 +274,14 @@ TEST(Adaptive, ErrorFollowsTheTolerance) {
     };
     const double slope = std::log10(error_at(1e-4) / error_at(1e-8)) / 4;
     // A step commits an error of tol and is h = tol^(1/(q+1)) long, with q the lower order of the
-    // pair or, under step doubling, the method's own; over the orbit h^p remains. Steps that come
-    // in powers of two leave either end uncertain by a factor of two: 2 log10(2) / 4. From order 6
-    // on a run takes ten to thirty steps, and how the last one falls weighs as much as that again.
-    // Controllers with a memory, and estimates that change their order along the way, as much.
+    // pair or, under step doubling, the method's own; over the orbit h^p remains. Steps restricted
+    // to powers of two make either end uncertain by a factor of two: 2 log10(2) / 4. From order 6
+    // on a run takes ten to thirty steps, and the shortened last one adds as much. So do
+    // controllers with a memory and estimates of varying order.
     const double p = std::isnan(entrant.info.order) ? 1 : entrant.info.order;
     const double theory = std::isfinite(lower_order(entrant.info)) && lower_order(entrant.info) > 0
                               ? p / (lower_order(entrant.info) + 1)
-                              : 1;  // its own order goes along with the tolerance
+                              : 1;  // its order varies with the tolerance
     const bool plain = entrant.info.controller == "step doubling" && p < 6;
     EXPECT_NEAR(slope, theory, plain ? 0.15 : 0.4);
     ++checked;

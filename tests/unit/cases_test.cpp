@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each case says of its problem agrees with what its right-hand side does, and with the
-// independent reference.
+// Each case's Jacobian, invariants and other capabilities agree with its right-hand side, and its
+// data with the independent reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace odeum {
 namespace {
 
-/// The states of a case at its start and at every time that its truth knows.
+/// The states of a case at its start and at every time of its truth.
 std::vector<std::pair<double, std::vector<double>>> along(const Case& c) {
   std::vector<std::pair<double, std::vector<double>>> points{{c.t0, c.y0}};
   std::vector<double> times = c.stops;
@@ -33,8 +33,8 @@ double largest(const std::vector<double>& x) {
   return norm;
 }
 
-/// A derivative by central differences with steps of `reach`, and how far it may be off: what its
-/// values lose to rounding, and what four-fold smaller steps change, which bounds its truncation.
+/// A derivative by central differences with steps of `reach`, and a bound on its error: the
+/// rounding of its values, and the change by steps four times smaller, which bounds its truncation.
 struct Difference {
   std::vector<double> value, uncertainty;
 };
@@ -80,7 +80,7 @@ TEST_P(EveryCase, LinearMatrixIsThatOfTheRightHandSide) {
   }
 }
 
-// Along its series the solution obeys the equation: d/dh of it is the right-hand side there.
+// The series satisfies the equation: its derivative by h is the right-hand side there.
 TEST_P(EveryCase, TaylorSeriesSolvesTheEquation) {
   const OdeView& p = GetParam()->problem.view;
   if (!p.taylor) GTEST_SKIP() << "offers no Taylor series";
@@ -101,7 +101,7 @@ TEST_P(EveryCase, TaylorSeriesSolvesTheEquation) {
   p.rhs(p.problem, h, y.data(), f.data());
   double size = 0;
   for (const double component : f) size = std::max(size, std::abs(component));
-  for (std::size_t i = 0; i < n; ++i)  // 0.2^24 is nothing; sums of some ten terms of that size
+  for (std::size_t i = 0; i < n; ++i)  // 0.2^24 is negligible; sums of some ten terms of that size
     EXPECT_NEAR(rate[i], f[i], 1e-13 * size) << i;
 }
 
@@ -125,7 +125,7 @@ TEST_P(EveryCase, JacobianIsTheDerivative) {
         const double entry = j[i * n + k];
         EXPECT_NEAR(entry, d.value[i], d.uncertainty[i] + 1e-9 * std::abs(entry))
             << "d f_" << i << " / d y_" << k << " at t = " << t;
-        // The test must be able to fail: an entry that matters is known to a tenth.
+        // So that the test can fail: the bound on a relevant entry is below a tenth of it.
         if (std::abs(entry) > 1e-3 * largest(j) && largest(j) < 1e9) {
           EXPECT_LT(d.uncertainty[i], 0.1 * std::abs(entry)) << i << ", " << k << " at t = " << t;
         }
@@ -157,7 +157,7 @@ TEST_P(EveryCase, AccelerationIsTheSecondHalfOfTheRightHandSide) {
   for (const auto& [t, y] : along(*GetParam())) {
     std::vector<double> f(p.dimension), a(half);
     p.rhs(p.problem, t, y.data(), f.data());
-    // A separable acceleration is not given the velocity at all.
+    // A separable acceleration takes no velocity.
     p.acceleration(p.problem, t, y.data(), p.velocity_dependent ? y.data() + half : nullptr,
                    a.data());
     for (std::size_t i = 0; i < half; ++i) {
@@ -171,7 +171,7 @@ TEST_P(EveryCase, InvariantsAreKeptByTheReference) {
   const Case& c = *GetParam();
   const auto holds = [&](const std::string& name, const auto& value) {
     const double start = value(c.y0.data());
-    double gradient = 0;  // how much a change of the state by its last digit moves the value
+    double gradient = 0;  // change of the value by a change of the state in its last digit
     for (const auto& [t, y] : along(c)) {
       std::vector<double> moved = y;
       for (std::size_t k = 0; k < y.size(); ++k) {
@@ -190,7 +190,7 @@ TEST_P(EveryCase, InvariantsAreKeptByTheReference) {
     }
   };
   for (const Invariant& invariant : c.invariants) holds(invariant.name, invariant.value);
-  // An energy is lost where there is damping or a cloth's friction.
+  // Energy decreases with damping or a cloth's friction.
   if (c.energy && c.has_tag("separable")) holds("energy", c.energy);
 }
 
@@ -222,7 +222,7 @@ nlohmann::json index() {
   return nlohmann::json::parse(file);
 }
 
-/// A number of the index, or one of the few formulas that stand there for one.
+/// A number of the index, or one of the few formulas used in place of one.
 double number(const std::string& text, double eccentricity) {
   if (text == "1-e") return 1 - eccentricity;
   if (text == "sqrt((1+e)/(1-e))") return std::sqrt((1 + eccentricity) / (1 - eccentricity));
@@ -256,8 +256,8 @@ bool is_continued(const std::string& source, double digits) {
   return false;
 }
 
-/// Every reference is the truth of a case, which starts where the reference starts and claims no
-/// more digits than the index grants.
+/// Every reference is the truth of a case, which has the reference's initial state and claims no
+/// more digits than the index states.
 TEST(Reference, IsTheTruthOfACase) {
   for (const auto& entry : index()) {
     const auto name = entry["problem"].get<std::string>();

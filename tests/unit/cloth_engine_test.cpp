@@ -125,7 +125,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-/// The order that three runs of n, 2 n and 4 n steps show.
+/// The order measured from three runs of n, 2 n and 4 n steps.
 double order_of_runs(std::size_t n, const auto& end) {
   const auto coarse = end(n), medium = end(2 * n), fine = end(4 * n);
   return std::log2(distance(coarse, medium) / distance(medium, fine));
@@ -165,7 +165,7 @@ TEST(ImexCloth, WithoutDampersIsVelocityVerlet) {
   expect_near(by_imex<double>(scene, h * steps, steps), by_engine<double>(scene, true), 1e-12);
 }
 
-// Velocity Verlet needs h < 0.046 m / d = 2e-4 s here, and at 1e-3 end in numbers without bound.
+// Velocity Verlet needs h < 0.046 m / d = 2e-4 s here, and diverges at 1e-3.
 TEST(ImexCloth, IsNotLimitedByDamping) {
   Scene scene = cases::square_cloth(11, 10);
   for (Spring& spring : scene.springs) spring.damping = 5;

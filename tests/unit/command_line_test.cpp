@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The built program as a user meets it: exit codes, sentences, files.
+// The built program: exit codes, messages, files.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -82,7 +82,7 @@ TEST_F(CommandLine, RunsASceneAndWritesItsFiles) {
     EXPECT_TRUE(fs::exists(fs::path(in("pair")) / name)) << name;
   EXPECT_NE(shell("odeum list scenes").output.find("hanging_cloth"), std::string::npos);
   EXPECT_EQ(shell("odeum run fountain --until 0.2").code, 0) << "nobody lives before the start";
-  // What fails leaves what was reached, and no final state.
+  // A failed run writes the states reached, and no final state.
   EXPECT_EQ(shell("odeum run stiff_rope --solver rk4 --step 0.01 --out " + in("rope")).code, 3);
   EXPECT_FALSE(fs::exists(in("rope/final.csv")));
   EXPECT_TRUE(fs::exists(in("rope/energy.csv")));
@@ -90,7 +90,7 @@ TEST_F(CommandLine, RunsASceneAndWritesItsFiles) {
 
 struct Misuse {
   const char* command;
-  const char* sentence;  ///< part of what is said
+  const char* sentence;  ///< part of the message
   friend std::ostream& operator<<(std::ostream& out, const Misuse& x) { return out << x.command; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The closed form that judges solvers on the damped oscillator is judged itself.
+// The closed form of the damped oscillator, the truth of its cases, against independent ones.
 #include "odeum/problem/damped_oscillator.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_P(AgainstReference, HasThirteenDigits) {
     double exact[2], state[2];
     ASSERT_TRUE(truth.at(t, exact));
     damped_oscillator_solution(1, GetParam().damping, 1, 1, 0.5, t, state);
-    // Thirteen digits is what the header promises.
+    // The header promises thirteen digits.
     EXPECT_LE(distance(state, exact), 1e-13 * std::hypot(exact[0], exact[1])) << "t = " << t;
   }
 }
@@ -121,7 +121,7 @@ TEST(DampedOscillator, SatisfiesItsEquation) {
 TEST(DampedOscillator, DecaysToZeroWithoutOverflowWhenStrongly) {
   double state[2];
   damped_oscillator_solution(1, 1e6, 1, 1, 0, 1e3, state);  // cosh(s t) alone would overflow
-  // The slow root is -k/d (1 + k m / d^2 + ...), the fast part long gone.
+  // The slow root is -k/d (1 + k m / d^2 + ...), the fast part has decayed.
   EXPECT_NEAR(state[0], std::exp(-1e-3), 1e-11);  // k m / d^2 = 1e-12, twice
   damped_oscillator_solution(1, 10, 1, 1, 0, 1e6, state);
   EXPECT_EQ(state[0], 0);

@@ -69,7 +69,7 @@ const DriftRow& last_of(const DriftResult& result, const std::string& solver,
   return *found;
 }
 
-// What theory says of y'' = -5 y at h = 1/8 after 10,000 steps, with w = sqrt(5) / 8 = omega h.
+// Theory of y'' = -5 y at h = 1/8 after 10,000 steps, with w = sqrt(5) / 8 = omega h.
 TEST(Drift, SplitsAnOscillatorsErrorAsTheoryDoes) {
   const DriftResult result =
       measure_drift({.cases = {"damped_oscillator_undamped"},
@@ -90,7 +90,7 @@ TEST(Drift, SplitsAnOscillatorsErrorAsTheoryDoes) {
   const DriftRow& amplitude = last_of(result, "explicit_euler", "amplitude");
   EXPECT_EQ(amplitude.status, "ok");
   EXPECT_NEAR(std::log(amplitude.relative_error), 5'000 * std::log1p(w * w), 1e-6);
-  // Seventy radians behind, eleven turns, which no single state could tell.
+  // A lag of seventy radians, eleven turns, which a single state does not determine.
   EXPECT_NEAR(last_of(result, "explicit_euler", "phase").value, 10'000 * (w - std::atan(w)), 1e-6);
   EXPECT_LT(relative("implicit_midpoint", "energy"), 1e-10) << "rounding alone";
   EXPECT_NEAR(relative("implicit_midpoint", "phase"), 1 - 2 * std::atan(w / 2) / w, 1e-9);

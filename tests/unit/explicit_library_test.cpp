@@ -25,9 +25,9 @@ TEST(ExplicitLibrary, HasTheOrdersThatItClaims) {
   int checked = 0;
   for_each_explicit([&]<class M>() {
     const int p = M::info.order;
-    // Of a halving of steps that are short but not tiny the next power of h shows too. Order 9
-    // comes to 1e-9 in a few steps of half a unit: it is told from 8 here, from 10 by the order
-    // conditions.
+    // At steps that are not tiny the next power of h contributes to the slope of a halving. Order 9
+    // reaches 1e-9 in a few steps of half a unit: it is distinguished from 8 here, from 10 by the
+    // order conditions.
     const double band = p < 9 ? 0.45 : 1.4;
     const double centre = p < 9 ? p : p + 0.9;
     EXPECT_NEAR(measured_order<M::template Stepper>(Kepler{}, 0.2, 2.3, p), centre, band)
@@ -59,7 +59,7 @@ TEST(ExplicitLibrary, BothEstimatesOfDormandPrince853Count) {
 
 // --- first same as last ---
 
-/// Kepler's problem that counts.
+/// Kepler's problem with a count of evaluations.
 struct Counted : Kepler {
   int* count;
   void rhs(double t, const double* y, double* dydt) const {
@@ -75,7 +75,7 @@ void expect_reuse_to_change_nothing() {
   typename M::template Stepper<Counted> fresh(fresh_problem), reuse(reuse_problem);
   State<Kepler> y = Kepler::exact(0), y_fresh = y, y_reuse = y, error{}, error_reuse{};
   double t = 0;
-  // Lengths that change, and every third step rejected and tried again with half of it.
+  // Varying steps; every third one is rejected and repeated with half its length.
   for (int i = 0; i < 12; ++i) {
     for (double h : {0.05 + 0.01 * (i % 4), 0.025 + 0.005 * (i % 4)}) {
       y_fresh = y_reuse = y;
@@ -106,7 +106,8 @@ TEST(FirstSameAsLast, SavesAnEvaluationAStepAndChangesNothing) {
   expect_reuse_to_change_nothing<methods::dormand_prince54>();
   expect_reuse_to_change_nothing<methods::tsitouras54>();
   expect_reuse_to_change_nothing<methods::verner65>();
-  expect_reuse_to_change_nothing<methods::cash_karp54>();  // not one: repeated steps alone save
+  expect_reuse_to_change_nothing<methods::cash_karp54>();  // not first same as last: only repeated
+                                                           // steps save
   static_assert(methods::dormand_prince54_tableau.first_same_as_last());
   static_assert(methods::tsitouras54_tableau.first_same_as_last());
   static_assert(methods::bogacki_shampine32_tableau.first_same_as_last());
@@ -156,7 +157,7 @@ TEST(StepControl, AQuickPowerIsAPower) {
   for (const double p : {-1.0, -0.2, -1. / 9, 0.14, 0.8, 2.0})
     for (double x = 1e-30; x < 1e30; x *= 1.37)
       EXPECT_NEAR(quick_power(x, p) / std::pow(x, p), 1, 1e-5) << x << "^" << p;
-  // Far out it saturates, and stays positive and finite.
+  // For extreme errors it saturates, and stays positive and finite.
   EXPECT_GT(quick_power(1e300, -4), 0);
   EXPECT_LT(quick_power(1e-300, -4), std::numeric_limits<double>::infinity());
   EXPECT_EQ(power(3, 0), 1);
@@ -182,7 +183,7 @@ TEST(StepControl, PoliciesAreWhatTheySay) {
 
   ProportionalIntegralControl pi(4);
   EXPECT_NEAR(pi(1, 1.0 / 32).next_step, 0.9 * std::pow(32, 0.14), 2 * quick);
-  // The same error again: what is left is the integral part, 0.3 / 5.
+  // The same error again: the integral part remains, 0.3 / 5.
   EXPECT_NEAR(pi(1, 1.0 / 32).next_step, 0.9 * std::pow(32, 0.06), 2 * quick);
   const Decision rejected = pi(1, 32);
   EXPECT_FALSE(rejected.accept);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs in extended precision: the order below what double resolves, and the same equation.
+// Runs in extended precision: orders that double does not resolve, and the same equation.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -192,7 +192,7 @@ using methods::taylor;
 TEST(Taylor, HasItsOrderAtAFixedStep) {
   const KeplerSeries problem;
   // Order 12 meets rounding within two halvings from 1e-9; the first one shows it, the next power
-  // of h included. measured_order would come to rounding.
+  // of h included. measured_order would reach rounding.
   const auto error = [&](int steps) {
     return error_of_run<taylor::Stepper>(problem, 0.2, 2.3, steps);
   };
@@ -249,7 +249,7 @@ using methods::exponential_propagator;
 
 TEST(ExponentialPropagator, IsExactAtAnyStep) {
   for (const int steps : {1, 7, 200})
-    // A rounding or two of size one a step, which the damping forgets.
+    // A rounding or two of size one per step, damped by the solution.
     EXPECT_LT(error_of_run<exponential_propagator::Stepper>(LinearSystem{}, 0, 30, steps), 1e-14)
         << steps;
   const Outcome o = integrate<exponential_propagator, LinearSystem>(1e-3, {0.5, 20});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one translation unit that puts the whole catalogue on a problem of the tests' own.
+// The translation unit that compiles the whole catalogue for a test problem.
 #include "support/field.hpp"
 
 #include "odeum/contest/own_solvers.hpp"

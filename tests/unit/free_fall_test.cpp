@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Under a constant acceleration every scheme has a closed form of its own after k steps of h:
+// Under a constant acceleration every scheme has a closed form after k steps of h:
 //   x_k = x0 + k h v0 + h^2 g (k^2 / 2 + c k),   v_k = v0 + k h g,
 // with c = -1/2 where a step uses the velocity at its start, +1/2 where it uses the one at its end,
 // and 0 for every method of order 2 and more, which is exact.
@@ -41,9 +41,9 @@ Exact after(double k, double h, double c) {
   return {x0 + k * h * v0 + h * h * g * (k * k / 2 + c * k), v0 + k * h * g};
 }
 
-/// What k steps may lose. Sizes are |x|, |v| h <= 30 here, weights of a tableau sum to less than 10
-/// in modulus, so a step rounds by less than 100 epsilon. Stormer-Verlet adds h^2 a to numbers of
-/// the size of x: its rounding grows with k^2 in x, and in v is divided by h.
+/// Bound on the rounding of k steps. Sizes are |x|, |v| h <= 30 here, weights of a tableau sum to
+/// less than 10 in modulus, so a step rounds by less than 100 epsilon. Stormer-Verlet adds h^2 a to
+/// numbers of the size of x: its rounding grows with k^2 in x, and in v is divided by h.
 Exact rounding(const std::string& method, double k, double h) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   if (method == "stormer_verlet") return {30 * epsilon * (1 + k * k), 30 * epsilon * (1 + k) / h};
@@ -57,12 +57,12 @@ TEST(FreeFall, EveryOwnSchemeMatchesItsClosedFormToRounding) {
   int checked = 0;
   for (const Entrant& entrant : c.entrants) {
     if (entrant.info.library != "odeum") continue;
-    // The fall offers no Taylor series, and with its constant force is no y' = A y.
+    // The problem offers neither a Taylor series nor a constant matrix.
     if (entrant.info.family == "taylor" || entrant.info.family == "exponential") continue;
     if (!entrant.info.fixed) continue;
     ASSERT_TRUE(entrant.solve) << entrant.info.id() << " does not fit free fall";
     std::optional<double> coefficient = coefficient_of(entrant.info);
-    if (!coefficient) {  // a new method of order 1: its first step says what the others must be
+    if (!coefficient) {  // a new method of order 1: its first step determines the coefficient
       const double h = 0.25;
       const Outcome one = entrant.solve(fixed_request(1, {h}));
       ASSERT_EQ(one.status, Status::ok) << entrant.info.id();

@@ -16,7 +16,7 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Three components; the second turns bad after t = 1.
+/// Three components; the second is not finite after t = 1.
 struct TurnsBad {
   static constexpr std::size_t dimension = 3;
   double bad = nan;
@@ -83,7 +83,7 @@ TEST(Guard, KeepsTheTimeLimit) {
   EXPECT_NE(guard.detail().find("0.001 s"), std::string::npos) << guard.detail();
 }
 
-/// What a library might claim after two stops of a problem of two components.
+/// A library's report after two stops of a problem of two components.
 Outcome claim(std::vector<double> states, double t) {
   Outcome outcome;
   outcome.t = t;

@@ -17,7 +17,7 @@ using tests::text_of;
 constexpr const char* files[] = {"drift.csv", "horizons.csv", "largest_steps.csv",
                                  "order_reduction.csv"};
 
-/// What a few solvers give, quickly: the real studies, not rows made up.
+/// Results of the real studies for a few solvers, not synthetic rows.
 HardCaseResults some_results() {
   HardCaseResults results;
   const std::vector<std::string> solvers{"odeum/rk4", "odeum/radau_iia5"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Diagonally and fully implicit Runge-Kutta methods: orders by running, facts of stability.
+// Diagonally and fully implicit Runge-Kutta methods: measured orders, stability properties.
 #include <gtest/gtest.h>
 
 #include <complex>
@@ -74,7 +74,7 @@ TYPED_TEST(Implicit, RunsAsItsStabilityFunctionSays) {
 
 TYPED_TEST(Implicit, IsAStable) {
   // |R| <= 1 on the imaginary axis and R analytic to the left of it (the diagonal or the
-  // eigenvalues of A have positive real parts): the maximum principle does the rest.
+  // eigenvalues of A have positive real parts): by the maximum principle |R| <= 1 there.
   for (double y = 1e-3; y < 1e6; y *= 1.1)
     EXPECT_LE(TypeParam::amplification(0, y), 1 + 1e-12) << y;
 }

@@ -87,7 +87,7 @@ TEST(MassSpring, KeepsMomentumAndWithoutDampersAngularMomentum) {
     EXPECT_LE(force.norm(), 1e-14 * size);  // sums of a hundred terms: some ten roundings
     if (damping == 0)
       EXPECT_LE(torque.norm(), 1e-14 * size);
-    else  // dampers act on the whole relative velocity: not along the spring
+    else  // dampers act on the whole relative velocity, not only along the spring
       EXPECT_GT(torque.norm(), 1e-6);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of an error, on schemes whose parts are known; and their files.
+// The decomposition of an error on schemes with known parts; and its files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(ErrorParts, AreThoseOfAKnownScheme) {
 }
 
 TEST(ErrorParts, TellHowFarALimitIsOff) {
-  // Extrapolated as of order 1, a scheme of order 2 does not come to its limit.
+  // Extrapolated as of order 1, a scheme of order 2 does not reach its limit.
   for (const ErrorPartsRow& row : split_error(plan_of(1), scheme(2), truth)) {
     EXPECT_GT(row.step_left, 1e-6);
     // At N/2, N, 2N the extrapolations miss by -2 and -1/2 of the finest error.

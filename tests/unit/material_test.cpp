@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What own methods make of springs, against their closed forms.
+// Stiffness and damping of springs under own methods, against their closed forms.
 #include "odeum/studies/material/material.hpp"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {
   EXPECT_LT(linear, 1e-12);
   EXPECT_LT(verlet, 1e-12);
   EXPECT_GT(rk4, 1e-6) << "or the quantity would see nothing";
-  // At rest by then: what is left of the motion is an error of order 2 of it.
+  // At rest by then: the remaining motion has an effect of second order.
   EXPECT_GT(drape, 0);
   EXPECT_LT(drape, 1e-3);
   EXPECT_NEAR(energy, exact, 1e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Linear multistep methods at a fixed step: orders by running, coefficients against the textbook.
+// Linear multistep methods at a fixed step: measured orders, coefficients against the textbook.
 #include <gtest/gtest.h>
 
 #include "odeum/methods/adams_bashforth1.hpp"

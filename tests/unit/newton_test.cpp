@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// y' = sign * y^2, and how often it was asked.
+/// y' = sign * y^2, with a count of evaluations.
 struct Square {
   static constexpr std::size_t dimension = 1;
   double sign = 1;
@@ -36,7 +36,7 @@ TEST(Newton, SolvesAQuadraticEquationToRounding) {
   std::array<double, 1> y = base;
   ASSERT_EQ(newton.solve(0, 0.5, base, y), Status::ok);
   // y = b + y^2 / 2 has the roots 1 -+ sqrt(1 - 2b). The last correction is below 1e-13 |y|, and a
-  // kept Jacobian contracts by 0.1 or better: 0.1 / 0.9 of it is left.
+  // kept Jacobian contracts by 0.1 or better: the remaining error is at most 0.1 / 0.9 of it.
   EXPECT_NEAR(y[0], 1 - std::sqrt(1 - 2 * 0.3), 5e-15);
   EXPECT_LE(problem.evaluations, 16) << "13 digits, one a correction or more";
   EXPECT_GE(problem.jacobians, 1);
@@ -118,7 +118,7 @@ TEST(FixedPoint, ContractsBelowTheLipschitzBoundAndFailsAboveIt) {
   methods::implicit_euler_fixed_point::Stepper<Decay> stepper(problem);
   std::array<double, 1> y{1};
   ASSERT_EQ(stepper.step(0, 0.5, y), Status::ok);
-  // The last change is below 1e-11; with the contraction 1/2 what is left is no more than that.
+  // The last change is below 1e-11; with the contraction 1/2 the remaining error is at most that.
   EXPECT_NEAR(y[0], 1 / 1.5, 1e-11);
   const std::array<double, 1> before = y;
   EXPECT_EQ(stepper.step(0, 1.5, y), Status::newton_failed);

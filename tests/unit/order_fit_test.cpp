@@ -48,7 +48,7 @@ TEST(OrderFit, AnErrorThatStopsFallingAboveRoundingIsAFloor) {
   EXPECT_NEAR(fit.floor, 1e-3, 1e-5);
 }
 
-// Slopes that agree at coarse steps say nothing where finer ones, clear of rounding, deny them.
+// Slopes that agree at coarse steps do not count where finer ones, clear of rounding, differ.
 TEST(OrderFit, AStretchBeforeConvergenceIsNoOrder) {
   const auto points = ladder(1.26, 18, [](double h) {
     return h > 0.1 ? 1e4 * std::pow(h, 12) : 1e-8 * std::pow(h / 0.1, 3 + 40 * (0.1 - h));
@@ -57,13 +57,13 @@ TEST(OrderFit, AStretchBeforeConvergenceIsNoOrder) {
   EXPECT_NE(fit_fixed(points, 12).verdict, Verdict::confirmed);
 }
 
-// Two terms of which the second leads at every step are one term of another order.
+// Two terms of which the second dominates at every step fit as one term of another order.
 TEST(OrderFit, AHigherOrderIsNotOneLowerWithALargeSecondTerm) {
   const auto points = ladder(1.06, 40, [](double h) { return std::pow(h, 6) * 1e-3; });
   EXPECT_EQ(fit_fixed(points, 5).verdict, Verdict::higher);
 }
 
-// Steps that lie close together show the errors' noise in neighbouring slopes.
+// With closely spaced steps the noise of the errors dominates the slopes between neighbours.
 TEST(OrderFit, LooksAtSlopesOverStepsFarEnoughApart) {
   int n = 0;
   const auto points = ladder(1.05, 24, [&](double h) {
@@ -72,7 +72,7 @@ TEST(OrderFit, LooksAtSlopesOverStepsFarEnoughApart) {
   EXPECT_EQ(fit_fixed(points, 4).verdict, Verdict::confirmed);
 }
 
-// The finest errors may be small by luck.
+// The finest errors may be small by chance.
 TEST(OrderFit, RoundingIsSeenBehindALuckyEnd) {
   auto points = ladder(1.12, 30, [](double h) { return std::pow(h, 9) * 1e-5; });
   int k = 0;
@@ -83,8 +83,8 @@ TEST(OrderFit, RoundingIsSeenBehindALuckyEnd) {
   EXPECT_EQ(fit.verdict, Verdict::confirmed) << fit.reason;
 }
 
-// A method that is unstable until its steps are tiny grows an error that may lie on a fine straight
-// line, with the wrong sign: no order was measured.
+// A method that is unstable until its steps are tiny grows an error that may lie on a straight line
+// of negative slope: no order was measured.
 TEST(OrderFit, ErrorsThatGrowAsTheStepShrinksAreNoConvergence) {
   const OrderFit below = fit_fixed(ladder(2, 8, [](double h) { return 1e-6 / h; }), 8);
   EXPECT_EQ(below.verdict, Verdict::floors);
@@ -107,7 +107,7 @@ TEST(OrderFit, TheSameStepsTwiceAreOnePoint) {
   const OrderFit fit = fit_fixed(points, 3);
   EXPECT_EQ(fit.verdict, Verdict::confirmed);
   EXPECT_EQ(fit.points, 5U);
-  // Exact solves are so for each tolerance, whatever the steps.
+  // Exact solves are exact at each tolerance, for any number of steps.
   const std::vector<ErrorPoint> exact(
       6, {.step = 0.5, .error = 1e-16, .steps = 20, .rounding_unit = half_epsilon});
   EXPECT_EQ(fit_fixed(exact, 3).verdict, Verdict::higher);
@@ -121,7 +121,7 @@ TEST(OrderFit, SlopesThatStillMoveAreExplainedByTheNextTerm) {
   const OrderFit fit = fit_fixed(ladder(1.26, 10, near_cancellation), 5);
   EXPECT_EQ(fit.verdict, Verdict::confirmed);
   EXPECT_NEAR(fit.order, 5, 0.02);  // the error has two terms, and the fit both
-  // That is no licence to see another order in it.
+  // It must not be fitted as another order.
   EXPECT_EQ(fit_fixed(ladder(1.26, 10, near_cancellation), 6).verdict, Verdict::lower);
   EXPECT_EQ(fit_fixed(ladder(1.26, 10, near_cancellation), 4).verdict, Verdict::higher);
 }
@@ -142,7 +142,7 @@ TEST(OrderFit, RoundingIsReadOffTheRunWhereItShows) {
   EXPECT_EQ(fit_fixed(coarse, 9).verdict, Verdict::undetermined);
 }
 
-// Four neighbours that agree by chance say nothing of an order: a window has a width.
+// Four close points that agree by chance are no window: it has a minimal width.
 TEST(OrderFit, AWindowSpansSteps) {
   const auto points = ladder(1.05, 4, [](double h) { return std::pow(h, 4); });
   EXPECT_NE(fit_fixed(points, 4).verdict, Verdict::confirmed);

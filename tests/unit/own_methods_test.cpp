@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every own method owes its caller, whatever its formula: failures told, budgets kept, costs
-// counted.
+// The contract of every own method: failures reported, budgets kept, costs counted.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,7 +73,7 @@ TEST(OwnMethods, CountTheirEvaluations) {
   struct Cost {
     std::uint64_t a_step, to_start, jacobians;
   };
-  // The problem is linear: implicit Euler corrects once and looks once more, with one Jacobian for
+  // The problem is linear: implicit Euler needs one correction and one check, with one Jacobian for
   // all steps.
   const std::map<std::string, Cost> costs{{"explicit_euler", {1, 0, 0}},
                                           {"midpoint", {2, 0, 0}},

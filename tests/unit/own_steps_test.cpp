@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One step of own methods against the step written out: from textbooks, from tableaus, by hand.
+// One step of own methods against an independent evaluation: textbook formulas, tableaus, by hand.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -119,7 +119,7 @@ TEST(OwnSteps, ImplicitEulerSolvesItsEquation) {
   EXPECT_EQ(checked, 2);
 }
 
-/// A Runge-Kutta step as the definition has it, from the tableau alone.
+/// A Runge-Kutta step by its definition, from the tableau.
 template <std::size_t S>
 std::array<double, 2> plain_step(const Tableau<S>& tableau, double t, double h,
                                  std::array<double, 2> y) {
@@ -154,7 +154,7 @@ TEST(OwnSteps, ExplicitKernelsTakeTheStepOfTheirTableau) {
   EXPECT_GE(checked, 9);
 }
 
-/// y' = t + y from y(0) = 1 with h = 0.1, worked by hand as every course does.
+/// y' = t + y from y(0) = 1 with h = 0.1, worked by hand as in textbooks.
 struct Sum {
   static constexpr std::size_t dimension = 1;
   void rhs(double t, const double* y, double* dydt) const { dydt[0] = t + y[0]; }
@@ -180,7 +180,7 @@ TEST(OwnSteps, AgreeWithStepsWorkedByHand) {
   EXPECT_NEAR(hand_step<methods::implicit_euler_linearised>(), 1.01 / 0.9, rounding);
 }
 
-/// q'' = t + q - 2 v: what the second-order schemes make of a velocity.
+/// q'' = t + q - 2 v: second-order schemes with a velocity-dependent acceleration.
 struct Dragged {
   static constexpr std::size_t dimension = 2;
   static constexpr bool velocity_dependent = true;

@@ -68,7 +68,7 @@ class Page : public testing::Test {
     if (!path_.empty()) ::setenv("PATH", path_.c_str(), 1);
     fs::remove_all(root_);
   }
-  /// From here to the end of the test nothing is found on the PATH but what `folder` holds.
+  /// Until the end of the test the PATH is `folder` only.
   void search_only(const fs::path& folder) {
     path_ = ::getenv("PATH");
     ::setenv("PATH", folder.c_str(), 1);
@@ -109,7 +109,7 @@ TEST_F(Page, TellsOfEveryCaseAndSolver) {
     EXPECT_NE(html.find("<code>" + c.id + "</code>"), std::string::npos) << c.id;
   for (const SolverInfo& solver : data.solvers)
     EXPECT_NE(html.find(">" + solver.method + "</th>"), std::string::npos) << solver.id();
-  // Every pair is a cell with a title of the matrix: none is silently absent.
+  // Every pair is a cell with a title of the matrix: none is missing.
   EXPECT_EQ(
       count(html, "<td class=\"confirmed\" title=") + count(html, "<td class=\"higher\" title=") +
           count(html, "<td class=\"lower\" title=") + count(html, "<td class=\"floors\" title=") +

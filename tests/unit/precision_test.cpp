@@ -49,7 +49,7 @@ TEST(Summary, InterpolatesBetweenTwoSettingsOfASolver) {
 
 TEST(Summary, NeverExtrapolates) {
   const auto lines = summarise({row("odeum", "a", 1e-3, 100), row("gsl", "b", 1e-5, 50)}, 1e-16);
-  // A solver that is more exact than asked has reached the error.
+  // A solver more accurate than the level has reached it.
   EXPECT_EQ(at(lines, 1e-2).own_ns, 100);
   EXPECT_EQ(at(lines, 1e-2).peer_ns, 50);
   EXPECT_EQ(at(lines, 1e-4).own, "");
@@ -85,8 +85,8 @@ TEST(Times, MedianIsTheMiddle) {
 }
 
 /// Two solvers on a small case: counted, timed, and what does not fit has a row with its reason.
-// The calibration takes the least of several short runs and does not see a neighbour that has the
-// processor in between; the processor time does.
+// The calibration takes the least of several short runs and so excludes interruptions by other
+// processes; the processor time does not.
 TEST(Times, ProcessorTimeStandsStillWhileTheThreadWaits) {
   const double before = thread_seconds();
   std::this_thread::sleep_for(std::chrono::milliseconds(20));

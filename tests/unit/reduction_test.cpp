@@ -16,7 +16,7 @@ const ReductionRow& row_at(const std::vector<ReductionRow>& rows, const std::str
   throw std::runtime_error("no row of " + solver);
 }
 
-// Hairer and Wanner, Solving ODEs II, IV.15, table 15.1: what is left where h |lambda| is large.
+// Hairer and Wanner, Solving ODEs II, IV.15, table 15.1: the order where h |lambda| is large.
 TEST(Reduction, IsToTheOrderOfTheStages) {
   const auto rows =
       measure_reduction(

@@ -74,7 +74,7 @@ constexpr const char* case_ids[] = {"cloth11_two_way",
                                     "rc_circuit",
                                     "pendulum"};
 
-/// Errors of one solver on one case, as a rule of the step.
+/// Errors of one solver on one case as a function of the step.
 struct Behaviour {
   double order, constant, floor;
   bool fails;

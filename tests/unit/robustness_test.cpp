@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Problems on which no solver can do well: every own adaptive one ends with a truthful status.
+// Problems without a solution on the interval, or very stiff: every own adaptive solver reports a
+// correct status.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -97,7 +98,7 @@ TEST(Robustness, NotANumberIsSaidToBeOne) {
   });
 }
 
-// Within the budget implicit methods alone can follow; the others must say that they cannot.
+// Only implicit methods reach the end within the budget; the others must report that they did not.
 TEST(Robustness, ExtremeStiffnessIsMetOrOwnedUpTo) {
   int met = 0;
   for_each_solver<ExtremelyStiff>([&](const Entrant& entrant) {
@@ -121,7 +122,7 @@ TEST(Robustness, AHorizonOfNoLengthIsRefused) {
   });
 }
 
-// The shortest horizons that there are: y is 1 there to rounding.
+// The shortest possible horizons: y is 1 there to rounding.
 TEST(Robustness, ATinyHorizonIsReachedOrOwnedUpTo) {
   for (const double horizon : {1e-15, 1e-300})
     for_each_solver<Pole>([&](const Entrant& entrant) {

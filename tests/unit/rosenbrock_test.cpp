@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Linearly implicit methods: orders by running, on a problem with explicit time above all.
+// Linearly implicit methods: measured orders, also on non-autonomous problems.
 #include <gtest/gtest.h>
 
 #include "odeum/methods/rodas4.hpp"
@@ -34,7 +34,7 @@ TEST(Rodas5p, HasOrderSixOnLinearProblems) {
   EXPECT_NEAR((measured_order<methods::rodas5p, LinearOscillator>(16)), 6, 0.35);
 }
 
-/// The driven problem that keeps its df/dt to itself.
+/// The driven problem without its df/dt.
 struct Silent : DrivenDecay {
   void time_derivative(double, const double*, double* dfdt) const { dfdt[0] = dfdt[1] = 0; }
 };
@@ -45,8 +45,8 @@ TEST(Rosenbrock, NeedsTheTimeDerivative) {
 }
 
 TEST(Rosenbrock, AnInexactJacobianCostsOrder) {
-  // Differences leave 1e-8 in J, and no iteration corrects it: the conditions that J takes part in
-  // hold to that only. Coarse steps still show the order.
+  // Differences have an error of 1e-8 in J, which no iteration corrects: the conditions that
+  // involve J hold only to that. Coarse steps still show the order.
   EXPECT_LT((measured_order<methods::rodas4, Logistic>(160)), 3.5);
   EXPECT_NEAR((measured_order<methods::rodas4, Logistic>(5)), 4, 0.4);
 }
@@ -92,7 +92,7 @@ TEST(Rosenbrock, StabilityAtInfinity) {
 
 TEST(Seulex, HasTheOrderOfItsColumn) {
   const double p = methods::seulex::info.order;
-  // The terms of the expansion in h are all there: the slope settles late.
+  // No term of the expansion in h vanishes: the slope converges slowly.
   EXPECT_NEAR((measured_order<methods::seulex, DrivenDecay>(64)), p, 0.3);
   EXPECT_NEAR((measured_order<methods::seulex, LinearOscillator>(64)), p, 0.3);
   EXPECT_NEAR((measured_order<methods::seulex, AnalyticLogistic>(64, 10)), p, 0.3);

@@ -33,7 +33,7 @@ std::string damaged(std::string text, std::mt19937& random) {
         text.insert(at, text.substr(below(text.size() + 1), length));
         break;
       default:
-        if (below(4) == 0) text.resize(at);  // cut short
+        if (below(4) == 0) text.resize(at);  // truncated
         break;
     }
   }
@@ -44,7 +44,7 @@ TEST(SceneFuzz, DamagedScenesAreReadOrRefused) {
   std::mt19937 random(7);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same run each time
   std::size_t count = 0;
   for (const cases::SceneText& scene : cases::all_scenes()) {
-    // The long lists of some scenes are all alike: a part of them will do.
+    // The long lists of some scenes are uniform: a part of them suffices.
     const std::string text(scene.text.substr(0, 1500));
     for (int k = 0; k < 250; ++k, ++count) {
       const std::string mutant = damaged(text, random);

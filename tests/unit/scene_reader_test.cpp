@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene reader: what it takes.
+// The scene reader on valid input.
 #include <gtest/gtest.h>
 
 #include <cmath>

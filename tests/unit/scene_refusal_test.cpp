@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene reader: how it refuses what is no scene, and what it warns of.
+// The scene reader: errors and warnings.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes from their text to their end, held to closed forms and conservation laws.
+// Complete runs of scenes against closed forms and conservation laws.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -183,7 +183,8 @@ TEST(SceneRun, AFailureKeepsWhatWasReached) {
   EXPECT_GE(result.frames.size(), 1U);
 }
 
-// Each as its file says, as `odeum run NAME` does; a name that a case has too could not be run.
+// Each with the settings of its file, as by `odeum run NAME`; a name shared with a case could not
+// be run.
 TEST(SceneRun, EveryBuiltInSceneRuns) {
   for (const cases::SceneText& text : cases::all_scenes()) {
     for (const Case& c : all_cases()) EXPECT_NE(c.id, text.name);
@@ -232,7 +233,7 @@ TEST(SceneFiles, ParaViewFindsItsSeries) {
   EXPECT_NE(text.find("LINES 1 3\n2 0 1\n"), std::string::npos);
 }
 
-// A name must not end the script, and nothing may be loaded from elsewhere.
+// A name must not end the script element, and nothing may be loaded from elsewhere.
 TEST(SceneFiles, TheReplayPageHoldsItself) {
   Description d = built_in_scene("spinning_pair");
   d.name = "</script><b>&<!--data-->";

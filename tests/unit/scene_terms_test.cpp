@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The terms of a scene: their derivatives, what they conserve, and that the absent ones are absent.
+// The terms of a scene: their derivatives, conservation laws, and that undeclared terms are absent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -139,7 +139,7 @@ TEST(SceneTerms, AFarAwaySurfaceChangesNoBit) {
   EXPECT_EQ(bare.potential(y.data()), walled.potential(y.data()));
 }
 
-// Two of the terms act between particles: what one feels the other does too, to the last bits.
+// Two of the terms act between particles: forces are equal and opposite, to rounding.
 TEST(SceneTerms, InternalForcesKeepMomentum) {
   const SceneProblem problem(
       read("gravity: 0\nduration: 1\nsolver: {type: rk4, timestep: 0.01}\nparticles:\n"
@@ -155,7 +155,7 @@ TEST(SceneTerms, InternalForcesKeepMomentum) {
   double largest = 0;
   for (const double component : rate) largest = std::max(largest, std::abs(component));
   EXPECT_GT(largest, 1);
-  const Vec3 force = problem.momentum(rate.data());  // with accelerations where velocities are
+  const Vec3 force = problem.momentum(rate.data());  // with accelerations in place of velocities
   for (const double component : force) EXPECT_NEAR(component, 0, 1e-14 * largest);
 }
 

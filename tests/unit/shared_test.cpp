@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shared problem types stand for any problem: what it lacks is made up for, and paid for.
+// The shared problem types stand for any problem: missing capabilities have fallbacks, whose cost
+// is counted.
 #include "odeum/problem/shared.hpp"
 
 #include <gtest/gtest.h>
@@ -89,7 +90,7 @@ TEST(Shared, AnAutonomousProblemHasAZeroTimeDerivative) {
   EXPECT_TRUE(is_autonomous(problem));
 }
 
-/// Libraries with a C interface see the problem itself, not what the shared type makes up.
+/// Libraries with a C interface get the problem itself, not the fallbacks of the shared type.
 TEST(Shared, ItsViewIsTheProblems) {
   const Plain plain;
   const OdeView view = view_of(shared(plain));

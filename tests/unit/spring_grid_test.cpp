@@ -56,7 +56,7 @@ Scene make_scene(const Grid& grid) {
   return scene;
 }
 
-/// The same springs with one more, of no stiffness, that spoils the grid.
+/// The same springs and one of zero stiffness, so that they are not a grid.
 Scene spoiled(Scene scene) {
   scene.springs.push_back({.a = 0, .b = scene.size() - 1, .rest_length = 1});
   return scene;
@@ -204,7 +204,7 @@ TEST(SpringGrid, IsFoundOnlyWhereEverySpringIsInItsPlace) {
   EXPECT_FALSE(find_grid(loose));
 }
 
-// A spring of no length has no direction; its neighbours are not to hear of it as NaN.
+// A spring of zero length has no direction; it must not give NaN to its neighbours.
 TEST(SpringGrid, ASpringOfNoLengthExertsNoForce) {
   Scene scene = make_scene({4, 4, false});
   scene.particles[5].position = scene.particles[6].position;

@@ -13,8 +13,8 @@
 namespace odeum::scene {
 namespace {
 
-/// All functions of one compilation of the kernels, one result after the other, on the grid alone:
-/// beside it each writes as far as its vectors reach.
+/// The results of all functions of one compilation of the kernels, on the grid only: outside of it
+/// each writes up to its vector width.
 template <class Real>
 std::vector<Real> results_of(const SpringKernels<Real>& kernels, const GridLayout& layout,
                              const SpringRows<Real>& springs, const std::vector<Real>& q,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adaptive methods for stiff problems on three classical ones, and on problems without a solution.
+// Adaptive stiff methods on three classical stiff problems, and on problems without a solution.
 #include <gtest/gtest.h>
 
 #include "odeum/methods/bdf_variable.hpp"
@@ -49,7 +49,7 @@ TYPED_TEST(StiffProblems, RobertsonToTheEndOfTime) {
         << tolerance;
 }
 
-// The phase forgets nothing: what each jump adds to it stays.
+// Phase errors of each jump accumulate.
 TYPED_TEST(StiffProblems, VanDerPol) {
   for (const double tolerance : tolerances)
     EXPECT_LE(
@@ -113,7 +113,7 @@ TEST(StiffJacobians, AreKeptWhileNewtonConvergesFast) {
   const auto run_on = [&]<class M>(M) {
     return run_to_tolerance<M>(VanDerPol{}, VanDerPol::start(), 3000, 1e-7);
   };
-  // A linearly implicit method needs one a step, whatever was rejected.
+  // A linearly implicit method needs one per accepted step, for any number of rejections.
   EXPECT_EQ(jacobians_a_step(run_on(methods::rodas4{})), 1);
   EXPECT_LT(jacobians_a_step(run_on(methods::bdf_variable{})), 0.25);
   EXPECT_LT(jacobians_a_step(run_on(methods::radau_iia5{})), 1);

@@ -40,7 +40,7 @@ TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
 TEST(Summary, CountsAddUp) {
   const ReportData data = test::fabricate_report();
   const std::vector<LibrarySummary> list = summarise(data);
-  ASSERT_EQ(list.size(), 7U) << "six libraries, and all of them";
+  ASSERT_EQ(list.size(), 7U) << "six libraries and their total";
   LibrarySummary sum{.library = "sum"};
   for (std::size_t i = 0; i + 1 < list.size(); ++i) {
     sum.solvers += list[i].solvers;

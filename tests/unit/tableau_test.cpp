@@ -80,7 +80,7 @@ TEST(RootedTrees, CountsAndDensitiesAgreeWithAnotherEnumeration) {
   }
 }
 
-// --- order conditions, and what they see ---
+// --- order conditions, and the errors they detect ---
 
 TEST(OrderConditions, TellsWhichConditionIsMissed) {
   constexpr Tableau<2> ralston{.a = {{{0, 0}, {2. / 3, 0}}}, .b = {1. / 4, 3. / 4}, .order = 2};
@@ -96,8 +96,8 @@ TEST(OrderConditions, TellsWhichConditionIsMissed) {
   EXPECT_TRUE(has_exactly_order(gauss, gauss.b, 4));
 }
 
-/// What a run-time check of a tableau sees: order of both rows, and that an implicit method whose
-/// last stage is its result still is one (for implicit Euler no order condition looks at A).
+/// The run-time check of a tableau: order of both rows, and that a stiffly accurate method still is
+/// one (for implicit Euler no order condition contains A).
 template <std::size_t S>
 bool accepted(const Tableau<S>& t, bool stiffly_accurate) {
   return has_exactly_order(t, t.b, t.order) &&
@@ -133,8 +133,8 @@ TEST(OrderConditions, EveryAlteredCoefficientOfEveryOwnMethodIsNoticed) {
       ASSERT_TRUE(accepted(M::tableau, stiffly_accurate)) << M::info.id;
       const std::complex<double> z{-0.7, 0.4};
       const auto growth = stability_function(M::tableau, z);
-      // A row of weights borrowed from a full pair leaves some of the pair's stages without any
-      // effect; there the pair itself is what notices.
+      // With the weights of a lower row some of the pair's stages have no effect; there the pair's
+      // own rows detect the change.
       const bool borrowed =
           !M::tableau.embedded() &&
           std::find(pairs.begin(), pairs.end(), entries_of(M::tableau)) != pairs.end();
