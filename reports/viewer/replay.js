@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The replay page: a scene's frames in WebGL, its energy beside. No library, no network, no eval.
+// The replay page: a scene's frames in WebGL, and its energy. No library, no network, no eval.
 // Its parts (replay/*.js) share one scope; the build puts them here, in this order.
 'use strict';
 (() => {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Cross-compiles for 64-bit ARM with Debian's g++-aarch64-linux-gnu, and runs what it made under
+# Cross-compiles for 64-bit ARM with Debian's g++-aarch64-linux-gnu, and runs programs under
 # qemu-user-static. ODEUM_ARM_ROOT is a folder with the arm64 packages unpacked (dpkg -x):
 #   cmake --preset portable -B build/aarch64 -DODEUM_ARM_ROOT=FOLDER \
 #         -DCMAKE_TOOLCHAIN_FILE=$PWD/scripts/cmake/Aarch64.cmake

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DCLANG_FORMAT=<program> -DROOT=<folder> -P CheckFormat.cmake
-# Fails where a source file is not as clang-format leaves it. Versions differ in what that is: any
-# but the one that the project formats with says so and is not heard.
+# Fails where clang-format would change a source file. Versions differ: with any but the project's
+# version it prints a message and passes.
 set(version_used 14)
 execute_process(COMMAND ${CLANG_FORMAT} --version OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
 if(NOT version MATCHES "version ${version_used}\\.")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DBUILD=<build folder> -DFOLDER=<folder> -DDOCS=<where documents go> -P CheckInstall.cmake
-# Installs into a fresh folder and runs the installed program in another, where it finds nothing of
-# the checkout beside it: a case, a built-in scene, a tableau of the installed ones.
+# Installs into a fresh folder and runs the installed program in another, without the
+# checkout: a case, a built-in scene, an installed tableau.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DODEUM=<program> -DCHROMIUM=<program> -DFOLDER=<folder> -P CheckReplay.cmake
-# Runs a scene and opens its replay page in headless Chromium: the page draws (it says so, and how
-# many pixels are lit, in attributes of its root), and no script fails.
+# Runs a scene and opens its replay page in headless Chromium: the page draws (attributes of
+# its root state that and the number of pixels drawn), and no script fails.
 if(NOT CHROMIUM)
   message("not checked: needs Chromium (Debian: chromium) on the path")
   return()
@@ -27,7 +27,7 @@ foreach(scene IN ITEMS spinning_pair fountain cloth_on_sphere)
     message(FATAL_ERROR "${scene}: WebGL reports an error: ${root}")
   endif()
   string(REGEX REPLACE ".*data-lit=\"([0-9]+)\".*" "\\1" lit "${root}")
-  # At the start the fountain is a single particle, of some 130 pixels; an empty picture has none.
+  # At the start the fountain is one particle of about 130 pixels.
   if(NOT lit MATCHES "^[0-9]+$" OR lit LESS 50)
     message(FATAL_ERROR "${scene}: the picture is empty: ${root}")
   endif()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The lists that let a method, a case and a library be one file (one folder) each. Globs are
-# watched (CONFIGURE_DEPENDS): a new file is picked up by the next build. Headers are written only
+# Generates the lists of methods, cases, studies and libraries from their files and folders. Globs use
+# CONFIGURE_DEPENDS: the next build picks up a new file. Headers are written only
 # when their text changes, so an unrelated re-configure rebuilds nothing.
 
 set(ODEUM_GENERATED ${PROJECT_BINARY_DIR}/generated)
@@ -200,8 +200,8 @@ function(odeum_write_verbatim path text)
   endif()
 endfunction()
 
-# Puts reports/viewer/replay/NAME.js in the place of each line "// part: NAME" of a script. Every part
-# has to have its place.
+# Replaces each line "// part: NAME" of a script by reports/viewer/replay/NAME.js. Every part must be
+# named.
 function(odeum_join_script variable)
   set(script "${${variable}}")
   file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/replay/*.js)
@@ -221,7 +221,7 @@ function(odeum_join_script variable)
   set(${variable} "${script}" PARENT_SCOPE)
 endfunction()
 
-# odeum_texts.cpp: what the report page is made of besides data (its style sheet, the findings:
+# odeum_texts.cpp: the static texts of the report page (its style sheet, the findings:
 # reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
 function(odeum_generate_texts)
   file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/findings/*.md)
@@ -249,7 +249,7 @@ function(odeum_generate_texts)
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_texts.cpp "${body}")
 endfunction()
 
-# odeum_build_info.hpp: what this build is made with. The revision is the one at configure time.
+# odeum_build_info.hpp: compiler, flags and versions of this build. The revision is the one at configure time.
 function(odeum_generate_build_info)
   set(revision "")
   find_package(Git QUIET)
@@ -340,7 +340,7 @@ function(odeum_adapter)
   if(${A_OPTION})
     add_library(odeum_adapter_${A_NAME} STATIC ${A_SOURCES})
     target_link_libraries(odeum_adapter_${A_NAME} PUBLIC odeum_core PRIVATE odeum_options)
-    # A peer's headers are not ours to warn about.
+    # No warnings from a peer's headers.
     target_link_libraries(odeum_adapter_${A_NAME} PUBLIC ${A_LINK})
     target_include_directories(odeum_adapter_${A_NAME} SYSTEM PUBLIC ${A_INCLUDE})
     target_include_directories(odeum_adapter_${A_NAME} PUBLIC ${PROJECT_SOURCE_DIR}/adapters)

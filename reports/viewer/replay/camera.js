@@ -19,7 +19,7 @@ const placeCamera = () => {
   const eye = camera.target.map((x, d) => x + camera.distance * back[d]);
   const f = 2, aspect = canvas.width / canvas.height, near = camera.distance / 100, far = camera.distance * 3 + 4 * extent;
   const depth = (far + near) / (near - far), shift = 2 * far * near / (near - far);
-  // The shorter side of the window sees the same, however wide the other is.
+  // The field of view is that of the shorter side of the window.
   const rows = [right.map((x) => x * f / Math.max(aspect, 1)), top.map((x) => x * f * Math.min(aspect, 1))];
   const m = camera.matrix;
   for (let d = 0; d < 3; ++d) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours of speed and strain, and the legend that explains them.
+// Colours of speed and strain, and their legend.
 const ramp = (stops) => (x) => {
   const s = Math.min(Math.max(x, 0), 1) * (stops.length - 1), i = Math.min(Math.floor(s), stops.length - 2);
   return stops[i].map((c, d) => (c + (stops[i + 1][d] - c) * (s - i)) / 255);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page's own time, and what the reader does to it.
+// The page's time, and the controls that change it.
 let time = 0, playing = !matchMedia('(prefers-reduced-motion: reduce)').matches, before = null, dirty = true;
 const scrub = byId('scrub'), playButton = byId('play');
 scrub.max = duration;
@@ -37,7 +37,7 @@ const show = () => {
   report.particles = now.n;
   if (!report.drawn) countLit();
 };
-// How many pixels differ from the background, for the page's test.
+// Number of pixels that differ from the background, for the page's test.
 const countLit = () => {
   const pixels = new Uint8Array(4 * canvas.width * canvas.height);
   gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scene that the page holds: frames of particles, springs, energies.
+// The page's data: frames of particles, springs, energies.
 const byId = (id) => document.getElementById(id);
-const report = document.documentElement.dataset;  // what the page's test reads
+const report = document.documentElement.dataset;  // read by the page's test
 const scene = JSON.parse(byId('scene').textContent);
 const unpack = (text, Kind) => {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -20,7 +20,7 @@ const position = (k, i, d) => states[6 * firstParticle[k] + 3 * i + d];
 const velocity = (k, i, d) => states[6 * firstParticle[k] + 3 * (counts[k] + i) + d];
 const idOf = (k, i) => allIds[firstParticle[k] + i];
 const emits = counts.some((n) => n !== scene.listed);
-// Particles come in ascending ids: the one of an id is found by halving.
+// Particles are sorted by id: binary search.
 const indexOf = (k, id) => {
   if (!emits) return id;
   let low = 0, high = counts[k] - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Energy: the whole curve faint, up to now in full colour.
+// Energy: the whole curve in a faint colour, the part up to the present time in full colour.
 const plot = byId('energy');
 const curves = [
   { name: 'kinetic', colour: '#5aa9ff', at: (k) => scene.kinetic[k] },

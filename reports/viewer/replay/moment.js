@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One moment: positions between two frames where the same particles live in both, and its drawing.
+// One moment: positions, interpolated between two frames with the same particles, and its drawing.
 const moment = (t) => {
   let k = 0, top = last;
   while (k < top) { const middle = (k + top + 1) >> 1; if (times[middle] <= t) k = middle; else top = middle - 1; }

@@ -29,7 +29,7 @@ for (const surface of scene.surfaces) {
 }
 if (!(low[0] <= high[0])) { low.fill(-1); high.fill(1); }
 fastest = fastest || 1;
-// The strain that all but one in fifty stay within: single threads must not wash out the rest.
+// The 98th percentile of strain, so that single springs do not compress the colour scale.
 const sizes = strains.filter(Number.isFinite).map(Math.abs).sort((a, b) => a - b);
 const strainMax = sizes.length ? Math.max(sizes[Math.floor(0.98 * (sizes.length - 1))], 1e-6) : 1;
 const center = low.map((x, d) => (x + high[d]) / 2);

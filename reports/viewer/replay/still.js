@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands still: planes as grids, spheres as shaded triangles.
+// Fixed surfaces: planes as grids, spheres as shaded triangles.
 const still = { lines: [], lineColours: [], faces: [], faceColours: [] };
 const grid = (point, normal, colour) => {
   const n = unit(normal), helper = Math.abs(n[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];

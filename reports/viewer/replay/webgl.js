@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// WebGL: one program for lines and triangles, one for sprites. Without it the page ends here.
+// WebGL: one program for lines and triangles, one for sprites. Without WebGL the script ends here.
 const canvas = byId('view');
 const gl = canvas.getContext('webgl', { antialias: true });
 if (!gl) {
