@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finding: how stiff are the links of a Bullet soft body as they come (kLST = 1)? Measured: (a) a
-// chain hung by its own weight is four times as stiff at half the step, and twice as stiff with
-// twice the sweeps; (b) a net thrown free, with one sweep, gains kinetic energy at a small step.
-// Bullet alone; exits 0 while that stands.
-// g++ -std=c++20 -DBT_USE_DOUBLE_PRECISION -I/usr/include/bullet bullet_link_stiffness.cpp
+// Finding: the stiffness of a Bullet soft body's links at the default kLST = 1. Measured: (a) a
+// hanging chain is four times as stiff at half the step, and twice as stiff with twice the sweeps;
+// (b) a free net with one sweep gains kinetic energy at a small step. Bullet alone; exits 0 while
+// that stands. g++ -std=c++20 -DBT_USE_DOUBLE_PRECISION -I/usr/include/bullet
+// bullet_link_stiffness.cpp
 //     -lBulletSoftBody-float64 -lBulletDynamics-float64 -lBulletCollision-float64
 //     -lLinearMath-float64
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
@@ -48,7 +48,7 @@ double sag(double h, int sweeps) {
 }
 
 /// Kinetic energy after 5 s over the initial one, of a free net of 11 x 11 on links to all
-/// neighbours one and two away, its middle thrown at 7.5 m/s along each axis.
+/// neighbours one and two away, its middle with an initial 7.5 m/s along each axis.
 double energy_left(double h) {
   constexpr int n = 11;
   World world(0);

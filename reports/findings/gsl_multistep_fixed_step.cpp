@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // GSL odeiv2 alone: msadams and msbdf at a fixed step of 1/256 on y' = -y, for several tolerances
-// of the driver that they ask for. Exits 0 while what they do at the same step depends on the
+// of the driver that they ask for. Exits 0 while their result at the same step depends on the
 // tolerance: msadams fails at a tight one, msbdf falls back from order 2 or more to 1.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// GSL odeiv2 alone: rk2, whose gsl_odeiv2_step_order is 2, converges at order 3, and what is one
-// step of rk4 is two classical steps of half the size. y' = -y + sin 3t to t = 2.
-// Exits 0 while both stand.
+// GSL odeiv2 alone: rk2, whose gsl_odeiv2_step_order is 2, converges at order 3, and one step of
+// rk4 is two classical steps of half the size. y' = -y + sin 3t to t = 2. Exits 0 while both stand.
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Boost.odeint alone, as C++17 (uBLAS): implicit_euler means to iterate with the first Jacobian of
 // the step, but its solve() factorises, each time, the matrix that the last call left factorised.
-// One step of h = 0.4 of q'' = -5 sin q - 0.1 q'^3; beside it the same iteration, to the same
-// criterion, on the matrix as it was. Exits 0 while the library is not done after 1000 evaluations
-// (nothing in it would ever stop it) where the other needs fewer than 20.
+// One step of h = 0.4 of q'' = -5 sin q - 0.1 q'^3; compared with the same iteration and criterion
+// on the original matrix. Exits 0 while the library has not converged after 1000 evaluations (it
+// has no limit) where the other needs fewer than 20.
 #include <boost/numeric/odeint/stepper/implicit_euler.hpp>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CVODE 6.4.1 held at one step by init = min = max step never leaves order 1, whatever its maximal
+// CVODE 6.4.1 at a constant step (init = min = max step) never leaves order 1, for any maximal
 // order. The library alone; exits 0 while that stands, 1 when not.
 //   g++ -std=c++20 sundials_cvode_held_order.cpp -lsundials_cvode -lsundials_nvecserial
 //       -lsundials_sunlinsoldense -lsundials_sunmatrixdense
@@ -58,7 +58,8 @@ static double error(int steps, double tolerance, int* chosen, int* used) {
 
 int main() {
   bool stands = true;
-  for (const double tolerance : {1e6, 1e-2}) {  // one that no step can miss, one that is just met
+  for (const double tolerance :
+       {1e6, 1e-2}) {  // one that every step meets by far, one that is just met
     int chosen = 0, used = 0;
     const double coarse = error(400, tolerance, &chosen, &used);
     const double fine = error(800, tolerance, &chosen, &used);
