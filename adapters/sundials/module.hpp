@@ -31,7 +31,6 @@ struct Module {
   int (*set_user_data)(void*, void* data);
   int (*set_tolerances)(void*, double relative, double absolute);
   int (*set_max_steps)(void*, long steps);
-  int (*set_min_step)(void*, double h);
   int (*set_stop_time)(void*, double t);
   int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed-step mode
   int (*evolve)(void*, double t_out, N_Vector y, double* t, int task);

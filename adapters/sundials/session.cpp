@@ -58,11 +58,14 @@ void Session::keep(NonlinearSolver solver) { nonlinear_solver_ = std::move(solve
 
 int Session::rhs(double t, N_Vector y, N_Vector dydt, void* data) {
   auto& session = *static_cast<Session*>(data);
+  if (session.stuck()) return -1;
   return -session.problem_.rhs(t, NV_DATA_S(y), NV_DATA_S(dydt));
 }
 
 void Session::hear(int code, const char*, const char*, char* message, void* data) {
-  if (code < 0) static_cast<Session*>(data)->message_ = message;
+  auto& session = *static_cast<Session*>(data);
+  if (code < 0) session.message_ = message;
+  if (code == CV_WARNING) ++session.warnings_;
 }
 
 void Session::run(Outcome& outcome) {
@@ -98,10 +101,6 @@ void Session::run_fixed(Outcome& outcome) {
 void Session::run_adaptive(Outcome& outcome) {
   check(module_.set_tolerances(integrator_, request_.tolerance, request_.tolerance),
         "setting the tolerances");
-  // Where t + h rounds to t the library only warns; a least step makes that an error.
-  const double t_largest = std::max(std::abs(t0_), std::abs(t_end()));
-  check(module_.set_min_step(integrator_, 4 * std::numeric_limits<double>::epsilon() * t_largest),
-        "setting the least step");
   for (const double stop : request_.stops) {
     check(module_.set_stop_time(integrator_, stop), "setting the stop time");
     check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
@@ -116,6 +115,9 @@ void Session::explain(const Failure& failure, Outcome& outcome) {
   outcome.detail =
       fmt::format("{} when {} (t = {})", name_of(module_, failure.flag), failure.what, t_);
   if (!message_.empty()) outcome.detail += ": " + message_;
+  if (!stuck()) return;
+  outcome.status = Status::step_too_small;
+  outcome.detail = fmt::format("step at the rounding of t = {}", t_);
 }
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {

@@ -53,6 +53,10 @@ class Session {
   static int rhs(double t, N_Vector y, N_Vector dydt, void* data);
 
  private:
+  /// Whether the library has warned, as often as it does at most (mxhnil), that t + h rounds to t.
+  /// It would go on; a least step, the library's own cure, is one number for the whole run, and
+  /// with a horizon of 1e11 that number forbids the steps which the start of a stiff problem needs.
+  bool stuck() const { return warnings_ >= 10; }
   static void hear(int code, const char* module, const char* function, char* message, void* data);
   void run_fixed(Outcome& outcome);
   void run_adaptive(Outcome& outcome);
@@ -70,6 +74,7 @@ class Session {
   NonlinearSolver nonlinear_solver_;
   std::unique_ptr<ShiftedSolver> shifted_solver_;
   void* integrator_ = nullptr;
+  int warnings_ = 0;
   std::string message_;  ///< the library's last error message, kept from stderr
 };
 

@@ -85,10 +85,11 @@ struct ManyDecays {
   }
 };
 
-/// The adapter's solvers on a problem that starts at t = 0.
+/// The adapter's solvers on a problem.
 template <Ode P>
-std::vector<Entrant> entrants(std::vector<double> y0, P problem = {}) {
+std::vector<Entrant> entrants(std::vector<double> y0, P problem = {}, double t0 = 0) {
   Contest<P> contest;
+  contest.t0 = t0;
   contest.problem = std::make_shared<const P>(std::move(problem));
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
   std::vector<Entrant> list;
