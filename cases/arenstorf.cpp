@@ -69,9 +69,9 @@ std::vector<Case> arenstorf() {
   c.tags = {"nonlinear", "autonomous", "second_order", "celestial", "unstable"};
   c.y0 = {0.994, 0, 0, -2.00158510637908252240537862224};
   c.stops = {17.0652165601579625588917206249};
-  c.no_fixed_steps =
+  c.settings.no_fixed_steps =
       "close passes of the Moon need steps a thousand times shorter than the rest of the orbit";
-  c.evaluation_budget = 60'000;
+  c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth("arenstorf", 5.5e-11);
   c.invariants = {{"jacobi", Arenstorf::jacobi}};
   set_stage(c, Arenstorf{});

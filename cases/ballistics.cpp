@@ -59,10 +59,10 @@ std::vector<Case> ballistics() {
   drag.tags = {"nonlinear", "autonomous", "second_order", "mechanical"};
   drag.y0 = {0, 0};
   drag.stops = {1, 5, 10};
-  drag.steps_multiple = 10;
-  drag.coarsest_steps = 20;
-  drag.finest_steps = 2560;
-  drag.evaluation_budget = 30'000;
+  drag.settings.steps_multiple = 10;
+  drag.settings.coarsest_steps = 20;
+  drag.settings.finest_steps = 2560;
+  drag.settings.evaluation_budget = 30'000;
   drag.truth = reference_truth("freefall_drag", 6.1e-15);
   set_stage(drag, Drag{});
 
@@ -74,10 +74,10 @@ std::vector<Case> ballistics() {
   projectile.tags = {"linear", "autonomous", "second_order", "separable", "mechanical"};
   projectile.y0 = {0, 0, 30, 40};
   projectile.stops = {1, 2, 4};
-  projectile.steps_multiple = 4;
-  projectile.coarsest_steps = 8;
-  projectile.finest_steps = 1024;
-  projectile.evaluation_budget = 30'000;
+  projectile.settings.steps_multiple = 4;
+  projectile.settings.coarsest_steps = 8;
+  projectile.settings.finest_steps = 1024;
+  projectile.settings.evaluation_budget = 30'000;
   projectile.truth = reference_truth("projectile", 1.5e-14);  // 9.81 is not a double
   projectile.invariants = {{"momentum_x", [](const double* y) { return y[2]; }}};
   set_stage(projectile, Projectile{});

@@ -34,10 +34,10 @@ std::vector<Case> brusselator() {
   c.tags = {"nonlinear", "autonomous", "oscillatory", "chemistry"};
   c.y0 = {1.5, 3};
   c.stops = {1, 5, 10, 20};
-  c.steps_multiple = 20;
-  c.coarsest_steps = 160;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
+  c.settings.steps_multiple = 20;
+  c.settings.coarsest_steps = 160;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("brusselator2", 1e-25);
   set_stage(c, Brusselator{});
   return {c};

@@ -41,12 +41,12 @@ std::vector<Case> charged_particle() {
   c.tags = {"linear", "autonomous", "second_order", "mechanical", "oscillatory"};
   c.y0 = {0, 0, 0, 1, 0.5, 0.25};
   c.stops = {1, 5, 10};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 80;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
-  c.timed_stops = {100};
-  c.timed_floor = 1e-25;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 80;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
+  c.settings.timed_stops = {100};
+  c.settings.timed_floor = 1e-25;
   c.truth = reference_truth("charged_particle", 1e-25);
   c.invariants = {{"velocity_z", [](const double* y) { return y[5]; }}};
   set_stage(c, ChargedParticle{});

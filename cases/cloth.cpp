@@ -39,12 +39,14 @@ Case make_variant(const Variant& variant) {
   c.y0 = scene::start_of(*scene);
   for (std::size_t i = 0; i < 3 * n * n; ++i) c.measured.push_back(i);  // positions
   c.stops = {0.25, 0.5, 1, 2};
-  c.steps_multiple = 8;
-  c.coarsest_steps = variant.coarsest_steps;
-  c.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
+  c.settings.steps_multiple = 8;
+  c.settings.coarsest_steps = variant.coarsest_steps;
+  c.settings.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
   // Half a second per solve or less; the smooth one is large enough for every own method to show
   // its order.
-  c.evaluation_budget = variant.tension_only ? 8'000 : variant.stiffness > 100 ? 10'000 : 60'000;
+  c.settings.evaluation_budget = variant.tension_only      ? 8'000
+                                 : variant.stiffness > 100 ? 10'000
+                                                           : 60'000;
   c.truth = reference_truth(variant.reference, variant.floor);
   if (c.has_tag("smooth")) {
     // A spring of the moving middle is shortest at t = 0.005 s, where its length has branch points

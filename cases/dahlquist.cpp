@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 
+#include "odeum/scene/model/scene.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -55,8 +56,8 @@ Case describe(const char* id, const char* title, const char* equation,
   c.source = "Dahlquist, BIT 3 (1963) 27-43";
   c.tags = {"linear", "autonomous", "smooth"};
   c.stops = {4};
-  c.coarsest_steps = 16;
-  c.finest_steps = 16384;
+  c.settings.coarsest_steps = 16;
+  c.settings.finest_steps = 16384;
   c.truth.source = "closed form";
   c.truth.at = [lambda](double t, double* y) {
     const std::complex<double> exact = std::exp(lambda * t);

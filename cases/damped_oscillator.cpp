@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "odeum/scene/model/scene.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -65,9 +66,9 @@ Case make_variant(const Variant& variant) {
   if (!Damped) c.tags.emplace_back("separable");
   c.y0 = {variant.y0, 0};
   c.stops = {5, 10};
-  c.steps_multiple = 2;
-  c.coarsest_steps = 40;
-  c.finest_steps = 40960;
+  c.settings.steps_multiple = 2;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 40960;
   c.truth.source = "closed form";
   c.truth.at = [problem, y0 = variant.y0](double t, double* y) {
     damped_oscillator_solution(problem.m, problem.d, problem.k, y0 - problem.rest, 0, t, y);

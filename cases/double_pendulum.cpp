@@ -67,10 +67,10 @@ std::vector<Case> double_pendulum() {
   c.tags = {"nonlinear", "autonomous", "second_order", "mechanical"};
   c.y0 = {0.5, -0.25, 0, 0};
   c.stops = {1, 2, 5};
-  c.steps_multiple = 5;
-  c.coarsest_steps = 80;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
+  c.settings.steps_multiple = 5;
+  c.settings.coarsest_steps = 80;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("double_pendulum_mild", 2e-15);
   set_stage(c, DoublePendulum{});
   return {c};

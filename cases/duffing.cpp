@@ -40,11 +40,11 @@ std::vector<Case> duffing() {
             "mechanical", "oscillatory", "smooth"};
   c.y0 = {1, 0};
   c.stops = {1, 5};
-  c.steps_multiple = 5;
-  c.coarsest_steps = 20;
-  c.finest_steps = 20480;
-  c.timed_stops = {100};
-  c.timed_floor = 1e-25;
+  c.settings.steps_multiple = 5;
+  c.settings.coarsest_steps = 20;
+  c.settings.finest_steps = 20480;
+  c.settings.timed_stops = {100};
+  c.settings.timed_floor = 1e-25;
   c.truth = reference_truth("duffing_free", 1e-25);
   set_stage(c, Duffing{});
   return {c};

@@ -51,11 +51,11 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
   c.source = "elastic pendulum, any mechanics text";
   c.tags = {"nonlinear", "autonomous", "second_order", "mechanical", "oscillatory", "stiff"};
   c.y0 = {1, 1, 0, 0};
-  c.steps_multiple = stops.size() > 1 ? 10 : 1;
+  c.settings.steps_multiple = stops.size() > 1 ? 10 : 1;
   c.stops = std::move(stops);
-  c.coarsest_steps = 160;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
+  c.settings.coarsest_steps = 160;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth(id, 3e-16);
   set_stage(c, ElasticPendulum{k});
   return c;

@@ -62,11 +62,11 @@ Case make_variant(const char* id, const char* title, const char* equation, Chain
   for (std::size_t j = 0; j < Chain::masses; ++j)
     c.y0[j] = std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
   c.stops = {10, 50};
-  c.no_convergence = "64 unknowns; smaller cases show the same orders";
-  c.steps_multiple = 5;
-  c.coarsest_steps = 80;
-  c.finest_steps = 2560;
-  c.evaluation_budget = 20'000;
+  c.settings.no_convergence = "64 unknowns; smaller cases show the same orders";
+  c.settings.steps_multiple = 5;
+  c.settings.coarsest_steps = 80;
+  c.settings.finest_steps = 2560;
+  c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth(id, 3.5e-16);
   set_stage(c, chain);
   return c;

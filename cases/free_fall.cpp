@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/model/scene.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -36,9 +37,9 @@ std::vector<Case> free_fall() {
   c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
   c.y0 = {10, 3};
   c.stops = {0.5, 1, 1.5, 2};
-  c.steps_multiple = 4;
-  c.coarsest_steps = 8;
-  c.finest_steps = 8192;
+  c.settings.steps_multiple = 4;
+  c.settings.coarsest_steps = 8;
+  c.settings.finest_steps = 8192;
   c.truth.source = "closed form";
   c.truth.at = [](double t, double* y) {
     y[0] = 10 + t * (3 + t * FreeFall::g / 2);

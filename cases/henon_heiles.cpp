@@ -42,10 +42,10 @@ std::vector<Case> henon_heiles() {
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial", "smooth"};
   c.y0 = {0.1, 0, 0, 0.4};
   c.stops = {10};
-  c.coarsest_steps = 40;
-  c.finest_steps = 40960;
-  c.timed_stops = {100};
-  c.timed_floor = 6e-16;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 40960;
+  c.settings.timed_stops = {100};
+  c.settings.timed_floor = 6e-16;
   c.truth = reference_truth("henon_heiles_regular", 2e-16);
   set_stage(c, HenonHeiles{});
   return {c};

@@ -17,9 +17,9 @@ std::vector<Case> hires() {
   c.tags = {"nonlinear", "autonomous", "stiff", "chemistry"};
   c.y0 = {1, 0, 0, 0, 0, 0, 0, 0.0057};
   c.stops = {321.8122};
-  c.coarsest_steps = 2048;
-  c.finest_steps = 8192;
-  c.evaluation_budget = 30'000;
+  c.settings.coarsest_steps = 2048;
+  c.settings.finest_steps = 8192;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("hires", 1.5e-15);
   c.invariants = {{"mass", [](const double* y) { return y[6] + y[7]; }}};
   set_stage(c, Hires{});

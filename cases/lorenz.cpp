@@ -58,9 +58,9 @@ std::vector<Case> lorenz() {
   c.tags = {"nonlinear", "autonomous", "chaotic"};
   c.y0 = {1, 0, 0};
   c.stops = {10};
-  c.coarsest_steps = 512;
-  c.finest_steps = 16384;
-  c.evaluation_budget = 80'000;
+  c.settings.coarsest_steps = 512;
+  c.settings.finest_steps = 16384;
+  c.settings.evaluation_budget = 80'000;
   c.truth = reference_truth("lorenz_kehlet_logg", 6.9e-15);
   // A denser reference for the horizons of the drift study, computed here; a test compares it with
   // the published one.

@@ -45,9 +45,9 @@ std::vector<Case> lotka_volterra() {
   c.tags = {"nonlinear", "autonomous", "smooth"};
   c.y0 = {1, 1};
   c.stops = {1, 2, 5, 10};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 40;
-  c.finest_steps = 40960;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 40960;
   c.truth = reference_truth("lotka_volterra", 1e-16);
   set_stage(c, LotkaVolterra{});
   return {c};

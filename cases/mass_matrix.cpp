@@ -94,9 +94,9 @@ std::vector<Case> mass_matrix() {
   c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
   c.y0 = {1, 0.5, 0, -0.3};
   c.stops = {2.5, 5, 7.5, 10};
-  c.steps_multiple = 4;
-  c.coarsest_steps = 32;
-  c.finest_steps = 65536;
+  c.settings.steps_multiple = 4;
+  c.settings.coarsest_steps = 32;
+  c.settings.finest_steps = 65536;
   c.truth.at = [problem, y0 = c.y0](double t, double* y) {
     exact(problem, y0.data(), t, y);
     return true;

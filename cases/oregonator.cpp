@@ -43,8 +43,8 @@ std::vector<Case> oregonator() {
   c.tags = {"nonlinear", "autonomous", "stiff", "oscillatory", "chemistry"};
   c.y0 = {1, 2, 3};
   c.stops = {120, 240, 360};
-  c.no_fixed_steps = "a fixed step would have to resolve jumps of five decades throughout";
-  c.evaluation_budget = 60'000;
+  c.settings.no_fixed_steps = "a fixed step would have to resolve jumps of five decades throughout";
+  c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth("oregonator", 6e-13);
   set_stage(c, Oregonator{});
   return {c};

@@ -18,10 +18,10 @@ Case make_variant(const char* id, const char* reference, const char* title, doub
   c.tags.emplace_back(Damped ? "damped" : "separable");
   c.y0 = {1, 0.5};
   c.stops = {1, 5, 10, 20};
-  c.steps_multiple = 20;
-  c.coarsest_steps = 80;
-  c.finest_steps = 2560;
-  c.evaluation_budget = 20'000;
+  c.settings.steps_multiple = 20;
+  c.settings.coarsest_steps = 80;
+  c.settings.finest_steps = 2560;
+  c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth(reference, floor);
   set_stage(c, UnitOscillator<Damped>{damping});
   return c;

@@ -35,12 +35,12 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
   c.y0 = {angle, 0};
   c.stops = {1, 5, 10};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 40;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
-  c.timed_stops = {100};
-  c.timed_floor = 1e-25;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
+  c.settings.timed_stops = {100};
+  c.settings.timed_floor = 1e-25;
   c.truth = reference_truth(id, 1e-25);
   set_stage(c, Pendulum{});
   return c;

@@ -17,10 +17,10 @@ std::vector<Case> pleiades() {
           0, 0, 0,  0,  0, 1.75, -1.5, 0, 0,  0, -1.25, 1, 0,  0};
   c.stops = {1, 2, 3};
   for (std::size_t i = 0; i < 14; ++i) c.measured.push_back(i);  // positions
-  c.steps_multiple = 3;
-  c.coarsest_steps = 384;
-  c.finest_steps = 3072;
-  c.evaluation_budget = 12'000;
+  c.settings.steps_multiple = 3;
+  c.settings.coarsest_steps = 384;
+  c.settings.finest_steps = 3072;
+  c.settings.evaluation_budget = 12'000;
   c.truth = reference_truth("pleiades", 1e-25);
   c.invariants = {{"angular_momentum", [](const double* y) {
                      double sum = 0;

@@ -32,10 +32,10 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
   c.tags = {"linear", "non_autonomous", "stiff", "order_reduction"};
   c.y0 = {start};
   c.stops = {1, 10};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 40;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth(id, 1e-25);
   set_stage(c, ProtheroRobinson{lambda});
   return c;

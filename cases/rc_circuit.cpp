@@ -35,9 +35,9 @@ std::vector<Case> rc_circuit() {
   c.tags = {"linear", "non_autonomous", "smooth"};
   c.y0 = {0};
   c.stops = {0.005, 0.02};
-  c.steps_multiple = 4;
-  c.coarsest_steps = 20;
-  c.finest_steps = 20480;
+  c.settings.steps_multiple = 4;
+  c.settings.coarsest_steps = 20;
+  c.settings.finest_steps = 20480;
   c.truth = reference_truth("rc_sine", 7.5e-16);
   set_stage(c, RcCircuit{});
   return {c};

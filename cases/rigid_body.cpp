@@ -34,10 +34,10 @@ Case describe(const char* id, const char* reference, const char* title, double f
   c.title = title;
   c.tags = {"nonlinear", "autonomous", "mechanical"};
   c.stops = {1, 5, 10};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 40;
-  c.finest_steps = 5120;
-  c.evaluation_budget = 30'000;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 40;
+  c.settings.finest_steps = 5120;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth(reference, floor);
   return c;
 }

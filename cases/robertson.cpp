@@ -16,7 +16,7 @@ Case describe(const char* id, const char* title) {
   c.source = "Robertson 1966; Hairer, Wanner, Solving ODEs II, (IV.1.4)";
   c.tags = {"nonlinear", "autonomous", "stiff", "chemistry"};
   c.y0 = {1, 0, 0};
-  c.evaluation_budget = 60'000;
+  c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth("robertson", 1e-17);
   c.invariants = {{"mass", [](const double* y) { return y[0] + y[1] + y[2]; }}};
   return c;
@@ -28,13 +28,13 @@ Case describe(const char* id, const char* title) {
 std::vector<Case> robertson() {
   Case brief = describe("robertson_40", "Robertson's reactions");
   brief.stops = {4, 40};
-  brief.steps_multiple = 10;
-  brief.coarsest_steps = 1000;
-  brief.finest_steps = 16000;
+  brief.settings.steps_multiple = 10;
+  brief.settings.coarsest_steps = 1000;
+  brief.settings.finest_steps = 16000;
   set_stage(brief, Robertson{});
   Case c = describe("robertson", "Robertson's reactions to equilibrium");
   c.stops = {0.4, 40, 4e3, 4e5, 4e7, 4e9, 4e11};
-  c.no_fixed_steps =
+  c.settings.no_fixed_steps =
       "twelve decades of time: no fixed step resolves the first and reaches the last";
   set_stage(c, Robertson{});
   return {brief, c};

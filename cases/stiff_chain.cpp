@@ -45,10 +45,10 @@ std::vector<Case> stiff_chain() {
             "mechanical", "oscillatory", "stiff"};
   c.y0 = {1, 1.001, 0, 0};
   c.stops = {0.1, 1};
-  c.steps_multiple = 10;
-  c.coarsest_steps = 200;
-  c.finest_steps = 12800;
-  c.evaluation_budget = 30'000;
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 200;
+  c.settings.finest_steps = 12800;
+  c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("stiff_chain2_k1e4", 1.1e-14);
   set_stage(c, StiffChain{});
   return {c};

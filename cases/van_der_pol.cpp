@@ -16,7 +16,7 @@ Case describe(const char* id, const char* reference, const char* title, const ch
   c.tags = {"nonlinear", "autonomous", "oscillatory"};
   c.y0 = {2, 0};
   c.stops = std::move(stops);
-  c.evaluation_budget = 60'000;
+  c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth(reference, 1e-25);
   return c;
 }
@@ -30,21 +30,21 @@ constexpr const char* jumps =
 std::vector<Case> van_der_pol() {
   Case mild = describe("vdp_mu1", "vdp_mu1", "Van der Pol's oscillator",
                        "x'' = (1 - x^2) x' - x, x(0) = 2, x'(0) = 0", {1, 5, 10});
-  mild.steps_multiple = 10;
-  mild.coarsest_steps = 80;
-  mild.finest_steps = 10240;
+  mild.settings.steps_multiple = 10;
+  mild.settings.coarsest_steps = 80;
+  mild.settings.finest_steps = 10240;
   set_stage(mild, VanDerPol{});
 
   Case slow = describe("vdp_mu1000", "vdp_mu1000", "Van der Pol's oscillator, mu = 1000",
                        "x'' = 1000 (1 - x^2) x' - x, x(0) = 2, x'(0) = 0", {1000, 2000});
   slow.tags.emplace_back("stiff");
-  slow.no_fixed_steps = jumps;
+  slow.settings.no_fixed_steps = jumps;
   set_stage(slow, VanDerPol{.mu = 1000});
 
   Case stiff = describe("vdp_eps1e_6", "vdp_eps1e-6", "Van der Pol's oscillator, eps = 1e-6",
                         "1e-6 x'' = (1 - x^2) x' - x, x(0) = 2, x'(0) = 0", {1, 2});
   stiff.tags.emplace_back("stiff");
-  stiff.no_fixed_steps = jumps;
+  stiff.settings.no_fixed_steps = jumps;
   set_stage(stiff, VanDerPol{.eps = 1e-6});
   return {mild, slow, stiff};
 }

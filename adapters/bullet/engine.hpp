@@ -23,11 +23,11 @@ class Engine {
   virtual const btSoftBody& body() const = 0;
 };
 
-/// Settings of an engine's step.
+/// Settings of an engine's step. Iterations are those of Request::options; 0: Bullet's own.
 struct Plan {
   double h = 0;    ///< s
-  int sweeps = 0;  ///< Request::sweeps; 0: Bullet's own
-  int newton = 0;  ///< Request::newton; 0: Bullet's own
+  int sweeps = 0;  ///< over the constraints, or of the linear solver
+  int newton = 0;  ///< of Newton's method around it
 };
 
 /// Builds the world for a scene, a state (all positions, then all velocities) and a plan.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
 
 #include "engine.hpp"
 #include "expressible.hpp"
@@ -21,8 +22,7 @@ struct Method {
   bool our_forces;  ///< each step evaluates forces of the adapter; otherwise the engine's own
   std::string (*objection)(const scene::Scene&);
   MakeEngine make;
-  const char* sweeps;  ///< what Request::sweeps counts; empty: nothing
-  const char* newton;
+  std::map<std::string, std::string> options;
 };
 
 constexpr double no_claim = std::numeric_limits<double>::quiet_NaN();
@@ -31,26 +31,44 @@ const Method methods[] = {
     {"soft_body_force",
      "btSoftBody::predictMotion: symplectic Euler (v += h f(x, v)/m, then x += h v), the step "
      "rounded to float",
-     1, true, objection_of_forces, make_soft_body_force, "", ""},
+     1,
+     true,
+     objection_of_forces,
+     make_soft_body_force,
+     {}},
     {"soft_body_links",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST set so that one link does backward "
      "Euler at small strain; its spring law is k l (l^2 - L^2)/(l^2 + L^2), not k (l - L), and "
      "damping between free particles is left out",
-     1, false, objection_of_links, make_soft_body_links, "Gauss-Seidel sweeps over the links", ""},
+     1,
+     false,
+     objection_of_links,
+     make_soft_body_links,
+     {{"sweeps", "Gauss-Seidel sweeps over the links"}}},
     {"soft_body_links_stock",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 (the default): lengths are "
      "projected to the rest lengths, for any stiffness",
-     no_claim, false, objection_of_stock_links, make_soft_body_links_stock,
-     "Gauss-Seidel sweeps over the links", ""},
+     no_claim,
+     false,
+     objection_of_stock_links,
+     make_soft_body_links_stock,
+     {{"sweeps", "Gauss-Seidel sweeps over the links"}}},
     {"deformable_explicit",
      "btDeformableMultiBodyDynamicsWorld: v* = v + h f(x)/m, then backward Euler in the damping, "
      "then x += h v",
-     1, false, objection_of_deformable, make_deformable_explicit, "", ""},
+     1,
+     false,
+     objection_of_deformable,
+     make_deformable_explicit,
+     {}},
     {"deformable_implicit",
      "btDeformableMultiBodyDynamicsWorld, setImplicit(true): one Newton step of backward Euler, "
      "linearised at x + h v",
-     1, false, objection_of_deformable, make_deformable_implicit,
-     "limit of conjugate gradient iterations", "Newton iterations"},
+     1,
+     false,
+     objection_of_deformable,
+     make_deformable_implicit,
+     {{"sweeps", "limit of conjugate gradient iterations"}, {"newton", "Newton iterations"}}},
 };
 
 Outcome failed(Status status, std::string detail) {
@@ -107,12 +125,15 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
   if (request.steps == 0 || !grid.fits())
     return refused("needs every stop on a step of the fixed grid");
 
-  const auto count = [](std::uint64_t asked) {
-    return static_cast<int>(std::min<std::uint64_t>(asked, 1'000'000));
+  const auto count = [&](const char* option) {
+    const auto asked = request.options.find(option);
+    return asked == request.options.end()
+               ? 0
+               : static_cast<int>(std::clamp(asked->second, 0.0, 1'000'000.0));
   };
-  const auto engine = method.make(
-      scene, initial_state(scene, *contest.y0),
-      {.h = grid.h(), .sweeps = count(request.sweeps), .newton = count(request.newton)});
+  const auto engine =
+      method.make(scene, initial_state(scene, *contest.y0),
+                  {.h = grid.h(), .sweeps = count("sweeps"), .newton = count("newton")});
   const std::size_t n = contest.view.dimension;
   std::vector<double> y(n);
   Outcome outcome;
@@ -172,8 +193,7 @@ SolverInfo info_of(const Method& method) {
   info.family = "physics_engine";
   info.order = method.order;
   info.needs = "a scene";
-  info.sweeps = method.sweeps;
-  info.newton = method.newton;
+  info.options = method.options;
   info.source = std::string("Bullet 3.24, ") + method.scheme;
   return info;
 }

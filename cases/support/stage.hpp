@@ -29,10 +29,10 @@ void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = n
 
 /// A probe over a problem with variable parameters: `place(problem, scene, first, second)` sets
 /// them.
-template <Ode P, class Place>
-Probe make_probe(P problem, std::vector<double> y0, scene::Scene scene, Place place) {
+template <Ode P, class Scene, class Place>
+Probe make_probe(P problem, std::vector<double> y0, Scene scene, Place place) {
   auto movable = std::make_shared<P>(std::move(problem));
-  auto movable_scene = std::make_shared<scene::Scene>(std::move(scene));
+  auto movable_scene = std::make_shared<Scene>(std::move(scene));
   Contest<P> contest;
   contest.problem = movable;
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));

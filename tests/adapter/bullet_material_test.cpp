@@ -108,8 +108,8 @@ TEST(BulletMaterial, NewtonIterationsEndAtBackwardEulerOfACloth) {
   Request request;
   request.steps = 10;
   request.stops = {1};
-  const auto distance = [&](std::uint64_t newton) {
-    request.newton = newton;
+  const auto distance = [&](double newton) {
+    request.options = {{"newton", newton}};
     const Outcome engine = stage.solver("bullet/deformable_implicit").solve(request),
                   own = stage.solver("odeum/implicit_euler").solve(request);
     EXPECT_EQ(engine.status, Status::ok) << engine.detail;

@@ -112,7 +112,7 @@ TEST(SundialsOrder, ErrorIsControlledOnALinearProblemWithAMatrixAtEachStage) {
 
 /// The largest relative difference between two solvers' states on a case.
 double difference(const Case& c, const std::string& one, const std::string& other) {
-  const Request request = fixed(c.coarsest_steps * 4, c.stops);
+  const Request request = fixed(c.settings.coarsest_steps * 4, c.stops);
   const Outcome a = find(c.entrants, one).solve(request);
   const Outcome b = find(c.entrants, other).solve(request);
   EXPECT_EQ(a.status, Status::ok) << one << ": " << a.detail;

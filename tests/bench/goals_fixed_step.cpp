@@ -30,8 +30,8 @@ std::vector<Row> fixed_step_rows() {
     request.stops = c->stops;
     request.budget.watched = false;
     // A step at which every method is stable, as many as take some milliseconds.
-    request.steps =
-        (id == std::string("hires") ? 200'000 : 40'000) / c->steps_multiple * c->steps_multiple;
+    request.steps = (id == std::string("hires") ? 200'000 : 40'000) / c->settings.steps_multiple *
+                    c->settings.steps_multiple;
     std::vector<std::function<void()>> rivals;
     std::vector<std::string> names;
     for (const char* solver : {"odeum/rk4", "odeint/runge_kutta4", "odeint/runge_kutta4_classic"})

@@ -63,7 +63,7 @@ Stage stage_of(const Run& run) {
   const std::string id = std::string("odeum/") + run.method;
   Stage stage{find_solver(inlined_solvers(c), id), {}, 0};
   Request& request = stage.request;
-  request.stops = {c.timed_stops.empty() ? c.stops.back() : c.timed_stops.back()};
+  request.stops = {c.timed_stops().back()};
   request.mode = run.steps == 0 ? Mode::adaptive : Mode::fixed;
   request.steps = run.steps;
   request.tolerance = tolerance;

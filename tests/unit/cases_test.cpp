@@ -19,7 +19,7 @@ namespace {
 std::vector<std::pair<double, std::vector<double>>> along(const Case& c) {
   std::vector<std::pair<double, std::vector<double>>> points{{c.t0, c.y0}};
   std::vector<double> times = c.stops;
-  times.insert(times.end(), c.timed_stops.begin(), c.timed_stops.end());
+  times.insert(times.end(), c.settings.timed_stops.begin(), c.settings.timed_stops.end());
   for (const double t : times) {
     std::vector<double> y(c.y0.size());
     if (c.truth.at(t, y.data())) points.emplace_back(t, y);
@@ -183,7 +183,7 @@ TEST_P(EveryCase, InvariantsAreKeptByTheReference) {
     }
     for (const auto& [t, y] : along(c)) {
       // The state is known to its floor and rounded to double; so is the value, a sum of n terms.
-      const double floor = std::max(c.truth.floor, c.timed_floor) + 4e-16 * largest(y);
+      const double floor = std::max(c.truth.floor, c.settings.timed_floor) + 4e-16 * largest(y);
       const auto n = static_cast<double>(y.size());
       EXPECT_NEAR(value(y.data()), start, 4 * n * gradient * floor + 4e-16 * n * std::abs(start))
           << name << " at t = " << t;
@@ -199,13 +199,13 @@ TEST_P(EveryCase, StopsLieOnItsStepsAndAreKnown) {
   std::vector<double> y(c.y0.size());
   Request request;
   request.stops = c.stops;
-  request.steps = c.steps_multiple;
-  if (c.no_fixed_steps.empty()) {
+  request.steps = c.settings.steps_multiple;
+  if (c.settings.no_fixed_steps.empty()) {
     EXPECT_TRUE(FixedGrid(c.t0, request).fits());
   }
   for (const double t : c.stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
-  for (const double t : c.timed_stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
-  EXPECT_EQ(c.coarsest_steps % c.steps_multiple, 0U);
+  for (const double t : c.settings.timed_stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
+  EXPECT_EQ(c.settings.coarsest_steps % c.settings.steps_multiple, 0U);
 }
 
 std::vector<const Case*> every_case() {
@@ -291,7 +291,8 @@ TEST(Reference, IsTheTruthOfACase) {
         EXPECT_GE(1.05 * claimed, absolute > 1e-25 ? absolute : 0) << name << " at t = " << t;
       };
       granted(found->stops, found->truth.floor);
-      if (!found->timed_stops.empty()) granted(found->timed_stops, found->timed_floor);
+      if (!found->settings.timed_stops.empty())
+        granted(found->settings.timed_stops, found->settings.timed_floor);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -33,6 +34,23 @@ struct Invariant {
   std::function<double(const double* y)> value;
 };
 
+/// How studies choose the settings of their solves on a case.
+struct StudySettings {
+  /// Why no solver runs at a fixed step, and why the convergence study leaves the case out; empty
+  /// where neither holds.
+  std::string no_fixed_steps, no_convergence;
+  std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
+  std::uint64_t coarsest_steps = 16;   ///< the convergence study's smallest count for order 4
+  std::uint64_t finest_steps = 16384;  ///< and its largest, once it has eight
+  /// Where timed studies measure the error, and the truth's floor there; empty: at the case's
+  /// stops.
+  std::vector<double> timed_stops;
+  double timed_floor = 0;
+  /// What one solve may cost, in evaluations of the right-hand side and products of its derivative
+  /// with a vector, those of the problem's own solver of linear systems among them.
+  std::uint64_t evaluation_budget = 500'000;
+};
+
 /// A problem with everything needed to judge solvers on it.
 struct Case {
   std::string id;
@@ -53,20 +71,7 @@ struct Case {
   ErasedContest problem;                            ///< what the entrants are enrolled on
   std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 
-  /// Why no solver is asked to solve it at a fixed step, and why the study of convergence passes it
-  /// by; empty where they do not.
-  std::string no_fixed_steps, no_convergence;
-  /// Where timed studies measure the error, and the truth's floor there; empty: `stops`.
-  std::vector<double> timed_stops;
-  double timed_floor = 0;
-
-  std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
-  std::uint64_t coarsest_steps = 16;   ///< where a study of convergence begins
-  std::uint64_t finest_steps = 16384;  ///< and where it ends at most
-
-  /// What one solve may cost, in evaluations of the right-hand side and products of its derivative
-  /// with a vector, those of the problem's own solver of linear systems among them.
-  std::uint64_t evaluation_budget = 500'000;
+  StudySettings settings;
 
   std::vector<Entrant> entrants;
   /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe
@@ -74,6 +79,13 @@ struct Case {
   std::string plane;
   std::function<Probe()> probe;
 
+  const std::vector<double>& timed_stops() const {
+    return settings.timed_stops.empty() ? stops : settings.timed_stops;
+  }
+  /// Absolute error of the truth at the timed stops.
+  double timed_floor() const {
+    return settings.timed_stops.empty() ? truth.floor : settings.timed_floor;
+  }
   bool has_tag(const std::string& tag) const {
     return std::find(tags.begin(), tags.end(), tag) != tags.end();
   }

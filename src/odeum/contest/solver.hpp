@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cmath>
-#include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "odeum/core/outcome.hpp"
+#include "odeum/linear/dense_limit.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/extended_problem.hpp"
-#include "odeum/scene/model/scene.hpp"
 
 namespace odeum {
+
+namespace scene {
+struct Scene;
+}
 
 /// The theory behind a one-step method, where it has one: its stability function, from which
 /// limits are computed that the running code is then held to.
@@ -32,8 +35,8 @@ struct SolverInfo {
   std::string controller;       ///< adaptive: who chooses the step, in a few words
   std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
   std::string source;  ///< paper and table, or the library's documentation
-  /// What Request::sweeps and Request::newton count here, in a few words; empty: not looked at.
-  std::string sweeps, newton;
+  /// Options of its own that a Request may give values for: name, and what the value means.
+  std::map<std::string, std::string> options;
   StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
   /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
   std::function<double(double omega_h)> oscillator_amplification;
@@ -73,19 +76,6 @@ struct ErasedContest {
 template <Ode P>
 ErasedContest erase(const Contest<P>& contest) {
   return {view_of(*contest.problem), contest.problem, contest.t0, contest.y0, contest.scene};
-}
-
-/// Largest dimension for which a dense Jacobian is factorised; beyond it a solver that knows only
-/// dense matrices is over budget (726 unknowns: 0.1 s and more for each factorisation).
-inline constexpr std::size_t dense_dimension_limit = 128;
-
-/// The outcome of a solver that would have to factorise a dense matrix beyond the limit.
-inline Outcome dense_over_budget(std::size_t dimension) {
-  Outcome outcome;
-  outcome.status = Status::over_budget;
-  outcome.detail = "needs a dense Jacobian of " + std::to_string(dimension) + " unknowns (limit " +
-                   std::to_string(dense_dimension_limit) + ")";
-  return outcome;
 }
 
 }  // namespace odeum

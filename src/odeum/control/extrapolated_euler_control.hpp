@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
+#include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
 

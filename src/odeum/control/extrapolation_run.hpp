@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/extrapolation.hpp"
+#include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/control/quick_power.hpp"
+#include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/kernel/quick_power.hpp"
 
 /// The next step from the scaled error of the last one. With q the lower order of the pair the
 /// error goes as h^k, k = q + 1; 0.9 is the safety factor; h changes by a factor of 0.2 to 5 per

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "odeum/core/guard.hpp"
-#include "odeum/linear/shifted_solver.hpp"
+#include "odeum/problem/shifted_solver.hpp"
 
 namespace odeum {
 

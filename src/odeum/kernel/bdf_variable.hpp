@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/difference_history.hpp"
+#include "odeum/kernel/quick_power.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
 namespace odeum {

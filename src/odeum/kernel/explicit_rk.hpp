@@ -4,7 +4,7 @@
 #include <concepts>
 #include <utility>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/tableau/tableau.hpp"
 

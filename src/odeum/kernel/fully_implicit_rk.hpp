@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "odeum/contest/solver.hpp"
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/stage_system.hpp"
+#include "odeum/linear/dense_limit.hpp"
 
 namespace odeum {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/tableau/nystroem.hpp"
 

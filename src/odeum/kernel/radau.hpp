@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "odeum/control/predictive.hpp"
-#include "odeum/control/quick_power.hpp"
 #include "odeum/kernel/collocation_guess.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
+#include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <utility>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/tableau/splitting.hpp"
 

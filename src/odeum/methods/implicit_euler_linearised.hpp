@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 

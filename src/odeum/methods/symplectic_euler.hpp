@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
 
 namespace odeum::methods {

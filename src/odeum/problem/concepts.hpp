@@ -89,7 +89,7 @@ concept SecondOrder = Ode<P> &&
 template <class P>
 concept Separable = SecondOrder<P> && !P::velocity_dependent;
 
-/// Offers its own solver of (I - gamma_h J) x = r, see linear/shifted_solver.hpp: a pointer, null
+/// Offers its own solver of (I - gamma_h J) x = r, see problem/shifted_solver.hpp: a pointer, null
 /// where it has none.
 template <class P>
 concept WithShiftedSolver = Ode<P> && requires(const P& p) {

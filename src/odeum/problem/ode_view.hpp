@@ -22,7 +22,7 @@ struct OdeView {
   void (*time_derivative)(const void* problem, double t, const double* y, double* dfdt) = nullptr;
 
   /// The problem's own solver of (I - gamma_h J) x = r, owned by the caller; see
-  /// linear/shifted_solver.hpp.
+  /// problem/shifted_solver.hpp.
   ShiftedSolver* (*shifted_solver)(const void* problem) = nullptr;
 
   /// The coefficients of the solution's Taylor series at (t, y), see WithTaylorSeries.

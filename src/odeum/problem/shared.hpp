@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
+#include "odeum/problem/shifted_solver.hpp"
 
 /// Problems behind function pointers that fulfil the concepts again: every case is run as one of
 /// three types, so that methods, own and peers', are compiled for these three and not for every

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/problem/function_problem.hpp"
 #include "odeum/tableau/interpreter.hpp"
 

@@ -23,10 +23,8 @@ void describe(ReportData& data, const std::vector<Case>& cases,
                           .source = c.source,
                           .truth = c.truth.source,
                           .truth_floor = c.truth.floor,
-                          .timed_floor = c.timed_stops.empty() ? c.truth.floor : c.timed_floor,
-                          .timed_end = c.timed_stops.empty()
-                                           ? c.stops.empty() ? c.t0 : c.stops.back()
-                                           : c.timed_stops.back(),
+                          .timed_floor = c.timed_floor(),
+                          .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
                           .scale = scale > 0 ? scale : 1,
                           .tags = c.tags});
     for (const Entrant& entrant : c.entrants)

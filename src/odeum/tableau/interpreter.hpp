@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/linear/dense_lu.hpp"
 #include "odeum/problem/function_problem.hpp"
 #include "odeum/tableau/dynamic_tableau.hpp"

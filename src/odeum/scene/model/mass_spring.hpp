@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/shifted_solver.hpp"
 #include "odeum/scene/model/scene.hpp"
 #include "odeum/scene/springs/spring_grid.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/linear/shifted_solver.hpp"
+#include "odeum/problem/shifted_solver.hpp"
 #include "odeum/scene/model/description.hpp"
 #include "odeum/scene/model/mass_spring.hpp"
 #include "odeum/scene/model/terms.hpp"

@@ -69,9 +69,9 @@ void judge_row(const std::vector<judge::StopError>& errors, ConvergenceRow& row)
 /// Why there is nothing to measure; empty: there is.
 const std::string& reason_against(const Pair& pair) {
   if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
-  if (!pair.c->no_convergence.empty()) return pair.c->no_convergence;
+  if (!pair.c->settings.no_convergence.empty()) return pair.c->settings.no_convergence;
   static const std::string none;
-  return pair.mode == Mode::fixed ? pair.c->no_fixed_steps : none;
+  return pair.mode == Mode::fixed ? pair.c->settings.no_fixed_steps : none;
 }
 
 ConvergenceResult not_applicable(const Pair& pair, const std::string& reason) {

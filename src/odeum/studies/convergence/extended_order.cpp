@@ -53,9 +53,10 @@ std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t ro
   std::vector<judge::ErrorPoint> points;
   for (int k = 0; k < 7; ++k) {
     const double wanted = 0.65 * static_cast<double>(rounding_steps) * std::pow(1.13, k);
-    const auto units = std::llround(wanted / static_cast<double>(c.steps_multiple));
-    points.push_back(measure(c, pair.entrant->extended,
-                             c.steps_multiple * static_cast<std::uint64_t>(std::max(units, 1LL))));
+    const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
+    points.push_back(
+        measure(c, pair.entrant->extended,
+                c.settings.steps_multiple * static_cast<std::uint64_t>(std::max(units, 1LL))));
   }
   const double claimed = pair.entrant->info.order;
   return judge::fit_order(points, claimed, judge::fixed_step_tolerance(claimed));

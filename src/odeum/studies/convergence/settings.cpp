@@ -18,14 +18,17 @@ std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) 
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
   const int count = p <= 2 ? 11 : p <= 4 ? 16 : p < 8 ? 20 : 23;
-  const double start = static_cast<double>(c.coarsest_steps) / (p <= 4 ? 1 : p < 8 ? 2 : 4);
+  const double start = static_cast<double>(c.settings.coarsest_steps) / (p <= 4  ? 1
+                                                                         : p < 8 ? 2
+                                                                                 : 4);
   std::vector<std::uint64_t> ladder;
   for (int k = 0; k < count; ++k) {
     const double wanted = start * std::pow(ratio, k);
     if (quick && p > 2 && k % 2 == 1) continue;
-    const auto units = std::llround(wanted / static_cast<double>(c.steps_multiple));
-    const std::uint64_t steps = static_cast<std::uint64_t>(std::max(units, 1LL)) * c.steps_multiple;
-    if (steps > c.finest_steps && ladder.size() >= 8) break;
+    const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
+    const std::uint64_t steps =
+        static_cast<std::uint64_t>(std::max(units, 1LL)) * c.settings.steps_multiple;
+    if (steps > c.settings.finest_steps && ladder.size() >= 8) break;
     if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
   }
   const std::size_t most = quick ? 6 : shows_orders(c) ? ladder.size() : 8;
@@ -40,7 +43,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
   Request request;
   request.mode = pair.mode;
   request.stops = pair.c->stops;
-  request.budget.evaluations = pair.c->evaluation_budget;
+  request.budget.evaluations = pair.c->settings.evaluation_budget;
   const bool many = pair.c->y0.size() > dense_dimension_limit;
   if (!shows_orders(*pair.c))
     request.budget.evaluations = std::min(request.budget.evaluations, hard_budget);
@@ -68,14 +71,14 @@ namespace {
 std::vector<Request> settings_between(const Case& c, Request request,
                                       const std::vector<std::uint64_t>& steps) {
   std::vector<Request> requests;
-  const auto multiple = static_cast<double>(c.steps_multiple);
+  const auto multiple = static_cast<double>(c.settings.steps_multiple);
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
     const auto coarse = static_cast<double>(steps[i]), fine = static_cast<double>(steps[i + 1]);
     request.steps = steps[i];
     for (const double share : {0.25, 0.5, 0.75}) {
       const double wanted = coarse * std::pow(fine / coarse, share);
       const auto between =
-          c.steps_multiple * static_cast<std::uint64_t>(std::llround(wanted / multiple));
+          c.settings.steps_multiple * static_cast<std::uint64_t>(std::llround(wanted / multiple));
       if (between <= request.steps || between >= steps[i + 1]) continue;
       request.steps = between;
       requests.push_back(request);
@@ -87,11 +90,12 @@ std::vector<Request> settings_between(const Case& c, Request request,
 // Finer ones, at a larger budget.
 std::vector<Request> settings_beyond(const Case& c, Request request) {
   std::vector<Request> requests;
-  const auto units = static_cast<double>(request.steps) / static_cast<double>(c.steps_multiple);
+  const auto units =
+      static_cast<double>(request.steps) / static_cast<double>(c.settings.steps_multiple);
   request.budget.evaluations *= 3;
   for (int k = 1; k <= 4; ++k) {
-    request.steps =
-        c.steps_multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
+    request.steps = c.settings.steps_multiple *
+                    static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
     requests.push_back(request);
   }
   return requests;

@@ -23,7 +23,7 @@ struct Watch {
   explicit Watch(const Case& each)
       : c(each), kept(kept_quantities(each)), motion(harmonic_motion(each)) {
     const std::uint64_t steps = c.y0.size() > 12 ? 1'000 : 10'000;
-    step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.coarsest_steps));
+    step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.settings.coarsest_steps));
     request.steps = steps;
     // Eight times a decade: a law of growth is a straight line over the logarithm of time.
     std::uint64_t last = 0;
@@ -50,7 +50,7 @@ DriftRow blank_row(const Watch& watch, const SolverInfo& info) {
 std::string reason_against(const Watch& watch, const Entrant& entrant) {
   if (!entrant.unfit.empty()) return entrant.unfit;
   if (watch.kept.empty()) return "the exact solution of the case keeps nothing that is known";
-  if (!watch.c.no_fixed_steps.empty()) return watch.c.no_fixed_steps;
+  if (!watch.c.settings.no_fixed_steps.empty()) return watch.c.settings.no_fixed_steps;
   return entrant.info.fixed ? "" : "chooses its own steps only";
 }
 

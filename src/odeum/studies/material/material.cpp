@@ -39,8 +39,7 @@ Run run(const Specimen& specimen, const SceneStage& stage, const Entrant& entran
         const Iterations& iterations, std::uint64_t steps, std::uint64_t kept) {
   Request request;
   request.steps = steps;
-  request.sweeps = iterations.sweeps;
-  request.newton = iterations.newton;
+  iterations.ask(request);
   for (std::uint64_t i = steps - kept + 1; i <= steps; ++i)
     request.stops.push_back(static_cast<double>(i) * step);
   request.budget.evaluations = 1'000 * steps;
@@ -222,8 +221,8 @@ std::vector<MaterialRow> measure_responses(const MaterialOptions& options) {
       // As it comes is one sweep, or Newton's one iteration.
       for (const std::uint64_t count : counts) {
         // Conjugate gradients are done after as many iterations as there are masses.
-        const bool newton = !info.newton.empty();
-        if (!info.sweeps.empty() && (newton ? count < 2 * specimen.masses : count > 1))
+        const bool newton = info.options.contains("newton");
+        if (info.options.contains("sweeps") && (newton ? count < 2 * specimen.masses : count > 1))
           tasks.push_back({specimen, id, {.sweeps = count}, {}});
         if (newton && count == 4) tasks.push_back({specimen, id, {.newton = count}, {}});
       }

@@ -32,9 +32,13 @@ struct SceneStage {
   std::vector<Entrant> entrants;
 };
 
-/// How many iterations a step is given, see Request.
+/// How many iterations a step is given, by the options of these names; 0: as the engine has it.
 struct Iterations {
   std::uint64_t sweeps = 0, newton = 0;
+  void ask(Request& request) const {
+    if (sweeps > 0) request.options["sweeps"] = static_cast<double>(sweeps);
+    if (newton > 0) request.options["newton"] = static_cast<double>(newton);
+  }
 };
 
 /// Lets the specimen settle under gravity, then swing in its slowest mode, at steps of about `step`

@@ -113,10 +113,10 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
     plan.order = std::isfinite(info.order) ? info.order : 1;
     plan.tried = {{}};
     plan.converged = plan.half = {};
-    if (!info.newton.empty()) {  // sweeps as they come are converged, see the adapter
+    if (info.options.contains("newton")) {  // sweeps as they come are converged, see the adapter
       plan.tried = {{.sweeps = 1}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {}};
       plan.converged = {.newton = 4}, plan.half = {.newton = 2};
-    } else if (!info.sweeps.empty()) {
+    } else if (info.options.contains("sweeps")) {
       plan.tried = {
           {}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {.sweeps = 16}, {.sweeps = 32}};
       plan.converged = {.sweeps = 64}, plan.half = {.sweeps = 32};
@@ -132,8 +132,7 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
       Request request;
       request.steps = steps;
       request.stops = {task.plan.time};
-      request.sweeps = iterations.sweeps;
-      request.newton = iterations.newton;
+      iterations.ask(request);
       request.budget.evaluations = 10'000 * steps;
       Outcome outcome = task.entrant->solve(request);
       reason = outcome.detail;

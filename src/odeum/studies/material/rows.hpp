@@ -22,8 +22,8 @@ struct MaterialRow {
   /// A Status, `unstable`, `not_applicable`, or `unmeasured` where it ran but numbers are missing.
   std::string status, detail;
   double step = not_measured;                 ///< s
-  std::uint64_t sweeps = 0;                   ///< Request::sweeps; 0: as it comes
-  std::uint64_t newton = 0;                   ///< Request::newton; 0: as it comes
+  std::uint64_t sweeps = 0;                   ///< option of the engine; 0: its own
+  std::uint64_t newton = 0;                   ///< option of the engine; 0: its own
   double phase = not_measured;                ///< step times the slowest mode's frequency, radians
   double resting = not_measured;              ///< stiffness shown at rest under gravity / nominal
   double vibrating = not_measured;            ///< stiffness shown by the slowest mode / nominal

@@ -48,10 +48,7 @@ struct Stage {
   judge::Judge judge;
 
   explicit Stage(const Case& each)
-      : c(each),
-        stops(each.timed_stops.empty() ? each.stops : each.timed_stops),
-        floor(each.timed_stops.empty() ? each.truth.floor : each.timed_floor),
-        judge(each, stops) {}
+      : c(each), stops(each.timed_stops()), floor(each.timed_floor()), judge(each, stops) {}
 
   /// How much longer the horizon is than that of other studies.
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
@@ -61,7 +58,7 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) 
   std::vector<Request> requests;
   Request request;
   request.stops = stage.stops;
-  request.budget.evaluations = stage.c.evaluation_budget;
+  request.budget.evaluations = stage.c.settings.evaluation_budget;
   const bool many = stage.c.y0.size() > dense_dimension_limit;
   request.budget.evaluations =
       many ? request.budget.evaluations / 8
@@ -79,11 +76,11 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) 
     }
     return requests;
   }
-  const double coarsest = static_cast<double>(stage.c.coarsest_steps) * stage.stretch();
+  const double coarsest = static_cast<double>(stage.c.settings.coarsest_steps) * stage.stretch();
   for (int k = 0; k < 8; ++k) {
     const auto units =
-        std::ceil(std::ldexp(coarsest, k) / static_cast<double>(stage.c.steps_multiple));
-    request.steps = static_cast<std::uint64_t>(units) * stage.c.steps_multiple;
+        std::ceil(std::ldexp(coarsest, k) / static_cast<double>(stage.c.settings.steps_multiple));
+    request.steps = static_cast<std::uint64_t>(units) * stage.c.settings.steps_multiple;
     requests.push_back(request);
   }
   return requests;
@@ -127,7 +124,7 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
 void run_guarded(const Stage& stage, Contender& contender, double seconds) {
   const Entrant& entrant = *contender.entrant;
   const std::string& reason = entrant.unfit.empty() && contender.mode == Mode::fixed
-                                  ? stage.c.no_fixed_steps
+                                  ? stage.c.settings.no_fixed_steps
                                   : entrant.unfit;
   if (!reason.empty()) {
     Trial& trial = contender.trials.emplace_back();
@@ -190,8 +187,8 @@ void time_all(const Stage& stage, std::vector<Contender>& contenders, double sec
 /// be the faster way: on smooth problems of few unknowns.
 bool runs(const Case& c, const SolverInfo& info, Mode mode) {
   if (mode == Mode::adaptive) return info.adaptive;
-  const bool worth =
-      c.y0.size() <= dense_dimension_limit && c.no_fixed_steps.empty() && !c.has_tag("stiff");
+  const bool worth = c.y0.size() <= dense_dimension_limit && c.settings.no_fixed_steps.empty() &&
+                     !c.has_tag("stiff");
   return info.fixed && (!info.adaptive || worth);
 }
 
@@ -260,7 +257,7 @@ PrecisionResult measure_precision(const PrecisionOptions& options) {
   Progress progress("precision", static_cast<double>(cases.size()));
   for (const Case* c : cases) {
     std::vector<PrecisionRow> rows = measure_case(*c, options);
-    const double floor = c->timed_stops.empty() ? c->truth.floor : c->timed_floor;
+    const double floor = c->timed_floor();
     for (PrecisionSummary& line : summarise(rows, floor)) result.summary.push_back(std::move(line));
     std::move(rows.begin(), rows.end(), std::back_inserter(result.rows));
     progress.advance();

@@ -62,7 +62,7 @@ void add_earlier(PrecisionResult& result, const std::vector<PrecisionRow>& earli
   for (const Case& c : cases) {
     const auto found = by_case.find(c.id);
     if (found == by_case.end() || measured.contains(c.id)) continue;
-    const double floor = c.timed_stops.empty() ? c.truth.floor : c.timed_floor;
+    const double floor = c.timed_floor();
     for (PrecisionSummary& line : summarise(found->second, floor))
       result.summary.push_back(std::move(line));
     std::move(found->second.begin(), found->second.end(), std::back_inserter(result.rows));

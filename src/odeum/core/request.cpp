@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/core/outcome.hpp"
+#include "odeum/core/request.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+
+namespace odeum {
+
+/// A problem's own way to solve (I - gamma_h J(t, y)) x = r, behind function pointers. One object
+/// belongs to one solve and keeps its factors between calls.
+class ShiftedSolver {
+ public:
+  virtual ~ShiftedSolver() = default;
+  /// Evaluates J at (t, y) and factorises; false where the matrix is singular or not finite.
+  virtual bool factorise(double t, const double* y, double gamma_h) = 0;
+  /// Overwrites x = r by the solution: the residual is at most `relative` times r for an iterative
+  /// solver, of the size of rounding for a direct one.
+  virtual bool solve(double* x, double relative) = 0;
+  static constexpr double exact = 1e-12;  ///< for solutions without a later correction
+  /// Products with a matrix of J's sparsity by all solves so far; 0 for a direct solver.
+  virtual std::uint64_t products() const { return 0; }
+};
+
+}  // namespace odeum
