@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/report/page.hpp"
+#include "odeum/report/old_page.hpp"
 #include "support/report_fixture.hpp"
 #include "support/temporary_folder.hpp"
 

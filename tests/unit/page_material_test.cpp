@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "odeum/report/page.hpp"
+#include "odeum/report/old_page.hpp"
 #include "support/report_fixture.hpp"
 #include "support/temporary_folder.hpp"
 

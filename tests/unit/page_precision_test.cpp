@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "odeum/record/csv_reader.hpp"
-#include "odeum/report/page.hpp"
+#include "odeum/report/old_page.hpp"
 #include "odeum/report/solver_groups.hpp"
 #include "odeum/studies/precision/speed_diagram.hpp"
 #include "support/report_fixture.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/page.hpp"
+#include "odeum/report/old_page.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

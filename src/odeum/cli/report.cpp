@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/report/page.hpp"
+#include "odeum/report/old_page.hpp"
 #include "odeum/report/summary.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum_build_info.hpp"
@@ -79,7 +79,7 @@ void run(const Options& options) {
   write_csv(data.stability, folder);
   write_csv(data.proofs, folder);
   if (!options.quick) write_csv(data.material, folder);
-  report::describe(data, all_cases(), all_libraries());
+  static_cast<report::Facts&>(data) = report::describe(all_cases(), all_libraries());
   data.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::write_page(data, folder);
   converged.finish();

@@ -3,151 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <thread>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/manifest.hpp"
-#include "odeum/report/page_sections.hpp"
-#include "odeum/report/summary.hpp"
+#include "odeum/report/markdown.hpp"
 #include "odeum/report/texts.hpp"
 
 namespace odeum::report {
 namespace {
 
-constexpr char mark_begin = '\x01', mark_end = '\x02';
-
-std::string image_html(const Picture& picture, const std::string& image, const std::string& file,
-                       const std::string& description) {
-  if (image.empty()) return "<p class=\"missing\">not drawn</p>";
-  if (picture.kind == Picture::Kind::svg) return tidy_svg(image, description);
-  // Lazily: there are hundreds, each a file.
-  return fmt::format("<img loading=\"lazy\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">",
-                     picture.width, picture.height, escape(description), as_address(file));
+/// A name that `taken` does not hold: `stem`, or `stem` and a number.
+std::string unused_name(std::set<std::string>& taken, const std::string& stem,
+                        const std::string& extension) {
+  std::string name = stem + extension;
+  for (int number = 2; !taken.insert(name).second; ++number)
+    name = fmt::format("{}_{}{}", stem, number, extension);
+  return name;
 }
 
-// What the page and the manifest say about the pictures.
-std::string plots_text(const Rendering& rendering) {
-  if (rendering.images.empty()) return "none to draw";
-  if (rendering.problem.empty()) return "drawn by gnuplot " + rendering.version;
-  return (rendering.version.empty() ? "no plots: " : "some plots are missing: ") +
-         rendering.problem;
-}
-
-}  // namespace
-
-std::string PictureBook::add(Picture picture, std::string description, const std::string& stem) {
-  std::string file;
-  if (picture.kind == Picture::Kind::png) {
-    file = stem + ".png";
-    for (int number = 2; !taken_.insert(file).second; ++number)
-      file = fmt::format("{}_{}.png", stem, number);
-  }
-  files_.push_back(std::move(file));
-  pictures_.push_back(std::move(picture));
-  descriptions_.push_back(std::move(description));
-  return fmt::format("{}{}{}", mark_begin, pictures_.size() - 1, mark_end);
-}
-
-std::string PictureBook::fill(const std::string& html) const {
-  std::string filled;
-  std::size_t begin = 0;
-  for (std::size_t at; (at = html.find(mark_begin, begin)) != std::string::npos;) {
-    const auto end = html.find(mark_end, at);
-    const std::size_t i = std::stoul(html.substr(at + 1, end - at - 1));
-    filled.append(html, begin, at - begin);
-    filled += image_html(pictures_[i], rendering_.images[i], files_[i], descriptions_[i]);
-    begin = end + 1;
-  }
-  return filled.append(html, begin);
-}
-
-void PictureBook::write_files(const record::OutputFolder& folder) const {
-  for (std::size_t i = 0; i < pictures_.size(); ++i)
-    if (!files_[i].empty() && !rendering_.images[i].empty())
-      folder.write(files_[i], rendering_.images[i]);
-}
-
-Lookup::Lookup(const ReportData& data) {
-  const auto key = [](const auto& row) {
-    return Key(row.case_id, row.library + "/" + row.solver, row.mode);
-  };
-  for (const auto& row : data.convergence.orders) orders_[key(row)] = &row;
-  for (const auto& row : data.convergence.rows) rows_[key(row)].push_back(&row);
-  for (const auto& row : data.convergence.times) times_[key(row)].push_back(&row);
-}
-
-const study::OrderRow* Lookup::order(const std::string& case_id, const SolverInfo& solver,
-                                     Mode mode) const {
-  const auto found = orders_.find(Key(case_id, solver.id(), mode));
-  return found == orders_.end() ? nullptr : found->second;
-}
-
-const Lookup::Rows<study::ConvergenceRow>& Lookup::rows(const std::string& case_id,
-                                                        const SolverInfo& solver, Mode mode) const {
-  static const Rows<study::ConvergenceRow> none;
-  const auto found = rows_.find(Key(case_id, solver.id(), mode));
-  return found == rows_.end() ? none : found->second;
-}
-
-const Lookup::Rows<study::TimeRow>& Lookup::times(const std::string& case_id,
-                                                  const SolverInfo& solver, Mode mode) const {
-  static const Rows<study::TimeRow> none;
-  const auto found = times_.find(Key(case_id, solver.id(), mode));
-  return found == times_.end() ? none : found->second;
-}
-
-std::string file_stem(std::string_view text) {
-  std::string stem;
-  for (const char c : text.substr(0, 80)) {
-    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '-' || c == '_';
-    stem += kept ? c : '_';
-  }
-  return stem.empty() ? "_" : stem;
-}
-
-std::string PageContext::case_address(std::size_t index) const {
-  return as_address(case_files[index]);
-}
-
-std::string verdict_bar(const VerdictCounts& counts) {
-  std::string bar;
-  for (const VerdictStyle& style : verdict_styles)
-    if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
-        count > 0 && style.verdict != judge::Verdict::not_applicable)
-      bar += fmt::format("<i class=\"{}\" style=\"flex-grow:{}\"></i>", to_string(style.verdict),
-                         count);
-  return "<span class=\"bar\" aria-hidden=\"true\">" + bar + "</span>";
-}
-
-std::string verdict_words(const VerdictCounts& counts) {
-  std::string words;
-  for (const VerdictStyle& style : verdict_styles)
-    if (const std::size_t count = counts[static_cast<std::size_t>(style.verdict)];
-        count > 0 && style.verdict != judge::Verdict::not_applicable)
-      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, to_string(style.verdict));
-  return words.empty() ? "not run" : words;
-}
-
-std::string verdict_chip(judge::Verdict verdict) {
-  return fmt::format("<span class=\"chip {0}\">{1} {0}</span>", to_string(verdict),
-                     style_of(verdict).glyph);
-}
-
-std::string legend(const Panel& panel, const std::vector<bool>& shown) {
-  std::string html = "<ul class=\"legend\">";
-  for (std::size_t i = 0; i < panel.solvers.size(); ++i)
-    if (shown[i])
-      html += fmt::format(
-          "<li><svg viewBox=\"-9 -5 18 10\" style=\"color:var(--s{0})\" aria-hidden=\"true\">"
-          "<path d=\"M-9 0H9\" stroke=\"currentColor\"/><use href=\"#m{0}\"/></svg>{1}</li>",
-          i, escape(panel.solvers[i]->method));
-  return html + "</ul>";
-}
-
-namespace {
-
-// A whole page around its header and main part.
 std::string document(const std::string& title, const std::string& header, const std::string& main) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -157,43 +33,113 @@ std::string document(const std::string& title, const std::string& header, const 
       escape(title), page_style(), marker_symbols(), header, main);
 }
 
-std::vector<std::string> name_case_files(const std::vector<CaseFacts>& cases) {
-  std::vector<std::string> files;
-  std::set<std::string> taken;
-  for (const CaseFacts& c : cases) {
-    const std::string stem = "cases/" + file_stem(c.id);
-    std::string file = stem + ".html";
-    for (int number = 2; !taken.insert(file).second; ++number)
-      file = fmt::format("{}_{}.html", stem, number);
-    files.push_back(std::move(file));
-  }
-  return files;
+std::vector<Section> in_order(std::vector<Section> sections) {
+  std::stable_sort(sections.begin(), sections.end(),
+                   [](const Section& a, const Section& b) { return a.place < b.place; });
+  return sections;
+}
+
+std::string links_to(const std::vector<Section>& sections) {
+  std::string links;
+  for (const Section& section : sections)
+    links += fmt::format("<a href=\"#{}\">{}</a>", section.id,
+                         escape(section.short_title.empty() ? section.title : section.short_title));
+  return links;
+}
+
+std::string html_of(const std::vector<Section>& sections) {
+  std::string html;
+  for (const Section& section : sections)
+    html += fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", section.id,
+                        escape(section.title), section.html);
+  return html;
+}
+
+// From case to case and back to the whole, in the order of index.html.
+std::string neighbours(const std::vector<CaseFacts>& cases, std::size_t index) {
+  const auto link = [&](std::size_t i, const char* arrow) {
+    return fmt::format("<a href=\"../{}\">{}{}</a>", as_address(cases[i].file), arrow,
+                       escape(cases[i].id));
+  };
+  std::string html = "<nav><a href=\"../index.html\">Odeum report</a>";
+  if (index > 0) html += link(index - 1, "← ");
+  if (index + 1 < cases.size()) html += link(index + 1, "→ ");
+  return html + "</nav>\n";
 }
 
 }  // namespace
 
-void write_page(const ReportData& data, const record::OutputFolder& folder) {
-  PageContext page{.data = data,
-                   .folder = folder,
-                   .lookup = Lookup(data),
-                   .panels = make_panels(data.solvers),
-                   .case_files = name_case_files(data.cases),
-                   .pictures = {}};
-  const std::string body = overview_section(page) + precision_section(page) + orders_section(page) +
-                           stability_section(page) + hard_cases_section(page) +
-                           material_section(page) + proofs_section(page) + verdicts_section(page) +
-                           skipped_section(page) + findings_section();
-  std::vector<std::string> bodies;
-  for (std::size_t i = 0; i < data.cases.size(); ++i) bodies.push_back(case_body(page, i));
-  page.pictures.draw(std::max(1U, std::thread::hardware_concurrency()));
-  const std::string plots = plots_text(page.pictures.rendering());
-  page.pictures.write_files(folder);
-  for (std::size_t i = 0; i < data.cases.size(); ++i)
-    folder.write(page.case_files[i],
-                 document(data.cases[i].id + " – Odeum report", "", page.pictures.fill(bodies[i])));
-  folder.write("manifest.json", manifest_json(data, plots));  // first: the page links to it
-  folder.write("index.html",
-               document("Odeum report", head_section(page, plots), page.pictures.fill(body)));
+Page::Page(Facts facts, const record::OutputFolder& folder)
+    : facts_(std::move(facts)),
+      folder_(folder),
+      case_parts_(facts_.cases.size()),
+      case_facts_(facts_.cases.size()) {
+  std::set<std::string> taken;
+  for (CaseFacts& c : facts_.cases)
+    c.file = unused_name(taken, "cases/" + file_stem(c.id), ".html");
+}
+
+void Page::case_part(std::size_t index, Section part) {
+  case_parts_.at(index).push_back(std::move(part));
+}
+
+void Page::case_fact(std::size_t index, std::string_view name, std::string_view markup) {
+  case_facts_.at(index) += fmt::format("<dt>{}</dt><dd>{}</dd>", escape(name), markup);
+}
+
+std::string Page::picture(const std::string& stem, std::string_view png,
+                          std::string_view description, std::string_view attributes) {
+  const std::string file = unused_name(pictures_, stem, ".png");
+  folder_.write(file, png);
+  // Lazily: there are hundreds, each a file.
+  return fmt::format("<img loading=\"lazy\" alt=\"{}\" src=\"{}\"{}>", escape(description),
+                     as_address(file), attributes);
+}
+
+void Page::count_row(const std::string& status, const std::string& reason) {
+  ++statuses_[status];
+  if (!reason.empty()) ++reasons_[reason];
+}
+
+void Page::manifest(const std::string& key, const nlohmann::ordered_json& value) {
+  manifest_[key] = value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string Page::case_page(std::size_t index) const {
+  const CaseFacts& c = facts_.cases[index];
+  const std::vector<Section> parts = in_order(case_parts_[index]);
+  const std::string floor =
+      c.truth_floor > 0 ? fmt::format(" (known to {})", show_number(c.truth_floor)) : "";
+  return document(
+      c.id + " – Odeum report", "",
+      neighbours(facts_.cases, index) +
+          fmt::format("<h1>{}</h1>\n<p class=\"lead\"><code>{}</code></p>\n<dl class=\"facts\">"
+                      "<dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
+                      "<dt>Truth</dt><dd>{}{}</dd>{}</dl>\n<nav>{}</nav>\n",
+                      escape(c.title), escape(c.id), escape(c.equation), escape(c.source),
+                      escape(c.truth), floor, case_facts_[index], links_to(parts)) +
+          html_of(parts));
+}
+
+std::string Page::index_page(const RunFacts& run) const {
+  const std::vector<Section> sections = in_order(sections_);
+  const std::string nav =
+      "<nav>" + links_to(sections) + "<a href=\"#findings\">Findings</a></nav>\n";
+  return document("Odeum report", header(run, nav),
+                  html_of(sections) + "<section id=\"findings\" class=\"prose\">\n" +
+                      markdown_to_html(findings()) + "</section>\n");
+}
+
+void Page::write(const RunFacts& run) {
+  for (std::size_t i = 0; i < facts_.cases.size(); ++i)
+    folder_.write(facts_.cases[i].file, case_page(i));
+  folder_.write("manifest.json", manifest_text(run));  // first: index.html links to it
+  folder_.write("index.html", index_page(run));
+}
+
+std::string case_link(const CaseFacts& c, std::string_view section) {
+  return fmt::format("<a href=\"{}{}{}\"><code>{}</code></a>", as_address(c.file),
+                     section.empty() ? "" : "#", section, escape(c.id));
 }
 
 }  // namespace odeum::report

@@ -1,16 +1,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <chrono>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "odeum/record/output_folder.hpp"
-#include "odeum/report/report_data.hpp"
+#include "odeum/report/facts.hpp"
+#include "odeum/report/table.hpp"
 
 namespace odeum::report {
 
-/// Writes index.html, a page for each case in cases/, the pictures of stability/, and
-/// manifest.json beside the CSV files, which are there already. The folder stands alone: no
-/// scripts, nothing from elsewhere, addresses relative, so that it may be moved and opened from a
-/// disk. The names that the pages show may be anybody's text. Pictures are drawn by gnuplot;
-/// without it the page is written all the same, and says so, as the manifest does. Throws
-/// FileError.
-void write_page(const ReportData& data, const record::OutputFolder& folder);
+/// A part of a page: a heading and what follows it.
+struct Section {
+  std::string id;                ///< what a link goes to: letters, digits and -
+  std::string title;             ///< a text
+  int place = 500;               ///< sections stand in rising order of it
+  std::string html;              ///< escaped by whoever made it
+  std::string short_title = {};  ///< in the navigation; empty: the title
+};
+
+/// What the page and the manifest say about the run as a whole.
+struct RunFacts {
+  std::string command_line;
+  bool quick = false;
+  double seconds = 0;  ///< how long the studies took
+  std::chrono::system_clock::time_point finished = std::chrono::system_clock::now();
+};
+
+/// The report: index.html, a page for each case in cases/, and manifest.json, beside the CSV files
+/// that are there already. Studies hand in their parts, in any order; `write` puts them together.
+/// The folder stands alone: no scripts, nothing from elsewhere, addresses relative, so that it may
+/// be moved and opened from a disk.
+class Page {
+ public:
+  Page(Facts facts, const record::OutputFolder& folder);
+
+  const Facts& facts() const { return facts_; }
+  void section(Section section) { sections_.push_back(std::move(section)); }
+  /// A section of the page of case number `index`.
+  void case_part(std::size_t index, Section part);
+  /// A line among the facts that begin the page of a case.
+  void case_fact(std::size_t index, std::string_view name, std::string_view markup);
+  /// Markup under the title of index.html, and under "How to read it".
+  void headline(std::string_view markup) { headline_ += markup; }
+  void guide(std::string_view markup) { guide_ += markup; }
+  /// Writes a picture that lies in a file, `stem` and a number where that is taken; its <img>.
+  std::string picture(const std::string& stem, std::string_view png, std::string_view description,
+                      std::string_view attributes = {});
+  /// Counts a row of data by its status; of rows that do not apply, by `reason` too where given.
+  void count_row(const std::string& status, const std::string& reason = {});
+  /// An entry of manifest.json.
+  void manifest(const std::string& key, const nlohmann::ordered_json& value);
+
+  /// Throws FileError.
+  void write(const RunFacts& run);
+
+ private:
+  std::string case_page(std::size_t index) const;
+  std::string index_page(const RunFacts& run) const;
+  std::string header(const RunFacts& run, const std::string& navigation) const;
+  std::string manifest_text(const RunFacts& run) const;
+
+  Facts facts_;
+  const record::OutputFolder& folder_;
+  std::vector<Section> sections_;
+  std::vector<std::vector<Section>> case_parts_;
+  std::vector<std::string> case_facts_;
+  std::string headline_, guide_;
+  std::map<std::string, std::size_t> statuses_, reasons_;
+  std::map<std::string, std::string> manifest_;  // JSON by key
+  std::set<std::string> pictures_;               // names of their files
+};
+
+/// A link from index.html to the page of a case, or to a section of it.
+std::string case_link(const CaseFacts& c, std::string_view section = {});
+
+/// The model of this machine's processor; "unknown" where the system does not tell.
+std::string cpu_model();
+
+/// A time as ISO 8601, UTC, to the second.
+std::string utc_text(std::chrono::system_clock::time_point time);
 
 }  // namespace odeum::report

@@ -105,10 +105,6 @@ std::string verdicts_section(const PageContext& page);
 std::string skipped_section(const PageContext& page);
 std::string findings_section();
 
-/// Text as part of a file name: letters, digits, - and _, whatever it was.
-std::string file_stem(std::string_view text);
-/// "✓ confirmed" as a coloured chip.
-std::string verdict_chip(judge::Verdict verdict);
 /// The legend of a panel: marker, colour and name of the solvers for which `shown` holds.
 std::string legend(const Panel& panel, const std::vector<bool>& shown);
 

@@ -204,23 +204,4 @@ std::string tidy_svg(const std::string& gnuplot_svg, const std::string& descript
          escape(description) + "\">" + text + "</svg>";
 }
 
-std::string marker_symbols() {
-  constexpr const char* shapes[] = {
-      R"svg(<circle r="2.4" fill="currentColor"/>)svg",
-      R"svg(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="currentColor"/>)svg",
-      R"svg(<path d="M0-3 2.8 2H-2.8z" fill="currentColor"/>)svg",
-      R"svg(<path d="M0-3.2 3.2 0 0 3.2-3.2 0z" fill="currentColor"/>)svg",
-      R"svg(<circle r="2.4" fill="var(--paper)" stroke="currentColor"/>)svg",
-      R"svg(<rect x="-2.1" y="-2.1" width="4.2" height="4.2" fill="var(--paper)" stroke="currentColor"/>)svg",
-      R"svg(<path d="M0 3 2.8-2H-2.8z" fill="currentColor"/>)svg",
-      R"svg(<path d="M-2.4-2.4 2.4 2.4M-2.4 2.4 2.4-2.4" stroke="currentColor" stroke-width="1.3"/>)svg"};
-  std::string text = "<svg width=\"0\" height=\"0\" class=\"symbols\" aria-hidden=\"true\"><defs>";
-  for (std::size_t i = 0; i < std::size(shapes); ++i)
-    text += fmt::format(
-        "<g id=\"m{0}\">{1}</g><marker id=\"k{0}\" style=\"color:var(--s{0})\" "
-        "markerUnits=\"userSpaceOnUse\" overflow=\"visible\"><use href=\"#m{0}\"/></marker>",
-        i, shapes[i]);
-  return text + "</defs></svg>\n";
-}
-
 }  // namespace odeum::report

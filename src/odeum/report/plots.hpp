@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/gnuplot.hpp"
 #include "odeum/studies/stability/stability.hpp"
 
@@ -43,10 +44,6 @@ Picture draw(const LogPlot& plot);
 /// and identifiers. Curves get the classes c0 to c7 and guide, which the style sheet colours and
 /// gives the markers of marker_symbols. `description` is what a screen reader says.
 std::string tidy_svg(const std::string& gnuplot_svg, const std::string& description);
-
-/// A hidden <svg> that defines the markers: symbols #m0 to #m7, line markers #k0 to #k7; once a
-/// page.
-std::string marker_symbols();
 
 /// A region of stability: growth of at most 1 shaded, its boundary, some levels around it.
 Picture draw(const study::StabilityRegion& region);

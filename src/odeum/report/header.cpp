@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "odeum/report/html.hpp"
+#include "odeum/report/page.hpp"
+#include "odeum_build_info.hpp"
+
+namespace odeum::report {
+namespace {
+
+std::string fact(const char* name, const std::string& value) {
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", name, escape(value));
+}
+
+std::string libraries_text(const std::vector<LibraryInfo>& libraries, bool built) {
+  std::string text;
+  for (const LibraryInfo& info : libraries) {
+    if (info.built != built) continue;
+    text += text.empty() ? "" : ", ";
+    text += built ? info.name + " " + info.version : info.name + " (" + info.option + ")";
+  }
+  return text;
+}
+
+std::string facts_of(const RunFacts& run, const std::vector<LibraryInfo>& libraries) {
+  std::string html = "<dl class=\"facts\">\n";
+  html += fact("Written", utc_text(run.finished));
+  html += fact("Command",
+               run.command_line + (run.quick ? "  (quick: fewer settings for each solver)" : ""));
+  html += fact("Took", fmt::format("{:.0f} s", run.seconds));
+  html += fact("Odeum", fmt::format("{} {}", build::version, build::revision));
+  html += fact("Libraries", libraries_text(libraries, true));
+  if (const std::string missing = libraries_text(libraries, false); !missing.empty())
+    html += fact("Not built in", missing);
+  html += fact("Compiler", fmt::format("{}, {}, {}", build::compiler, build::type, build::flags));
+  html += fact("Processor", cpu_model());
+  return html + "</dl>\n";
+}
+
+std::string statuses_text(const std::map<std::string, std::size_t>& statuses) {
+  std::string text;
+  std::size_t all = 0;
+  for (const auto& [status, count] : statuses) {
+    text += fmt::format("{}{} <code>{}</code>", text.empty() ? "" : ", ", count, escape(status));
+    all += count;
+  }
+  return all == 0 ? "" : fmt::format("<p>{}: {}.</p>\n", show_count(all, "row"), text);
+}
+
+// The data files of a folder, as links relative to the page.
+std::string links(const std::filesystem::path& folder, const std::string& prefix) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (const auto name = entry.path().filename().string();
+        entry.path().extension() == ".csv" || name == "manifest.json")
+      names.push_back(name);
+  std::sort(names.begin(), names.end());
+  std::string html;
+  for (const std::string& name : names)
+    html +=
+        fmt::format("<li><a href=\"{}\">{}</a></li>\n", as_address(prefix + name), escape(name));
+  return html.empty() ? html : "<ul class=\"files\">\n" + html + "</ul>\n";
+}
+
+}  // namespace
+
+std::string Page::header(const RunFacts& run, const std::string& navigation) const {
+  const std::size_t libraries = facts_.library_names().size();
+  return fmt::format(
+             "<header>\n<h1>Odeum</h1>\n<p class=\"lead\">{} from {} on {}: each solver runs the "
+             "same problems and is judged by the same independent reference solution.</p>\n",
+             show_count(facts_.solvers.size(), "solver"),
+             libraries == 1 ? "1 library" : fmt::format("{} libraries", libraries),
+             show_count(facts_.cases.size(), "case")) +
+         navigation + headline_ + statuses_text(statuses_) +
+         "<section class=\"columns\">\n<div><h3>How to read it</h3>\n" + guide_ +
+         "</div>\n<div><h3>This run</h3>\n" + facts_of(run, facts_.libraries) +
+         "<h3>The data</h3>\n<p>Everything on this page comes from the files beside it, one "
+         "observation a row:</p>\n" +
+         links(folder_.path(), "./") +
+         details("Data of the stability regions",
+                 links(folder_.path() / "stability", "stability/")) +
+         "</div>\n</section>\n</header>\n";
+}
+
+}  // namespace odeum::report
