@@ -42,11 +42,6 @@ int run(int argc, char** argv) {
   add_run(app, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
   for (const auto& study : studies) add_study(app, *study, result);
-  add_stability(app, result);
-  add_precision(app, result);
-  add_drift(app, result);
-  add_limits(app, result);
-  add_material(app, result);
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);

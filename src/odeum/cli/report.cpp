@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <list>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/cli/study_command.hpp"
 #include "odeum/report/old_page.hpp"
 #include "odeum/report/summary.hpp"
 #include "odeum/studies/material/material.hpp"
-#include "odeum_build_info.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -16,74 +18,75 @@ struct Options : StudyOptions {
   bool quick = false;
 };
 
-// One case of each kind: linear, orbits, many bodies, and three stiff ones.
-const std::vector<std::string> timed_cases{"osc_under",  "kepler_e06", "pleiades",
-                                           "vdp_mu1000", "hires",      "robertson_40"};
-
-// Times for the page. A quick report takes those that lie in the folder already; a full one
-// measures a few cases, with short limits, and keeps what an `odeum precision` left there of
-// others.
-void time_solvers(const Options& options, const record::OutputFolder& folder,
-                  report::ReportData& data) {
-  study::EarlierPrecision earlier = study::read_precision_csv(folder.path() / "precision.csv");
-  if (!options.quick) {
-    study::PrecisionOptions precision;
-    precision.cases = timed_cases;
-    precision.seconds_per_case = 1.1;
-    precision.seconds_per_solve = data.precision_seconds_limit = 0.02;
-    precision.attempts = 1;
-    precision.jobs = options.jobs_or_cores();
-    data.precision = study::measure_precision(precision);
+/// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
+/// writes the files of what was measured.
+void run_studies(const study::Studies& studies, const Options& options,
+                 const record::OutputFolder& folder) {
+  std::list<record::Journal> journals;
+  for (const auto& study : studies) {
+    const study::Declaration& declaration = study->declaration();
+    const std::vector<study::Options> runs = study->report_runs(options.quick);
+    record::Journal* journal = nullptr;
+    if (!runs.empty() && declaration.no_resume.empty()) {
+      study::Options mark{.quick = options.quick};
+      for (const study::Options& run : runs) mark.own["report"] += run.text();
+      journal =
+          &journals.emplace_back(folder, declaration.name, journal_mark(mark), options.resume);
+    }
+    bool partial = runs.empty();
+    for (const study::Options& run : runs) {
+      study->measure(run, study::Runner(options.jobs_or_cores(), journal));
+      partial = partial || !run.cases.empty() || !run.solvers.empty();
+    }
+    if (partial) study->add_earlier(folder.path());
   }
-  study::add_earlier(data.precision, earlier.rows, all_cases());
-  data.precision_problem = earlier.problem;
-  if (!options.quick) write_csv(data.precision, folder);
+  for (const auto& study : studies)
+    if (study->measured()) study->write(folder);
+  for (record::Journal& journal : journals) journal.finish();
 }
 
-// The studies of hard cases, likewise: a quick report shows what the folder holds.
-void run_hard_cases(const Options& options, const record::OutputFolder& folder,
-                    report::ReportData& data) {
-  if (!options.quick) data.hard_cases = study::measure_hard_cases(options.jobs_or_cores());
-  study::add_earlier(data.hard_cases, study::read_hard_cases(folder.path()), all_cases());
-  if (!options.quick) write_csv(data.hard_cases, folder);
+const study::Study& named(const study::Studies& studies, const std::string& name) {
+  return **std::find_if(studies.begin(), studies.end(),
+                        [&](const auto& study) { return study->declaration().name == name; });
+}
+
+report::ReportData data_of(const study::Studies& studies, bool quick) {
+  report::ReportData data;
+  data.quick = quick;
+  data.command_line = quick ? "odeum report --quick" : "odeum report";
+  data.convergence = study::result_of<study::ConvergenceResult>(studies);
+  data.stability = study::result_of<study::StabilityResult>(studies);
+  data.proofs = study::result_of<study::ProofResult>(studies);
+  data.precision = study::result_of<study::PrecisionResult>(studies);
+  data.precision_problem = named(studies, "precision").problem();
+  if (named(studies, "precision").measured())
+    data.precision_seconds_limit = study::report_seconds_per_solve;
+  data.material = study::result_of<study::MaterialResult>(studies);
+  data.material.problem = named(studies, "material").problem();
+  data.hard_cases.drift = study::result_of<study::DriftResult>(studies);
+  data.hard_cases.largest_steps = study::result_of<study::LimitsResult>(studies).rows;
+  data.hard_cases.reduction = study::result_of<study::ReductionResult>(studies).rows;
+  for (const char* name : {"drift", "limits", "reduction"}) {
+    const std::string& problem = named(studies, name).problem();
+    data.hard_cases.problem += (data.hard_cases.problem.empty() ? "" : "; ") + problem;
+    data.hard_cases.measured = data.hard_cases.measured || named(studies, name).measured();
+  }
+  return data;
 }
 
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(options.out);
-  const std::string fingerprint = fmt::format("{} quick={}", build::version, options.quick);
-  record::Journal converged(folder, "converge", fingerprint, options.resume);
-  record::Journal stable(folder, "stability", fingerprint, options.resume);
-
-  report::ReportData data;
-  data.quick = options.quick;
-  data.command_line = options.quick ? "odeum report --quick" : "odeum report";
-  data.convergence =
-      study::converge({.quick = options.quick}, study::Runner(options.jobs_or_cores(), &converged));
-  study::StabilityOptions stability;
-  stability.jobs = options.jobs_or_cores();
-  if (options.quick) {
-    stability.own_grid = 65;
-    stability.peer_grid = 17;
+  const study::Studies studies = study::make_studies();
+  try {
+    run_studies(studies, options, folder);
+  } catch (const Interrupted&) {
+    throw Stopped("the same command with --resume goes on from here");
   }
-  data.stability = study::measure_stability(stability, &stable);
-  data.proofs =
-      study::prove({.solvers = {}, .quick = options.quick, .jobs = options.jobs_or_cores()});
-  run_hard_cases(options, folder, data);
-  time_solvers(options, folder, data);
-  // A quarter of a minute: a quick report shows what an earlier one left.
-  data.material = options.quick
-                      ? study::read_material_csv(folder.path())
-                      : study::measure_material({.solvers = {}, .jobs = options.jobs_or_cores()});
-  record::write(data.convergence, folder);
-  write_csv(data.stability, folder);
-  write_csv(data.proofs, folder);
-  if (!options.quick) write_csv(data.material, folder);
+  report::ReportData data = data_of(studies, options.quick);
   static_cast<report::Facts&>(data) = report::describe(all_cases(), all_libraries());
   data.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report::write_page(data, folder);
-  converged.finish();
-  stable.finish();
   print(report::summary_table(data, folder));
 }
 

@@ -42,7 +42,8 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
                  const std::vector<std::string>& ids) {
   for (const std::string& glob : globs) {
     bool found = false;
-    for (const std::string& id : ids) found = found || glob_matches(glob, id);
+    for (const std::string& id : ids)
+      found = found || glob_matches(glob.substr(glob.starts_with('!')), id);
     if (found) continue;
     if (const std::string missing = missing_library(glob); !missing.empty())
       throw UsageError(missing);
@@ -107,7 +108,9 @@ unsigned StudyOptions::jobs_or_cores() const {
 
 void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers) {
   if (with_solvers)
-    command.add_option("--solver", options.solvers, "solvers, as library/method with * and ?")
+    command
+        .add_option("--solver", options.solvers,
+                    "solvers, as library/method with * and ?; !GLOB leaves some out")
         ->type_name("GLOB");
   command.add_option("--out", options.out, "folder for the files")
       ->type_name("DIR")

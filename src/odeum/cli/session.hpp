@@ -65,11 +65,6 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
 /// Each adds its subcommand; `result` receives the exit code when it runs.
 void add_list(CLI::App& app, int& result);
 void add_run(CLI::App& app, int& result);
-void add_stability(CLI::App& app, int& result);
-void add_precision(CLI::App& app, int& result);
-void add_drift(CLI::App& app, int& result);
-void add_limits(CLI::App& app, int& result);
-void add_material(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
 void add_verify(CLI::App& app, int& result);
 void add_doctor(CLI::App& app, int& result);

@@ -26,10 +26,16 @@ std::string program_mark() {
 
 void add_own_option(CLI::App& command, const study::Option& option, study::Options& into) {
   CLI::Option* added = command.add_option("--" + option.name, into.own[option.name], option.help);
-  if (option.words.empty())
-    added->type_name("N")->check(CLI::Range(option.least, option.most));
-  else
+  if (!option.words.empty())
     added->check(CLI::IsMember(option.words));
+  else
+    added->type_name("N")->check([option](const std::string& text) {
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value >= option.least && value <= option.most)
+        return std::string();
+      return fmt::format("got {}, expected a number from {:g} to {:g}", text, option.least,
+                         option.most);
+    });
 }
 
 void run_study(study::Study& study, study::Options options, const StudyOptions& common) {

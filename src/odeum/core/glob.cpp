@@ -28,9 +28,15 @@ bool glob_matches(std::string_view pattern, std::string_view text) {
 }
 
 bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view text) {
-  return patterns.empty() ||
-         std::any_of(patterns.begin(), patterns.end(),
-                     [&](const auto& pattern) { return glob_matches(pattern, text); });
+  bool chosen = false, chooses = false;
+  for (const std::string_view pattern : patterns) {
+    const bool excludes = pattern.starts_with('!');
+    const bool matches = glob_matches(pattern.substr(excludes), text);
+    if (excludes && matches) return false;
+    chooses = chooses || !excludes;
+    chosen = chosen || (!excludes && matches);
+  }
+  return chosen || !chooses;
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {

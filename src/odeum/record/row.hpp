@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,7 +24,8 @@
 ///   };
 ///
 /// A member that is visited is text, a number, a count, a complex number (two columns, _re and
-/// _im), an enumeration that has a to_string, or one of the wrappers below.
+/// _im), an enumeration that has a to_string, a number that may be missing (std::optional, nan), or
+/// one of the wrappers below.
 namespace odeum::record {
 
 /// A value that follows from other members: written, never read back.
@@ -105,6 +108,10 @@ struct Lister {
     add(column, std::string(to_string(value)));
   }
   template <class T>
+  void operator()(const char* column, const std::optional<T>& value) const {
+    value ? (*this)(column, *value) : add(column, std::numeric_limits<double>::quiet_NaN());
+  }
+  template <class T>
   void operator()(const char* column, const Words<T>& words) const {
     add(column, std::string(static_cast<bool>(words.value) ? words.second : words.first));
   }
@@ -131,8 +138,8 @@ struct Reader {
   void operator()(const char* column, Count& value) const {
     const std::int64_t found = integer_of(source.next(column));
     value = static_cast<Count>(found);
-    if (static_cast<std::int64_t>(value) != found || (found < 0) != (value < Count{}))
-      throw BadField();
+    if (static_cast<std::int64_t>(value) != found) throw BadField();
+    if (std::is_unsigned_v<Count> && found < 0) throw BadField();
   }
   void operator()(const char* column, std::complex<double>& value) const {
     const double re = number_of(source.next(std::string(column) + "_re"));
@@ -146,6 +153,11 @@ struct Reader {
     for (int k = 0; k < most_enumerators; ++k)
       if (value = static_cast<Enum>(k); text == to_string(value)) return;
     throw BadField();
+  }
+  template <class T>
+  void operator()(const char* column, std::optional<T>& value) const {
+    const double found = number_of(source.next(column));
+    value = std::isnan(found) ? std::nullopt : std::optional<T>(static_cast<T>(found));
   }
   template <class T>
   void operator()(const char* column, const Words<T>& words) const {

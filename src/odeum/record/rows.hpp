@@ -63,8 +63,8 @@ Group group_of(const Row& row) {
 
 }  // namespace detail
 
-/// Writes folder/Row::file. Where there are no rows and the Row says `keeps_earlier`, a file that
-/// is there stays as it is.
+/// Writes folder/Row::file. Where there are no rows and the Row says `keeps_earlier`, nothing is
+/// written, and a file that is there stays as it is.
 template <class Row>
 void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   if constexpr (requires { Row::keeps_earlier; })

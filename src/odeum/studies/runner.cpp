@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/runner.hpp"
 
+#include <stdexcept>
+
 #include "odeum/core/glob.hpp"
 
 namespace odeum::study {
@@ -19,6 +21,22 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
     for (const Entrant& entrant : c->entrants)
       if (any_glob_matches(solver_globs, entrant.info.id())) pairs.push_back({c, &entrant});
   return pairs;
+}
+
+const Case& find_case(const std::string& id) {
+  for (const Case& c : all_cases())
+    if (c.id == id) return c;
+  throw std::out_of_range("no case " + id);
+}
+
+const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id) {
+  for (const Entrant& entrant : entrants)
+    if (entrant.info.id() == id) return entrant;
+  throw std::out_of_range("no solver " + id);
+}
+
+std::string key_of(const Pair& pair) {
+  return pair.c->id + ' ' + pair.entrant->info.id() + ' ' + to_string(pair.mode);
 }
 
 }  // namespace odeum::study

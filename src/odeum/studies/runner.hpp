@@ -25,6 +25,13 @@ std::vector<const Case*> select_cases(const std::vector<std::string>& globs);
 std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
                                const std::vector<std::string>& solver_globs);
 
+/// Throw std::out_of_range where there is none of that id.
+const Case& find_case(const std::string& id);
+const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id);
+
+/// The names of a pair, for the journal.
+std::string key_of(const Pair& pair);
+
 /// A row with the names of its case and solver.
 template <class Row>
 Row named_row(const SolverInfo& info) {
@@ -73,7 +80,7 @@ class Runner {
     return all;
   }
 
-  /// The same with nothing kept: for times, which hold for the run that took them alone.
+  /// For what is timed, and so is neither journaled nor run beside other tasks.
   unsigned jobs() const { return jobs_; }
 
  private:

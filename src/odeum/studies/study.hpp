@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +13,10 @@
 /// A study is a folder, studies/<name>/: what its rows are, how they are measured, its section of
 /// the page, and `std::unique_ptr<Study> make_<name>()`, which is found by CMake. Its command, its
 /// part of the report, its files and its journal follow from that.
+namespace odeum::report {
+class Page;
+}
+
 namespace odeum::study {
 
 /// What is asked of a study.
@@ -33,7 +36,7 @@ struct Options {
 struct Option {
   std::string name, help;               ///< the name without its dashes
   std::vector<std::string> words = {};  ///< empty: a number
-  double least = 0, most = std::numeric_limits<double>::max();
+  double least = 0, most = 1e9;
 };
 
 /// What the command line has to know of a study.
@@ -41,8 +44,9 @@ struct Declaration {
   std::string name;  ///< of the command and of the journal
   std::string help;  ///< one line
   int place = 0;     ///< on the page and in the list of commands: low ones first
-  std::string cases_help = "cases, with * and ?";  ///< of --case; empty: takes none
-  std::string quick_help = {};                     ///< of --quick; empty: takes none
+  std::string cases_help =
+      "cases, with * and ?; !GLOB leaves some out";  ///< of --case; empty: takes none
+  std::string quick_help = {};                       ///< of --quick; empty: takes none
   std::string no_resume = {};  ///< why there is no --resume, in a clause; empty: there is
   std::vector<Option> options = {};
 };
@@ -64,6 +68,8 @@ class Study {
   virtual std::vector<std::string> files() const = 0;
   /// The result for a terminal.
   virtual std::string table() const = 0;
+  /// Its part of the report's pages.
+  virtual void section(report::Page&) const {}
   /// Why files of an earlier run could not be used; empty: they could.
   const std::string& problem() const { return problem_; }
   /// Whether this run measured anything, and not only read it.

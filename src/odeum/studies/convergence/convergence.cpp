@@ -236,10 +236,6 @@ ConvergenceResult run_pair(const Pair& pair, const judge::Judge& judge, bool qui
   return result;
 }
 
-std::string key_of(const Pair& pair) {
-  return pair.c->id + ' ' + pair.entrant->info.id() + ' ' + to_string(pair.mode);
-}
-
 }  // namespace
 
 ConvergenceResult converge(const Options& options, const Runner& runner) {

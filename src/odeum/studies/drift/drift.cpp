@@ -3,24 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/studies/drift/kept_quantities.hpp"
 
 namespace odeum::study {
 namespace {
 
-/// What a case keeps, and how long it is watched.
-struct Watch {
+/// The invariants of a case, and the runs in which they are observed.
+struct LongRun {
   const Case& c;
   std::vector<KeptQuantity> kept;
   std::optional<HarmonicMotion> motion;
   Request request;
   double step;
 
-  explicit Watch(const Case& each)
+  explicit LongRun(const Case& each)
       : c(each), kept(kept_quantities(each)), motion(harmonic_motion(each)) {
     const std::uint64_t steps = c.y0.size() > 12 ? 1'000 : 10'000;
     step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.settings.coarsest_steps));
@@ -38,19 +36,11 @@ struct Watch {
   }
 };
 
-DriftRow blank_row(const Watch& watch, const SolverInfo& info) {
-  DriftRow row;
-  row.case_id = watch.c.id;
-  row.library = info.library;
-  row.solver = info.method;
-  return row;
-}
-
 /// Why there is nothing to measure; empty: there is.
-std::string reason_against(const Watch& watch, const Entrant& entrant) {
+std::string reason_against(const LongRun& run, const Entrant& entrant) {
   if (!entrant.unfit.empty()) return entrant.unfit;
-  if (watch.kept.empty()) return "the exact solution of the case keeps nothing that is known";
-  if (!watch.c.settings.no_fixed_steps.empty()) return watch.c.settings.no_fixed_steps;
+  if (run.kept.empty()) return "the exact solution of the case keeps nothing that is known";
+  if (!run.c.settings.no_fixed_steps.empty()) return run.c.settings.no_fixed_steps;
   return entrant.info.fixed ? "" : "chooses its own steps only";
 }
 
@@ -92,35 +82,32 @@ class Series {
 /// Calls add(stop, y) for the stops that were reached until it says no, and ends the series where
 /// the solve failed.
 template <class Add>
-void follow(const Watch& watch, const Outcome& outcome, Series& series, Add&& add) {
-  const std::size_t n = watch.c.y0.size();
+void follow(const LongRun& run, const Outcome& outcome, Series& series, Add&& add) {
+  const std::size_t n = run.c.y0.size();
   for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k)
-    if (!add(watch.request.stops[k], outcome.states.data() + k * n)) return;
+    if (!add(run.request.stops[k], outcome.states.data() + k * n)) return;
   if (outcome.status != Status::ok) series.end(outcome);
 }
 
-std::vector<DriftRow> run_pair(const Watch& watch, const Entrant& entrant) {
+std::vector<DriftRow> run_pair(const LongRun& run, const Entrant& entrant) {
   std::vector<DriftRow> rows;
-  DriftRow blank = blank_row(watch, entrant.info);
-  if (const std::string reason = reason_against(watch, entrant); !reason.empty()) {
-    blank.status = "not_applicable";
-    blank.detail = reason;
-    return {blank};
-  }
-  blank.step = watch.step;
-  const Outcome outcome = entrant.solve(watch.request);
-  for (const KeptQuantity& kept : watch.kept) {
+  auto blank = named_row<DriftRow>(run.c, entrant.info);
+  if (const std::string reason = reason_against(run, entrant); !reason.empty())
+    return {not_applicable(blank, reason)};
+  blank.step = run.step;
+  const Outcome outcome = entrant.solve(run.request);
+  for (const KeptQuantity& kept : run.kept) {
     Series series(blank, kept.name.c_str(), rows);
     const double scale = kept.exact == 0 ? 1 : std::abs(kept.exact);
-    follow(watch, outcome, series, [&](double time, const double* y) {
+    follow(run, outcome, series, [&](double time, const double* y) {
       const double value = kept.value(y);
       return series.add(time, value, std::abs(value - kept.exact) / scale);
     });
   }
-  if (watch.motion) {
-    const HarmonicMotion& motion = *watch.motion;
+  if (run.motion) {
+    const HarmonicMotion& motion = *run.motion;
     Series amplitude(blank, "amplitude", rows);
-    follow(watch, outcome, amplitude, [&](double time, const double* y) {
+    follow(run, outcome, amplitude, [&](double time, const double* y) {
       const double value = motion.amplitude_of(y);
       return amplitude.add(time, value, std::abs(value / motion.amplitude - 1));
     });
@@ -128,8 +115,8 @@ std::vector<DriftRow> run_pair(const Watch& watch, const Entrant& entrant) {
     // at one stop tells the number of full turns at the next.
     Series phase(blank, "phase", rows);
     double rate = 0;
-    follow(watch, outcome, phase, [&](double time, const double* y) {
-      const double elapsed = time - watch.c.t0;
+    follow(run, outcome, phase, [&](double time, const double* y) {
+      const double elapsed = time - run.c.t0;
       const double lag = motion.lag_of(y, elapsed, rate * elapsed);
       rate = lag / elapsed;
       return phase.add(time, lag, std::abs(rate) / motion.omega);
@@ -140,35 +127,15 @@ std::vector<DriftRow> run_pair(const Watch& watch, const Entrant& entrant) {
 
 }  // namespace
 
-DriftResult measure_drift(const DriftOptions& options) {
-  struct Task {
-    std::shared_ptr<const Watch> watch;
-    const Entrant* entrant;
-    DriftResult result;
-  };
-  std::vector<Task> tasks;
-  for (const Case& c : all_cases()) {
-    if (!any_glob_matches(options.cases, c.id)) continue;
-    const auto watch = std::make_shared<const Watch>(c);
-    for (const Entrant& entrant : c.entrants)
-      if (any_glob_matches(options.solvers, entrant.info.id()))
-        tasks.push_back({watch, &entrant, {}});
-  }
-  Progress progress("drift", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    Task& task = tasks[i];
-    task.result.rows = run_pair(*task.watch, *task.entrant);
-    if (task.watch->c.has_tag("chaotic"))
-      task.result.horizons = measure_horizons(task.watch->c, *task.entrant);
-    progress.advance();
+DriftResult measure_drift(const Options& options, const Runner& runner) {
+  std::map<const Case*, LongRun> runs;
+  const std::vector<const Case*> cases = select_cases(options.cases);
+  for (const Case* c : cases) runs.try_emplace(c, *c);
+  return runner.run("drift", select_pairs(cases, options.solvers), key_of, [&](const Pair& pair) {
+    DriftResult result{.rows = run_pair(runs.at(pair.c), *pair.entrant), .horizons = {}};
+    if (pair.c->has_tag("chaotic")) result.horizons = measure_horizons(*pair.c, *pair.entrant);
+    return result;
   });
-  DriftResult all;
-  for (Task& task : tasks) {
-    std::move(task.result.rows.begin(), task.result.rows.end(), std::back_inserter(all.rows));
-    std::move(task.result.horizons.begin(), task.result.horizons.end(),
-              std::back_inserter(all.horizons));
-  }
-  return all;
 }
 
 }  // namespace odeum::study

@@ -2,14 +2,14 @@
 #pragma once
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
-/// What is left of an invariant at a time: a line of drift.csv.
+/// The error of an invariant at a time: a line of drift.csv.
 struct DriftRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
@@ -33,7 +33,7 @@ struct DriftRow {
   }
 };
 
-/// The times at which a solver lost a chaotic solution: a line of horizons.csv.
+/// The time at which a solver leaves a chaotic solution: a line of horizons.csv.
 struct HorizonRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
@@ -55,20 +55,14 @@ struct HorizonRow {
 struct DriftResult {
   std::vector<DriftRow> rows;
   std::vector<HorizonRow> horizons;
-};
-
-struct DriftOptions {
-  std::vector<std::string> cases;    ///< globs on case ids; empty: all
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  unsigned jobs = 1;
+  static auto lists(auto& result) { return std::tie(result.rows, result.horizons); }
 };
 
 /// Runs every fitting pair at a fixed step, half of that at which the case's study of convergence
-/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and looks at what the
+/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and compares what the
 /// exact solution keeps at some 35 times between the first step and the last. Cases tagged
-/// `chaotic` are run for their horizons besides. Results do not depend on `jobs`. Throws
-/// Interrupted.
-DriftResult measure_drift(const DriftOptions& options);
+/// `chaotic` are run for their horizons besides. Throws Interrupted.
+DriftResult measure_drift(const Options& options, const Runner& runner = Runner());
 
 /// The horizons of one solver on one case: three steps and three tolerances.
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
@@ -76,8 +70,5 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
 /// When errors, positive and at rising times, first reach a threshold; NaN where they never do.
 double time_of_reaching(const std::vector<double>& times, const std::vector<double>& errors,
                         double threshold);
-
-/// drift.csv and horizons.csv.
-void write_csv(const DriftResult& result, const record::OutputFolder& folder);
 
 }  // namespace odeum::study

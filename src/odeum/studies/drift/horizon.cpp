@@ -59,15 +59,8 @@ double time_of_reaching(const std::vector<double>& times, const std::vector<doub
 }
 
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) {
-  HorizonRow blank;
-  blank.case_id = c.id;
-  blank.library = entrant.info.library;
-  blank.solver = entrant.info.method;
-  if (!entrant.unfit.empty()) {
-    blank.status = "not_applicable";
-    blank.detail = entrant.unfit;
-    return {blank};
-  }
+  const auto blank = named_row<HorizonRow>(c, entrant.info);
+  if (!entrant.unfit.empty()) return {not_applicable(blank, entrant.unfit)};
   const std::vector<double> times = times_of_truth(c);
   std::vector<HorizonRow> rows;
   for (const Request& request : settings_of(c, entrant.info, times)) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,27 +22,11 @@ struct HardCaseResults {
   }
 };
 
-/// The cases on which peers are run too: of drift an orbit and an oscillator, of the largest step
-/// one for each kind of stiffness (a decay, a relaxation, a vibration).
+/// The cases on which peers are run too, see the studies' own report_runs.
 inline constexpr const char* drift_cases_of_peers[] = {"kepler_e06", "osc_undamped"};
 inline constexpr const char* limit_cases_of_peers[] = {"prothero_robinson_1e3_smooth", "vdp_mu1000",
                                                        "stiff_chain2_k1e4"};
 inline constexpr const char* horizon_case = "lorenz_kehlet_logg";
-/// Not run for its horizons: its many tables take as long there as all the rest.
 inline constexpr const char* library_without_horizons = "arkode";
-
-/// Runs a selection that takes seconds: own solvers on every case of the three studies, peers on
-/// the cases above, all solvers for the reduction of order. Results do not depend on `jobs`. Throws
-/// Interrupted.
-HardCaseResults measure_hard_cases(unsigned jobs);
-
-/// What earlier runs left in a folder; nothing where nothing is.
-HardCaseResults read_hard_cases(const std::filesystem::path& folder);
-
-/// Adds the pairs of an earlier run that were not measured now and that `cases` still have.
-void add_earlier(HardCaseResults& result, HardCaseResults earlier, const std::vector<Case>& cases);
-
-/// drift.csv, horizons.csv, largest_steps.csv and order_reduction.csv.
-void write_csv(const HardCaseResults& result, const record::OutputFolder& folder);
 
 }  // namespace odeum::study

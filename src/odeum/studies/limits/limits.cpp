@@ -8,9 +8,7 @@
 #include <map>
 #include <memory>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/limits/spectrum.hpp"
 
@@ -20,43 +18,41 @@ namespace {
 constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
 
-/// A case, how long it is watched, and what its solution is like in that time.
-struct Stretch {
+/// A case and the time over which it is run, with the size of its solution and the spectrum along
+/// it in that time.
+struct StiffWindow {
   const Case& c;
   std::string reason;  ///< why there is nothing to measure; empty: there is
-  double window = LargestStep::nan;
+  double length = LargestStep::nan;
   std::vector<double> sizes;                      ///< by component, the largest along the solution
   std::vector<std::complex<double>> eigenvalues;  ///< all that lie in the left half plane
   std::complex<double> largest{LargestStep::nan, LargestStep::nan};
 
-  explicit Stretch(const Case& each) : c(each) {
+  explicit StiffWindow(const Case& each) : c(each) {
     if (c.y0.size() > dense_dimension_limit)
       reason = fmt::format("{} unknowns: no dense spectrum beyond {}", c.y0.size(),
                            dense_dimension_limit);
     else if (!c.problem.view.jacobian)
       reason = "the case offers no Jacobian";
     else
-      look();
+      find_length();
   }
 
  private:
-  void look() {
+  void find_length() {
     // The horizon, halved until the largest eigenvalue in what is left allows it.
-    window = c.stops.back() - c.t0;
-    while (follow(window) && std::abs(largest) * window > longest_window) window /= 2;
+    length = c.stops.back() - c.t0;
+    while (follow(length) && std::abs(largest) * length > longest_window) length /= 2;
   }
 
-  /// The solution over a time: sizes and spectrum. False: it could not be had.
+  /// Sizes and spectrum of the solution over a time. False where it could not be solved.
   bool follow(double time) {
     constexpr int points = 32;
     Request request;
     request.mode = Mode::adaptive;
     request.tolerance = 1e-8;
     for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
-    const auto radau = std::find_if(c.entrants.begin(), c.entrants.end(), [](const Entrant& e) {
-      return e.info.id() == "odeum/radau_iia5";
-    });
-    const Outcome outcome = radau->solve(request);
+    const Outcome outcome = find_solver(c.entrants, "odeum/radau_iia5").solve(request);
     if (outcome.status != Status::ok) {
       reason = "the solution could not be followed: " + outcome.detail;
       return false;
@@ -106,16 +102,17 @@ double limit_along(const SolverInfo& info, const std::complex<double>& z) {
   return LargestStep::nan;
 }
 
-/// The least of what the eigenvalues allow, those far below the largest left out: they bind no one.
-Prediction predict(const Stretch& stretch, const SolverInfo& info) {
-  Prediction least{LargestStep::nan, stretch.largest};
+/// The least of the steps that the eigenvalues allow; those far below the largest in size never
+/// limit the step and are left out.
+Prediction predict(const StiffWindow& window, const SolverInfo& info) {
+  Prediction least{LargestStep::nan, window.largest};
   std::map<double, double> by_angle;  // most eigenvalues are real, or turn little
-  for (const std::complex<double>& z : stretch.eigenvalues) {
-    if (std::abs(z) < 0.05 * std::abs(stretch.largest)) continue;
+  for (const std::complex<double>& z : window.eigenvalues) {
+    if (std::abs(z) < 0.05 * std::abs(window.largest)) continue;
     const double angle = std::round(std::arg(z) * 1e4);
     const auto [place, is_new] = by_angle.try_emplace(angle, 0);
     if (is_new) place->second = limit_along(info, z);
-    if (std::isnan(place->second)) return {LargestStep::nan, stretch.largest};
+    if (std::isnan(place->second)) return {LargestStep::nan, window.largest};
     const double step = place->second / std::abs(z);
     if (!(step >= least.step)) least = {step, z};
   }
@@ -127,45 +124,39 @@ struct Failure {
   std::string status, detail;
 };
 
-bool bounded(const Stretch& stretch, const Entrant& entrant, std::uint64_t steps,
+bool bounded(const StiffWindow& window, const Entrant& entrant, std::uint64_t steps,
              Failure& failure) {
   if (interrupted) throw Interrupted();
   Request request;
   request.steps = steps;
-  for (int k = 1; k <= 4; ++k) request.stops.push_back(stretch.c.t0 + stretch.window * k / 4);
+  for (int k = 1; k <= 4; ++k) request.stops.push_back(window.c.t0 + window.length * k / 4);
   request.budget.evaluations = 64 * steps + 1'000;
   const Outcome outcome = entrant.solve(request);
   failure = {to_string(outcome.status), outcome.detail};
   if (outcome.status != Status::ok) return false;
-  const std::size_t n = stretch.sizes.size();
+  const std::size_t n = window.sizes.size();
   for (std::size_t i = 0; i < outcome.states.size(); ++i)
-    if (std::abs(outcome.states[i]) > 10 * stretch.sizes[i % n]) {
+    if (std::abs(outcome.states[i]) > 10 * window.sizes[i % n]) {
       failure = {"ok", fmt::format("component {} grows to {:.3g}", i % n, outcome.states[i])};
       return false;
     }
   return true;
 }
 
-LargestStep measure(const Stretch& stretch, const Entrant& entrant) {
-  LargestStep row;
-  row.case_id = stretch.c.id;
-  row.library = entrant.info.library;
-  row.solver = entrant.info.method;
-  row.status = "not_applicable";
-  row.detail = !entrant.unfit.empty()   ? entrant.unfit
-               : !entrant.info.fixed    ? "chooses its own steps only"
-               : stretch.reason.empty() ? ""
-                                        : stretch.reason;
-  if (!row.detail.empty()) return row;
-  const Prediction prediction = predict(stretch, entrant.info);
+LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
+  auto row = named_row<LargestStep>(window.c, entrant.info);
+  if (!entrant.unfit.empty()) return not_applicable(row, entrant.unfit);
+  if (!entrant.info.fixed) return not_applicable(row, "chooses its own steps only");
+  if (!window.reason.empty()) return not_applicable(row, window.reason);
+  const Prediction prediction = predict(window, entrant.info);
   row.predicted_step = prediction.step;
   row.eigenvalue = prediction.eigenvalue;
-  row.window = stretch.window;
+  row.window = window.length;
   Failure failure;
   const std::uint64_t fewest = fewest_bounded_steps(
       [&](std::uint64_t steps) {
         Failure now;
-        const bool yes = bounded(stretch, entrant, steps, now);
+        const bool yes = bounded(window, entrant, steps, now);
         if (!yes) failure = now;
         return yes;
       },
@@ -176,7 +167,7 @@ LargestStep measure(const Stretch& stretch, const Entrant& entrant) {
     row.detail = fmt::format("not bounded in {} steps: {}", most_steps, failure.detail);
     return row;
   }
-  row.largest_stable_step = stretch.window / static_cast<double>(fewest);
+  row.largest_stable_step = window.length / static_cast<double>(fewest);
   row.detail = fewest == 4
                    ? "bounded at the largest step that was tried"
                    : "beyond: " + (failure.detail.empty() ? failure.status : failure.detail);
@@ -204,29 +195,18 @@ std::uint64_t fewest_bounded_steps(const std::function<bool(std::uint64_t)>& is_
   return high;
 }
 
-std::vector<LargestStep> measure_limits(const LimitsOptions& options) {
-  struct Task {
-    std::size_t stretch;
-    const Entrant* entrant;
-  };
+LimitsResult measure_limits(const Options& options, const Runner& runner) {
   std::vector<const Case*> cases;
-  for (const Case& c : all_cases())
-    if (options.cases.empty() ? c.has_tag("stiff") : any_glob_matches(options.cases, c.id))
-      cases.push_back(&c);
-  std::vector<std::unique_ptr<const Stretch>> stretches(cases.size());
-  parallel_for(cases.size(), options.jobs,
-               [&](std::size_t i) { stretches[i] = std::make_unique<const Stretch>(*cases[i]); });
-  std::vector<Task> tasks;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    for (const Entrant& entrant : cases[i]->entrants)
-      if (any_glob_matches(options.solvers, entrant.info.id())) tasks.push_back({i, &entrant});
-  std::vector<LargestStep> rows(tasks.size());
-  Progress progress("limits", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    rows[i] = measure(*stretches[tasks[i].stretch], *tasks[i].entrant);
-    progress.advance();
+  for (const Case* c : select_cases(options.cases))
+    if (!options.cases.empty() || c->has_tag("stiff")) cases.push_back(c);
+  std::vector<std::unique_ptr<const StiffWindow>> found(cases.size());
+  parallel_for(cases.size(), runner.jobs(),
+               [&](std::size_t i) { found[i] = std::make_unique<const StiffWindow>(*cases[i]); });
+  std::map<const Case*, const StiffWindow*> windows;
+  for (std::size_t i = 0; i < cases.size(); ++i) windows[cases[i]] = found[i].get();
+  return runner.run("limits", select_pairs(cases, options.solvers), key_of, [&](const Pair& pair) {
+    return LimitsResult{{measure(*windows.at(pair.c), *pair.entrant)}};
   });
-  return rows;
 }
 
 }  // namespace odeum::study

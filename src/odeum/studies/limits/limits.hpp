@@ -4,10 +4,10 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
@@ -35,28 +35,24 @@ struct LargestStep {
   }
 };
 
-struct LimitsOptions {
-  std::vector<std::string> cases;    ///< globs on case ids; empty: those tagged `stiff`
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  unsigned jobs = 1;
+struct LimitsResult {
+  std::vector<LargestStep> rows;
+  static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
-/// The largest stable step of every fitting pair, to within 0.5 % or one step in the window.
+/// The largest stable step of every fitting pair, to within 0.5 % or one step in the window. No
+/// choice of cases: those tagged `stiff`.
 ///
 /// A run is bounded where it ends `ok` and at each quarter of the window no component is beyond ten
 /// times the largest that it has along the solution. The window is the case's horizon, halved
 /// until it is below 20,000 / |largest eigenvalue in it|: growth shows, and the search is short.
 /// The solution in it is followed by Radau IIA to 1e-8, which says where to take the spectrum and
-/// how large the components are; nothing is judged by it. Results do not depend on `jobs`. Throws
-/// Interrupted.
-std::vector<LargestStep> measure_limits(const LimitsOptions& options);
+/// how large the components are; nothing is judged by it. Throws Interrupted.
+LimitsResult measure_limits(const Options& options, const Runner& runner = Runner());
 
 /// The number of steps, a multiple of 4, from which on a run is bounded: doubled from 4 until it is
 /// bounded twice in a row, then bisected. 0 where it is not with `most` steps.
 std::uint64_t fewest_bounded_steps(const std::function<bool(std::uint64_t steps)>& bounded,
                                    std::uint64_t most);
-
-/// largest_steps.csv.
-void write_csv(const std::vector<LargestStep>& rows, const record::OutputFolder& folder);
 
 }  // namespace odeum::study

@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/scene/model/mass_spring.hpp"
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/studies/material/material.hpp"
@@ -81,7 +79,7 @@ std::vector<double> adaptive(const Stage& stage, const char* id, double tol) {
   request.mode = Mode::adaptive;
   request.tolerance = tol;
   request.stops = stage.times;
-  Outcome outcome = stage.solvers.solver(id).solve(request);
+  Outcome outcome = find_solver(stage.solvers.entrants, id).solve(request);
   return outcome.status == Status::ok ? std::move(outcome.states) : std::vector<double>();
 }
 
@@ -125,18 +123,12 @@ void hanging_rows(const Stage& stage, const LongRunRow& blank, double time, cons
 }
 
 std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mode, double setting) {
-  LongRunRow blank;
+  auto blank = named_row<LongRunRow>(entrant.info);
   blank.scene = stage.name;
-  blank.library = entrant.info.library;
-  blank.solver = entrant.info.method;
   blank.setting_kind = mode == Mode::fixed ? "step" : "tol";
   blank.setting = setting;
   blank.detail = stage.reference_problem;
-  if (!entrant.unfit.empty()) {
-    blank.status = "not_applicable";
-    blank.detail = entrant.unfit;
-    return {blank};
-  }
+  if (!entrant.unfit.empty()) return {not_applicable(blank, entrant.unfit)};
   Request request;
   request.mode = mode;
   request.stops = stage.times;
@@ -186,7 +178,7 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
 
 }  // namespace
 
-std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options) {
+MaterialResult measure_long_runs(const Options& options, const Runner& runner) {
   Stage stages[] = {{"hanging", cases::square_cloth(side, 10)}, {"free", free_cloth()}};
   for (Stage& stage : stages)
     for (int k = 1; k * between <= horizon; ++k) stage.times.push_back(k * between);
@@ -196,7 +188,6 @@ std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options) {
     const Entrant* entrant;
     Mode mode;
     double setting;
-    std::vector<LongRunRow> rows;
   };
   std::vector<Task> tasks;
   for (const Stage& stage : stages)
@@ -205,20 +196,18 @@ std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options) {
         if (entrant.info.id() != competitor.id || !any_glob_matches(options.solvers, competitor.id))
           continue;
         if (competitor.mode == Mode::adaptive)
-          tasks.push_back({&stage, &entrant, Mode::adaptive, tolerance, {}});
+          tasks.push_back({&stage, &entrant, Mode::adaptive, tolerance});
         else
-          for (const double step : steps)
-            tasks.push_back({&stage, &entrant, Mode::fixed, step, {}});
+          for (const double step : steps) tasks.push_back({&stage, &entrant, Mode::fixed, step});
       }
-  Progress progress("long runs", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    Task& task = tasks[i];
-    task.rows = run(*task.stage, *task.entrant, task.mode, task.setting);
-    progress.advance();
+  const auto key = [](const Task& task) {
+    return fmt::format("{} {} {}", task.stage->name, task.entrant->info.id(), task.setting);
+  };
+  return runner.run("long runs", tasks, key, [](const Task& task) {
+    MaterialResult result;
+    result.long_run = run(*task.stage, *task.entrant, task.mode, task.setting);
+    return result;
   });
-  std::vector<LongRunRow> rows;
-  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
-  return rows;
 }
 
 }  // namespace odeum::study

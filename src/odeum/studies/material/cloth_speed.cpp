@@ -103,11 +103,11 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
     // Some 5 ms a call; a step so short that nothing moves far.
     const std::size_t steps = 300'000 / (n * n) + 2;
     const Pinned pinned;
-    const Watch watch;
+    const ConditionsMeter meter;
     const auto times = take_turns(
         {[&] { f64.velocity_verlet(1e-6, steps); }, [&] { f32.velocity_verlet(1e-6, steps); }},
         seconds_each);
-    const Conditions conditions = watch.end();
+    const Conditions conditions = meter.end();
     const auto each = static_cast<double>(steps * n * n);
     for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
       rows.push_back({.side = n,
@@ -186,9 +186,9 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
     calls.reserve(rivals.size());
     for (Rival& rival : rivals) calls.emplace_back([&rival] { rival.go(); });
     const Pinned pinned;
-    const Watch watch;
+    const ConditionsMeter meter;
     const auto times = take_turns(calls, seconds_each);
-    const Conditions conditions = watch.end();
+    const Conditions conditions = meter.end();
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       const Rival& rival = rivals[i];
       const double error = rms_distance(rival.y, truth.y, scene.size());

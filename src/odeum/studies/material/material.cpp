@@ -9,8 +9,6 @@
 #include <stdexcept>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/scene/model/mass_spring.hpp"
 #include "odeum/studies/material/vibration.hpp"
 #include "support/stage.hpp"
@@ -104,13 +102,7 @@ SceneStage::SceneStage(const scene::Scene& scene)
   entrants = cases::enroll(erase(contest));
 }
 
-const Entrant& SceneStage::solver(const std::string& id) const {
-  for (const Entrant& entrant : entrants)
-    if (entrant.info.id() == id) return entrant;
-  throw std::out_of_range("no solver " + id);
-}
-
-bool is_compared(const SolverInfo& info, const MaterialOptions& options) {
+bool is_compared(const SolverInfo& info, const Options& options) {
   const std::string id = info.id();
   const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
                         id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
@@ -120,20 +112,14 @@ bool is_compared(const SolverInfo& info, const MaterialOptions& options) {
 
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations) {
-  MaterialRow row;
+  auto row = named_row<MaterialRow>(entrant.info);
   row.scene = specimen.name;
-  row.library = entrant.info.library;
-  row.solver = entrant.info.method;
   row.step = step;
   row.sweeps = iterations.sweeps;
   row.newton = iterations.newton;
   row.phase = step * specimen.frequency();
   row.status = to_string(Status::ok);
-  if (!entrant.unfit.empty()) {
-    row.status = "not_applicable";
-    row.detail = entrant.unfit;
-    return row;
-  }
+  if (!entrant.unfit.empty()) return not_applicable(row, entrant.unfit);
   const double period = 2 * std::numbers::pi / specimen.frequency();
   const auto steps_of = [&](double periods) {
     return static_cast<std::uint64_t>(std::ceil(std::max(60.0, periods * period / step)));
@@ -201,14 +187,13 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
   return row;
 }
 
-std::vector<MaterialRow> measure_responses(const MaterialOptions& options) {
+MaterialResult measure_responses(const Options& options, const Runner& runner) {
   constexpr double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
   constexpr std::uint64_t counts[] = {1, 2, 4, 8, 16, 32};
   struct Task {
     Specimen specimen;
     std::string id;
     Iterations iterations;
-    std::vector<MaterialRow> rows;
   };
   std::vector<Task> tasks;
   for (const Specimen& specimen : {one_mass(), hanging_chain()}) {
@@ -217,36 +202,35 @@ std::vector<MaterialRow> measure_responses(const MaterialOptions& options) {
       const SolverInfo& info = entrant.info;
       const std::string id = info.id();
       if (!is_compared(info, options)) continue;
-      tasks.push_back({specimen, id, {}, {}});
+      tasks.push_back({specimen, id, {}});
       // As it comes is one sweep, or Newton's one iteration.
       for (const std::uint64_t count : counts) {
         // Conjugate gradients are done after as many iterations as there are masses.
         const bool newton = info.options.contains("newton");
         if (info.options.contains("sweeps") && (newton ? count < 2 * specimen.masses : count > 1))
-          tasks.push_back({specimen, id, {.sweeps = count}, {}});
-        if (newton && count == 4) tasks.push_back({specimen, id, {.newton = count}, {}});
+          tasks.push_back({specimen, id, {.sweeps = count}});
+        if (newton && count == 4) tasks.push_back({specimen, id, {.newton = count}});
       }
     }
   }
-  Progress progress("material", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    Task& task = tasks[i];
+  const auto key = [](const Task& task) {
+    return fmt::format("{} {} {} {}", task.specimen.name, task.id, task.iterations.sweeps,
+                       task.iterations.newton);
+  };
+  return runner.run("material", tasks, key, [&](const Task& task) {
     const SceneStage stage(task.specimen.scene());  // its own: the start is moved
+    MaterialResult result;
     for (const double step : steps)
-      task.rows.push_back(
-          measure_response(task.specimen, stage, stage.solver(task.id), step, task.iterations));
-    progress.advance();
+      result.material.push_back(measure_response(
+          task.specimen, stage, find_solver(stage.entrants, task.id), step, task.iterations));
+    return result;
   });
-  std::vector<MaterialRow> rows;
-  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
-  return rows;
 }
 
-MaterialResult measure_material(const MaterialOptions& options) {
-  MaterialResult result;
-  result.material = measure_responses(options);
-  result.errors = measure_error_parts(options);
-  result.long_run = measure_long_runs(options);
+MaterialResult measure_material(const Options& options, const Runner& runner) {
+  MaterialResult result = measure_responses(options, runner);
+  record::append(result, measure_error_parts(options, runner));
+  record::append(result, measure_long_runs(options, runner));
   // Own engines are not enrolled under names of solvers: a choice of solvers leaves them out.
   if (options.solvers.empty()) {
     result.cost = measure_cloth_cost({11, 32, 64, 128, 256, 512}, 0.1);

@@ -9,26 +9,21 @@
 #include "odeum/contest/case.hpp"
 #include "odeum/studies/material/rows.hpp"
 #include "odeum/studies/material/specimen.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
-struct MaterialOptions {
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  unsigned jobs = 1;                 ///< for the runs that are not timed
-};
-
 /// Whether a solver is one of those whose stiffness and error parts are looked at: every engine's,
 /// and the own ones whose answer is known.
-bool is_compared(const SolverInfo& info, const MaterialOptions& options);
+bool is_compared(const SolverInfo& info, const Options& options);
 
-/// All five files. Results but for times do not depend on `jobs`. Throws Interrupted.
-MaterialResult measure_material(const MaterialOptions& options);
+/// All five files. Throws Interrupted.
+MaterialResult measure_material(const Options& options, const Runner& runner = Runner());
 
 /// Solvers on a specimen, or any other scene, with a start that may be moved between solves.
 struct SceneStage {
   explicit SceneStage(const scene::Scene& scene);
-  const Entrant& solver(const std::string& id) const;  ///< throws std::out_of_range
-  std::shared_ptr<std::vector<double>> y0;             ///< all positions, then all velocities
+  std::shared_ptr<std::vector<double>> y0;  ///< all positions, then all velocities
   std::vector<Entrant> entrants;
 };
 
@@ -45,7 +40,7 @@ struct Iterations {
 /// seconds.
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations);
-std::vector<MaterialRow> measure_responses(const MaterialOptions& options);
+MaterialResult measure_responses(const Options& options, const Runner& runner = Runner());
 
 /// RMS distance over particles of the positions (the first 3 `particles` entries) of two states.
 double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
@@ -66,10 +61,10 @@ using RunCloth = std::function<std::optional<std::vector<double>>(
 /// A row for each number of steps and each of plan.tried; library and solver are left empty.
 std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,
                                        const std::vector<double>& truth);
-std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options);
+MaterialResult measure_error_parts(const Options& options, const Runner& runner = Runner());
 
 /// Drape, energy and momentum of cloths over 10 s.
-std::vector<LongRunRow> measure_long_runs(const MaterialOptions& options);
+MaterialResult measure_long_runs(const Options& options, const Runner& runner = Runner());
 
 /// Own engines, timed in turns on one processor.
 std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/studies/material/material.hpp"
 
 namespace odeum::study {
@@ -91,23 +85,20 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
   return rows;
 }
 
-std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
-  const auto& cases = all_cases();
-  const auto cloth = std::find_if(cases.begin(), cases.end(),
-                                  [](const Case& c) { return c.id == "cloth11_two_way"; });
-  const std::size_t n = cloth->y0.size(), positions = n / 2;
+MaterialResult measure_error_parts(const Options& options, const Runner& runner) {
+  const Case& cloth = find_case("cloth11_two_way");
+  const std::size_t n = cloth.y0.size(), positions = n / 2;
   SplitPlan plan;
   plan.steps = {20, 40, 80, 160, 320, 640};
   std::vector<double> truth(n);
-  if (!cloth->truth.at(plan.time, truth.data())) return {};
+  if (!cloth.truth.at(plan.time, truth.data())) return {};
   truth.resize(positions);
   struct Task {
     const Entrant* entrant;
     SplitPlan plan;
-    std::vector<ErrorPartsRow> rows;
   };
   std::vector<Task> tasks;
-  for (const Entrant& entrant : cloth->entrants) {
+  for (const Entrant& entrant : cloth.entrants) {
     const SolverInfo& info = entrant.info;
     if (!is_compared(info, options)) continue;
     plan.order = std::isfinite(info.order) ? info.order : 1;
@@ -121,11 +112,10 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
           {}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {.sweeps = 16}, {.sweeps = 32}};
       plan.converged = {.sweeps = 64}, plan.half = {.sweeps = 32};
     }
-    tasks.push_back({&entrant, plan, {}});
+    tasks.push_back({&entrant, plan});
   }
-  Progress progress("error parts", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    Task& task = tasks[i];
+  const auto key = [](const Task& task) { return task.entrant->info.id(); };
+  return runner.run("error parts", tasks, key, [&](const Task& task) {
     const auto run = [&](std::uint64_t steps, const Iterations& iterations,
                          std::string& reason) -> std::optional<std::vector<double>> {
       if (interrupted) throw Interrupted();
@@ -140,23 +130,17 @@ std::vector<ErrorPartsRow> measure_error_parts(const MaterialOptions& options) {
       outcome.states.resize(positions);
       return std::move(outcome.states);
     };
-    if (task.entrant->unfit.empty()) {
-      task.rows = split_error(task.plan, run, truth);
-    } else {
-      ErrorPartsRow row;
-      row.status = "not_applicable";
-      row.detail = task.entrant->unfit;
-      task.rows = {row};
-    }
-    for (ErrorPartsRow& row : task.rows) {
+    MaterialResult result;
+    if (task.entrant->unfit.empty())
+      result.errors = split_error(task.plan, run, truth);
+    else
+      result.errors = {not_applicable(ErrorPartsRow(), task.entrant->unfit)};
+    for (ErrorPartsRow& row : result.errors) {
       row.library = task.entrant->info.library;
       row.solver = task.entrant->info.method;
     }
-    progress.advance();
+    return result;
   });
-  std::vector<ErrorPartsRow> rows;
-  for (Task& task : tasks) std::move(task.rows.begin(), task.rows.end(), std::back_inserter(rows));
-  return rows;
 }
 
 }  // namespace odeum::study

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "odeum/record/output_folder.hpp"
+#include "odeum/record/rows.hpp"
 #include "odeum/studies/precision/stopwatch.hpp"
 
 /// What the study of engines and cloths finds. A row names its columns once, in `each`; its file is
@@ -96,6 +96,7 @@ struct ClothCostRow {
   Conditions conditions;
 
   static constexpr const char* file = "cloth_cost.csv";
+  static constexpr bool keeps_earlier = true;
   static void each(auto& row, auto&& visit) {
     visit("side", row.side), visit("precision", row.precision);
     visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
@@ -119,6 +120,7 @@ struct ImplicitWinsRow {
   Conditions conditions;
 
   static constexpr const char* file = "implicit_wins.csv";
+  static constexpr bool keeps_earlier = true;
   static void each(auto& row, auto&& visit) {
     visit("stiffness", row.stiffness), visit("frame", row.frame), visit("engine", row.engine);
     visit("status", row.status), visit("step", row.step), visit("wall_ns_min", row.wall_ns_min);
@@ -136,16 +138,11 @@ struct MaterialResult {
   std::vector<ClothCostRow> cost;
   std::vector<ImplicitWinsRow> implicit_wins;
   std::string problem;  ///< why a file that was there could not be used; a sentence
-  bool empty() const {
-    return material.empty() && errors.empty() && long_run.empty() && cost.empty() &&
-           implicit_wins.empty();
+  static auto lists(auto& result) {
+    return std::tie(result.material, result.errors, result.long_run, result.cost,
+                    result.implicit_wins);
   }
+  bool empty() const { return record::is_empty(*this); }
 };
-
-/// A file for each kind of row; of the timed ones only where there are rows.
-void write_csv(const MaterialResult& result, const record::OutputFolder& folder);
-
-/// What an earlier run left; a file that is missing or cannot be used leaves its rows empty.
-MaterialResult read_material_csv(const std::filesystem::path& folder);
 
 }  // namespace odeum::study

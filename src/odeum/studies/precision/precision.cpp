@@ -87,10 +87,7 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) 
 }
 
 PrecisionRow blank_row(const Stage& stage, const SolverInfo& info, Mode mode) {
-  PrecisionRow row;
-  row.case_id = stage.c.id;
-  row.library = info.library;
-  row.solver = info.method;
+  auto row = named_row<PrecisionRow>(stage.c, info);
   row.mode = mode;
   row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
   return row;
@@ -127,10 +124,8 @@ void run_guarded(const Stage& stage, Contender& contender, double seconds) {
                                   ? stage.c.settings.no_fixed_steps
                                   : entrant.unfit;
   if (!reason.empty()) {
-    Trial& trial = contender.trials.emplace_back();
-    trial.row = blank_row(stage, entrant.info, contender.mode);
-    trial.row.status = "not_applicable";
-    trial.row.detail = reason;
+    contender.trials.emplace_back().row =
+        not_applicable(blank_row(stage, entrant.info, contender.mode), reason);
     return;
   }
   for (const Request& request : settings_of(stage, contender.mode, seconds)) {
@@ -192,7 +187,8 @@ bool runs(const Case& c, const SolverInfo& info, Mode mode) {
   return info.fixed && (!info.adaptive || worth);
 }
 
-std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& options) {
+std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
+                                       const Runner& runner) {
   const Stage stage(c);
   const std::vector<Entrant> inlined = inlined_solvers(c);
   std::vector<Contender> contenders;
@@ -205,17 +201,17 @@ std::vector<PrecisionRow> measure_case(const Case& c, const PrecisionOptions& op
       if (runs(c, entrant.info, mode))
         contenders.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, {}});
   }
-  parallel_for(contenders.size(), options.jobs, [&](std::size_t i) {
-    run_guarded(stage, contenders[i], options.seconds_per_solve);
+  parallel_for(contenders.size(), runner.jobs(), [&](std::size_t i) {
+    run_guarded(stage, contenders[i], options.number("solve-seconds", 2));
   });
 
   Conditions conditions;
-  for (int attempt = 0; attempt < options.attempts; ++attempt) {
+  for (int attempt = 0; attempt < options.number("attempts", 2); ++attempt) {
     for (Contender& contender : contenders)
       for (Trial& trial : contender.trials) trial.times.ns.clear();
-    const Watch watch;
-    time_all(stage, contenders, options.seconds_per_case);
-    conditions = watch.end();
+    const ConditionsMeter meter;
+    time_all(stage, contenders, options.number("seconds", 4));
+    conditions = meter.end();
     if (!disturbed(conditions.drift, conditions.processor_share)) break;
   }
   std::vector<PrecisionRow> rows;
@@ -249,17 +245,19 @@ bool disturbed(double drift, double processor_share) {
   return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
 }
 
-PrecisionResult measure_precision(const PrecisionOptions& options) {
-  std::vector<const Case*> cases;
-  for (const Case& c : all_cases())
-    if (any_glob_matches(options.cases, c.id)) cases.push_back(&c);
+PrecisionResult measure_precision(const Options& options, const Runner& runner) {
+  const std::vector<const Case*> cases = select_cases(options.cases);
   PrecisionResult result;
   Progress progress("precision", static_cast<double>(cases.size()));
   for (const Case* c : cases) {
-    std::vector<PrecisionRow> rows = measure_case(*c, options);
-    const double floor = c->timed_floor();
-    for (PrecisionSummary& line : summarise(rows, floor)) result.summary.push_back(std::move(line));
-    std::move(rows.begin(), rows.end(), std::back_inserter(result.rows));
+    PrecisionResult of_case;
+    of_case.rows = measure_case(*c, options, runner);
+    for (const PrecisionRow& row : of_case.rows)
+      if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
+        of_case.tolerances.push_back(
+            {row.case_id, row.library, row.solver, row.setting, row.error});
+    of_case.summary = summarise(of_case.rows, c->timed_floor());
+    record::append(result, std::move(of_case));
     progress.advance();
   }
   return result;

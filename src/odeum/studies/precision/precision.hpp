@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "odeum/record/earlier_csv.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
@@ -34,6 +32,36 @@ struct PrecisionRow {
   /// program took it. NaN where nothing was timed.
   double processor_share = std::numeric_limits<double>::quiet_NaN();
   std::string measured;  ///< when the case was measured, UTC
+
+  static constexpr const char* file = "precision.csv";
+  static constexpr bool compared_within_case = true;
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail);
+    visit("setting_kind", record::Words{row.mode, "step", "tol"}), visit("setting", row.setting);
+    visit("error", row.error), visit("wall_ns_min", row.wall_ns_min);
+    visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
+    visit("rhs_evaluations", row.counters.rhs_evaluations);
+    visit("jacobian_evaluations", row.counters.jacobian_evaluations);
+    visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
+    visit("right_hand_side", record::Words{row.inlined, "function pointer", "inlined"});
+    visit("pareto", row.pareto), visit("drift", row.drift);
+    visit("processor_share", row.processor_share), visit("measured", row.measured);
+  }
+};
+
+/// What came of a tolerance: a line of tolerances.csv.
+struct ToleranceRow {
+  std::string case_id, library, solver;
+  double requested = 0, achieved = 0;
+
+  static constexpr const char* file = "tolerances.csv";
+  static constexpr bool compared_within_case = true;
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("requested", row.requested), visit("achieved", row.achieved);
+    visit("achieved_over_requested", record::Derived{row.achieved / row.requested});
+  }
 };
 
 /// Who is fastest at an error on a case, of Odeum and of all others: a line of
@@ -47,21 +75,28 @@ struct PrecisionSummary {
   /// setting the least time of one against the median of the other.
   double ratio = 0, ratio_low = 0, ratio_high = 0;
   std::string reason;  ///< why there is no ratio
+
+  static constexpr const char* file = "precision_summary.csv";
+  static constexpr bool compared_within_case = true;
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("error", row.error), visit("own", row.own);
+    visit("own_ns", row.own_ns), visit("peer", row.peer), visit("peer_ns", row.peer_ns);
+    visit("ratio", row.ratio), visit("ratio_low", row.ratio_low);
+    visit("ratio_high", row.ratio_high), visit("reason", row.reason);
+  }
 };
 
 struct PrecisionResult {
   std::vector<PrecisionRow> rows;
+  std::vector<ToleranceRow> tolerances;
   std::vector<PrecisionSummary> summary;
+  static auto lists(auto& result) {
+    return std::tie(result.rows, result.tolerances, result.summary);
+  }
 };
 
-struct PrecisionOptions {
-  std::vector<std::string> cases;    ///< globs on case ids; empty: all
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  double seconds_per_case = 4;       ///< what the timed runs of a case may take, roughly
-  double seconds_per_solve = 2;      ///< a solve that takes longer ends over budget
-  int attempts = 2;                  ///< how often a case is timed at most, while the speed drifts
-  unsigned jobs = 1;                 ///< for the runs that are not timed
-};
+/// What a solve may take in a report, in seconds.
+inline constexpr double report_seconds_per_solve = 0.02;
 
 /// Beyond this drift of the machine's speed, or this loss of the processor to others, the times of
 /// a case are marked as disturbed.
@@ -72,8 +107,10 @@ bool disturbed(double drift, double processor_share);
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
 /// than 5 %, or other programs had the processor for more than that, is timed once more, and marked
-/// where it is disturbed again. Throws Interrupted.
-PrecisionResult measure_precision(const PrecisionOptions& options);
+/// where it is disturbed again. Own options: `seconds` is what the timed runs of a case may take,
+/// roughly (4), `solve-seconds` when a solve ends over budget (2), `attempts` how often a disturbed
+/// case is timed at most (2). Throws Interrupted.
+PrecisionResult measure_precision(const Options& options, const Runner& runner = Runner());
 
 /// Marks the rows of one case that nobody beats in both time and error.
 void mark_pareto(std::vector<PrecisionRow>& rows);
@@ -82,18 +119,5 @@ void mark_pareto(std::vector<PrecisionRow>& rows);
 /// settings of a solver by linear interpolation of log time over log error, never beyond them.
 /// Errors at or below the truth's floor are not compared.
 std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor);
-
-/// What an earlier run left in a precision.csv.
-using EarlierPrecision = record::EarlierRows<PrecisionRow>;
-/// No rows and no problem where the file is missing.
-EarlierPrecision read_precision_csv(const std::filesystem::path& file);
-
-/// Adds the rows of an earlier run of cases that were not measured now; those of one case compare,
-/// as they were measured together. The summary of the added cases is made anew.
-void add_earlier(PrecisionResult& result, const std::vector<PrecisionRow>& earlier,
-                 const std::vector<Case>& cases);
-
-/// precision.csv, precision_summary.csv and tolerances.csv.
-void write_csv(const PrecisionResult& result, const record::OutputFolder& folder);
 
 }  // namespace odeum::study

@@ -52,7 +52,7 @@ Pinned::Pinned() = default;
 Pinned::~Pinned() = default;
 #endif
 
-Conditions Watch::end() const {
+Conditions ConditionsMeter::end() const {
   return {.drift = calibration_ns() / before_ - 1,
           .processor_share = 1e9 * (thread_seconds() - used_) / since(start_),
           .measured = report::utc_text(std::chrono::system_clock::now())};

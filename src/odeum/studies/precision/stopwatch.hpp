@@ -41,8 +41,8 @@ struct Conditions {
   std::string measured;  ///< when, UTC
 };
 
-/// Watches the machine from its construction on.
-class Watch {
+/// Measures the conditions from its construction on.
+class ConditionsMeter {
  public:
   Conditions end() const;
 

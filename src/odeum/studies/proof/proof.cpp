@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/proof/code_checks.hpp"
 #include "odeum/proof/stability_check.hpp"
 #include "odeum/proof/structure_check.hpp"
@@ -31,12 +29,13 @@ void prove_conditions(const MethodFacts& method, ProofRow& row) {
 }
 
 template <class P>
-void measure(const proof::MakeStepper<P>& make, int order, const char* prefix,
+void measure(const proof::MakeStepper<P>& make, const MethodFacts& method, const char* prefix,
              const std::vector<proof::Ground<P>>& where, std::vector<ProvenOrder>& orders) {
+  const int order = method.info.order;
   if (!make || order == 0) return;
   for (const proof::Ground<P>& ground : where)
     orders.push_back(
-        {prefix + ground.id, proof::measure_order(make, order, ground),
+        {method.id(), prefix + ground.id, order, proof::measure_order(make, order, ground),
          proof::measure_order(make, order + 1, ground).verdict == judge::Verdict::confirmed});
 }
 
@@ -50,18 +49,14 @@ void prove_stability(const MethodFacts& method, ProofRow& row) {
     found = proof::compare_oscillator_map(method.on_separable, method);
   row.stability_points = found.points;
   if (found.points > 0) row.stability_difference = found.difference;
-  if (method.tableau) {
+  if (method.tableau)
     row.stability = stability_class(*method.tableau);
-    row.has_stability_class = true;
-  } else if (method.recurrence) {
+  else if (method.recurrence)
     row.stability = stability_class(
         [&](std::complex<double> z) { return proof::largest_root(method.recurrence(z)); });
-    row.has_stability_class = true;
-  } else if (method.amplification) {
+  else if (method.amplification)
     row.stability = stability_class(
         [&](std::complex<double> z) { return method.amplification(z.real(), z.imag()); });
-    row.has_stability_class = true;
-  }
 }
 
 void prove_structure(const MethodFacts& method, bool quick, ProofRow& row) {
@@ -77,13 +72,14 @@ void prove_structure(const MethodFacts& method, bool quick, ProofRow& row) {
   row.energy_last = watch.last;
 }
 
-void prove_estimate(const MethodFacts& method, ProofRow& row) {
+std::vector<proof::EstimateQuality> prove_estimate(const MethodFacts& method) {
   const MethodInfo& info = method.info;
-  if (info.order_embedded == 0) return;
+  if (info.order_embedded == 0) return {};
   if (method.on_problem)
-    row.estimates = proof::estimate_quality(method.on_problem, info.order, info.order_embedded);
-  else if (method.on_separable)
-    row.estimates = proof::estimate_quality(method.on_separable, info.order, info.order_embedded);
+    return proof::estimate_quality(method.on_problem, info.order, info.order_embedded);
+  if (method.on_separable)
+    return proof::estimate_quality(method.on_separable, info.order, info.order_embedded);
+  return {};
 }
 
 void count_mutants(const std::vector<Mutant>& mutants, ProofRow& row) {
@@ -103,8 +99,9 @@ void count_mutants(const std::vector<Mutant>& mutants, ProofRow& row) {
   }
 }
 
-ProofRow prove_method(const MethodFacts& method, bool quick, std::vector<Mutant>& mutants) {
-  ProofRow row;
+ProofResult prove_method(const MethodFacts& method, bool quick) {
+  ProofResult result;
+  ProofRow& row = result.rows.emplace_back();
   row.method = method.id();
   row.family = method.info.family;
   row.order = method.info.order;
@@ -112,17 +109,22 @@ ProofRow prove_method(const MethodFacts& method, bool quick, std::vector<Mutant>
   if (!method.on_problem && !method.on_separable)
     row.needs = method.needs.empty() ? "a run of its own steps" : method.needs;
   prove_conditions(method, row);
-  measure(method.on_problem, row.order, "", proof::grounds(), row.orders);
-  measure(method.on_separable, row.order, "separable_", proof::separable_grounds(), row.orders);
-  measure(method.on_second_order, row.order, "damped_", proof::second_order_grounds(), row.orders);
+  measure(method.on_problem, method, "", proof::grounds(), result.orders);
+  measure(method.on_separable, method, "separable_", proof::separable_grounds(), result.orders);
+  measure(method.on_second_order, method, "damped_", proof::second_order_grounds(), result.orders);
   prove_stability(method, row);
   prove_structure(method, quick, row);
-  prove_estimate(method, row);
-  for (auto more : {proof::mutate_tableau(method, proof::Checks::quickest_first),
-                    proof::mutate_answers(method), proof::mutate_updates({method})})
+  for (const proof::EstimateQuality& quality : prove_estimate(method)) {
+    result.estimates.push_back({row.method, quality});
+    row.estimates_well = row.estimates_well != "no" && quality.good() ? "yes" : "no";
+  }
+  std::vector<Mutant> mutants;
+  for (const auto& more : {proof::mutate_tableau(method, proof::Checks::quickest_first),
+                           proof::mutate_answers(method), proof::mutate_updates({method})})
     mutants.insert(mutants.end(), more.begin(), more.end());
   count_mutants(mutants, row);
-  return row;
+  for (Mutant& mutant : mutants) result.mutants.push_back({std::move(mutant)});
+  return result;
 }
 
 template <class Of>
@@ -136,9 +138,19 @@ int sum_of(const std::vector<ProofRow>& rows, Of&& of) {
 
 bool ProofRow::symplectic() const { return symplectic_defect <= proof::symplectic_rounding; }
 bool ProofRow::reversible() const { return return_defect <= proof::return_rounding; }
-bool ProofRow::estimates_well() const {
-  return std::all_of(estimates.begin(), estimates.end(),
-                     [](const proof::EstimateQuality& q) { return q.good(); });
+
+std::vector<ProvenOrder> ProofResult::orders_of(const std::string& method) const {
+  std::vector<ProvenOrder> found;
+  for (const ProvenOrder& order : orders)
+    if (order.method == method) found.push_back(order);
+  return found;
+}
+
+std::vector<proof::EstimateQuality> ProofResult::estimates_of(const std::string& method) const {
+  std::vector<proof::EstimateQuality> found;
+  for (const ProvenEstimate& estimate : estimates)
+    if (estimate.method == method) found.push_back(estimate.quality);
+  return found;
 }
 
 int ProofResult::made() const {
@@ -151,21 +163,13 @@ int ProofResult::equivalent() const {
   return sum_of(rows, [](const ProofRow& row) { return row.equivalent; });
 }
 
-ProofResult prove(const ProofOptions& options) {
+ProofResult prove(const Options& options, const Runner& runner) {
   std::vector<const MethodFacts*> methods;
   for (const MethodFacts& method : proof::all_method_facts())
     if (any_glob_matches(options.solvers, "odeum/" + method.id())) methods.push_back(&method);
-  ProofResult result;
-  result.rows.resize(methods.size());
-  std::vector<std::vector<Mutant>> mutants(methods.size());
-  Progress progress("proofs", static_cast<double>(methods.size()));
-  parallel_for(methods.size(), options.jobs, [&](std::size_t i) {
-    result.rows[i] = prove_method(*methods[i], options.quick, mutants[i]);
-    progress.advance();
-  });
-  for (const auto& list : mutants)
-    result.mutants.insert(result.mutants.end(), list.begin(), list.end());
-  return result;
+  return runner.run(
+      "proofs", methods, [](const MethodFacts* method) { return method->id(); },
+      [&](const MethodFacts* method) { return prove_method(*method, options.quick); });
 }
 
 }  // namespace odeum::study

@@ -19,18 +19,18 @@ std::string cell(const std::string& text, const std::string& title = "") {
 }
 
 std::string conditions_cell(const ProofRow& row) {
-  if (row.conditions < 0) return cell("–", "no tableau");
-  std::string text = std::to_string(row.conditions);
-  if (row.conditions_embedded >= 0) text += fmt::format("({})", row.conditions_embedded);
+  if (!row.conditions) return cell("–", "no tableau");
+  std::string text = std::to_string(*row.conditions);
+  if (row.conditions_embedded) text += fmt::format("({})", *row.conditions_embedded);
   return cell(text, row.failing_tree.empty()
                         ? fmt::format("no condition fails up to order {}", highest_order_checked)
                         : "first condition that fails: " + row.failing_tree);
 }
 
-std::string measured_cell(const ProofRow& row) {
-  if (row.orders.empty()) return cell("by cases", row.needs);
+std::string measured_cell(const ProofRow& row, const std::vector<study::ProvenOrder>& orders) {
+  if (orders.empty()) return cell("by cases", row.needs);
   std::string text, title;
-  for (const study::ProvenOrder& order : row.orders) {
+  for (const study::ProvenOrder& order : orders) {
     const bool confirmed = order.fit.verdict == judge::Verdict::confirmed;
     text += fmt::format("{}{}{}", text.empty() ? "" : " ", show_number(order.fit.order, 3),
                         confirmed ? "" : "*");
@@ -57,19 +57,20 @@ std::string energy_cell(const ProofRow& row) {
                           row.energy_periods, row.energy_first));
 }
 
-std::string estimate_cell(const ProofRow& row) {
-  if (row.estimates.empty()) return cell("–");
+std::string estimate_cell(const ProofRow& row,
+                          const std::vector<proof::EstimateQuality>& estimates) {
+  if (estimates.empty()) return cell("–");
   double low = INFINITY, high = 0;
   std::string title;
-  for (const proof::EstimateQuality& q : row.estimates) {
+  for (const proof::EstimateQuality& q : estimates) {
     low = std::min(low, q.ratio);
     high = std::max(high, q.ratio);
     title += fmt::format("{}{}: h^{:.2f} for h^{:g}, ratio {:.2g}", title.empty() ? "" : "; ",
                          q.ground, q.exponent, q.expected_exponent, q.ratio);
   }
   return fmt::format("<td title=\"{}\"{}>{}–{}{}</td>", escape(title),
-                     row.estimates_well() ? "" : " class=\"missing\"", show_number(low, 2),
-                     show_number(high, 2), row.estimates_well() ? "" : " ⚠");
+                     row.estimates_well == "yes" ? "" : " class=\"missing\"", show_number(low, 2),
+                     show_number(high, 2), row.estimates_well == "yes" ? "" : " ⚠");
 }
 
 std::string mutants_cell(const ProofRow& row) {
@@ -81,17 +82,18 @@ std::string mutants_cell(const ProofRow& row) {
                   row.mutants, row.equivalent, row.smallest_caught));
 }
 
-std::string row_html(const ProofRow& row) {
+std::string row_html(const ProofRow& row, const study::ProofResult& proofs) {
   std::string claimed = row.order == 0 ? "–" : std::to_string(row.order);
   if (row.order_embedded != 0) claimed += fmt::format("({})", row.order_embedded);
   return fmt::format("<tr><th>{}</th>{}{}{}{}{}{}{}{}{}</tr>\n", escape(row.method), cell(claimed),
-                     conditions_cell(row), measured_cell(row),
+                     conditions_cell(row), measured_cell(row, proofs.orders_of(row.method)),
                      std::isnan(row.stability_difference)
                          ? cell("–")
                          : cell(fmt::format("{:.0e}", row.stability_difference),
                                 fmt::format("at {} random points", row.stability_points)),
-                     cell(row.has_stability_class ? describe(row.stability) : "–"),
-                     structure_cell(row), energy_cell(row), estimate_cell(row), mutants_cell(row));
+                     cell(row.has_stability_class() ? describe(row.stability) : "–"),
+                     structure_cell(row), energy_cell(row),
+                     estimate_cell(row, proofs.estimates_of(row.method)), mutants_cell(row));
 }
 
 }  // namespace
@@ -118,7 +120,7 @@ std::string proofs_section(const PageContext& page) {
       "proofs\"><thead><tr><th>method</th><th>claimed</th>"
       "<th>conditions</th><th>measured</th><th>code − R(z)</th><th>stability</th><th>structure</th>"
       "<th>energy</th><th>estimate / error</th><th>mutants caught</th></tr></thead><tbody>\n";
-  for (const ProofRow& row : proofs.rows) html += row_html(row);
+  for (const ProofRow& row : proofs.rows) html += row_html(row, proofs);
   return html + "</tbody></table></div>\n</section>\n";
 }
 

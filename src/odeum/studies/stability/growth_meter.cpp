@@ -29,11 +29,12 @@ std::optional<judge::Growth> decay(std::span<const judge::PlaneState> states, do
 
 }  // namespace
 
-GrowthMeter::GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator, Watch watch)
+GrowthMeter::GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator,
+                         RunLength length)
     : probe_(probe),
       entrant_(entrant),
       oscillator_(oscillator),
-      watch_(watch),
+      length_(length),
       decayed_below_(entrant.info.family == "multistep" ? 1e-250 : 1e-9) {
   // Ten times what the costliest solvers here (extrapolation, iterations that crawl) take.
   request_.budget.evaluations = 20'000'000;
@@ -65,7 +66,7 @@ judge::Growth GrowthMeter::measure(double first, double second) {
   probe_.place(first, second);
   const double scale = oscillator_ && first != 0 ? first : 1;
   judge::Growth growth;
-  for (std::uint64_t steps = watch_.first_steps;; steps *= 4) {
+  for (std::uint64_t steps = length_.first_steps;; steps *= 4) {
     if (!run(steps, scale)) {
       // Numbers that overflow have grown; whatever else stopped the solver, it gave no answer.
       if (status_ == Status::non_finite) return {std::numeric_limits<double>::infinity(), 0};
@@ -81,7 +82,7 @@ judge::Growth GrowthMeter::measure(double first, double second) {
         oscillator_ ? judge::Coefficients::real : judge::Coefficients::complex);
     if (growth.noise <= clear_noise || std::abs(growth.log_per_step) > 10 * growth.noise)
       return growth;
-    if (steps * 4 > watch_.last_steps) {
+    if (steps * 4 > length_.last_steps) {
       // No one or two roots dominate yet: the mean over the run, which a beat falsifies by a
       // factor of the order of 10 in length at most.
       const double mean = std::log(judge::length(all.back()) / scale) / static_cast<double>(steps);

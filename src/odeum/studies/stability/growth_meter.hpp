@@ -10,14 +10,14 @@
 
 namespace odeum::study {
 
-/// How long a solver is watched: `first_steps` steps, and four times as many again and again up to
+/// How many steps a solver takes: `first_steps`, and four times as many again and again up to
 /// `last_steps` until its growth is clear.
-struct Watch {
+struct RunLength {
   std::uint64_t first_steps, last_steps;
 };
 /// For a limit, to be found to 1e-6, and for one point of many of a region.
-inline constexpr Watch limit_watch{.first_steps = 64, .last_steps = 8192};
-inline constexpr Watch region_watch{.first_steps = 32, .last_steps = 512};
+inline constexpr RunLength limit_length{.first_steps = 64, .last_steps = 8192};
+inline constexpr RunLength region_length{.first_steps = 32, .last_steps = 512};
 
 /// Measures the growth of one solver anywhere on the plane of a probe: it solves at h = 1 from the
 /// probe's start, and the growth is read off the states of the run, never off the method's theory.
@@ -25,7 +25,7 @@ inline constexpr Watch region_watch{.first_steps = 32, .last_steps = 512};
 class GrowthMeter {
  public:
   /// On the oscillator planes the first parameter is omega, which scales q to the size of q'.
-  GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator, Watch watch);
+  GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator, RunLength length);
 
   judge::Growth measure(double first, double second);
 
@@ -41,7 +41,7 @@ class GrowthMeter {
   const Probe& probe_;
   const Entrant& entrant_;
   bool oscillator_;
-  Watch watch_;
+  RunLength length_;
   /// A state that has fallen below it has decayed, whatever comes later: what is left of it may be
   /// of the size of the tolerance of an implicit solver, and its growth is not the method's any
   /// more. A multistep method is not judged so soon: its start may die away before its own roots

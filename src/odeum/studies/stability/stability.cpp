@@ -5,13 +5,9 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/judge/stability_search.hpp"
-#include "odeum/record/fields.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
 #include "odeum/studies/stability/region_map.hpp"
 
@@ -23,7 +19,7 @@ struct Window {
   double first_low = 0, first_high = 0, second_low = 0, second_high = 0;
 };
 
-/// A thing to find out about a solver: a limit along an axis or a region of a plane.
+/// What is measured of a solver: a limit along an axis or a region of a plane.
 struct Question {
   const char* name;    ///< the axis or the plane, as the files name it
   const char* option;  ///< the value of --plane that asks for it
@@ -77,11 +73,6 @@ struct Task {
   std::string unfit;  ///< why there is nothing to measure; empty: there is
 };
 
-struct TaskResult {
-  std::optional<StabilityLimit> limit;
-  std::optional<StabilityRegion> region;
-};
-
 judge::PlaneState point_at(const Question& axis, double x) {
   return {axis.direction[0] * x, axis.direction[1] * x};
 }
@@ -100,10 +91,9 @@ std::function<judge::Growth(double)> theory_of(const Task& task) {
   };
 }
 
-StabilityLimit find_limit_of(const Task& task) {
+void find_limit_of(const Task& task, StabilityLimit& row) {
   const Probe probe = task.c->probe();
-  GrowthMeter meter(probe, probe.entrants[task.index], task.question->oscillator, limit_watch);
-  StabilityLimit row;
+  GrowthMeter meter(probe, probe.entrants[task.index], task.question->oscillator, limit_length);
   std::string failure, failure_detail;
   const judge::LimitFound found = judge::find_limit([&](double x) {
     if (interrupted) throw Interrupted();
@@ -122,17 +112,15 @@ StabilityLimit find_limit_of(const Task& task) {
   const auto theory = theory_of(task);
   if (theory) row.theory = judge::find_limit(theory).limit;
   row.difference = row.limit == row.theory ? 0 : std::abs(row.limit - row.theory);
-  return row;
 }
 
-StabilityRegion map_region_of(const Task& task, int own_grid, int peer_grid) {
+void map_region_of(const Task& task, const Options& options, StabilityRegion& region) {
   const Question& question = *task.question;
   const bool own = task.info.library == "odeum";
   const LaneRunner runner =
       own && !question.oscillator ? find_lane_runner(task.info.method) : nullptr;
-  const int wanted = own ? own_grid : peer_grid;
-  StabilityRegion region;
-  region.columns = wanted > 1 ? wanted : runner ? 257 : own ? 129 : 65;
+  const double points = options.number("grid", runner ? 257 : own ? 129 : 65);
+  region.columns = static_cast<int>(own ? points : options.number("peer-grid", points));
   // The window on the oscillator is twice as wide as high: square cells there too.
   region.rows = question.oscillator ? region.columns / 2 + 1 : region.columns;
   region.first_low = question.window.first_low;
@@ -143,90 +131,43 @@ StabilityRegion map_region_of(const Task& task, int own_grid, int peer_grid) {
     map_region_in_lanes(runner, region);
   } else {
     const Probe probe = task.c->probe();
-    GrowthMeter meter(probe, probe.entrants[task.index], question.oscillator, region_watch);
+    GrowthMeter meter(probe, probe.entrants[task.index], question.oscillator, region_length);
     map_region(meter, !question.oscillator, region);
   }
-  return region;
 }
 
-template <class Row>
-Row not_applicable(const Task& task, Row row) {
-  row.status = "not_applicable";
-  row.detail = task.unfit;
-  return row;
-}
-
-TaskResult answer(const Task& task, const StabilityOptions& options) {
-  TaskResult result;
-  if (task.question->region)
-    result.region = task.unfit.empty() ? map_region_of(task, options.own_grid, options.peer_grid)
-                                       : not_applicable(task, StabilityRegion{});
-  else
-    result.limit =
-        task.unfit.empty() ? find_limit_of(task) : not_applicable(task, StabilityLimit{});
-  return result;
-}
-
-// The journal's form of a result.
-template <class Record, class Row>
-void fields(Record& record, Row& row) {
-  record.field(row.status);
-  record.field(row.detail);
-  if constexpr (requires { row.limit; }) {
-    record.field(row.limit);
-    record.field(row.theory);
-    record.field(row.difference);
-  } else {
-    record.field(row.columns);
-    record.field(row.rows);
-    record.field(row.first_low);
-    record.field(row.first_high);
-    record.field(row.second_low);
-    record.field(row.second_high);
-  }
-}
-
-std::string write_record(const TaskResult& result) {
-  record::RecordWriter record;
-  if (result.limit) fields(record, *result.limit);
-  if (result.region) {
-    fields(record, *result.region);
-    record.field(growth_text(*result.region));
-  }
-  return record.text();
-}
-
-TaskResult read_record(const std::string& text, const Task& task) {
-  record::RecordReader record(text);
-  TaskResult result;
+StabilityResult answer(const Task& task, const Options& options) {
+  StabilityResult result;
   if (task.question->region) {
-    std::string growth;
-    fields(record, result.region.emplace());
-    record.field(growth);
-    result.region->growth = read_growth(growth, *result.region);
+    auto region = named_row<StabilityRegion>(task.info);
+    region.plane = task.question->name;
+    if (task.unfit.empty())
+      map_region_of(task, options, region);
+    else
+      region = not_applicable(region, task.unfit);
+    result.regions.push_back(std::move(region));
   } else {
-    fields(record, result.limit.emplace());
+    auto limit = named_row<StabilityLimit>(task.info);
+    limit.axis = task.question->name;
+    if (task.unfit.empty())
+      find_limit_of(task, limit);
+    else
+      limit = not_applicable(limit, task.unfit);
+    result.limits.push_back(std::move(limit));
   }
   return result;
 }
 
-// Who a row is of does not stand in the record: the task says it.
-void sign(const Task& task, TaskResult& result) {
-  if (result.limit) {
-    result.limit->library = task.info.library;
-    result.limit->solver = task.info.method;
-    result.limit->axis = task.question->name;
-  } else {
-    result.region->library = task.info.library;
-    result.region->solver = task.info.method;
-    result.region->plane = task.question->name;
-  }
+std::string key_of(const Task& task) {
+  return fmt::format("{} {} {}", task.question->region ? "region" : "limit", task.question->name,
+                     task.info.id());
 }
 
-std::vector<Task> select_tasks(const StabilityOptions& options) {
+std::vector<Task> select_tasks(const Options& options) {
+  const std::string plane = options.word("plane");
   std::vector<Task> tasks;
   for (const Question& question : questions) {
-    if (!options.plane.empty() && options.plane != question.option) continue;
+    if (!plane.empty() && plane != question.option) continue;
     for (const Case& c : all_cases()) {
       if (c.plane != question.probe) continue;
       const Probe probe = c.probe();
@@ -244,29 +185,11 @@ std::vector<Task> select_tasks(const StabilityOptions& options) {
 
 }  // namespace
 
-StabilityResult measure_stability(const StabilityOptions& options, record::Journal* journal) {
+StabilityResult measure_stability(const Options& options, const Runner& runner) {
   const std::vector<Task> tasks = select_tasks(options);
-  std::vector<TaskResult> results(tasks.size());
-  Progress progress("stability", static_cast<double>(tasks.size()));
-  parallel_for(tasks.size(), options.jobs, [&](std::size_t i) {
-    const Task& task = tasks[i];
-    const std::string key = fmt::format("{} {} {}", task.question->region ? "region" : "limit",
-                                        task.question->name, task.info.id());
-    if (const auto held = journal ? journal->find(key) : std::nullopt) {
-      results[i] = read_record(*held, task);
-    } else {
-      results[i] = answer(task, options);
-      if (journal) journal->add(key, write_record(results[i]));
-    }
-    sign(task, results[i]);
-    progress.advance();
-  });
-  StabilityResult all;
-  for (TaskResult& result : results) {
-    if (result.limit) all.limits.push_back(std::move(*result.limit));
-    if (result.region) all.regions.push_back(std::move(*result.region));
-  }
-  return all;
+  return runner.run(
+      "stability", tasks, [](const Task& task) { return key_of(task); },
+      [&](const Task& task) { return answer(task, options); });
 }
 
 }  // namespace odeum::study

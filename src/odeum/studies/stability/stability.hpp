@@ -2,11 +2,10 @@
 #pragma once
 #include <limits>
 #include <string>
-#include <string_view>
+#include <tuple>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
@@ -25,6 +24,13 @@ struct StabilityLimit {
   double difference = nan;  ///< |limit - theory|, 0 where both are infinite
   std::string status;       ///< a Status, or not_applicable
   std::string detail;
+
+  static constexpr const char* file = "stability_limits.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("axis", row.axis);
+    visit("limit", row.limit), visit("theory", row.theory), visit("difference", row.difference);
+    visit("status", row.status), visit("detail", row.detail);
+  }
 };
 
 /// Growth per step measured on a grid of a parameter plane, row by row from the lowest second
@@ -40,36 +46,38 @@ struct StabilityRegion {
   double first_low = 0, first_high = 0;    ///< real part, or omega h
   double second_low = 0, second_high = 0;  ///< imaginary part, or zeta
   std::vector<float> growth;
+
+  /// The file that holds the growth, stability/<library>_<solver>_<plane>.csv; empty: no growth.
+  std::string growth_file() const;
+
+  static constexpr const char* file = "stability_regions.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("plane", row.plane);
+    visit("status", row.status), visit("detail", row.detail), visit("columns", row.columns);
+    visit("rows", row.rows), visit("first_low", row.first_low);
+    visit("first_high", row.first_high), visit("second_low", row.second_low);
+    visit("second_high", row.second_high), visit("growth", record::Unlisted{row.growth});
+    visit("file", record::Derived{row.growth_file()});
+  }
 };
 
 struct StabilityResult {
   std::vector<StabilityLimit> limits;
   std::vector<StabilityRegion> regions;
+  static auto lists(auto& result) { return std::tie(result.limits, result.regions); }
 };
 
-struct StabilityOptions {
-  std::vector<std::string> solvers;  ///< globs on library/method; empty: all
-  std::string plane;                 ///< lambda, oscillator, or empty: both
-  int own_grid = 0;   ///< points along the first axis, own methods; 0: 257 in lanes, else 129
-  int peer_grid = 0;  ///< and other libraries' solvers; 0: 65
-  unsigned jobs = 1;
-};
+/// Stability regions and limits of every solver with a fixed step. Own options: `plane` is lambda
+/// or oscillator (both), `grid` the points along the first axis (own methods 257 where they run in
+/// lanes, else 129; peers 65), `peer-grid` the same for peers alone. Throws Interrupted.
+StabilityResult measure_stability(const Options& options, const Runner& runner = Runner());
 
-/// Stability regions and limits of every solver with a fixed step. Throws Interrupted.
-StabilityResult measure_stability(const StabilityOptions& options,
-                                  record::Journal* journal = nullptr);
+/// Writes the file of a region's growth: a header and a line with schema, plane, columns, rows,
+/// first_low, first_high, second_low, second_high; then `rows` lines of `columns` growths per step
+/// to 4 digits, in the order of StabilityRegion.
+void write_growth(const StabilityRegion& region, const record::OutputFolder& folder);
 
-/// Writes
-/// - stability_limits.csv: a row for every solver and axis;
-/// - stability_regions.csv: a row for every solver and plane, with the file that holds its data;
-/// - stability/<library>_<solver>_<plane>.csv: a header and a line with schema, plane, columns,
-///   rows, first_low, first_high, second_low, second_high; then `rows` lines of `columns` growths
-///   per step to 4 digits, in the order of StabilityRegion.
-void write_csv(const StabilityResult& result, const record::OutputFolder& folder);
-
-/// The lines of growths of a region as its file holds them, and back (columns and rows must be set;
-/// throws std::runtime_error where the text has not as many numbers).
+/// The lines of growths.
 std::string growth_text(const StabilityRegion& region);
-std::vector<float> read_growth(std::string_view text, const StabilityRegion& region);
 
 }  // namespace odeum::study

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "odeum/record/table.hpp"
+#include "odeum/studies/precision/precision.hpp"
+
+namespace odeum::study {
+namespace {
+
+class Precision final : public StudyOf<PrecisionResult> {
+ public:
+  Precision()
+      : StudyOf({.name = "precision",
+                 .help = "time against error, who is fastest where",
+                 .place = 10,
+                 .no_resume = "times of two runs of the program do not compare",
+                 .options = {{.name = "seconds",
+                              .help = "what the timed runs of a case may take, roughly; default: 4",
+                              .least = 1e-3},
+                             {.name = "solve-seconds",
+                              .help = "a solve that takes longer is over budget; default: 2",
+                              .least = 1e-3},
+                             {.name = "attempts",
+                              .help = "how often a case that other programs disturbed is timed; "
+                                      "default: 2",
+                              .least = 1,
+                              .most = 100}}}) {}
+
+  /// One case of each kind (linear, orbits, many bodies, and three stiff ones), with short limits.
+  std::vector<Options> report_runs(bool quick) const override {
+    if (quick) return {};
+    return {
+        {.cases = {"osc_under", "kepler_e06", "pleiades", "vdp_mu1000", "hires", "robertson_40"},
+         .own = {{"seconds", "1.1"},
+                 {"solve-seconds", fmt::format("{}", report_seconds_per_solve)},
+                 {"attempts", "1"}}}};
+  }
+
+  /// One line a case and error.
+  std::string table() const override {
+    return record::table_of(result().summary, {{"case", "{case}"},
+                                               {"error", "{error:.0e}"},
+                                               {"fastest own", "{own}"},
+                                               {"ns", "{own_ns:.0f}"},
+                                               {"fastest peer", "{peer}"},
+                                               {"ns", "{peer_ns:.0f}"},
+                                               {"peer / own", "{ratio:.2f}"},
+                                               {"least", "{ratio_low:.2f}"},
+                                               {"most", "{ratio_high:.2f}"},
+                                               {"reason", "{reason}"}})
+        .text();
+  }
+
+ protected:
+  PrecisionResult run(const Options& options, const Runner& runner) const override {
+    return measure_precision(options, runner);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Study> make_precision() { return std::make_unique<Precision>(); }
+
+}  // namespace odeum::study

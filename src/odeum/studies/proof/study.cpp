@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/record/table.hpp"
+#include "odeum/studies/proof/proof.hpp"
+
+namespace odeum::study {
+namespace {
+
+class Proof final : public StudyOf<ProofResult> {
+ public:
+  Proof()
+      : StudyOf(
+            {.name = "proof",
+             .help = "own methods against their order conditions, their theory and their mutants",
+             .place = 80,
+             .cases_help = "",
+             .quick_help = "a hundredth of the periods for the energy"}) {}
+
+  std::string table() const override {
+    return record::table_of(result().rows, {{"method", "{solver}"},
+                                            {"claimed", "{claimed_order:d}"},
+                                            {"conditions", "{conditions}"},
+                                            {"code - R(z)", "{stability_difference:.0e}"},
+                                            {"stability", "{stability}"},
+                                            {"caught", "{caught:d}"},
+                                            {"survived", "{survived:d}"},
+                                            {"of mutants", "{mutants:d}"}})
+        .text();
+  }
+
+ protected:
+  ProofResult run(const Options& options, const Runner& runner) const override {
+    return prove(options, runner);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Study> make_proof() { return std::make_unique<Proof>(); }
+
+}  // namespace odeum::study
