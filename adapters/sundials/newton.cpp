@@ -33,8 +33,6 @@ int jacobian_times(N_Vector x, N_Vector product, double t, N_Vector y, N_Vector,
   return -session.problem().jacobian_times(t, NV_DATA_S(y), NV_DATA_S(x), NV_DATA_S(product));
 }
 
-bool dense(const Session& session) { return session.dimension() <= dense_dimension_limit; }
-
 Session& session_of(SUNLinearSolver solver) { return *static_cast<Session*>(solver->content); }
 
 int solve_embedded(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, double) {
@@ -66,12 +64,16 @@ SUNLinearSolver embedded(Session& session) {
 
 }  // namespace
 
+bool uses_dense_matrix(const Session& session) {
+  return session.dimension() <= dense_dimension_limit;
+}
+
 void attach_linear_solver(Session& session) {
   const Module& module = session.module();
   const OdeView& view = session.problem().view();
   Matrix matrix;
   LinearSolver solver;
-  if (dense(session)) {
+  if (uses_dense_matrix(session)) {
     const auto n = static_cast<sunindextype>(session.dimension());
     matrix.reset(SUNDenseMatrix(n, n, session.context()));
     solver.reset(SUNLinSol_Dense(session.y(), matrix.get(), session.context()));
@@ -89,9 +91,9 @@ void attach_linear_solver(Session& session) {
   void* const integrator = session.integrator();
   check(module.set_linear_solver(integrator, solver.get(), matrix.get()),
         "attaching the linear solver");
-  if (dense(session) && view.jacobian)
+  if (uses_dense_matrix(session) && view.jacobian)
     check(module.set_jacobian(integrator, dense_jacobian), "setting the Jacobian");
-  if (!dense(session) && !session.shifted_solver() && view.jacobian_times)
+  if (!uses_dense_matrix(session) && !session.shifted_solver() && view.jacobian_times)
     check(module.set_jacobian_times(integrator, nullptr, jacobian_times),
           "setting the Jacobian-vector product");
   session.keep(std::move(solver), std::move(matrix));
@@ -100,7 +102,7 @@ void attach_linear_solver(Session& session) {
 double exact_solve_tolerance(const Session& session) {
   // Fifty times rounding for the dense solver. Iterative solvers are given tolerances two hundred
   // times smaller than this, which must stay above rounding.
-  return dense(session) ? 1e-14 : 1e-11;
+  return uses_dense_matrix(session) ? 1e-14 : 1e-11;
 }
 
 }  // namespace odeum::adapters::sundials

@@ -11,6 +11,9 @@ namespace odeum::adapters::sundials {
 /// Jacobian-vector product where it has none.
 void attach_linear_solver(Session& session);
 
+/// Whether that is a dense matrix: settings that rebuild it more often then pay.
+bool uses_dense_matrix(const Session& session);
+
 /// Accuracy of the iteration in a fixed step, in effect relative to max(1, |y|): far below the
 /// error of the method, so that the measured order is that of the method.
 double exact_solve_tolerance(const Session& session);

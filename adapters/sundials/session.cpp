@@ -102,7 +102,8 @@ void Session::run_adaptive(Outcome& outcome) {
   check(module_.set_tolerances(integrator_, request_.tolerance, request_.tolerance),
         "setting the tolerances");
   for (const double stop : request_.stops) {
-    check(module_.set_stop_time(integrator_, stop), "setting the stop time");
+    check(module_.set_stop_time(integrator_, module_.interpolates_stops ? t_end() : stop),
+          "setting the stop time");
     check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
     outcome.record(t_, state_.data(), state_.size());
   }
