@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/model/extended_springs.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "support/reference.hpp"
 #include "support/square_cloth.hpp"
 #include "support/stage.hpp"
@@ -51,12 +50,12 @@ Case make_variant(const Variant& variant) {
   if (c.has_tag("smooth")) {
     // A spring of the moving middle is shortest at t = 0.005 s, where its length has branch points
     // 0.007 s off the real axis: order 9 is reached only at steps whose errors are below 1e-15.
-    ExtendedProblem extended = scene::extended_mass_spring(*scene);
+    ExtendedProblem extended = scene::extended_problem(*scene);
     extended.truth = extended_truth(variant.reference);
     extended.floor = 1e-20;  // the digits of the file
     c.extended = std::make_shared<const ExtendedProblem>(std::move(extended));
   }
-  set_stage(c, scene::MassSpring(*scene), scene);
+  set_stage(c, scene::SceneProblem(*scene), scene);
   return c;
 }
 

@@ -8,7 +8,7 @@
 
 #include "engine.hpp"
 #include "expressible.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "soft_body.hpp"
 
 namespace odeum::adapters::bullet {
@@ -82,7 +82,7 @@ class ForceEngine final : public ClassicEngine {
     return scene;
   }
 
-  scene::MassSpring springs_;
+  scene::SceneProblem springs_;
   std::array<double, 9> medium_;
   std::size_t n_;
   std::vector<double> q_, v_, a_;

@@ -6,33 +6,14 @@
 namespace odeum::cases {
 namespace {
 
-/// A scene with what only the compiler can be told.
-template <bool Damped>
-struct StagedScene {
-  static constexpr std::size_t dimension = dynamic;
-  static constexpr bool velocity_dependent = Damped;
-  std::shared_ptr<const scene::SceneProblem> scene;
-
-  std::size_t size() const { return scene->size(); }
-  void acceleration(double, const double* q, const double* v, double* a) const {
-    scene->acceleration(q, v, a);
-  }
-  void rhs(double t, const double* y, double* dydt) const {
-    second_order_rhs(*this, size() / 2, t, y, dydt);
-  }
-  void jacobian_times(double, const double* y, const double* x, double* product) const {
-    scene->jacobian_times(y, x, product);
-  }
-  std::unique_ptr<ShiftedSolver> shifted_solver() const { return scene->shifted_solver(); }
-};
-
-template <bool Damped>
-std::vector<Entrant> enroll_staged(const std::shared_ptr<const scene::SceneProblem>& problem) {
-  Contest<StagedScene<Damped>> contest;
-  contest.problem = std::make_shared<const StagedScene<Damped>>(StagedScene<Damped>{problem});
+ErasedContest stage_of(const std::shared_ptr<const scene::SceneProblem>& problem) {
+  Contest<scene::SceneProblem> contest;
+  contest.problem = problem;
   contest.y0 = {problem, &problem->start()};
   contest.scene = problem->plain_scene();
-  return enroll(erase(contest));
+  ErasedContest erased = erase(contest);
+  erased.view.velocity_dependent = !problem->structure().separable;
+  return erased;
 }
 
 // The exact motion in closed form, as a solver without steps.
@@ -65,8 +46,7 @@ Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
 }  // namespace
 
 std::vector<Entrant> enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {
-  std::vector<Entrant> entrants =
-      problem->structure().separable ? enroll_staged<false>(problem) : enroll_staged<true>(problem);
+  std::vector<Entrant> entrants = enroll(stage_of(problem));
   entrants.push_back(closed_form(problem));
   return entrants;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "odeum/contest/solver.hpp"
-#include "odeum/scene/model/scene_problem.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 
 namespace odeum::cases {
 

@@ -6,7 +6,7 @@
 
 #include "adapter/bullet_stage.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 
 namespace odeum::bullet_tests {
 namespace {
@@ -145,7 +145,7 @@ TEST(Bullet, ALinkHasALawOfItsOwn) {
 
 TEST(Bullet, AChainDrivenByForcesIsSymplecticEuler) {
   const scene::Scene scene = chain();
-  const scene::MassSpring problem(scene);
+  const scene::SceneProblem problem(scene);
   const double h = static_cast<double>(static_cast<float>(0.01));
   auto y = state_of(scene);
   for (int i = 0; i < 100; ++i) {
@@ -166,7 +166,7 @@ TEST(Bullet, DeformableChainsConvergeToTheSceneTheyWereGiven) {
   const Stage stage = bullet_tests::stage<18>(scene, state_of(scene));
   // Truth: the scene's own equation by the classical Runge-Kutta method, its error 1e-9 by the
   // factor 16 on halving the step.
-  const scene::MassSpring problem(scene);
+  const scene::SceneProblem problem(scene);
   auto y = state_of(scene);
   const double h = 1.0 / 1000;
   for (int i = 0; i < 1000; ++i) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "support/square_cloth.hpp"
 #include "support/stage.hpp"
@@ -66,7 +66,7 @@ ClothStage::ClothStage(std::size_t n, double stiffness, Forces forces)
   case_.id = "bench";
   case_.y0 = scene::start_of(*scene_);
   if (forces == Forces::grid) {
-    cases::set_stage(case_, scene::MassSpring(*scene_), scene_);
+    cases::set_stage(case_, scene::SceneProblem(*scene_), scene_);
     return;
   }
   PlainProblem problem{std::make_shared<PlainCloth>(*scene_), {}, scene_->gravity};

@@ -8,7 +8,7 @@
 #include "cloth_stage.hpp"
 #include "goals.hpp"
 #include "grid_forces.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/springs/cloth_engine.hpp"
 #include "odeum/scene/springs/imex_cloth.hpp"
 #include "odeum/scene/springs/lanes.hpp"

@@ -12,7 +12,7 @@ inline bool read_any(const std::string& text) {
   scene::ReadOptions options;
   options.most_particles = 20'000;
   try {
-    const scene::Description scene = scene::read_scene("f", text, options).description;
+    const scene::Scene scene = scene::read_scene("f", text, options).scene;
     for (const auto& particle : scene.particles)
       for (std::size_t d = 0; d < 3; ++d)
         if (!std::isfinite(particle.position[d]) || !std::isfinite(particle.velocity[d]))

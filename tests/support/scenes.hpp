@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 
 namespace odeum::tests {
 

@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "odeum/methods/implicit_euler_linearised.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "support/scenes.hpp"
 
 namespace odeum::tests {
@@ -17,10 +17,10 @@ namespace {
 using Eigen::Index;
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-using scene::MassSpring;
 using scene::Scene;
+using scene::SceneProblem;
 
-Matrix dense_jacobian(const MassSpring& problem, const std::vector<double>& y) {
+Matrix dense_jacobian(const SceneProblem& problem, const std::vector<double>& y) {
   const auto n = static_cast<Index>(y.size());
   Matrix j(n, n);
   for (Index column = 0; column < n; ++column) {
@@ -60,7 +60,7 @@ TEST_P(ShiftedSolverOfANet, AgreesWithADenseSolve) {
   for (auto& particle : scene.particles)
     for (double& coordinate : particle.position) coordinate *= squeeze;
   for (auto& spring : scene.springs) spring.tension_only = spring.tension_only && definite;
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   const std::vector<double> y = start_of(scene);
   const Matrix j = dense_jacobian(problem, y);
   EXPECT_EQ(smallest_eigenvalue(scene, j, gamma_h) > 0, definite) << "the case is what it says";
@@ -86,9 +86,9 @@ INSTANTIATE_TEST_SUITE_P(, ShiftedSolverOfANet,
                                          Setting{"compressed", 0.5, 100, 0.3, false}),
                          [](const auto& setting) { return setting.param.name; });
 
-TEST(MassSpringShiftedSolver, NeverMakesAFiniteAnswerOfANaN) {
+TEST(SceneShiftedSolver, NeverMakesAFiniteAnswerOfANaN) {
   const Scene scene = disordered_net(3, 0.05, 2);
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   for (std::size_t entry = 0; entry < 27; ++entry) {
     std::vector<double> y = start_of(scene);
     y[entry] = std::numeric_limits<double>::quiet_NaN();
@@ -139,11 +139,11 @@ Vector baraff_witkin_step(const Scene& scene, const Vector& y, double h) {
 
 TEST(ImplicitEulerLinearised, IsTheMechanicalFormulaOnANet) {
   const Scene scene = disordered_net(4, 0.08, 3, 200);
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   for (const double h : {0.001, 0.02}) {
     std::vector<double> y = start_of(scene);
     const Vector before = Eigen::Map<const Vector>(y.data(), static_cast<Index>(y.size()));
-    methods::implicit_euler_linearised::Stepper<MassSpring> stepper(problem);
+    methods::implicit_euler_linearised::Stepper<SceneProblem> stepper(problem);
     ASSERT_EQ(stepper.step(0, h, y), Status::ok);
     const Vector expected = baraff_witkin_step(scene, before, h);
     const Vector after = Eigen::Map<const Vector>(y.data(), static_cast<Index>(y.size()));

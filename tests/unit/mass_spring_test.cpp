@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ namespace odeum::tests {
 namespace {
 
 using Vector = Eigen::VectorXd;
-using scene::MassSpring;
 using scene::Scene;
+using scene::SceneProblem;
 using scene::Spring;
 
-Vector rhs(const MassSpring& problem, const Vector& y) {
+Vector rhs(const SceneProblem& problem, const Vector& y) {
   Vector dydt(y.size());
   problem.rhs(0, y.data(), dydt.data());
   return dydt;
@@ -29,9 +29,9 @@ Vector start(const Scene& scene) {
   return Eigen::Map<const Vector>(y.data(), static_cast<Eigen::Index>(y.size()));
 }
 
-TEST(MassSpring, JacobianTimesIsTheDerivativeOfTheRightHandSide) {
+TEST(SceneProblem, JacobianTimesIsTheDerivativeOfTheRightHandSide) {
   const Scene scene = disordered_net(4, 0.08, 2);
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   const Vector y = start(scene);
   std::srand(3);
   for (int trial = 0; trial < 5; ++trial) {
@@ -47,9 +47,9 @@ TEST(MassSpring, JacobianTimesIsTheDerivativeOfTheRightHandSide) {
   }
 }
 
-TEST(MassSpring, EnergyFallsByWhatTheDampersTake) {
+TEST(SceneProblem, EnergyFallsByWhatTheDampersTake) {
   const Scene scene = disordered_net(4, 0.08, 2);
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   const Vector y = start(scene), slope = rhs(problem, y);
   const double delta = 1e-6;
   const Vector after = y + delta * slope, before = y - delta * slope;
@@ -66,11 +66,11 @@ TEST(MassSpring, EnergyFallsByWhatTheDampersTake) {
   EXPECT_NEAR(rate, -power, 1e-7);
 }
 
-TEST(MassSpring, KeepsMomentumAndWithoutDampersAngularMomentum) {
+TEST(SceneProblem, KeepsMomentumAndWithoutDampersAngularMomentum) {
   for (const double damping : {0.0, 0.5}) {
     Scene scene = disordered_net(4, 0.08, 0, 10, damping);
     scene.gravity = {};
-    const MassSpring problem(scene);
+    const SceneProblem problem(scene);
     const Vector y = start(scene);
     const auto n = y.size() / 2;
     const Vector a = rhs(problem, y).tail(n);
@@ -92,11 +92,11 @@ TEST(MassSpring, KeepsMomentumAndWithoutDampersAngularMomentum) {
   }
 }
 
-TEST(MassSpring, FixedParticlesFeelNothingAndFreeOnesFall) {
+TEST(SceneProblem, FixedParticlesFeelNothingAndFreeOnesFall) {
   Scene scene;
   scene.gravity = {0, -9.8, 1};
   scene.particles = {{.position = {0, 0, 0}, .fixed = true}, {.position = {5, 0, 0}, .mass = 3}};
-  const MassSpring problem(scene);
+  const SceneProblem problem(scene);
   const Vector slope = rhs(problem, start(scene));
   EXPECT_EQ(slope.head(6), Vector::Zero(6));
   EXPECT_EQ(slope.segment<3>(6), Eigen::Vector3d::Zero());
@@ -111,7 +111,7 @@ Scene tied(double x, const Spring& spring) {
   return scene;
 }
 
-TEST(MassSpring, ASpringObeysItsLawAndASlackOneOnlyDamps) {
+TEST(SceneProblem, ASpringObeysItsLawAndASlackOneOnlyDamps) {
   const Spring two_way{.a = 0, .b = 1, .stiffness = 10, .damping = 4, .rest_length = 1};
   Spring tension = two_way;
   tension.tension_only = true;
@@ -124,7 +124,7 @@ TEST(MassSpring, ASpringObeysItsLawAndASlackOneOnlyDamps) {
         Expected{tension, 1.5, -2.5, 1.25}, Expected{tension, 0.5, 0, 0},
         Expected{tension, 1, 0, 0}, Expected{two_way, 0, 0, 5}}) {
     const Scene scene = tied(x, spring);
-    const MassSpring problem(scene);
+    const SceneProblem problem(scene);
     const Vector y = start(scene), slope = rhs(problem, y);
     EXPECT_DOUBLE_EQ(slope[9], acceleration) << "x = " << x;
     EXPECT_DOUBLE_EQ(slope[10], -2) << "damping on the relative velocity, slack or not";
@@ -132,25 +132,25 @@ TEST(MassSpring, ASpringObeysItsLawAndASlackOneOnlyDamps) {
   }
 }
 
-TEST(MassSpring, RefusesScenesThatItCannotModel) {
+TEST(SceneProblem, RefusesScenesThatItCannotModel) {
   const Spring spring{.a = 0, .b = 1, .stiffness = 1};
-  EXPECT_NO_THROW(MassSpring(tied(1, spring)));
-  EXPECT_THROW(MassSpring(tied(1, {.a = 0, .b = 2})), std::invalid_argument);
-  EXPECT_THROW(MassSpring(tied(1, {.a = 1, .b = 1})), std::invalid_argument);
+  EXPECT_NO_THROW(SceneProblem(tied(1, spring)));
+  EXPECT_THROW(SceneProblem(tied(1, {.a = 0, .b = 2})), std::invalid_argument);
+  EXPECT_THROW(SceneProblem(tied(1, {.a = 1, .b = 1})), std::invalid_argument);
   for (const double mass : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     Scene scene = tied(1, spring);
     scene.particles[1].mass = mass;
-    EXPECT_THROW(MassSpring{scene}, std::invalid_argument) << mass;
+    EXPECT_THROW(SceneProblem{scene}, std::invalid_argument) << mass;
     scene.particles[1].fixed = true;
     scene.particles[1].velocity = {};
-    EXPECT_NO_THROW(MassSpring{scene}) << "a fixed particle's mass is of no account";
+    EXPECT_NO_THROW(SceneProblem{scene}) << "a fixed particle's mass is of no account";
   }
   Scene moving = tied(1, spring);
   moving.particles[0].velocity = {1, 0, 0};
-  EXPECT_THROW(MassSpring{moving}, std::invalid_argument);
+  EXPECT_THROW(SceneProblem{moving}, std::invalid_argument);
   Scene medium = tied(1, spring);
   medium.velocity_matrix[0] = -1;
-  EXPECT_THROW(MassSpring{medium}, std::invalid_argument);
+  EXPECT_THROW(SceneProblem{medium}, std::invalid_argument);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ springs:
     stiffness: 20.0
     damping: 0.5
 )");
-  const scene::Description& d = read.description;
+  const scene::Scene& d = read.scene;
   EXPECT_TRUE(read.warnings.empty());
   EXPECT_EQ(d.name, "pair");
   EXPECT_EQ(d.gravity, (scene::Vec3{0, 0, -1.5}));
@@ -64,7 +64,7 @@ cloth:
   fixed: [{column: 3}, {row: 0, column: 0}]
   velocity: [{rows: [1, 2], columns: [0, 3], value: [0, 0, 1]}]
 )"))
-                     .description;
+                     .scene;
   ASSERT_EQ(d.particles.size(), 2U + 12U);
   EXPECT_EQ(d.cloths.front().first, 2U);
   EXPECT_EQ(d.particles[2 + 1 * 4 + 2].position, (scene::Vec3{1, 2, 1}));
@@ -85,7 +85,7 @@ forces:
   - drag: &c {coefficient: 2}
   - quadratic_drag: *c
 )")
-                     .description;
+                     .scene;
   EXPECT_EQ(d.forces.size(), 2U);
 }
 

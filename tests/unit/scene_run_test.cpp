@@ -17,8 +17,8 @@
 namespace odeum {
 namespace {
 
-using scene::Description;
 using scene::RunResult;
+using scene::Scene;
 using scene::Vec3;
 
 const cases::SceneText& built_in(const std::string& name) {
@@ -27,19 +27,17 @@ const cases::SceneText& built_in(const std::string& name) {
   throw std::invalid_argument(name);
 }
 
-Description read(const std::string& text) { return scene::read_scene("s.yaml", text).description; }
-Description built_in_scene(const std::string& name) {
-  return read(std::string(built_in(name).text));
-}
+Scene read(const std::string& text) { return scene::read_scene("s.yaml", text).scene; }
+Scene built_in_scene(const std::string& name) { return read(std::string(built_in(name).text)); }
 
-RunResult run(const Description& description, std::uint64_t steps, const std::string& method,
-              double until = 0, double interval = 0) {
+RunResult run(const Scene& scene, std::uint64_t steps, const std::string& method, double until = 0,
+              double interval = 0) {
   scene::RunSetting setting;
   setting.steps = steps;
-  setting.until = until > 0 ? until : *description.duration;
+  setting.until = until > 0 ? until : *scene.duration;
   setting.frame_interval = interval > 0 ? interval : setting.until / 20;
   return scene::run_scene(
-      description, setting,
+      scene, setting,
       [&](const std::shared_ptr<const scene::SceneProblem>& problem, const Request& request) {
         for (const Entrant& entrant : cases::enroll_scene(problem))
           if (entrant.info.id() == "odeum/" + method) return entrant.solve(request);
@@ -51,7 +49,7 @@ double total(const scene::Frame& frame) { return frame.kinetic + frame.potential
 
 // The midpoint rule is exact where the acceleration is constant; 1000 steps round 1000 times.
 TEST(SceneRun, AFreeParticleFallsAsInTheTextbook) {
-  const Description d = read(
+  const Scene d = read(
       "duration: 2\nsolver: {type: midpoint, timestep: 0.002}\n"
       "particles: [{pos: [1, 2, 3], vel: [0.5, -1, 4], mass: 3}]\n");
   const RunResult result = run(d, 1000, "midpoint");
@@ -129,7 +127,7 @@ TEST(SceneRun, UndampedScenesKeepEnergyAndMomentum) {
 }
 
 TEST(SceneRun, ParticlesAreBornAndDie) {
-  const Description d = read(
+  const Scene d = read(
       "gravity: 0\nduration: 1\nsolver: {type: midpoint, timestep: 0.01}\nemitters:\n"
       "  - {position: [1, 0, 0], velocity: [0, 0, 2], rate: 10, lifetime: 0.25, mass: 0.1}\n");
   const RunResult result = run(d, 100, "midpoint", 1, 0.01);
@@ -146,7 +144,7 @@ TEST(SceneRun, ParticlesAreBornAndDie) {
 }
 
 TEST(SceneRun, EmissionIsTheSameForTheSameSeed) {
-  const Description d = built_in_scene("fountain");
+  const Scene d = built_in_scene("fountain");
   const auto first = scene::emitted_particles(d.emitters, 2),
              again = scene::emitted_particles(d.emitters, 2);
   ASSERT_EQ(first.size(), 200U);
@@ -161,7 +159,7 @@ TEST(SceneRun, EmissionIsTheSameForTheSameSeed) {
   // Sideways components have a deviation of 6 * 0.25 / 2; of their mean, a fourteenth: 4 sigma.
   EXPECT_NEAR(mean[0], 0, 0.22);
   EXPECT_NEAR(mean[1], 0, 0.22);
-  Description other = d;
+  Scene other = d;
   other.emitters[0].seed = 2;
   EXPECT_NE(scene::emitted_particles(other.emitters, 1)[0].particle.velocity,
             first[0].particle.velocity);
@@ -169,7 +167,7 @@ TEST(SceneRun, EmissionIsTheSameForTheSameSeed) {
 
 // The fountain by an exact method and by midpoint, which is exact for it as well.
 TEST(SceneRun, TheFountainAgreesWithItsClosedForm) {
-  const Description d = built_in_scene("fountain");
+  const Scene d = built_in_scene("fountain");
   const RunResult stepped = run(d, 100, "midpoint", 1), exact = run(d, 100, "closed_form", 1);
   ASSERT_EQ(stepped.frames.back().y.size(), exact.frames.back().y.size());
   for (std::size_t i = 0; i < exact.frames.back().y.size(); ++i)
@@ -188,7 +186,7 @@ TEST(SceneRun, AFailureKeepsWhatWasReached) {
 TEST(SceneRun, EveryBuiltInSceneRuns) {
   for (const cases::SceneText& text : cases::all_scenes()) {
     for (const Case& c : all_cases()) EXPECT_NE(c.id, text.name);
-    const Description d = read(std::string(text.text));
+    const Scene d = read(std::string(text.text));
     if (d.solver->tolerance) continue;  // ADropReachesItsTerminalVelocity
     const double until = std::min(*d.duration, 0.2);
     const auto steps = static_cast<std::uint64_t>(std::ceil(until / *d.solver->step));
@@ -221,7 +219,7 @@ TEST(SceneFiles, HaveTheColumnsOfTheFormat) {
 
 TEST(SceneFiles, ParaViewFindsItsSeries) {
   const tests::TemporaryFolder folder;
-  const Description d = built_in_scene("spinning_pair");
+  const Scene d = built_in_scene("spinning_pair");
   report::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), 5);
   const auto series =
       nlohmann::json::parse(tests::text_of(folder.path() / "trajectory.vtk.series"));
@@ -235,7 +233,7 @@ TEST(SceneFiles, ParaViewFindsItsSeries) {
 
 // A name must not end the script element, and nothing may be loaded from elsewhere.
 TEST(SceneFiles, TheReplayPageHoldsItself) {
-  Description d = built_in_scene("spinning_pair");
+  Scene d = built_in_scene("spinning_pair");
   d.name = "</script><b>&<!--data-->";
   const std::string page = report::replay_page(d, run(d, 100, "rk4"), {"fact <1>"});
   EXPECT_EQ(page.find("</script><b>"), std::string::npos);

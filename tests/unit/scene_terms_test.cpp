@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/scene/model/scene_problem.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
@@ -13,12 +13,12 @@
 namespace odeum {
 namespace {
 
-using scene::Description;
+using scene::Scene;
 using scene::SceneProblem;
 using scene::Vec3;
 using tests::with_particles;
 
-Description read(const std::string& text) { return scene::read_scene("s.yaml", text).description; }
+Scene read(const std::string& text) { return scene::read_scene("s.yaml", text).scene; }
 
 // Four particles close together, one of them fixed, that every term acts on.
 const char* const crowd = R"(
@@ -45,12 +45,12 @@ TEST_P(SceneTerm, ItsDerivativeIsThatOfItsForce) {
   const std::size_t size = problem.size(), half = size / 2;
   std::vector<double> y = problem.start(), x(size), product(size), high(half), low(half);
   for (std::size_t i = 0; i < size; ++i) x[i] = std::sin(1.0 + 3.0 * static_cast<double>(i));
-  problem.jacobian_times(y.data(), x.data(), product.data());
+  problem.jacobian_times(0, y.data(), x.data(), product.data());
   const double d = 1e-6;
   const auto at = [&](double sign, std::vector<double>& a) {
     std::vector<double> moved = y;
     for (std::size_t i = 0; i < size; ++i) moved[i] += sign * d * x[i];
-    problem.acceleration(moved.data(), moved.data() + half, a.data());
+    problem.acceleration(0, moved.data(), moved.data() + half, a.data());
   };
   at(1, high);
   at(-1, low);
@@ -74,7 +74,7 @@ TEST_P(SceneTerm, ShiftedSystemsAreSolved) {
   const double g = 0.013;
   ASSERT_TRUE(solver->factorise(0, problem.start().data(), g));
   ASSERT_TRUE(solver->solve(x.data(), ShiftedSolver::exact));
-  problem.jacobian_times(problem.start().data(), x.data(), jx.data());
+  problem.jacobian_times(0, problem.start().data(), x.data(), jx.data());
   for (std::size_t i = 0; i < size; ++i)
     EXPECT_NEAR(x[i] - g * jx[i], r[i], 1e-9) << i;  // conjugate gradients stop at 1e-12
 }
@@ -110,14 +110,14 @@ TEST(SceneTerms, AbsentTermsCostNothing) {
   SceneProblem problem(read(with_particles("")));
   problem.count_into(&tally);
   std::vector<double> a(problem.size() / 2);
-  problem.acceleration(problem.start().data(), problem.start().data() + a.size(), a.data());
+  problem.acceleration(0, problem.start().data(), problem.start().data() + a.size(), a.data());
   EXPECT_TRUE(tally.entries().empty());
   EXPECT_TRUE(problem.structure().terms.empty());
 
   SceneProblem dragged(read(with_particles("forces: [{drag: {coefficient: 1}}]\n")));
   dragged.count_into(&tally);
   for (int k = 0; k < 3; ++k)
-    dragged.acceleration(dragged.start().data(), dragged.start().data() + a.size(), a.data());
+    dragged.acceleration(0, dragged.start().data(), dragged.start().data() + a.size(), a.data());
   const auto entries = tally.entries();
   ASSERT_EQ(entries.size(), 1U);
   EXPECT_EQ(entries.at("drag").evaluations, 3U);
@@ -133,8 +133,8 @@ TEST(SceneTerms, AFarAwaySurfaceChangesNoBit) {
       " {sphere: {center: [9, 0, 0], radius: 1, stiffness: 1e4, friction: 1}}]\n"));
   std::vector<double> y = bare.start(), a(y.size() / 2), b(y.size() / 2);
   for (std::size_t i = 0; i < a.size(); ++i) y[i] += 1e-3 * std::sin(static_cast<double>(i));
-  bare.acceleration(y.data(), y.data() + a.size(), a.data());
-  walled.acceleration(y.data(), y.data() + a.size(), b.data());
+  bare.acceleration(0, y.data(), y.data() + a.size(), a.data());
+  walled.acceleration(0, y.data(), y.data() + a.size(), b.data());
   EXPECT_EQ(a, b);
   EXPECT_EQ(bare.potential(y.data()), walled.potential(y.data()));
 }
@@ -151,7 +151,7 @@ TEST(SceneTerms, InternalForcesKeepMomentum) {
            "contacts: [{particles: {stiffness: 50, damping: 2, friction: 0.4}}]\n"));
   std::vector<double> rate(problem.size());
   const double* const v = problem.start().data() + rate.size() / 2;
-  problem.acceleration(problem.start().data(), v, rate.data() + rate.size() / 2);
+  problem.acceleration(0, problem.start().data(), v, rate.data() + rate.size() / 2);
   double largest = 0;
   for (const double component : rate) largest = std::max(largest, std::abs(component));
   EXPECT_GT(largest, 1);

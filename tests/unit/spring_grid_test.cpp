@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/springs/lanes.hpp"
 
 namespace odeum::scene {
@@ -66,7 +66,7 @@ class SpringGrid : public testing::TestWithParam<Grid> {};
 
 TEST_P(SpringGrid, GathersWhatTheEdgesGive) {
   const Scene scene = make_scene(GetParam());
-  const MassSpring grid(scene), edges(spoiled(scene));
+  const SceneProblem grid(scene), edges(spoiled(scene));
   ASSERT_NE(grid.grid(), nullptr);
   ASSERT_EQ(edges.grid(), nullptr);
   const std::vector<double> y = start_of(scene);
@@ -93,7 +93,7 @@ TEST_P(SpringGrid, SolvesWhatTheEdgesSolve) {
   for (const double squeeze : {1.0, 0.3}) {
     for (Particle& particle : scene.particles)
       for (double& coordinate : particle.position) coordinate *= squeeze;
-    const MassSpring grid(scene), edges(spoiled(scene));
+    const SceneProblem grid(scene), edges(spoiled(scene));
     ASSERT_NE(grid.grid(), nullptr);
     const std::vector<double> y = start_of(scene);
     for (const double gamma_h : {1e-3, 0.05, 0.4, 0.0, -1e-3}) {
@@ -121,7 +121,7 @@ TEST_P(SpringGrid, SolvesWhatTheEdgesSolve) {
 TEST(GridSprings, HaveNoStiffnessAtNoLength) {
   Scene scene = make_scene({4, 4, false});
   scene.particles[5].position = scene.particles[6].position;
-  const MassSpring grid(scene), edges(spoiled(scene));
+  const SceneProblem grid(scene), edges(spoiled(scene));
   const std::vector<double> y = start_of(scene);
   std::vector<double> x(y.size(), 0), by_grid(y.size()), by_edges(y.size());
   x[3 * 5] = 1;
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SpringGrid,
 
 TEST(SpringGrid, NeverLooksAtItsMargins) {
   const Scene scene = make_scene({6, 10, false});
-  const auto structure = find_grid(scene);
+  const auto structure = find_grid(scene.particles, scene.springs);
   ASSERT_TRUE(structure);
   const GridLayout layout(structure->rows, structure->columns);
   const GridSprings<double> springs(layout, structure->kinds);
@@ -166,7 +166,7 @@ TEST(SpringGrid, NeverLooksAtItsMargins) {
 
 TEST(SpringGrid, InSinglePrecisionAgreesToSinglePrecision) {
   const Scene scene = make_scene({12, 12, false});
-  const auto structure = find_grid(scene);
+  const auto structure = find_grid(scene.particles, scene.springs);
   const GridLayout layout(structure->rows, structure->columns);
   const std::vector<double> y = start_of(scene);
   std::vector<double> wide(y.size() / 2), narrow(y.size() / 2);
@@ -186,22 +186,22 @@ TEST(SpringGrid, InSinglePrecisionAgreesToSinglePrecision) {
 
 TEST(SpringGrid, IsFoundOnlyWhereEverySpringIsInItsPlace) {
   const Scene whole = make_scene({7, 9, false});
-  ASSERT_TRUE(find_grid(whole));
-  EXPECT_EQ(find_grid(whole)->rows, 7U);
-  EXPECT_EQ(find_grid(whole)->columns, 9U);
-  EXPECT_EQ(find_grid(whole)->kinds.size(), 8U);
+  ASSERT_TRUE(find_grid(whole.particles, whole.springs));
+  EXPECT_EQ(find_grid(whole.particles, whole.springs)->rows, 7U);
+  EXPECT_EQ(find_grid(whole.particles, whole.springs)->columns, 9U);
+  EXPECT_EQ(find_grid(whole.particles, whole.springs)->kinds.size(), 8U);
   Scene torn = whole;
   torn.springs.erase(torn.springs.begin() + 5);
-  EXPECT_FALSE(find_grid(torn));
+  EXPECT_FALSE(find_grid(torn.particles, torn.springs));
   Scene doubled = whole;
   doubled.springs.push_back(doubled.springs.front());
-  EXPECT_FALSE(find_grid(doubled));
+  EXPECT_FALSE(find_grid(doubled.particles, doubled.springs));
   Scene uneven = whole;
   uneven.springs[3].stiffness *= 1.001;
-  EXPECT_FALSE(find_grid(uneven));
+  EXPECT_FALSE(find_grid(uneven.particles, uneven.springs));
   Scene loose;
   loose.particles.resize(9);
-  EXPECT_FALSE(find_grid(loose));
+  EXPECT_FALSE(find_grid(loose.particles, loose.springs));
 }
 
 // A spring of zero length has no direction; it must not give NaN to its neighbours.
@@ -209,7 +209,7 @@ TEST(SpringGrid, ASpringOfNoLengthExertsNoForce) {
   Scene scene = make_scene({4, 4, false});
   scene.particles[5].position = scene.particles[6].position;
   scene.particles[5].velocity = scene.particles[6].velocity;
-  const MassSpring grid(scene), edges(spoiled(scene));
+  const SceneProblem grid(scene), edges(spoiled(scene));
   ASSERT_NE(grid.grid(), nullptr);
   const std::vector<double> y = start_of(scene);
   std::vector<double> by_grid(y.size()), by_edges(y.size());

@@ -63,8 +63,8 @@ std::string first_comment(std::string_view text) {
 Listing list_scenes() {
   Listing listing{{"name", "solver", "duration", "particles", "springs", "shows"}, {}};
   for (const cases::SceneText& text : cases::all_scenes()) {
-    const scene::Description scene =
-        scene::read_scene(std::string(text.name), std::string(text.text)).description;
+    const scene::Scene scene =
+        scene::read_scene(std::string(text.name), std::string(text.text)).scene;
     listing.rows.push_back({std::string(text.name), scene.solver->type,
                             record::format_number(*scene.duration),
                             std::to_string(scene.particles.size()),

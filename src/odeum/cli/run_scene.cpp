@@ -19,18 +19,18 @@
 namespace odeum::cli {
 namespace {
 
-using scene::Description;
+using scene::Scene;
 using scene::SceneProblem;
 using Lines = std::vector<std::string>;
 
 // What a run keeps in memory, at 8 bytes each.
 constexpr double most_numbers = 2e8;
 
-Lines describe_model(const Description& description, const SceneProblem& problem) {
+Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   const scene::Structure& s = problem.structure();
   Lines lines;
   lines.push_back(fmt::format("particles  {}, {} of them fixed", s.particles, s.fixed));
-  for (const scene::Emitter& emitter : description.emitters)
+  for (const scene::Emitter& emitter : scene.emitters)
     lines.push_back(
         fmt::format("emitter    {} a second, each for {} s", emitter.rate, emitter.lifetime));
   for (const scene::TermInfo& term : s.terms)
@@ -48,11 +48,11 @@ Lines describe_model(const Description& description, const SceneProblem& problem
 }
 
 // With those that are born at once: a scene of emitters alone has nobody to enrol solvers on.
-Description at_start(Description description) {
+Scene at_start(Scene scene) {
   for (const auto& born :
-       scene::emitted_particles(description.emitters, std::numeric_limits<double>::min()))
-    description.particles.push_back(born.particle);
-  return description;
+       scene::emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
+    scene.particles.push_back(born.particle);
+  return scene;
 }
 
 // How many solvers fit, and for each reason who does not.
@@ -95,31 +95,30 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
 
 std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
 
-RunSettings settings_of(const RunOptions& options, const Description& description) {
+RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   RunSettings settings = options.settings;
-  if (!settings.step && !settings.tolerance && description.solver) {
-    settings.step = description.solver->step;
-    settings.tolerance = description.solver->tolerance;
+  if (!settings.step && !settings.tolerance && scene.solver) {
+    settings.step = scene.solver->step;
+    settings.tolerance = scene.solver->tolerance;
   }
   return settings;
 }
 
 const Entrant& choose(const std::vector<Entrant>& entrants, const RunOptions& options,
-                      const Description& description) {
+                      const Scene& scene) {
   if (!options.solver.empty()) return find_entrant(entrants, "this scene", options.solver);
   try {
-    return find_entrant(entrants, "this scene", description.solver->type);
+    return find_entrant(entrants, "this scene", scene.solver->type);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}; got {}, expected a solver that fits",
-                                 description.solver->where, error.what(),
-                                 shown(description.solver->type)));
+    throw UsageError(fmt::format("{}: {}; got {}, expected a solver that fits", scene.solver->where,
+                                 error.what(), shown(scene.solver->type)));
   }
 }
 
-double frame_interval(const Description& description, double until) {
-  const double interval = description.frame_interval.value_or(scene::default_frame_interval(until));
-  double count = until / interval + 1, living = static_cast<double>(description.particles.size());
-  for (const scene::Emitter& emitter : description.emitters)
+double frame_interval(const Scene& scene, double until) {
+  const double interval = scene.frame_interval.value_or(scene::default_frame_interval(until));
+  double count = until / interval + 1, living = static_cast<double>(scene.particles.size());
+  for (const scene::Emitter& emitter : scene.emitters)
     living += emitter.rate * std::min(emitter.lifetime, until) + 1;
   if (!(count * 6 * std::max(1.0, living) < most_numbers))
     throw UsageError(
@@ -129,24 +128,24 @@ double frame_interval(const Description& description, double until) {
   return interval;
 }
 
-void write_files(const record::OutputFolder& folder, const Description& description,
+void write_files(const record::OutputFolder& folder, const Scene& scene,
                  const scene::RunResult& run, const Lines& facts) {
   if (run.status == Status::ok) folder.write("final.csv", report::final_csv(run));
   folder.write("trajectory.csv", report::trajectory_csv(run));
   folder.write("energy.csv", report::energy_csv(run));
-  folder.write("replay.html", report::replay_page(description, run, facts));
-  report::write_vtk_series(folder, description, run);
+  folder.write("replay.html", report::replay_page(scene, run, facts));
+  report::write_vtk_series(folder, scene, run);
 }
 
 int run_read(const scene::ReadScene& read, const RunOptions& options) {
-  const Description& description = read.description;
+  const Scene& scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-  const auto whole = std::make_shared<const SceneProblem>(at_start(description));
+  const auto whole = std::make_shared<const SceneProblem>(at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
-  const Entrant& entrant = choose(entrants, options, description);
-  const Request request = make_request(settings_of(options, description), 0,
-                                       description.duration.value_or(0), entrant.info);
-  for (const scene::Emitter& emitter : description.emitters)
+  const Entrant& entrant = choose(entrants, options, scene);
+  const Request request =
+      make_request(settings_of(options, scene), 0, scene.duration.value_or(0), entrant.info);
+  for (const scene::Emitter& emitter : scene.emitters)
     if (!(emitter.rate * request.stops.back() < 1e6))
       throw UsageError(fmt::format("emitters: rate {} for {} s is more than a million particles",
                                    emitter.rate, request.stops.back()));
@@ -156,19 +155,18 @@ int run_read(const scene::ReadScene& read, const RunOptions& options) {
   setting.tolerance = request.tolerance;
   setting.until = request.stops.back();
   setting.budget = request.budget;
-  setting.frame_interval = frame_interval(description, setting.until);
+  setting.frame_interval = frame_interval(scene, setting.until);
 
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
-  const std::string name = description.name.empty() ? "" : report::plain(description.name);
-  Lines model = describe_model(description, *whole);
+  const std::string name = scene.name.empty() ? "" : report::plain(scene.name);
+  Lines model = describe_model(scene, *whole);
   model.insert(model.begin(), "scene      " + name);
   print(text_of(model) + text_of(describe_fits(entrants)));
 
   const std::string id = entrant.info.id();
   const scene::RunResult run = scene::run_scene(
-      description, setting,
-      [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
+      scene, setting, [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
         return find_entrant(cases::enroll_scene(problem), "this scene", id).solve(part);
       });
   if (interrupted) return interrupted_code;
@@ -177,7 +175,7 @@ int run_read(const scene::ReadScene& read, const RunOptions& options) {
   if (folder) {
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
-    write_files(*folder, description, run, facts);
+    write_files(*folder, scene, run, facts);
     print(fmt::format("files      {}\n", (folder->path() / "replay.html").string()));
   }
   return run.status == Status::ok ? success : solver_failed;

@@ -28,9 +28,9 @@ std::string packed(const std::vector<Number>& numbers) {
 
 Json numbers_of(const scene::Vec3& v) { return {v[0], v[1], v[2]}; }
 
-Json surfaces_of(const scene::Description& description) {
+Json surfaces_of(const scene::Scene& scene) {
   Json surfaces = Json::array();
-  for (const scene::Contact& contact : description.contacts) {
+  for (const scene::Contact& contact : scene.contacts) {
     if (const auto* plane = std::get_if<scene::PlaneContact>(&contact))
       surfaces.push_back({{"kind", "plane"},
                           {"point", numbers_of(plane->point)},
@@ -51,7 +51,7 @@ std::size_t most_frames(const scene::RunResult& run) {
   return std::max<std::size_t>(2, run.frames.size() * most_numbers / numbers);
 }
 
-Json scene_json(const scene::Description& description, const scene::RunResult& run) {
+Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
   std::vector<float> states, radii, rest;
   std::vector<std::uint32_t> counts, ids, ends;
   Json times = Json::array(), kinetic = Json::array(), potential = Json::array();
@@ -65,21 +65,21 @@ Json scene_json(const scene::Description& description, const scene::RunResult& r
     for (const double number : frame.y) states.push_back(static_cast<float>(number));
   }
   std::vector<std::uint32_t> fixed;
-  for (const auto& particle : description.particles) {
+  for (const auto& particle : scene.particles) {
     radii.push_back(static_cast<float>(particle.radius));
     fixed.push_back(particle.fixed);
   }
-  for (const auto& spring : description.springs) {
+  for (const auto& spring : scene.springs) {
     ends.push_back(static_cast<std::uint32_t>(spring.a));
     ends.push_back(static_cast<std::uint32_t>(spring.b));
     rest.push_back(static_cast<float>(spring.rest_length));
   }
   Json cloths = Json::array();
-  for (const auto& cloth : description.cloths)
+  for (const auto& cloth : scene.cloths)
     cloths.push_back({{"first", cloth.first}, {"rows", cloth.rows}, {"columns", cloth.columns}});
-  return {{"name", plain(description.name)},
-          {"up", std::string(1, description.up)},
-          {"listed", description.particles.size()},
+  return {{"name", plain(scene.name)},
+          {"up", std::string(1, scene.up)},
+          {"listed", scene.particles.size()},
           {"times", times},
           {"kinetic", kinetic},
           {"potential", potential},
@@ -91,7 +91,7 @@ Json scene_json(const scene::Description& description, const scene::RunResult& r
           {"springs", packed(ends)},
           {"rest", packed(rest)},
           {"cloths", cloths},
-          {"surfaces", surfaces_of(description)}};
+          {"surfaces", surfaces_of(scene)}};
 }
 
 // JSON that may stand in a script element: no < at all.
@@ -117,17 +117,16 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 
 }  // namespace
 
-std::string replay_page(const scene::Description& description, const scene::RunResult& run,
+std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
                         const std::vector<std::string>& facts) {
   std::string list;
   for (const std::string& fact : facts) list += "<li>" + escape(fact) + "</li>\n";
-  return filled(replay_html(),
-                {{"title", escape(description.name.empty() ? "Scene" : description.name)},
-                 {"style", "<style>\n" + std::string(replay_css()) + "</style>"},
-                 {"facts", list},
-                 {"data", "<script type=\"application/json\" id=\"scene\">" +
-                              for_script(scene_json(description, run)) + "</script>"},
-                 {"script", "<script>\n" + std::string(replay_js()) + "</script>"}});
+  return filled(replay_html(), {{"title", escape(scene.name.empty() ? "Scene" : scene.name)},
+                                {"style", "<style>\n" + std::string(replay_css()) + "</style>"},
+                                {"facts", list},
+                                {"data", "<script type=\"application/json\" id=\"scene\">" +
+                                             for_script(scene_json(scene, run)) + "</script>"},
+                                {"script", "<script>\n" + std::string(replay_js()) + "</script>"}});
 }
 
 }  // namespace odeum::report

@@ -19,7 +19,7 @@ void add_particle(record::CsvRow& row, const scene::Frame& frame, std::size_t i)
     for (std::size_t d = 0; d < 3; ++d) row.number(frame.y[from + d]);
 }
 
-std::string vtk_file(const scene::Description& description, const scene::Frame& frame,
+std::string vtk_file(const scene::Scene& scene, const scene::Frame& frame,
                      const std::string& title) {
   const std::size_t n = frame.ids.size();
   std::string text = "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET POLYDATA\n";
@@ -32,11 +32,9 @@ std::string vtk_file(const scene::Description& description, const scene::Frame& 
   vectors(0);
   text += fmt::format("VERTICES {} {}\n", n, 2 * n);
   for (std::size_t i = 0; i < n; ++i) text += fmt::format("1 {}\n", i);
-  if (!description.springs.empty()) {
-    text +=
-        fmt::format("LINES {0} {1}\n", description.springs.size(), 3 * description.springs.size());
-    for (const auto& spring : description.springs)
-      text += fmt::format("2 {} {}\n", spring.a, spring.b);
+  if (!scene.springs.empty()) {
+    text += fmt::format("LINES {0} {1}\n", scene.springs.size(), 3 * scene.springs.size());
+    for (const auto& spring : scene.springs) text += fmt::format("2 {} {}\n", spring.a, spring.b);
   }
   text += fmt::format("POINT_DATA {}\nSCALARS particle int 1\nLOOKUP_TABLE default\n", n);
   for (const std::size_t id : frame.ids) text += fmt::format("{}\n", id);
@@ -91,14 +89,14 @@ std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t 
   return chosen;
 }
 
-void write_vtk_series(const record::OutputFolder& folder, const scene::Description& description,
+void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& scene,
                       const scene::RunResult& run, std::size_t most) {
-  std::string title = "Odeum: " + plain(description.name);
+  std::string title = "Odeum: " + plain(scene.name);
   title.resize(std::min<std::size_t>(title.size(), 200));
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const std::size_t k : chosen_frames(run, most)) {
     const std::string name = fmt::format("vtk/frame_{:06}.vtk", k);
-    folder.write(name, vtk_file(description, run.frames[k], title));
+    folder.write(name, vtk_file(scene, run.frames[k], title));
     files.push_back({{"name", name}, {"time", run.frames[k].t}});
   }
   const nlohmann::ordered_json series = {{"file-series-version", "1.0"}, {"files", files}};

@@ -16,7 +16,7 @@ std::string energy_csv(const scene::RunResult& run);
 
 /// A series that ParaView opens: trajectory.vtk.series, and one legacy VTK file a frame (at most
 /// `most` of them, evenly chosen) under vtk/. Throws FileError.
-void write_vtk_series(const record::OutputFolder& folder, const scene::Description& description,
+void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& scene,
                       const scene::RunResult& run, std::size_t most = 200);
 
 /// The frames, at most `most` of them, evenly chosen, the first and the last among them.
@@ -24,7 +24,7 @@ std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t 
 
 /// A page that shows the run in 3-D, with all that it needs in itself (reports/viewer/replay.*).
 /// `facts` are lines of text for the reader.
-std::string replay_page(const scene::Description& description, const scene::RunResult& run,
+std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
                         const std::vector<std::string>& facts);
 
 }  // namespace odeum::report

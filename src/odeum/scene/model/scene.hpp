@@ -2,48 +2,123 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
-/// A mechanical scene: particles, springs and a few uniform forces, in SI units. A case that has
-/// one can be given to a physics engine, which takes bodies instead of a right-hand side.
+/// A mechanical scene: particles, springs, forces and contacts, in SI units. It is what a scene
+/// file is read into, what cases make, what a SceneProblem is compiled from, and what a physics
+/// engine, which takes bodies instead of a right-hand side, builds from.
 namespace odeum::scene {
 
 using Vec3 = std::array<double, 3>;
+using Mat3 = std::array<double, 9>;  ///< row-major
 
 struct Particle {
   Vec3 position{};
-  Vec3 velocity{};
-  double mass = 1;
-  bool fixed = false;  ///< never moves
+  Vec3 velocity{};  ///< zero where fixed
+  double mass = 1;  ///< kg; not used where fixed
+  bool fixed = false;
+  double radius = 0;  ///< m, for drawing and contact
 };
 
-/// Force stiffness * (length - rest_length) along the spring, and damping * (relative velocity).
+/// See spring_law.hpp for the force.
 struct Spring {
   std::size_t a = 0, b = 0;
   double stiffness = 0;       ///< N/m
-  double damping = 0;         ///< N s/m, on the whole relative velocity
+  double damping = 0;         ///< N s/m
   double rest_length = 0;     ///< m
   bool tension_only = false;  ///< the elastic force acts only while stretched; damping always acts
+  bool axial = false;         ///< damping of the relative velocity along the spring only
+};
+
+/// Particles that form a cloth: rows * columns of them from `first`, row-major. For drawing.
+struct ClothPatch {
+  std::size_t first = 0, rows = 0, columns = 0;
+};
+
+struct Drag {
+  double coefficient = 0;  ///< c in -c v, kg/s
+};
+struct QuadraticDrag {
+  double coefficient = 0;  ///< c in -c |v| v, kg/m
+};
+struct Wind {
+  Vec3 velocity{};         ///< w, m/s
+  double coefficient = 0;  ///< c in c (w - v), kg/s
+};
+struct MagneticField {
+  Vec3 field{};       ///< B, T
+  double charge = 0;  ///< q in q v x B, C
+};
+using UniformForce = std::variant<Drag, QuadraticDrag, Wind, MagneticField>;
+
+/// A penalty contact: stiffness * penetration - damping * its rate along the normal, never
+/// attractive, and Coulomb friction across it.
+struct Penalty {
+  double stiffness = 0;  ///< N/m
+  double damping = 0;    ///< N s/m
+  double friction = 0;   ///< coefficient
+};
+struct PlaneContact : Penalty {
+  Vec3 point{};
+  Vec3 normal{0, 0, 1};  ///< a unit vector, away from the solid half space
+};
+struct SphereContact : Penalty {
+  Vec3 center{};
+  double radius = 0;
+};
+struct ParticleContact : Penalty {};
+using Contact = std::variant<PlaneContact, SphereContact, ParticleContact>;
+
+/// Particles that appear during the run: number k at time k / rate.
+struct Emitter {
+  Vec3 position{};
+  Vec3 velocity{};
+  double spread = 0;  ///< half the angle of the cone around `velocity`, rad
+  double rate = 0;    ///< particles per second
+  double lifetime = std::numeric_limits<double>::infinity();  ///< s
+  double mass = 1;
+  std::uint64_t seed = 1;
+};
+
+struct SolverChoice {
+  std::string type;   ///< a solver's id
+  std::string where;  ///< `file:line:column: solver.type`, for messages
+  std::optional<double> step, tolerance;
 };
 
 struct Scene {
+  std::string name;
+  char up = 'z';
+  Vec3 gravity{};  ///< m/s^2
+  std::optional<double> duration;
+  std::optional<SolverChoice> solver;
   std::vector<Particle> particles;
   std::vector<Spring> springs;
-  Vec3 gravity{};  ///< m/s^2
-  /// A force m * B v on every free particle, row-major 3 x 3 (1/s). Holds y' = lambda y as the
-  /// motion of a particle in a medium; zero where absent.
-  std::array<double, 9> velocity_matrix{};
+  std::vector<ClothPatch> cloths;
+  std::vector<UniformForce> forces;
+  std::vector<Contact> contacts;
+  std::vector<Emitter> emitters;
+  std::optional<double> frame_interval;  ///< s
 
-  /// How the scene's state reads as the case's: component i of y is entry `select[i]` of
-  /// [all positions x y z, all velocities x y z] (6 entries a particle in all). Empty: all of it.
+  /// A force m * B v on every free particle, B row-major 3 x 3 (1/s). It expresses y' = lambda y as
+  /// the motion of a particle for physics engines; a SceneProblem has no such term.
+  Mat3 velocity_matrix{};
+  /// How the state of the case follows from the scene's: component i of y is entry `select[i]` of
+  /// [all positions x y z, all velocities x y z] (6 entries a particle). Empty: all of it.
   std::vector<std::size_t> select;
 
   std::size_t size() const { return particles.size(); }
 };
 
-/// The state that a scene starts from: all positions, then all velocities.
+/// The initial state: all positions, then all velocities.
 inline std::vector<double> start_of(const Scene& scene) {
   std::vector<double> y;
+  y.reserve(6 * scene.size());
   for (const Particle& p : scene.particles) y.insert(y.end(), p.position.begin(), p.position.end());
   for (const Particle& p : scene.particles) y.insert(y.end(), p.velocity.begin(), p.velocity.end());
   return y;

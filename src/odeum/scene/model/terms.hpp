@@ -9,16 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/scene/model/description.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 /// The terms of a scene's model: each a small object that is there only where the scene declares
-/// it. Positions q, velocities v and accelerations a are x y z of every particle, fixed ones too.
+/// it. Positions q, velocities v and forces are x y z of every particle, fixed ones too.
 namespace odeum::scene {
 
-/// Row-major 3 x 3.
-using Mat3 = std::array<double, 9>;
-
-/// What the terms know of the particles.
+/// What the terms need of the particles.
 struct Bodies {
   std::vector<double> mass, inverse_mass, radius;  ///< an inverse mass of 0: fixed
 
@@ -26,8 +23,7 @@ struct Bodies {
   bool free(std::size_t i) const { return inverse_mass[i] != 0; }
 };
 
-/// Counts what was worked out, for the proof that an absent term costs nothing. May be shared by
-/// threads.
+/// Counts evaluations, for the proof that an absent term costs nothing. May be shared by threads.
 class Tally {
  public:
   void add(const std::string& term, std::uint64_t interactions) {
@@ -57,9 +53,19 @@ class BlockSink {
   virtual ~BlockSink() = default;
   virtual void add(std::size_t i, std::size_t j, const Mat3& by_position,
                    const Mat3& by_velocity) = 0;
+  /// The four blocks of a force on a, and its opposite on b, that depends on the differences of
+  /// their positions and velocities: from the derivatives of the force on a by those of b.
+  void add_pair(std::size_t a, std::size_t b, const Mat3& by_position, const Mat3& by_velocity) {
+    Mat3 x, v;
+    for (std::size_t k = 0; k < 9; ++k) x[k] = -by_position[k], v[k] = -by_velocity[k];
+    add(a, b, by_position, by_velocity);
+    add(b, a, by_position, by_velocity);
+    add(a, a, x, v);
+    add(b, b, x, v);
+  }
 };
 
-/// What a term is, for people and for the analysis of structure.
+/// What a term is, for the description of a model and the analysis of its structure.
 struct TermInfo {
   std::string name;
   std::string law;
@@ -73,24 +79,22 @@ struct TermInfo {
 class Term {
  public:
   virtual ~Term() = default;
-  virtual TermInfo info() const = 0;
-  /// Adds accelerations; leaves those alone on which it does not act. Returns how many interactions
-  /// it looked at.
-  virtual std::uint64_t add(const double* q, const double* v, double* a) const = 0;
-  virtual void add_blocks(const double* q, const double* v, BlockSink& sink) const = 0;
-  /// J; 0 for what has none.
-  virtual double potential(const double* /*q*/) const { return 0; }
+  virtual TermInfo info(const Bodies& bodies) const = 0;
+  /// Adds forces (N) and returns the number of interactions evaluated.
+  virtual std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
+                            double* force) const = 0;
+  virtual void add_blocks(const Bodies& bodies, const double* q, const double* v,
+                          BlockSink& sink) const = 0;
+  /// J; 0 for a force that has none.
+  virtual double potential(const Bodies& /*bodies*/, const double* /*q*/) const { return 0; }
 };
 
-/// The terms of `forces`, of springs damped along their own line, and of contacts. The bodies must
-/// outlive the term.
-std::unique_ptr<Term> make_uniform_force(const Bodies& bodies, const UniformForce& force);
-std::unique_ptr<Term> make_axial_springs(const Bodies& bodies,
-                                         std::vector<DescribedSpring> springs);
-std::unique_ptr<Term> make_contact(const Bodies& bodies, const Contact& contact);
+/// The terms of `forces` and of `contacts`; see edge_springs.hpp for that of springs.
+std::unique_ptr<Term> make_uniform_force(const UniformForce& force);
+std::unique_ptr<Term> make_contact(const Contact& contact);
 
 /// Friction is regularised: mu N u / sqrt(|u|^2 + s^2) at the sliding velocity u, with s this
-/// speed in m/s. What should stick creeps, slower than s.
+/// speed in m/s. Static friction becomes creep, slower than s.
 inline constexpr double friction_speed = 0.01;
 
 /// The pairs (i, j), i < j, that may touch, ascending: a uniform grid whose cells are as wide as

@@ -22,9 +22,9 @@ struct Touch {
 struct Push {
   double n_force = 0, vn = 0, slide[3]{}, s[3]{}, root = 1;
 
-  Push(const Pushback& back, const Touch& touch, const double* v) {
+  Push(const Penalty& law, const Touch& touch, const double* v) {
     for (int d = 0; d < 3; ++d) vn += v[d] * touch.normal[d];
-    n_force = back.stiffness * touch.depth - back.damping * vn;
+    n_force = law.stiffness * touch.depth - law.damping * vn;
     if (!(n_force > 0)) n_force = 0;  // a contact never pulls
     double squared = friction_speed * friction_speed;
     for (int d = 0; d < 3; ++d) {
@@ -35,16 +35,16 @@ struct Push {
     for (int d = 0; d < 3; ++d) s[d] = slide[d] / root;
   }
 
-  void force(const Pushback& back, const Touch& touch, double* f) const {
-    for (int d = 0; d < 3; ++d) f[d] = n_force * (touch.normal[d] - back.friction * s[d]);
+  void force(const Penalty& law, const Touch& touch, double* f) const {
+    for (int d = 0; d < 3; ++d) f[d] = n_force * (touch.normal[d] - law.friction * s[d]);
   }
 
   // dF/dx = (n - mu s) (dN/dx)^T + N P / r - mu N S du/dx and dF/dv = (n - mu s) (dN/dv)^T -
   // mu N S P, with P = I - n n^T, S = (I - s s^T) / root, 1/r the curvature, dn/dx = P / r,
   // dN/dx = -k n - c u / r, dN/dv = -c n, du/dx = -(n u^T + (v.n) P) / r.
-  void derivatives(const Pushback& back, const Touch& touch, Mat3& by_x, Mat3& by_v) const {
+  void derivatives(const Penalty& law, const Touch& touch, Mat3& by_x, Mat3& by_v) const {
     const double* const n = touch.normal;
-    const double r1 = touch.curvature, mu = back.friction;
+    const double r1 = touch.curvature, mu = law.friction;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const double p = (i == j ? 1 : 0) - n[i] * n[j];
@@ -56,22 +56,12 @@ struct Push {
           s_du -= s_ik * (n[k] * slide[j] + vn * p_kj) * r1;
           s_p += s_ik * p_kj;
         }
-        by_x[3 * i + j] = lead * (-back.stiffness * n[j] - back.damping * slide[j] * r1) +
+        by_x[3 * i + j] = lead * (-law.stiffness * n[j] - law.damping * slide[j] * r1) +
                           n_force * (p * r1 - mu * s_du);
-        by_v[3 * i + j] = -lead * back.damping * n[j] - mu * n_force * s_p;
+        by_v[3 * i + j] = -lead * law.damping * n[j] - mu * n_force * s_p;
       }
   }
 };
-
-bool touch_plane(const PlaneContact& plane, const double* q, double radius, Touch& touch) {
-  double distance = 0;
-  for (std::size_t d = 0; d < 3; ++d) distance += (q[d] - plane.point[d]) * plane.normal[d];
-  touch.depth = radius - distance;
-  if (!(touch.depth > 0)) return false;
-  for (std::size_t d = 0; d < 3; ++d) touch.normal[d] = plane.normal[d];
-  touch.curvature = 0;
-  return true;
-}
 
 // Two centres a vector x apart, to be kept `reach` from each other.
 bool touch_round(const double* x, double reach, Touch& touch) {
@@ -85,20 +75,26 @@ bool touch_round(const double* x, double reach, Touch& touch) {
 }
 
 bool touch_surface(const PlaneContact& plane, const double* q, double radius, Touch& touch) {
-  return touch_plane(plane, q, radius, touch);
+  double distance = 0;
+  for (std::size_t d = 0; d < 3; ++d) distance += (q[d] - plane.point[d]) * plane.normal[d];
+  touch.depth = radius - distance;
+  if (!(touch.depth > 0)) return false;
+  for (std::size_t d = 0; d < 3; ++d) touch.normal[d] = plane.normal[d];
+  touch.curvature = 0;
+  return true;
 }
 bool touch_surface(const SphereContact& sphere, const double* q, double radius, Touch& touch) {
   const double x[3] = {q[0] - sphere.center[0], q[1] - sphere.center[1], q[2] - sphere.center[2]};
   return touch_round(x, sphere.radius + radius, touch);
 }
 
-TermInfo contact_info(const char* name, const Pushback& back, std::size_t count, const char* unit) {
+TermInfo contact_info(const char* name, const Penalty& law, std::size_t count, const char* unit) {
   return {.name = name,
-          .law = back.friction > 0 ? "N n - mu N s, N = max(0, k depth - c v.n)"
-                                   : "N n, N = max(0, k depth - c v.n)",
+          .law = law.friction > 0 ? "N n - mu N s, N = max(0, k depth - c v.n)"
+                                  : "N n, N = max(0, k depth - c v.n)",
           .count = count,
           .unit = unit,
-          .velocity_dependent = back.damping != 0 || back.friction != 0,
+          .velocity_dependent = law.damping != 0 || law.friction != 0,
           .linear = false,
           .smooth = false};
 }
@@ -107,47 +103,50 @@ TermInfo contact_info(const char* name, const Pushback& back, std::size_t count,
 template <class Surface>
 class SurfaceContact final : public Term {
  public:
-  SurfaceContact(const Bodies& bodies, const Surface& surface, const char* name)
-      : bodies_(bodies), surface_(surface), name_(name) {}
+  SurfaceContact(const Surface& surface, const char* name) : surface_(surface), name_(name) {}
 
-  TermInfo info() const override { return contact_info(name_, surface_, 1, "surfaces"); }
-
-  std::uint64_t add(const double* q, const double* v, double* a) const override {
-    Touch touch;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!bodies_.free(i) || !touch_surface(surface_, q + 3 * i, bodies_.radius[i], touch))
-        continue;
-      double force[3];
-      Push(surface_, touch, v + 3 * i).force(surface_, touch, force);
-      for (std::size_t d = 0; d < 3; ++d) a[3 * i + d] += bodies_.inverse_mass[i] * force[d];
-    }
-    return bodies_.size();
+  TermInfo info(const Bodies&) const override {
+    return contact_info(name_, surface_, 1, "surfaces");
   }
 
-  void add_blocks(const double* q, const double* v, BlockSink& sink) const override {
-    Touch touch;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!bodies_.free(i) || !touch_surface(surface_, q + 3 * i, bodies_.radius[i], touch))
-        continue;
+  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
+                    double* force) const override {
+    for_touching(bodies, q, [&](std::size_t i, const Touch& touch) {
+      double f[3];
+      Push(surface_, touch, v + 3 * i).force(surface_, touch, f);
+      for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += f[d];
+    });
+    return bodies.size();
+  }
+
+  void add_blocks(const Bodies& bodies, const double* q, const double* v,
+                  BlockSink& sink) const override {
+    for_touching(bodies, q, [&](std::size_t i, const Touch& touch) {
       const Push push(surface_, touch, v + 3 * i);
-      if (push.n_force == 0) continue;
+      if (push.n_force == 0) return;
       Mat3 x, y;
       push.derivatives(surface_, touch, x, y);
       sink.add(i, i, x, y);
-    }
+    });
   }
 
-  double potential(const double* q) const override {
+  double potential(const Bodies& bodies, const double* q) const override {
     double sum = 0;
-    Touch touch;
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-      if (bodies_.free(i) && touch_surface(surface_, q + 3 * i, bodies_.radius[i], touch))
-        sum += surface_.stiffness * touch.depth * touch.depth / 2;
+    for_touching(bodies, q, [&](std::size_t, const Touch& touch) {
+      sum += surface_.stiffness * touch.depth * touch.depth / 2;
+    });
     return sum;
   }
 
  private:
-  const Bodies& bodies_;
+  template <class Visit>
+  void for_touching(const Bodies& bodies, const double* q, const Visit& visit) const {
+    Touch touch;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (bodies.free(i) && touch_surface(surface_, q + 3 * i, bodies.radius[i], touch))
+        visit(i, touch);
+  }
+
   Surface surface_;
   const char* name_;
 };
@@ -155,83 +154,78 @@ class SurfaceContact final : public Term {
 /// Every particle against every other one.
 class ParticlesContact final : public Term {
  public:
-  ParticlesContact(const Bodies& bodies, const Pushback& back) : bodies_(bodies), back_(back) {}
+  explicit ParticlesContact(const Penalty& law) : law_(law) {}
 
-  TermInfo info() const override {
-    return contact_info("contact_particles", back_, bodies_.size(), "particles");
+  TermInfo info(const Bodies& bodies) const override {
+    return contact_info("contact_particles", law_, bodies.size(), "particles");
   }
 
-  std::uint64_t add(const double* q, const double* v, double* a) const override {
-    return for_touching(q, v,
+  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
+                    double* force) const override {
+    return for_touching(bodies, q, v,
                         [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
-                          double force[3];
-                          Push(back_, touch, w).force(back_, touch, force);
-                          for (std::size_t d = 0; d < 3; ++d) {
-                            a[3 * i + d] += bodies_.inverse_mass[i] * force[d];
-                            a[3 * j + d] -= bodies_.inverse_mass[j] * force[d];
-                          }
+                          double f[3];
+                          Push(law_, touch, w).force(law_, touch, f);
+                          for (std::size_t d = 0; d < 3; ++d)
+                            force[3 * i + d] += f[d], force[3 * j + d] -= f[d];
                         });
   }
 
-  void add_blocks(const double* q, const double* v, BlockSink& sink) const override {
-    for_touching(q, v, [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
-      const Push push(back_, touch, w);
-      if (push.n_force == 0) return;
-      Mat3 x, y, minus_x, minus_y;
-      push.derivatives(back_, touch, x, y);
-      for (std::size_t k = 0; k < 9; ++k) minus_x[k] = -x[k], minus_y[k] = -y[k];
-      sink.add(i, i, x, y);
-      sink.add(j, j, x, y);
-      sink.add(i, j, minus_x, minus_y);
-      sink.add(j, i, minus_x, minus_y);
-    });
+  void add_blocks(const Bodies& bodies, const double* q, const double* v,
+                  BlockSink& sink) const override {
+    for_touching(bodies, q, v,
+                 [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
+                   const Push push(law_, touch, w);
+                   if (push.n_force == 0) return;
+                   Mat3 x, y;
+                   push.derivatives(law_, touch, x, y);
+                   for (std::size_t k = 0; k < 9; ++k) x[k] = -x[k], y[k] = -y[k];
+                   sink.add_pair(i, j, x, y);
+                 });
   }
 
-  double potential(const double* q) const override {
+  double potential(const Bodies& bodies, const double* q) const override {
     double sum = 0;
-    for_touching(q, q, [&](std::size_t, std::size_t, const Touch& touch, const double*) {
-      sum += back_.stiffness * touch.depth * touch.depth / 2;
+    for_touching(bodies, q, q, [&](std::size_t, std::size_t, const Touch& touch, const double*) {
+      sum += law_.stiffness * touch.depth * touch.depth / 2;
     });
     return sum;
   }
 
  private:
-  template <class Use>
-  std::uint64_t for_touching(const double* q, const double* v, const Use& use) const {
+  template <class Visit>
+  static std::uint64_t for_touching(const Bodies& bodies, const double* q, const double* v,
+                                    const Visit& visit) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    possible_contacts(bodies_, q, pairs);
+    possible_contacts(bodies, q, pairs);
     Touch touch;
     for (const auto& [i, j] : pairs) {
       const double *qi = q + 3 * i, *qj = q + 3 * j, *vi = v + 3 * i, *vj = v + 3 * j;
       const double x[3] = {qi[0] - qj[0], qi[1] - qj[1], qi[2] - qj[2]};
-      if (!touch_round(x, bodies_.radius[i] + bodies_.radius[j], touch)) continue;
+      if (!touch_round(x, bodies.radius[i] + bodies.radius[j], touch)) continue;
       const double w[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
-      use(i, j, touch, w);
+      visit(i, j, touch, w);
     }
     return pairs.size();
   }
 
-  const Bodies& bodies_;
-  Pushback back_;
+  Penalty law_;
 };
 
 struct Maker {
-  const Bodies& bodies;
   std::unique_ptr<Term> operator()(const PlaneContact& plane) const {
-    return std::make_unique<SurfaceContact<PlaneContact>>(bodies, plane, "contact_plane");
+    return std::make_unique<SurfaceContact<PlaneContact>>(plane, "contact_plane");
   }
   std::unique_ptr<Term> operator()(const SphereContact& sphere) const {
-    return std::make_unique<SurfaceContact<SphereContact>>(bodies, sphere, "contact_sphere");
+    return std::make_unique<SurfaceContact<SphereContact>>(sphere, "contact_sphere");
   }
   std::unique_ptr<Term> operator()(const ParticleContact& particles) const {
-    return std::make_unique<ParticlesContact>(bodies, particles);
+    return std::make_unique<ParticlesContact>(particles);
   }
 };
 
 }  // namespace
 
-std::unique_ptr<Term> make_contact(const Bodies& bodies, const Contact& contact) {
-  return std::visit(Maker{bodies}, contact);
-}
+std::unique_ptr<Term> make_contact(const Contact& contact) { return std::visit(Maker{}, contact); }
 
 }  // namespace odeum::scene

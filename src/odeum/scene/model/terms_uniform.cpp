@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forces on each particle from its own velocity alone.
+// Forces on each particle that depend on its own velocity alone.
 #include <cmath>
 
 #include "odeum/scene/model/terms.hpp"
@@ -13,37 +13,38 @@ std::size_t count_free(const Bodies& bodies) {
   return count;
 }
 
-/// A force that a law makes from the velocity: `law.force(v, f)` and `law.derivative(v)`.
+/// A law gives the force and its derivative: `law.force(v, f)` and `law.derivative(v)`.
 template <class Law>
 class UniformTerm final : public Term {
  public:
-  UniformTerm(const Bodies& bodies, const Law& law) : bodies_(bodies), law_(law) {}
+  explicit UniformTerm(const Law& law) : law_(law) {}
 
-  TermInfo info() const override {
+  TermInfo info(const Bodies& bodies) const override {
     TermInfo info = law_.info();
-    info.count = count_free(bodies_);
+    info.count = count_free(bodies);
     info.unit = "particles";
     info.velocity_dependent = true;
     return info;
   }
 
-  std::uint64_t add(const double*, const double* v, double* a) const override {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!bodies_.free(i)) continue;
-      double force[3];
-      law_.force(v + 3 * i, force);
-      for (std::size_t d = 0; d < 3; ++d) a[3 * i + d] += bodies_.inverse_mass[i] * force[d];
+  std::uint64_t add(const Bodies& bodies, const double*, const double* v,
+                    double* force) const override {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (!bodies.free(i)) continue;
+      double f[3];
+      law_.force(v + 3 * i, f);
+      for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += f[d];
     }
-    return bodies_.size();
+    return bodies.size();
   }
 
-  void add_blocks(const double*, const double* v, BlockSink& sink) const override {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-      if (bodies_.free(i)) sink.add(i, i, Mat3{}, law_.derivative(v + 3 * i));
+  void add_blocks(const Bodies& bodies, const double*, const double* v,
+                  BlockSink& sink) const override {
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (bodies.free(i)) sink.add(i, i, Mat3{}, law_.derivative(v + 3 * i));
   }
 
  private:
-  const Bodies& bodies_;
   Law law_;
 };
 
@@ -103,26 +104,23 @@ struct MagneticLaw : MagneticField {
 };
 
 template <class Law>
-std::unique_ptr<Term> make(const Bodies& bodies, const Law& law) {
-  return std::make_unique<UniformTerm<Law>>(bodies, law);
+std::unique_ptr<Term> make(const Law& law) {
+  return std::make_unique<UniformTerm<Law>>(law);
 }
 
 struct Maker {
-  const Bodies& bodies;
-  std::unique_ptr<Term> operator()(const Drag& f) const { return make(bodies, DragLaw{f}); }
+  std::unique_ptr<Term> operator()(const Drag& f) const { return make(DragLaw{f}); }
   std::unique_ptr<Term> operator()(const QuadraticDrag& f) const {
-    return make(bodies, QuadraticDragLaw{f});
+    return make(QuadraticDragLaw{f});
   }
-  std::unique_ptr<Term> operator()(const Wind& f) const { return make(bodies, WindLaw{f}); }
-  std::unique_ptr<Term> operator()(const MagneticField& f) const {
-    return make(bodies, MagneticLaw{f});
-  }
+  std::unique_ptr<Term> operator()(const Wind& f) const { return make(WindLaw{f}); }
+  std::unique_ptr<Term> operator()(const MagneticField& f) const { return make(MagneticLaw{f}); }
 };
 
 }  // namespace
 
-std::unique_ptr<Term> make_uniform_force(const Bodies& bodies, const UniformForce& force) {
-  return std::visit(Maker{bodies}, force);
+std::unique_ptr<Term> make_uniform_force(const UniformForce& force) {
+  return std::visit(Maker{}, force);
 }
 
 }  // namespace odeum::scene

@@ -69,7 +69,7 @@ void read_all(Context& context, const YamlNode& root) {
   const Mapping mapping(
       whole, {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth",
               "forces", "contacts", "emitters", "output", "allow_negative_damping"});
-  Description& scene = context.scene;
+  Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
     const std::string axis = v.text();

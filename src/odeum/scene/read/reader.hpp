@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "odeum/input/yaml_tree.hpp"
-#include "odeum/scene/model/description.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::scene {
 
@@ -17,7 +17,7 @@ struct ReadOptions {
 };
 
 struct ReadScene {
-  Description description;
+  Scene scene;
   std::vector<std::string> warnings;  ///< `file:line:column: key: what is odd`
 };
 

@@ -32,7 +32,7 @@ Vec3 velocity_of(const Value& value, bool fixed) {
 /// The springs of one kind in a cloth.
 struct ClothLinks {
   bool wanted = false;
-  DescribedSpring like;
+  Spring like;
 };
 
 ClothLinks read_links(const Mapping& cloth, std::string_view key, bool axial, bool tension_only) {
@@ -67,7 +67,7 @@ void read_cloth(const Value& value) {
   const Mapping cloth(
       value, {"rows", "columns", "origin", "row_edge", "column_edge", "mass", "structural", "shear",
               "bend", "damping_model", "tension_only", "fixed", "velocity"});
-  Description& scene = value.context().scene;
+  Scene& scene = value.context().scene;
   ClothPatch patch;
   patch.first = scene.particles.size();
   patch.rows = cloth.at("rows").whole(2, 1'000'000);
@@ -77,7 +77,7 @@ void read_cloth(const Value& value) {
 
   const Vec3 origin = cloth.has("origin") ? cloth.at("origin").vector() : Vec3{};
   const Vec3 row_edge = cloth.at("row_edge").vector(), edge = cloth.at("column_edge").vector();
-  DescribedParticle particle;
+  Particle particle;
   particle.mass = cloth.at("mass").number(Sign::positive) / static_cast<double>(count);
   if (!(particle.mass > 0))
     cloth.at("mass").fail("too little for its particles", "a mass that can be shared out");
@@ -90,7 +90,7 @@ void read_cloth(const Value& value) {
       scene.particles.push_back(particle);
     }
   scene.cloths.push_back(patch);
-  const auto at = [&](std::size_t i, std::size_t j) -> DescribedParticle& {
+  const auto at = [&](std::size_t i, std::size_t j) -> Particle& {
     return scene.particles[patch.first + i * patch.columns + j];
   };
 
@@ -129,7 +129,7 @@ void read_cloth(const Value& value) {
     if (!links.wanted || i + down >= patch.rows || column < 0 ||
         column >= static_cast<std::ptrdiff_t>(patch.columns))
       return;
-    DescribedSpring spring = links.like;
+    Spring spring = links.like;
     spring.a = patch.first + i * patch.columns + j;
     spring.b = patch.first + (i + down) * patch.columns + static_cast<std::size_t>(column);
     add_spring(value, spring, false);
@@ -155,8 +155,8 @@ void make_room(const Value& at, std::uint64_t more) {
             fmt::format("at most {} (--max-particles raises it)", most));
 }
 
-void add_spring(const Value& at, DescribedSpring spring, bool rest_length_given) {
-  Description& scene = at.context().scene;
+void add_spring(const Value& at, Spring spring, bool rest_length_given) {
+  Scene& scene = at.context().scene;
   const Vec3 &a = scene.particles[spring.a].position, &b = scene.particles[spring.b].position;
   const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   if (a == b)
@@ -175,7 +175,7 @@ void read_particles(const Value& list) {
   for (const Value& entry : list.list()) {
     make_room(entry, 1);
     const Mapping mapping(entry, {"pos", "vel", "mass", "fixed", "radius"});
-    DescribedParticle particle;
+    Particle particle;
     particle.fixed = mapping.boolean_or("fixed", false);
     particle.position = mapping.at("pos").vector();
     mapping.with("vel",
@@ -195,7 +195,7 @@ void read_springs(const Value& list) {
                                   "rest_length", "tension_only"});
     const Value ids = mapping.at("particle_ids");
     const auto ends = ids.list_of(2, "two particle ids [a, b]");
-    DescribedSpring spring;
+    Spring spring;
     spring.a = particle_id(ends[0]);
     spring.b = particle_id(ends[1]);
     if (spring.a == spring.b)

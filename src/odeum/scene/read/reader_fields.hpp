@@ -16,7 +16,7 @@ namespace odeum::scene::reading {
 struct Context {
   std::string file;
   ReadOptions options;
-  Description scene;
+  Scene scene;
   std::vector<std::string> warnings;
   std::vector<Place> spring_places;  ///< of each spring of the scene
   bool allow_negative_damping = false;
@@ -91,7 +91,7 @@ void read_forces(const Value& list);
 void read_contacts(const Value& list);
 void read_emitters(const Value& list);
 /// Appends a spring after looking at its ends; `rest_length` below 0 stands for the distance.
-void add_spring(const Value& at, DescribedSpring spring, bool rest_length_given);
+void add_spring(const Value& at, Spring spring, bool rest_length_given);
 /// A mass within the limit of particles, for `more` of them; fails where there are too many.
 void make_room(const Value& at, std::uint64_t more);
 

@@ -33,7 +33,7 @@ UniformForce read_force(const std::string& kind, const Value& value) {
   return QuadraticDrag{coefficient};
 }
 
-void read_pushback(const Mapping& mapping, Pushback& back) {
+void read_pushback(const Mapping& mapping, Penalty& back) {
   back.stiffness = mapping.at("stiffness").number(Sign::positive);
   back.damping = mapping.number_or("damping", Sign::not_negative, 0);
   back.friction = mapping.number_or("friction", Sign::not_negative, 0);

@@ -2,14 +2,14 @@
 #pragma once
 #include <vector>
 
-#include "odeum/scene/model/description.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::scene {
 
 /// A particle that an emitter brings into the scene, from `birth` until `death`, s.
 struct EmittedParticle {
   double birth = 0, death = 0;
-  DescribedParticle particle;
+  Particle particle;
 };
 
 /// All particles born before `until`, by time of birth (those of one time in the order of their

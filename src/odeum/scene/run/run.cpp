@@ -57,12 +57,12 @@ class Clock {
 
 class Run {
  public:
-  Run(const Description& description, const RunSetting& setting, const Solve& solve, Tally* tally)
-      : now_(description), setting_(setting), solve_(solve), tally_(tally), clock_(setting) {
+  Run(const Scene& scene, const RunSetting& setting, const Solve& solve, Tally* tally)
+      : now_(scene), setting_(setting), solve_(solve), tally_(tally), clock_(setting) {
     now_.emitters.clear();
     for (std::size_t i = 0; i < now_.particles.size(); ++i) ids_.push_back(i);
     next_id_ = ids_.size();
-    for (const EmittedParticle& one : emitted_particles(description.emitters, setting.until)) {
+    for (const EmittedParticle& one : emitted_particles(scene.emitters, setting.until)) {
       births_[clock_.moment(one.birth)].push_back(one);
       if (const double death = clock_.moment(std::min(one.death, 2 * setting.until));
           death < setting.until)
@@ -177,7 +177,7 @@ class Run {
     }
   }
 
-  Description now_;  ///< with who lives, where they are
+  Scene now_;  ///< with who lives, where they are
   const RunSetting& setting_;
   const Solve& solve_;
   Tally* tally_;
@@ -194,9 +194,9 @@ class Run {
 
 }  // namespace
 
-RunResult run_scene(const Description& description, const RunSetting& setting, const Solve& solve,
+RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
                     Tally* tally) {
-  return Run(description, setting, solve, tally)();
+  return Run(scene, setting, solve, tally)();
 }
 
 double default_frame_interval(double until) {

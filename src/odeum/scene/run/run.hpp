@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "odeum/core/outcome.hpp"
-#include "odeum/scene/model/scene_problem.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 
 /// Runs a scene from its start to an end: one solve, or where particles are born and die during the
 /// run, one solve from each such moment to the next.
@@ -45,7 +45,7 @@ using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, 
 
 /// Births and deaths wait for the end of the step that they fall into, where the step is fixed. A
 /// method that is not self-starting starts again with each solve. `tally` may be null.
-RunResult run_scene(const Description& description, const RunSetting& setting, const Solve& solve,
+RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
                     Tally* tally = nullptr);
 
 /// How often a frame is kept where the scene does not say: 60 a second, at least 100 and at most

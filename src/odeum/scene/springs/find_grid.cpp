@@ -16,15 +16,16 @@ bool alike(double a, double b) {
 
 // Rest lengths come from differences of positions, which round differently along a grid.
 bool alike(const SpringKind& kind, const Spring& spring, double rounding) {
-  return alike(kind.stiffness, spring.stiffness) && alike(kind.damping, spring.damping) &&
+  return !(spring.axial && spring.damping != 0) && alike(kind.stiffness, spring.stiffness) &&
+         alike(kind.damping, spring.damping) &&
          std::abs(kind.rest_length - spring.rest_length) <= rounding &&
          kind.tension_only == spring.tension_only;
 }
 
 /// A few roundings of the largest coordinate.
-double rounding_of_positions(const Scene& scene) {
+double rounding_of_positions(const std::vector<Particle>& particles) {
   double largest = 0;
-  for (const Particle& particle : scene.particles)
+  for (const Particle& particle : particles)
     for (const double coordinate : particle.position)
       largest = std::max(largest, std::abs(coordinate));
   return 8 * std::numeric_limits<double>::epsilon() * largest;
@@ -41,11 +42,12 @@ SpringKind kind_of(const Spring& spring, std::size_t columns) {
           .tension_only = spring.tension_only};
 }
 
-std::optional<GridStructure> as_grid(const Scene& scene, std::size_t columns) {
-  GridStructure grid{.rows = scene.size() / columns, .columns = columns, .kinds = {}};
-  const double rounding = rounding_of_positions(scene);
+std::optional<GridStructure> as_grid(const std::vector<Particle>& particles,
+                                     const std::vector<Spring>& springs, std::size_t columns) {
+  GridStructure grid{.rows = particles.size() / columns, .columns = columns, .kinds = {}};
+  const double rounding = rounding_of_positions(particles);
   std::vector<std::vector<bool>> seen;  // by kind, by the first end
-  for (const Spring& spring : scene.springs) {
+  for (const Spring& spring : springs) {
     const SpringKind wanted = kind_of(spring, columns);
     if (wanted.row_offset > 2 || std::abs(wanted.column_offset) > 2) return std::nullopt;
     auto kind = std::find_if(grid.kinds.begin(), grid.kinds.end(), [&](const SpringKind& k) {
@@ -53,7 +55,7 @@ std::optional<GridStructure> as_grid(const Scene& scene, std::size_t columns) {
     });
     if (kind == grid.kinds.end()) {
       kind = grid.kinds.insert(kind, wanted);
-      seen.emplace_back(scene.size());
+      seen.emplace_back(particles.size());
     }
     if (!alike(*kind, spring, rounding)) return std::nullopt;
     auto place = seen[static_cast<std::size_t>(kind - grid.kinds.begin())].begin() +
@@ -74,19 +76,21 @@ std::optional<GridStructure> as_grid(const Scene& scene, std::size_t columns) {
 
 }  // namespace
 
-std::optional<GridStructure> find_grid(const Scene& scene) {
-  if (scene.springs.empty()) return std::nullopt;
-  for (std::size_t columns = 3; 3 * columns <= scene.size(); ++columns)
-    if (scene.size() % columns == 0)
-      if (auto grid = as_grid(scene, columns)) return grid;
+std::optional<GridStructure> find_grid(const std::vector<Particle>& particles,
+                                       const std::vector<Spring>& springs) {
+  if (springs.empty()) return std::nullopt;
+  const std::size_t count = particles.size();
+  for (std::size_t columns = 3; 3 * columns <= count; ++columns)
+    if (count % columns == 0)
+      if (auto grid = as_grid(particles, springs, columns)) return grid;
   return std::nullopt;
 }
 
 GridStructure require_grid(const Scene& scene) {
-  auto grid = find_grid(scene);
+  auto grid = find_grid(scene.particles, scene.springs);
   if (!grid) throw std::invalid_argument("the springs of the scene form no regular grid");
-  if (scene.velocity_matrix != std::array<double, 9>{})
-    throw std::invalid_argument("a cloth has no medium (velocity_matrix)");
+  if (scene.velocity_matrix != Mat3{})
+    throw std::invalid_argument("a grid of springs has no velocity_matrix");
   return *grid;
 }
 

@@ -59,6 +59,9 @@ template <class Real>
 class GridSprings {
  public:
   GridSprings(const GridLayout& layout, const std::vector<SpringKind>& kinds);
+  GridSprings(const GridSprings&) = delete;  // neighbours point into the masks
+  GridSprings(GridSprings&&) = default;
+  GridSprings& operator=(const GridSprings&) = delete;
 
   const GridLayout& layout() const { return layout_; }
   const std::vector<SpringKind>& kinds() const { return kinds_; }
@@ -91,16 +94,16 @@ class GridSprings {
 extern template class GridSprings<double>;
 extern template class GridSprings<float>;
 
-/// The grid that all particles and springs of a scene form, if they do: particle r * columns + c
-/// at row r and column c, every kind of spring at every place, alike to a
-/// few roundings (rest lengths: of the coordinates).
+/// The grid that all particles and springs form, if they do: particle r * columns + c at row r and
+/// column c, every kind of spring at every place, alike to a few roundings (rest lengths: of the
+/// coordinates), none with axial damping.
 struct GridStructure {
   std::size_t rows = 0, columns = 0;
   std::vector<SpringKind> kinds;
 };
-std::optional<GridStructure> find_grid(const Scene& scene);
-/// The same for who can do nothing else: throws std::invalid_argument where the scene is no grid,
-/// or has a velocity_matrix, which springs on a grid do not know.
+std::optional<GridStructure> find_grid(const std::vector<Particle>& particles,
+                                       const std::vector<Spring>& springs);
+/// The grid of a scene; throws std::invalid_argument where it is none or has a velocity_matrix.
 GridStructure require_grid(const Scene& scene);
 
 }  // namespace odeum::scene

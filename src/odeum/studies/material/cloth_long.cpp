@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
 #include "odeum/scene/model/momentum.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "support/square_cloth.hpp"
 
@@ -68,7 +68,7 @@ struct Stage {
   const char* name;
   scene::Scene scene;
   SceneStage solvers{scene};
-  scene::MassSpring problem{scene};
+  scene::SceneProblem problem{scene};
   std::vector<double> times{};
   std::vector<double> reference{};  ///< states at the times; empty: none
   std::string reference_problem{};

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/scene/model/mass_spring.hpp"
+#include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/vibration.hpp"
 #include "support/stage.hpp"
 
@@ -95,8 +95,8 @@ Swing swing_of(const Run& run) {
 
 SceneStage::SceneStage(const scene::Scene& scene)
     : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
-  Contest<scene::MassSpring> contest;
-  contest.problem = std::make_shared<const scene::MassSpring>(scene);
+  Contest<scene::SceneProblem> contest;
+  contest.problem = std::make_shared<const scene::SceneProblem>(scene);
   contest.y0 = y0;
   contest.scene = std::make_shared<const scene::Scene>(scene);
   entrants = cases::enroll(erase(contest));

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/problem/scene_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "odeum/scene/model/momentum.hpp"
+#include "odeum/scene/model/spring_law.hpp"
+
+namespace odeum::scene {
+namespace {
+
+/// The springs with axial damping, or the others.
+std::vector<Spring> springs_of(const Scene& scene, bool axial) {
+  std::vector<Spring> result;
+  for (const Spring& spring : scene.springs)
+    if (axial == (spring.axial && spring.damping != 0)) result.push_back(spring);
+  return result;
+}
+
+void require_sound(const Scene& scene) {
+  if (scene.velocity_matrix != Mat3{})
+    throw std::invalid_argument("a scene problem has no velocity_matrix");
+  for (const Particle& particle : scene.particles) {
+    if (!particle.fixed && !(particle.mass > 0))
+      throw std::invalid_argument("a free particle needs a positive mass");
+    if (particle.fixed && particle.velocity != Vec3{})
+      throw std::invalid_argument("a fixed particle has no velocity");
+  }
+  for (const Spring& s : scene.springs)
+    if (s.a >= scene.size() || s.b >= scene.size() || s.a == s.b)
+      throw std::invalid_argument(
+          fmt::format("spring between particles {} and {} of {}", s.a, s.b, scene.size()));
+}
+
+/// Work space of the grid kernel, one for each thread, since threads share the problem.
+double* scratch(std::size_t size) {
+  thread_local std::vector<double> space;
+  if (space.size() < size) space.resize(size);
+  return space.data();
+}
+
+/// Adds the derivatives times a direction.
+class ProductSink final : public BlockSink {
+ public:
+  ProductSink(const double* dq, const double* dv, double* product)
+      : dq_(dq), dv_(dv), product_(product) {}
+  void add(std::size_t i, std::size_t j, const Mat3& by_position,
+           const Mat3& by_velocity) override {
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c)
+        product_[3 * i + r] +=
+            by_position[3 * r + c] * dq_[3 * j + c] + by_velocity[3 * r + c] * dv_[3 * j + c];
+  }
+
+ private:
+  const double *dq_, *dv_;
+  double* product_;
+};
+
+}  // namespace
+
+SceneProblem::SceneProblem(const Scene& scene)
+    : gravity_(scene.gravity),
+      start_(start_of(scene)),
+      springs_("springs", springs_of(scene, false)) {
+  require_sound(scene);
+  bool any_radius = false;
+  for (const Particle& particle : scene.particles) {
+    bodies_.mass.push_back(particle.mass);
+    bodies_.inverse_mass.push_back(particle.fixed ? 0 : 1 / particle.mass);
+    bodies_.radius.push_back(particle.radius);
+    any_radius |= particle.radius > 0;
+  }
+  if (const auto found = find_grid(scene.particles, springs_.springs()))
+    grid_.emplace(GridLayout(found->rows, found->columns), found->kinds);
+  if (auto axial = springs_of(scene, true); !axial.empty())
+    terms_.push_back(std::make_unique<EdgeSprings>("springs_axial", std::move(axial)));
+  for (const UniformForce& force : scene.forces) terms_.push_back(make_uniform_force(force));
+  for (const Contact& contact : scene.contacts)
+    if (any_radius || !std::holds_alternative<ParticleContact>(contact))  // points never touch
+      terms_.push_back(make_contact(contact));
+  if (terms_.empty() && scene.contacts.empty()) plain_ = std::make_shared<const Scene>(scene);
+  describe(scene);
+}
+
+void SceneProblem::describe(const Scene& scene) {
+  Structure& s = structure_;
+  s.particles = bodies_.size();
+  for (const double inverse : bodies_.inverse_mass) s.fixed += inverse == 0;
+  if (gravity_ != Vec3{})
+    s.terms.push_back({.name = "gravity",
+                       .law = "m g",
+                       .count = s.particles - s.fixed,
+                       .unit = "particles",
+                       .linear = true});
+  if (!springs().empty()) {
+    s.terms.push_back(springs_.info(bodies_));
+    s.kernel = grid_ ? fmt::format("gather on the regular {} x {} grid", grid_->layout().rows,
+                                   grid_->layout().columns)
+                     : "edge list";
+  }
+  for (const auto& term : terms_) {
+    s.terms.push_back(term->info(bodies_));
+    if (s.terms.back().name == "springs_axial")
+      s.kernel += s.kernel.empty() ? "edge list" : ", and an edge list for axial damping";
+  }
+  if (s.kernel.empty()) s.kernel = "none: no springs";
+  s.separable = s.linear = true;
+  for (const TermInfo& info : s.terms) {
+    s.separable &= !info.velocity_dependent;
+    s.linear &= info.linear;
+    s.smooth &= info.smooth;
+  }
+  s.closed_form = scene.springs.empty() && terms_.empty();
+}
+
+void SceneProblem::grid_forces(const double* q, const double* v, double* force) const {
+  const GridLayout& layout = grid_->layout();
+  const std::size_t n = 3 * layout.size;
+  double *const gq = scratch(3 * n), *const gv = gq + n, *const gathered = gv + n;
+  layout.scatter(q, gq);
+  layout.scatter(v, gv);
+  grid_->forces(gq, gv, gathered, 0, layout.rows);
+  layout.gather(gathered, force);
+}
+
+void SceneProblem::grid_derivative(const double* y, const double* x, double* change) const {
+  const GridLayout& layout = grid_->layout();
+  const std::size_t n = 3 * layout.size;
+  double *const gq = scratch(4 * n), *const gdq = gq + n, *const gdv = gdq + n,
+                *const gathered = gdv + n;
+  layout.scatter(y, gq);
+  layout.scatter(x, gdq);
+  layout.scatter(x + size() / 2, gdv);
+  grid_->derivative(gq, gdq, gdv, gathered, 0, layout.rows);
+  layout.gather(gathered, change);
+}
+
+void SceneProblem::acceleration(double, const double* q, const double* v, double* a) const {
+  if (!v) v = q;  // no force depends on it: any finite numbers do
+  if (grid_) {
+    grid_forces(q, v, a);
+  } else {
+    std::fill_n(a, size() / 2, 0.0);
+    springs_.add(bodies_, q, v, a);
+  }
+  if (tally_ && !springs().empty()) tally_->add("springs", springs().size());
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    const std::uint64_t interactions = terms_[k]->add(bodies_, q, v, a);
+    if (tally_)
+      tally_->add(structure_.terms[structure_.terms.size() - terms_.size() + k].name, interactions);
+  }
+  for (std::size_t i = 0; i < particles(); ++i) {
+    const double free = bodies_.free(i) ? 1 : 0;
+    for (std::size_t d = 0; d < 3; ++d)
+      a[3 * i + d] = a[3 * i + d] * bodies_.inverse_mass[i] + free * gravity_[d];
+  }
+}
+
+void SceneProblem::jacobian_times(double, const double* y, const double* x, double* product) const {
+  const std::size_t n = size() / 2;
+  double* const change = product + n;
+  std::copy_n(x + n, n, product);
+  ProductSink sink(x, x + n, change);
+  if (grid_) {
+    grid_derivative(y, x, change);
+  } else {
+    std::fill_n(change, n, 0.0);
+    springs_.add_blocks(bodies_, y, y + n, sink);
+  }
+  for (const auto& term : terms_) term->add_blocks(bodies_, y, y + n, sink);
+  for (std::size_t i = 0; i < n; ++i) change[i] *= bodies_.inverse_mass[i / 3];
+}
+
+void SceneProblem::blocks(const double* q, const double* v, BlockSink& sink) const {
+  springs_.add_blocks(bodies_, q, v, sink);
+  for (const auto& term : terms_) term->add_blocks(bodies_, q, v, sink);
+}
+
+double SceneProblem::kinetic(const double* y) const {
+  const double* const v = y + size() / 2;
+  double sum = 0;
+  for (std::size_t i = 0; i < size() / 2; ++i)
+    if (bodies_.free(i / 3)) sum += bodies_.mass[i / 3] * v[i] * v[i] / 2;
+  return sum;
+}
+
+double SceneProblem::potential(const double* y) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size() / 2; ++i)
+    if (bodies_.free(i / 3)) sum -= bodies_.mass[i / 3] * gravity_[i % 3] * y[i];
+  sum += springs_.potential(bodies_, y);
+  for (const auto& term : terms_) sum += term->potential(bodies_, y);
+  return sum;
+}
+
+Vec3 SceneProblem::momentum(const double* y) const { return linear_momentum(bodies_.mass, y); }
+
+Vec3 SceneProblem::angular_momentum(const double* y) const {
+  return scene::angular_momentum(bodies_.mass, y);
+}
+
+void SceneProblem::closed_form(double t, const double* y0, double* y) const {
+  const std::size_t n = size() / 2;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double g = bodies_.free(k / 3) ? gravity_[k % 3] : 0;
+    y[k] = y0[k] + t * (y0[n + k] + t * g / 2);
+    y[n + k] = y0[n + k] + t * g;
+  }
+}
+
+ExtendedProblem extended_problem(const Scene& scene) {
+  using Real = ExtendedProblem::real;
+  require_sound(scene);
+  ExtendedProblem problem;
+  const std::vector<double> start = start_of(scene);
+  problem.y0.assign(start.begin(), start.end());
+  problem.f = [scene](Real, const Real* y, Real* dydt) {
+    const std::size_t n = 3 * scene.size();
+    std::copy_n(y + n, n, dydt);
+    Real* const a = dydt + n;
+    std::fill_n(a, n, Real(0));
+    add_spring_forces(scene.springs, y, y + n, a);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Particle& particle = scene.particles[i / 3];
+      a[i] = particle.fixed ? 0 : a[i] / particle.mass + scene.gravity[i % 3];
+    }
+  };
+  return problem;
+}
+
+}  // namespace odeum::scene
