@@ -9,25 +9,83 @@ function(odeum_write path text)
   file(CONFIGURE OUTPUT ${path} CONTENT "${text}" @ONLY)
 endfunction()
 
-# odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id.
+# odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id. own/*.cpp: a
+# unit for each family of them, the files whose names begin with the same word, which compiles its
+# members for the shared types (contest/own_methods.hpp) and for the proofs (proof/facts.hpp), and
+# catalogue.cpp, which lists all. Their names are left in ODEUM_METHOD_FILES.
 function(odeum_generate_methods)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/methods/*.hpp)
   set(includes "")
   set(types "")
+  set(families "")
   foreach(file IN LISTS files)
     get_filename_component(stem ${file} NAME_WE)
     string(APPEND includes "#include \"odeum/methods/${stem}.hpp\"\n")
     list(APPEND types ${stem})
+    string(REGEX MATCH "^[a-z]+" family ${stem})
+    list(APPEND families ${family})
+    list(APPEND members_${family} ${stem})
   endforeach()
-  list(JOIN types ",\n                       " types)
+  list(JOIN types ",\n                       " list)
   odeum_write(${ODEUM_GENERATED}/odeum_methods.hpp
 "#pragma once
 #include \"odeum/kernel/method_list.hpp\"
 ${includes}
 namespace odeum::methods {
-using All = MethodList<${types}>;
+using All = MethodList<${list}>;
 }
 ")
+  list(REMOVE_DUPLICATES families)
+  set(units "")
+  set(declarations "")
+  set(calls "")
+  foreach(family IN LISTS families)
+    set(includes "")
+    set(own "")
+    set(facts "")
+    foreach(stem IN LISTS members_${family})
+      string(APPEND includes "#include \"odeum/methods/${stem}.hpp\"\n")
+      string(APPEND own "  all.push_back(own_method<methods::${stem}>());\n")
+      string(APPEND facts "  all.push_back(proof::facts_of<methods::${stem}>());\n")
+    endforeach()
+    odeum_write(${ODEUM_GENERATED}/own/${family}.cpp
+"#include \"odeum/contest/enroll_method.hpp\"
+#include \"odeum/proof/facts_of.hpp\"
+${includes}
+namespace odeum {
+void add_${family}(std::vector<OwnMethod>& all) {
+${own}}
+void add_${family}(std::vector<proof::MethodFacts>& all) {
+${facts}}
+}
+")
+    list(APPEND units ${ODEUM_GENERATED}/own/${family}.cpp)
+    string(APPEND declarations "void add_${family}(std::vector<OwnMethod>&);\nvoid add_${family}(std::vector<proof::MethodFacts>&);\n")
+    string(APPEND calls "    add_${family}(list);\n")
+  endforeach()
+  odeum_write(${ODEUM_GENERATED}/own/catalogue.cpp
+"#include \"odeum/contest/own_methods.hpp\"
+#include \"odeum/proof/facts.hpp\"
+
+namespace odeum {
+${declarations}
+const std::vector<OwnMethod>& own_methods() {
+  static const std::vector<OwnMethod> all = [] {
+    std::vector<OwnMethod> list;
+${calls}    return list;
+  }();
+  return all;
+}
+const std::vector<proof::MethodFacts>& proof::all_method_facts() {
+  static const std::vector<MethodFacts> all = [] {
+    std::vector<MethodFacts> list;
+${calls}    return list;
+  }();
+  return all;
+}
+}
+")
+  set(ODEUM_METHOD_FILES ${units} ${ODEUM_GENERATED}/own/catalogue.cpp PARENT_SCOPE)
 endfunction()
 
 # odeum_cases.cpp: all_cases() from every file in cases/, its stem the function that makes it.
@@ -94,43 +152,74 @@ ${calls}  std::stable_sort(studies.begin(), studies.end(), [](const auto& a, con
 ")
 endfunction()
 
-# odeum_inlined.hpp/.cpp: inlined_solvers() from every file in cases/inlined, its stem the function.
+# inlined_solvers() of contest/inlined.hpp, see cases/support/inlined.hpp: a unit for each method with
+# `inlined = true` in its file, and one for odeint on each problem of cases/inlined, whose stem names
+# the problem's type. Their names are left in ODEUM_INLINED_FILES.
 function(odeum_generate_inlined)
-  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.cpp)
+  file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.hpp)
+  file(GLOB methods CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/methods/*.hpp)
   if(NOT ODEUM_INLINED)
-    set(files "")
+    set(problems "")
+    set(methods "")
   endif()
+  set(includes "")
+  set(types "")
+  set(names "")
+  set(units "")
+  foreach(problem IN LISTS problems)
+    get_filename_component(stem ${problem} NAME_WE)
+    string(APPEND includes "#include \"inlined/${stem}.hpp\"\n")
+    string(APPEND types ", ${stem}")
+    if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT)
+      odeum_write(${ODEUM_GENERATED}/inlined/odeint_${stem}.cpp
+"#include \"inlined/${stem}.hpp\"
+#include \"support/inlined_odeint.hpp\"
+
+namespace odeum::cases::inlined {
+void add_odeint_${stem}(const Case& c, std::vector<Entrant>& all) { add_odeint<${stem}>(c, all); }
+}
+")
+      list(APPEND names odeint_${stem})
+    endif()
+  endforeach()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${methods})
+  foreach(method IN LISTS methods)
+    file(STRINGS ${method} inlined REGEX "bool inlined = true;")
+    if(inlined)
+      get_filename_component(stem ${method} NAME_WE)
+      odeum_write(${ODEUM_GENERATED}/inlined/${stem}.cpp
+"#include \"support/inlined.hpp\"
+#include \"odeum/methods/${stem}.hpp\"
+${includes}
+namespace odeum::cases::inlined {
+void add_${stem}(const Case& c, std::vector<Entrant>& all) {
+  add_method<methods::${stem}${types}>(c, all);
+}
+}
+")
+      list(APPEND names ${stem})
+    endif()
+  endforeach()
   set(declarations "")
   set(calls "")
-  foreach(file IN LISTS files)
-    get_filename_component(stem ${file} NAME_WE)
-    string(APPEND declarations "std::vector<Entrant> ${stem}(const Case&);\n")
-    string(APPEND calls "  add(cases::inlined::${stem}(c));\n")
+  foreach(name IN LISTS names)
+    list(APPEND units ${ODEUM_GENERATED}/inlined/${name}.cpp)
+    string(APPEND declarations "void add_${name}(const Case&, std::vector<Entrant>&);\n")
+    string(APPEND calls "  cases::inlined::add_${name}(c, all);\n")
   endforeach()
-  set(odeint "")
-  if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT)
-    set(odeint "#define ODEUM_INLINED_ODEINT\n")
-  endif()
-  odeum_write(${ODEUM_GENERATED}/odeum_inlined.hpp "#pragma once\n${odeint}")
-  odeum_write(${ODEUM_GENERATED}/odeum_inlined.cpp
-"#include <iterator>
-#include <utility>
-
-#include \"odeum/contest/inlined.hpp\"
+  odeum_write(${ODEUM_GENERATED}/inlined/all.cpp
+"#include \"odeum/contest/inlined.hpp\"
 
 namespace odeum {
 namespace cases::inlined {
 ${declarations}}
 std::vector<Entrant> inlined_solvers([[maybe_unused]] const Case& c) {
-  std::vector<Entrant> list;
-  [[maybe_unused]] const auto add = [&](std::vector<Entrant> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(list));
-  };
-${calls}  return list;
+  std::vector<Entrant> all;
+${calls}  return all;
 }
 }
 ")
-  set(ODEUM_INLINED_FILES ${files} ${ODEUM_GENERATED}/odeum_inlined.cpp PARENT_SCOPE)
+  set(ODEUM_INLINED_FILES ${units} ${ODEUM_GENERATED}/inlined/all.cpp PARENT_SCOPE)
 endfunction()
 
 # odeum_reference.hpp/.cpp: the text of every file in cases/reference, so that the program needs

@@ -7,8 +7,9 @@
 #include <filesystem>
 #include <map>
 
-#include "odeum/contest/own_solvers.hpp"
+#include "odeum/contest/enroll_method.hpp"
 #include "odeum/judge/stability_search.hpp"
+#include "odeum/proof/facts.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
@@ -44,28 +45,28 @@ std::map<Key, StabilityLimit> own_by_key() {
 
 TEST(Limits, EveryOwnMethodHasARowOnEveryAxisAndAReasonWhereItDoesNotFit) {
   const auto limits = own_by_key();
-  methods::All::for_each([&]<class M>() {
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
     for (const char* axis : {"real", "imaginary", "oscillator"}) {
-      const auto found = limits.find({std::string(M::info.id), axis});
-      ASSERT_NE(found, limits.end()) << M::info.id << ' ' << axis;
+      const auto found = limits.find({std::string(method.info.id), axis});
+      ASSERT_NE(found, limits.end()) << method.info.id << ' ' << axis;
       const StabilityLimit& row = found->second;
       if (row.status == "not_applicable") {
-        EXPECT_NE(row.detail, "") << M::info.id << ' ' << axis;
+        EXPECT_NE(row.detail, "") << method.info.id << ' ' << axis;
         EXPECT_TRUE(std::isnan(row.limit));
       } else {
-        EXPECT_EQ(row.status, "ok") << M::info.id << ' ' << axis << ": " << row.detail;
+        EXPECT_EQ(row.status, "ok") << method.info.id << ' ' << axis << ": " << row.detail;
       }
     }
-  });
+  }
 }
 
 TEST(Limits, OwnOneStepMethodsMeetTheirStabilityFunction) {
   std::size_t compared = 0;
-  methods::All::for_each([&]<class M>() {
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
     // Multistep methods of one step have no tableau to take a theory from.
-    if (!M::info.one_step || M::info.family == "multistep") return;
+    if (!method.info.one_step || method.info.family == "multistep") continue;
     for (const StabilityLimit& row : own().limits) {
-      if (row.solver != M::info.id || row.status == "not_applicable") continue;
+      if (row.solver != method.info.id || row.status == "not_applicable") continue;
       // On the imaginary axis |R| exceeds one by c y^6 from 0 on, with a c so small that the growth
       // cannot be told from rounding up to 0.69.
       if (row.solver == "seulex" && row.axis != "real") continue;
@@ -76,8 +77,8 @@ TEST(Limits, OwnOneStepMethodsMeetTheirStabilityFunction) {
           << row.solver << ' ' << row.axis << ": " << row.limit << " against " << row.theory;
       ++compared;
     }
-  });
-  EXPECT_GE(compared, methods::All::size);
+  }
+  EXPECT_GE(compared, proof::all_method_facts().size());
 }
 
 TEST(Limits, Textbook) {

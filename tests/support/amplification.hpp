@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "odeum/contest/own_solvers.hpp"
-#include "odeum/problem/shared.hpp"
+#include "odeum/contest/case.hpp"
+#include "support/own_runs.hpp"
 
 namespace odeum::tests {
 
@@ -31,20 +31,20 @@ inline double size_of_solution(const Case& c) {
 inline double amplification(const Case& c) {
   constexpr double d = 1e-6;
   const std::size_t n = c.y0.size();
-  const auto problem = std::make_shared<const SharedOde>(c.problem.view, c.problem.keep_alive);
   // An autonomous problem is started at time 0, where short steps are not lost in the rounding of
   // t.
-  const double shift_by = problem->autonomous() ? 1 : 0;
+  const double shift_by = c.problem.view.time_derivative ? 0 : 1;
   const auto solve = [&](double start, const std::vector<double>& y0, std::vector<double> stops) {
     const double t0 = start - shift_by * start;
     for (double& stop : stops) stop -= shift_by * start;
-    const Contest<SharedOde> contest{problem, t0, std::make_shared<const std::vector<double>>(y0),
-                                     nullptr};
+    ErasedContest contest = c.problem;
+    contest.t0 = t0;
+    contest.y0 = std::make_shared<const std::vector<double>>(y0);
     Request request;
     request.mode = Mode::adaptive;
     request.tolerance = 1e-10;
     request.stops = std::move(stops);
-    Outcome outcome = solve_own<methods::radau_iia5>(contest, request);
+    Outcome outcome = run_own("radau_iia5", contest, request);
     if (outcome.status != Status::ok)
       throw std::runtime_error("no amplification of " + c.id + ": " + outcome.detail);
     return outcome.states;

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "support/own_runs.hpp"
 
 namespace odeum::tests {
 
@@ -31,7 +31,14 @@ struct Field {
   }
 };
 
-/// Every own method on it that needs neither a series nor a constant matrix.
-std::vector<Entrant> own_methods_on(const Field& field, double t0, std::vector<double> y0);
+/// Every own method on it that fits it: none needs a series or a constant matrix.
+inline std::vector<Entrant> own_methods_on(const Field& field, double t0, std::vector<double> y0) {
+  const auto problem = std::make_shared<const Field>(field);
+  ErasedContest contest = contest_on(*problem, t0, std::move(y0));
+  contest.keep_alive = problem;
+  std::vector<Entrant> entrants = enroll_own(contest);
+  std::erase_if(entrants, [](const Entrant& entrant) { return !entrant.unfit.empty(); });
+  return entrants;
+}
 
 }  // namespace odeum::tests

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Problems for implicit methods with their solutions, and runs on them like those of the catalogue,
-// but on the concrete type of the problem.
+// Problems for implicit methods with their solutions, and runs on them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "odeum/control/fixed_step.hpp"
-#include "odeum/control/step_doubling.hpp"
-#include "odeum/core/guarded.hpp"
 #include "odeum/kernel/method.hpp"
+#include "support/own_runs.hpp"
 
 namespace odeum::tests {
 
@@ -138,20 +135,7 @@ struct Hires {
 
 template <class M, Ode P>
 Outcome run(const P& problem, double t0, const State<P>& y0, const Request& request) {
-  Guard guard(size_of(problem), request.budget);
-  const Guarded<P> guarded(problem, guard);
-  Outcome outcome;
-  if (request.mode == Mode::adaptive) {
-    if constexpr (requires { M::integrate(guarded, t0, y0, request); })
-      outcome = M::integrate(guarded, t0, y0, request);
-    else if constexpr (M::info.one_step)
-      outcome = run_step_doubling<typename M::template Stepper<Guarded<P>>>(guarded, t0, y0,
-                                                                            request, M::info.order);
-  } else if constexpr (M::info.fixed_step) {
-    outcome = run_fixed<typename M::template Stepper<Guarded<P>>>(guarded, t0, y0, request);
-  }
-  guard.conclude(request, outcome);
-  return outcome;
+  return run_own(M::info.id, contest_on(problem, t0, {y0.begin(), y0.end()}), request);
 }
 
 template <class M, Ode P>

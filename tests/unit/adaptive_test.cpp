@@ -8,7 +8,12 @@
 #include <limits>
 #include <vector>
 
-#include "odeum/contest/own_solvers.hpp"
+#include "odeum/contest/enroll_method.hpp"
+#include "odeum/methods/cash_karp54.hpp"
+#include "odeum/methods/heun.hpp"
+#include "odeum/methods/midpoint.hpp"
+#include "odeum/methods/rk4.hpp"
+#include "odeum/proof/facts.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {
@@ -218,39 +223,45 @@ TEST(StepDoubling, KeepsBothItsBounds) {
 }
 
 TEST(EmbeddedPairs, EstimateFallsWithThePowerOfTheLowerOrder) {
-  const Prey problem;
+  FunctionProblem problem{.unknowns = 2};
+  problem.f = [](double t, const double* y, double* dydt) { Prey{}.rhs(t, y, dydt); };
+  problem.f_y = [](double, const double* y, double* j) {
+    j[0] = 1.5 - y[1];
+    j[1] = -y[0];
+    j[2] = y[1];
+    j[3] = y[0] - 3;
+  };
+  problem.f_t = [](double, const double*, double* dfdt) { dfdt[0] = dfdt[1] = 0; };
   int checked = 0;
-  methods::All::for_each([&]<class M>() {
-    if constexpr (M::info.order_embedded != 0 && M::template fits<Prey>) {
-      typename M::template Stepper<Prey> stepper(problem);
-      const auto estimate = [&](double h) {
-        std::array<double, 2> y{1, 1}, error{};
-        EXPECT_EQ(stepper.step(0, h, y, error), Status::ok);
-        return std::hypot(error[0], error[1]);
-      };
-      const int power = std::min(M::info.order, M::info.order_embedded) + 1;
-      // Halved from h where the estimate is below 1e-11: the next powers of h (0.1 to 0.2 at orders
-      // 7 to 9) add some h to the slope, and at order 9 rounding is still a hundredth of the finer
-      // estimate.
-      double h = 0.5;
-      while (estimate(h) > 1e-11) h *= 0.9;
-      EXPECT_NEAR(std::log2(estimate(h) / estimate(h / 2)), power, 0.4) << M::info.id;
-      ++checked;
-    }
-  });
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    if (method.info.order_embedded == 0 || !method.on_problem) continue;
+    const auto stepper = method.on_problem(problem);
+    const auto estimate = [&](double h) {
+      std::vector<double> y{1, 1}, error;
+      EXPECT_EQ(stepper->step(0, h, y, error), Status::ok);
+      return std::hypot(error[0], error[1]);
+    };
+    const int power = std::min(method.info.order, method.info.order_embedded) + 1;
+    // Halved from h where the estimate is below 1e-11: the next powers of h (0.1 to 0.2 at orders
+    // 7 to 9) add some h to the slope, and at order 9 rounding is still a hundredth of the finer
+    // estimate.
+    double h = 0.5;
+    while (estimate(h) > 1e-11) h *= 0.9;
+    EXPECT_NEAR(std::log2(estimate(h) / estimate(h / 2)), power, 0.4) << method.info.id;
+    ++checked;
+  }
   EXPECT_GE(checked, 1);
 }
 
 /// The power of h, less one, that a method's error estimate has.
 int lower_order(const SolverInfo& info) {
-  int lower = 0;
-  methods::All::for_each([&]<class M>() {
-    if (info.method != M::info.id) return;
-    lower = M::info.order_embedded   ? std::min(M::info.order, M::info.order_embedded)
-            : M::info.adaptive_order ? M::info.order - 1  // the order varies with the tolerance
-                                     : M::info.order;
-  });
-  return lower;
+  for (const proof::MethodFacts& method : proof::all_method_facts()) {
+    const MethodInfo& own = method.info;
+    if (info.method != own.id) continue;
+    if (own.order_embedded != 0) return std::min(own.order, own.order_embedded);
+    return own.adaptive_order ? own.order - 1 : own.order;  // the order varies with the tolerance
+  }
+  return 0;
 }
 
 TEST(Adaptive, ErrorFollowsTheTolerance) {

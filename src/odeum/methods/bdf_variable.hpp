@@ -17,6 +17,7 @@ struct bdf_variable : ForAnyProblem {
       .adaptive_order = true,
       .controller = "step and order, from backward differences",
       .source = "Shampine, Reichelt, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2"};
+  static constexpr bool inlined = true;
   template <Ode P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {

@@ -26,6 +26,7 @@ struct exponential_propagator {
       .source =
           "Moler, Van Loan, SIAM Rev. 45 (2003) 3-49; Higham, SIAM J. Matrix Anal. Appl. 26 "
           "(2005) 1179-1193, algorithm 2.3"};
+  static constexpr bool inlined = true;
   static constexpr std::string_view needs = "a linear problem y' = A y + b with constant A and b";
   template <class P>
   static constexpr bool fits = LinearConstant<P>;

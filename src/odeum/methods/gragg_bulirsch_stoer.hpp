@@ -21,6 +21,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
       .source =
           "Bulirsch, Stoer, Numer. Math. 8 (1966) 1-13; Hairer, Norsett, Wanner, Solving "
           "ODEs I, II.9, (9.10), (9.13)"};
+  static constexpr bool inlined = true;
 
   template <class P>
   class Stepper {

@@ -36,6 +36,7 @@ struct rodas4 : ForAnyProblem, RosenbrockPair<rodas4_tableau> {
       .order_embedded = rodas4_tableau.order_hat,
       .controller = "embedded pair, predictive",
       .source = "Hairer, Wanner, Solving ODEs II, VI.4; coefficients of their code RODAS, set 1"};
+  static constexpr bool inlined = true;
 };
 
 }  // namespace odeum::methods

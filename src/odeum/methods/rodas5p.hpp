@@ -47,6 +47,7 @@ struct rodas5p : ForAnyProblem, RosenbrockPair<rodas5p_tableau> {
                                    .order_embedded = rodas5p_tableau.order_hat,
                                    .controller = "embedded pair, predictive",
                                    .source = "Steinebach, BIT 63 (2023) 27, table 4"};
+  static constexpr bool inlined = true;
 };
 
 }  // namespace odeum::methods

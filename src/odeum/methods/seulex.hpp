@@ -17,6 +17,7 @@ struct seulex : ForAnyProblem {
       .adaptive_order = true,
       .controller = "step and column, by work per unit step",
       .source = "Deuflhard, Hairer, Zugck, Numer. Math. 51 (1987) 501-516; Solving ODEs II, IV.9"};
+  static constexpr bool inlined = true;
   template <class P>
   using Stepper = ExtrapolatedEuler<fixed_column, P>;
 

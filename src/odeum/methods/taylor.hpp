@@ -26,6 +26,7 @@ struct taylor {
       .source =
           "Jorba, Zou, Experimental Mathematics 14 (2005) 99-117, sections 3.1, 3.2; Hairer, "
           "Norsett, Wanner, Solving ODEs I, I.8"};
+  static constexpr bool inlined = true;
   static constexpr std::string_view needs = "a problem that offers its Taylor series";
   template <class P>
   static constexpr bool fits = WithTaylorSeries<P>;

@@ -35,7 +35,7 @@ struct MethodFacts {
   MakeStepper<FunctionMechanics<false>> on_mechanics() const;
 };
 
-/// Every own method, in the order of the catalogue.
+/// Every own method, in the order of own_methods().
 const std::vector<MethodFacts>& all_method_facts();
 
 }  // namespace odeum::proof

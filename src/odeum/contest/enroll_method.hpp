@@ -4,15 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/own_on_shared.hpp"
-#include "odeum/contest/solver.hpp"
+#include "odeum/contest/own_methods.hpp"
+#include "odeum/contest/shared_contest.hpp"
 #include "odeum/control/embedded_pair.hpp"
 #include "odeum/control/fixed_step.hpp"
 #include "odeum/control/step_doubling.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/kernel/method.hpp"
-#include "odeum_methods.hpp"  // generated: odeum::methods::All, a MethodList of every file in methods/
 
 namespace odeum {
 
@@ -96,37 +95,32 @@ Outcome solve_own(const Contest<P>& contest, const Request& request) {
   return outcome;
 }
 
+/// Puts M on a contest of a type that it fits.
 template <class M, Ode P>
-void enroll_method(const Contest<P>& contest, Entrant& entrant) {
-  bool fits = M::template fits<P>;
+void enroll_as(const Contest<P>& contest, Entrant& entrant) {
   if constexpr (requires { M::fits_problem(*contest.problem); })
-    fits = fits && M::fits_problem(*contest.problem);
-  entrant.unfit = fits ? "" : "needs " + std::string(M::needs);
-  if constexpr (requires { M::digits; })
-    entrant.extended = run_extended<ExplicitRungeKutta<M::digits, ExtendedProblem>>;
-  if constexpr (M::template fits<P>)
-    if (fits)
-      entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
+    if (!M::fits_problem(*contest.problem)) return;
+  entrant.unfit.clear();
+  entrant.solve = [contest](const Request& request) { return solve_own<M>(contest, request); };
 }
 
-/// Enrols every own method: those that fit can solve, the others say what they need.
-template <Ode P>
-void enroll_own(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  if constexpr (Shared<P> && !std::same_as<P, SharedOde>) {
-    // What fits any problem is compiled for SharedOde alone.
-    std::size_t place = entrants.size();
-    enroll_own(as_first_order(contest), entrants);
-    methods::All::for_each([&]<class M>() {
-      Entrant& entrant = entrants[place++];
-      if constexpr (!M::template fits<SharedOde>) enroll_method<M>(contest, entrant);
+/// Puts M on a contest behind pointers. What fits any problem is compiled for SharedOde alone.
+template <class M>
+void enroll_method(const ErasedContest& contest, Entrant& entrant) {
+  entrant.unfit = "needs " + std::string(M::needs);
+  if constexpr (requires { M::digits; })
+    entrant.extended = run_extended<ExplicitRungeKutta<M::digits, ExtendedProblem>>;
+  if constexpr (M::template fits<SharedOde>)
+    enroll_as<M>(shared_contest<SharedOde>(contest), entrant);
+  else
+    with_shared_type(contest.view, [&]<Shared P>() {
+      if constexpr (M::template fits<P>) enroll_as<M>(shared_contest<P>(contest), entrant);
     });
-  } else {
-    methods::All::for_each([&]<class M>() {
-      Entrant& entrant = entrants.emplace_back();
-      entrant.info = info_of_own<M>();
-      enroll_method<M>(contest, entrant);
-    });
-  }
+}
+
+template <class M>
+OwnMethod own_method() {
+  return {info_of_own<M>(), enroll_method<M>};
 }
 
 }  // namespace odeum

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "problems/robertson.hpp"
+
+namespace odeum::cases::inlined {
+using robertson = Robertson;
+}

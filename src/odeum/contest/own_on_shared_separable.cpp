@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/contest/own_solvers.hpp"
-
-namespace odeum {
-
-template void enroll_own(const Contest<SharedSeparable>&, std::vector<Entrant>&);
-
-}  // namespace odeum
