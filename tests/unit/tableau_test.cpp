@@ -192,13 +192,13 @@ TEST(StabilityFunction, OfImplicitMethods) {
 
 TEST(Tableau, DerivesWhatFollowsFromItsCoefficients) {
   // Bogacki and Shampine's pair, whose last stage is the first of the next step.
-  constexpr Tableau<4> bs32{
+  static constexpr Tableau<4> bs32{
       .a = {{{0, 0, 0, 0}, {1. / 2, 0, 0, 0}, {0, 3. / 4, 0, 0}, {2. / 9, 1. / 3, 4. / 9, 0}}},
       .b = {2. / 9, 1. / 3, 4. / 9, 0},
       .order = 3,
       .b_hat = {7. / 24, 1. / 4, 1. / 3, 1. / 8},
       .order_hat = 2};
-  static_assert(proven(bs32));
+  static_assert(proven<bs32>());
   static_assert(bs32.first_same_as_last() && bs32.is_explicit() && bs32.embedded());
   static_assert(!methods::rk4_tableau.first_same_as_last());
   static_assert(!methods::implicit_euler_tableau.is_explicit());

@@ -15,7 +15,7 @@ inline constexpr Tableau<4> bogacki_shampine32_tableau{
     .b_hat = {7. / 24, 1. / 4, 1. / 3, 1. / 8},
     .order_hat = 2,
 };
-static_assert(proven(bogacki_shampine32_tableau));
+static_assert(proven<bogacki_shampine32_tableau>());
 
 struct bogacki_shampine32 : ForAnyProblem, ExplicitRungeKuttaMethod<bogacki_shampine32_tableau> {
   static constexpr MethodInfo info{

@@ -21,7 +21,7 @@ inline constexpr Tableau<6> cash_karp54_tableau{
     .b_hat = {2825. / 27648, 0, 18575. / 48384, 13525. / 55296, 277. / 14336, 1. / 4},
     .order_hat = 4,
 };
-static_assert(proven(cash_karp54_tableau));
+static_assert(proven<cash_karp54_tableau>());
 
 struct cash_karp54 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_tableau> {
   static constexpr MethodInfo info{

@@ -11,7 +11,7 @@ namespace odeum::methods {
 /// that evaluates five unused stages.
 inline constexpr Tableau<6> cash_karp54_order1_tableau =
     cash_karp54_tableau.with_row({1, 0, 0, 0, 0, 0}, 1);
-static_assert(proven(cash_karp54_order1_tableau));
+static_assert(proven<cash_karp54_order1_tableau>());
 
 struct cash_karp54_order1 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order1_tableau> {
   static constexpr MethodInfo info{

@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// Cash and Karp's weights of order 2 on their six stages, as a method of its own.
 inline constexpr Tableau<6> cash_karp54_order2_tableau =
     cash_karp54_tableau.with_row({-3. / 2, 5. / 2, 0, 0, 0, 0}, 2);
-static_assert(proven(cash_karp54_order2_tableau));
+static_assert(proven<cash_karp54_order2_tableau>());
 
 struct cash_karp54_order2 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order2_tableau> {
   static constexpr MethodInfo info{

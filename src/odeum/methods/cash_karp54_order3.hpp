@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// Cash and Karp's weights of order 3 on their six stages, as a method of its own.
 inline constexpr Tableau<6> cash_karp54_order3_tableau =
     cash_karp54_tableau.with_row({19. / 54, 0, -10. / 27, 55. / 54, 0, 0}, 3);
-static_assert(proven(cash_karp54_order3_tableau));
+static_assert(proven<cash_karp54_order3_tableau>());
 
 struct cash_karp54_order3 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order3_tableau> {
   static constexpr MethodInfo info{

@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// Cash and Karp's weights of order 4 on their six stages, as a method of its own.
 inline constexpr Tableau<6> cash_karp54_order4_tableau =
     cash_karp54_tableau.with_row(cash_karp54_tableau.b_hat, 4);
-static_assert(proven(cash_karp54_order4_tableau));
+static_assert(proven<cash_karp54_order4_tableau>());
 
 struct cash_karp54_order4 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order4_tableau> {
   static constexpr MethodInfo info{

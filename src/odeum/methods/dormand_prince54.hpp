@@ -22,7 +22,7 @@ inline constexpr Tableau<7> dormand_prince54_tableau{
     .b_hat = {5179. / 57600, 0, 7571. / 16695, 393. / 640, -92097. / 339200, 187. / 2100, 1. / 40},
     .order_hat = 4,
 };
-static_assert(proven(dormand_prince54_tableau));
+static_assert(proven<dormand_prince54_tableau>());
 
 /// The row d of its interpolant of order 4, see kernel/dense_output.hpp (Hairer, Norsett, Wanner,
 /// Solving ODEs I, II.6).

@@ -41,7 +41,7 @@ inline constexpr Tableau<12> dormand_prince853_tableau{
               0.11944219431891463591, 0.067065923591658885777},
     .order_hat = 5,
 };
-static_assert(proven(dormand_prince853_tableau));
+static_assert(proven<dormand_prince853_tableau>());
 
 inline constexpr std::array<double, 12> dormand_prince853_third_order = {
     0.24409448818897637795, 0, 0, 0, 0, 0, 0, 0, 0.73384668828161185734, 0, 0,

@@ -22,7 +22,7 @@ inline constexpr Tableau<6> esdirk43_tableau{
               -3700637. / 11593932, 61727. / 225920},
     .order_hat = 3,
 };
-static_assert(proven(esdirk43_tableau));
+static_assert(proven<esdirk43_tableau>());
 
 struct esdirk43 : ForAnyProblem, DiagonallyImplicitPair<esdirk43_tableau> {
   static constexpr MethodInfo info{.id = "esdirk43",

@@ -12,7 +12,7 @@ inline constexpr Tableau<1> explicit_euler_tableau{
     .b = {1},
     .order = 1,
 };
-static_assert(proven(explicit_euler_tableau));
+static_assert(proven<explicit_euler_tableau>());
 
 struct explicit_euler : ForAnyProblem, ExplicitRungeKuttaMethod<explicit_euler_tableau> {
   static constexpr MethodInfo info{

@@ -20,7 +20,7 @@ inline constexpr Tableau<6> fehlberg45_tableau{
     .b_hat = {16. / 135, 0, 6656. / 12825, 28561. / 56430, -9. / 50, 2. / 55},
     .order_hat = 5,
 };
-static_assert(proven(fehlberg45_tableau));
+static_assert(proven<fehlberg45_tableau>());
 
 struct fehlberg45 : ForAnyProblem, ExplicitRungeKuttaMethod<fehlberg45_tableau> {
   static constexpr MethodInfo info{.id = "fehlberg45",

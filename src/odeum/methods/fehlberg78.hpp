@@ -30,7 +30,7 @@ inline constexpr Tableau<13> fehlberg78_tableau{
               41. / 840},
     .order_hat = 8,
 };
-static_assert(proven(fehlberg78_tableau));
+static_assert(proven<fehlberg78_tableau>());
 
 struct fehlberg78 : ForAnyProblem, ExplicitRungeKuttaMethod<fehlberg78_tableau> {
   static constexpr MethodInfo info{

@@ -13,7 +13,7 @@ inline constexpr Tableau<2> heun_tableau{
     .b = {1. / 2, 1. / 2},
     .order = 2,
 };
-static_assert(proven(heun_tableau));
+static_assert(proven<heun_tableau>());
 
 struct heun : ForAnyProblem, ExplicitRungeKuttaMethod<heun_tableau> {
   static constexpr MethodInfo info{

@@ -12,7 +12,7 @@ inline constexpr Tableau<1> implicit_euler_tableau{
     .b = {1},
     .order = 1,
 };
-static_assert(proven(implicit_euler_tableau));
+static_assert(proven<implicit_euler_tableau>());
 
 struct implicit_euler : ForAnyProblem, DiagonallyImplicitMethod<implicit_euler_tableau> {
   static constexpr MethodInfo info{

@@ -13,7 +13,7 @@ inline constexpr Tableau<1> implicit_midpoint_tableau{
     .b = {1},
     .order = 2,
 };
-static_assert(proven(implicit_midpoint_tableau));
+static_assert(proven<implicit_midpoint_tableau>());
 
 struct implicit_midpoint : ForAnyProblem, DiagonallyImplicitMethod<implicit_midpoint_tableau> {
   static constexpr MethodInfo info{

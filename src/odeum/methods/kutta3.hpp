@@ -12,7 +12,7 @@ inline constexpr Tableau<3> kutta3_tableau{
     .b = {1. / 6, 2. / 3, 1. / 6},
     .order = 3,
 };
-static_assert(proven(kutta3_tableau));
+static_assert(proven<kutta3_tableau>());
 
 struct kutta3 : ForAnyProblem, ExplicitRungeKuttaMethod<kutta3_tableau> {
   static constexpr MethodInfo info{

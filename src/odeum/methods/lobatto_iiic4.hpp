@@ -13,7 +13,7 @@ inline constexpr Tableau<3> lobatto_iiic4_tableau{
     .b = {1. / 6, 2. / 3, 1. / 6},
     .order = 4,
 };
-static_assert(proven(lobatto_iiic4_tableau));
+static_assert(proven<lobatto_iiic4_tableau>());
 static_assert(collocation_proven(lobatto_iiic4_tableau, 2, 2));
 
 struct lobatto_iiic4 : FullyImplicitMethod<lobatto_iiic4_tableau> {

@@ -12,7 +12,7 @@ inline constexpr Tableau<2> midpoint_tableau{
     .b = {0, 1},
     .order = 2,
 };
-static_assert(proven(midpoint_tableau));
+static_assert(proven<midpoint_tableau>());
 
 struct midpoint : ForAnyProblem, ExplicitRungeKuttaMethod<midpoint_tableau> {
   static constexpr MethodInfo info{

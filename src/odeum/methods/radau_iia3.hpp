@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// Radau IIA of two stages: L-stable.
 inline constexpr Tableau<2> radau_iia3_tableau = collocation<2>(radau_right_nodes<2>(), 3);
 static_assert(collocation_proven(radau_iia3_tableau, 2, 1));
-static_assert(proven(radau_iia3_tableau));
+static_assert(proven<radau_iia3_tableau>());
 
 struct radau_iia3 : FullyImplicitMethod<radau_iia3_tableau> {
   static constexpr MethodInfo info{

@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// Radau IIA of three stages: L-stable. Adaptive with an estimate of order 3.
 inline constexpr Tableau<3> radau_iia5_tableau = collocation<3>(radau_right_nodes<3>(), 5);
 static_assert(collocation_proven(radau_iia5_tableau, 3, 2));
-static_assert(proven(radau_iia5_tableau));
+static_assert(proven<radau_iia5_tableau>());
 
 struct radau_iia5 : RadauMethod<radau_iia5_tableau> {
   static constexpr MethodInfo info{

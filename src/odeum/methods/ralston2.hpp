@@ -12,7 +12,7 @@ inline constexpr Tableau<2> ralston2_tableau{
     .b = {1. / 4, 3. / 4},
     .order = 2,
 };
-static_assert(proven(ralston2_tableau));
+static_assert(proven<ralston2_tableau>());
 
 struct ralston2 : ForAnyProblem, ExplicitRungeKuttaMethod<ralston2_tableau> {
   static constexpr MethodInfo info{.id = "ralston2",

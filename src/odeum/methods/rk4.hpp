@@ -12,7 +12,7 @@ inline constexpr Tableau<4> rk4_tableau{
     .b = {1. / 6, 1. / 3, 1. / 3, 1. / 6},
     .order = 4,
 };
-static_assert(proven(rk4_tableau));
+static_assert(proven<rk4_tableau>());
 
 struct rk4 : ForAnyProblem, ExplicitRungeKuttaMethod<rk4_tableau> {
   static constexpr MethodInfo info{

@@ -16,7 +16,7 @@ inline constexpr Tableau<2> sdirk2_tableau{
     .b = {1 - sdirk2_gamma, sdirk2_gamma},
     .order = 2,
 };
-static_assert(proven(sdirk2_tableau));
+static_assert(proven<sdirk2_tableau>());
 
 struct sdirk2 : ForAnyProblem, DiagonallyImplicitMethod<sdirk2_tableau> {
   static constexpr MethodInfo info{

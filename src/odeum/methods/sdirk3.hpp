@@ -18,7 +18,7 @@ inline constexpr Tableau<3> sdirk3_tableau{
     .b = {sdirk3_b1, sdirk3_b2, sdirk3_gamma},
     .order = 3,
 };
-static_assert(proven(sdirk3_tableau));
+static_assert(proven<sdirk3_tableau>());
 
 struct sdirk3 : ForAnyProblem, DiagonallyImplicitMethod<sdirk3_tableau> {
   static constexpr MethodInfo info{

@@ -18,7 +18,7 @@ inline constexpr Tableau<5> sdirk4_tableau{
     .b_hat = {59. / 48, -17. / 96, 225. / 32, -85. / 12, 0},
     .order_hat = 3,
 };
-static_assert(proven(sdirk4_tableau));
+static_assert(proven<sdirk4_tableau>());
 
 struct sdirk4 : ForAnyProblem, DiagonallyImplicitPair<sdirk4_tableau> {
   static constexpr MethodInfo info{.id = "sdirk4",

@@ -13,7 +13,7 @@ inline constexpr Tableau<3> ssp3_tableau{
     .b = {1. / 6, 1. / 6, 2. / 3},
     .order = 3,
 };
-static_assert(proven(ssp3_tableau));
+static_assert(proven<ssp3_tableau>());
 
 struct ssp3 : ForAnyProblem, ExplicitRungeKuttaMethod<ssp3_tableau> {
   static constexpr MethodInfo info{

@@ -12,7 +12,7 @@ inline constexpr Tableau<4> three_eighths_tableau{
     .b = {1. / 8, 3. / 8, 3. / 8, 1. / 8},
     .order = 4,
 };
-static_assert(proven(three_eighths_tableau));
+static_assert(proven<three_eighths_tableau>());
 
 struct three_eighths : ForAnyProblem, ExplicitRungeKuttaMethod<three_eighths_tableau> {
   static constexpr MethodInfo info{

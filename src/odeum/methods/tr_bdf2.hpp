@@ -19,7 +19,7 @@ inline constexpr Tableau<3> tr_bdf2_tableau{
     .b_hat = {(1 - tr_bdf2_w) / 3, (3 * tr_bdf2_w + 1) / 3, tr_bdf2_d / 3},
     .order_hat = 3,
 };
-static_assert(proven(tr_bdf2_tableau));
+static_assert(proven<tr_bdf2_tableau>());
 
 struct tr_bdf2 : ForAnyProblem, DiagonallyImplicitPair<tr_bdf2_tableau> {
   static constexpr MethodInfo info{.id = "tr_bdf2",

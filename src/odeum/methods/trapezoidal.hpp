@@ -12,7 +12,7 @@ inline constexpr Tableau<2> trapezoidal_tableau{
     .b = {1. / 2, 1. / 2},
     .order = 2,
 };
-static_assert(proven(trapezoidal_tableau));
+static_assert(proven<trapezoidal_tableau>());
 
 struct trapezoidal : ForAnyProblem, DiagonallyImplicitMethod<trapezoidal_tableau> {
   static constexpr MethodInfo info{

@@ -27,7 +27,7 @@ inline constexpr Tableau<7> tsitouras54_tableau{
               1.2342975669304789857, -2.7077123499835254549, 1.8666284181705870358, 1. / 66},
     .order_hat = 4,
 };
-static_assert(proven(tsitouras54_tableau));
+static_assert(proven<tsitouras54_tableau>());
 
 /// The row d of its interpolant of order 4, see kernel/dense_output.hpp: the coefficients of
 /// theta^4 in the paper's b_i(theta).

@@ -27,7 +27,7 @@ inline constexpr Tableau<9> verner65_tableau{
               2995. / 17766},
     .order_hat = 5,
 };
-static_assert(proven(verner65_tableau));
+static_assert(proven<verner65_tableau>());
 
 struct verner65 : ForAnyProblem, ExplicitRungeKuttaMethod<verner65_tableau> {
   static constexpr MethodInfo info{.id = "verner65",

@@ -51,7 +51,7 @@ inline constexpr Tableau<16, long double> verner98_digits{
     .order_hat = 8,
 };
 inline constexpr Tableau<16> verner98_tableau = rounded(verner98_digits);
-static_assert(proven(verner98_tableau));
+static_assert(proven<verner98_tableau>());
 
 struct verner98 : ForAnyProblem, ExplicitRungeKuttaMethod<verner98_tableau> {
   static constexpr const auto& digits = verner98_digits;

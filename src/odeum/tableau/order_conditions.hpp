@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "odeum/tableau/proof_message.hpp"
 #include "odeum/tableau/tableau.hpp"
 
 /// Order conditions by rooted trees (Hairer, Norsett, Wanner, Solving ODEs I, II.2): a method has
@@ -54,11 +55,12 @@ struct RootedTrees {
 template <int MaxOrder>
 inline constexpr RootedTrees<MaxOrder> rooted_trees{};
 
-/// The largest violation by the row of weights among the trees with n nodes, for n = 1..Order.
+/// Calls visit(tau, residual) for each rooted tree with at most `Order` nodes, the smallest first:
+/// residual = sum_i b_i Phi_i(tau) - 1 / gamma(tau) for the row of weights.
 /// Plain arrays and the nonzero coefficients only: the compiler counts each operation.
-template <int Order, std::size_t S>
-constexpr std::array<double, Order + 1> order_residuals(const Tableau<S>& tableau,
-                                                        const std::array<double, S>& row) {
+template <int Order, std::size_t S, class Visit>
+constexpr void for_each_condition(const Tableau<S>& tableau, const std::array<double, S>& row,
+                                  Visit&& visit) {
   constexpr auto& trees = rooted_trees<Order>;
   constexpr std::size_t grafted = RootedTrees<Order>::count_to[Order - 1];
   double value[S][S]{}, weight[S]{};
@@ -74,7 +76,6 @@ constexpr std::array<double, Order + 1> order_residuals(const Tableau<S>& tablea
   // phi[tau][i]: the product over the root's subtrees sigma of graft[sigma][i] = sum_j a_ij
   // phi[sigma][j].
   double phi[trees.count][S]{}, graft[grafted > 0 ? grafted : 1][S]{};
-  std::array<double, Order + 1> worst{};
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
     const std::size_t l = trees.left[tau], r = trees.right[tau];
     double sum = 0;
@@ -86,18 +87,17 @@ constexpr std::array<double, Order + 1> order_residuals(const Tableau<S>& tablea
       for (std::size_t i = 0; i < S; ++i)
         for (std::size_t e = 0; e < entries[i]; ++e)
           graft[tau][i] += value[i][e] * phi[tau][column[i][e]];
-    const double violation = sum - 1 / trees.density[tau];
-    double& w = worst[static_cast<std::size_t>(trees.nodes[tau])];
-    w = violation > w ? violation : (-violation > w ? -violation : w);
+    visit(tau, sum - 1 / trees.density[tau]);
   }
-  return worst;
 }
 
 /// The largest violation of the conditions up to `Order` by the row of weights.
 template <int Order, std::size_t S>
 constexpr double order_residual(const Tableau<S>& tableau, const std::array<double, S>& row) {
   double worst = 0;
-  for (const double w : order_residuals<Order>(tableau, row)) worst = w > worst ? w : worst;
+  for_each_condition<Order>(tableau, row, [&](std::size_t, double residual) {
+    worst = residual > worst ? residual : (-residual > worst ? -residual : worst);
+  });
   return worst;
 }
 
@@ -106,29 +106,70 @@ constexpr double order_residual(const Tableau<S>& tableau, const std::array<doub
 /// coefficients reach 13).
 inline constexpr double order_rounding = 1e-13;
 
-/// Whether the row meets every condition up to `order` (at most 10) and fails one of the next (not
-/// checked at order 10).
+/// Why a row of weights does not have exactly the order stated for it.
+struct OrderFault {
+  int order = 0;         ///< of the first condition that fails; 0: the row has the order stated
+  std::size_t tree = 0;  ///< of that condition, its place among the rooted trees
+  double residual = 0;   ///< of that condition; 0: none fails, the row has a higher order
+};
+
+template <int Order, std::size_t S>
+constexpr OrderFault order_fault_up_to(const Tableau<S>& tableau, const std::array<double, S>& row,
+                                       int order) {
+  OrderFault fault;
+  bool no_higher = order == 10;  // the conditions of order 11 are not evaluated
+  for_each_condition<Order>(tableau, row, [&](std::size_t tau, double residual) {
+    if (residual < order_rounding && -residual < order_rounding) return;
+    const int nodes = rooted_trees<Order>.nodes[tau];
+    if (nodes <= order && fault.order == 0) fault = {nodes, tau, residual};
+    if (nodes == order + 1) no_higher = true;
+  });
+  if (fault.order == 0 && !no_higher) fault.order = order + 1;
+  return fault;
+}
+
+/// The first condition up to `order` (at most 10) that the row does not meet, or that it meets all
+/// of the next order (which is not evaluated for order 10).
+template <std::size_t S>
+constexpr OrderFault order_fault(const Tableau<S>& tableau, const std::array<double, S>& row,
+                                 int order) {
+  if (order <= 2) return order_fault_up_to<3>(tableau, row, order);
+  if (order <= 4) return order_fault_up_to<5>(tableau, row, order);
+  if (order <= 5) return order_fault_up_to<6>(tableau, row, order);
+  if (order <= 7) return order_fault_up_to<8>(tableau, row, order);
+  return order == 8 ? order_fault_up_to<9>(tableau, row, order)
+                    : order_fault_up_to<10>(tableau, row, order);
+}
+
+/// Whether the row meets every condition up to `order` and fails one of the next.
 template <std::size_t S>
 constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<double, S>& row,
                                  int order) {
-  const auto exactly = [order](const auto& residuals) {
-    for (int n = 1; n <= order; ++n)
-      if (!(residuals[static_cast<std::size_t>(n)] < order_rounding)) return false;
-    return order == 10 || residuals[static_cast<std::size_t>(order) + 1] > order_rounding;
-  };
-  if (order <= 2) return exactly(order_residuals<3>(tableau, row));
-  if (order <= 4) return exactly(order_residuals<5>(tableau, row));
-  if (order <= 5) return exactly(order_residuals<6>(tableau, row));
-  if (order <= 7) return exactly(order_residuals<8>(tableau, row));
-  return order == 8 ? exactly(order_residuals<9>(tableau, row))
-                    : exactly(order_residuals<10>(tableau, row));
+  return order_fault(tableau, row, order).order == 0;
 }
 
-/// For static_assert beside a tableau: both rows have exactly the orders stated.
-template <std::size_t S>
-consteval bool proven(const Tableau<S>& tableau) {
-  return has_exactly_order(tableau, tableau.b, tableau.order) &&
-         (!tableau.embedded() || has_exactly_order(tableau, tableau.b_hat, tableau.order_hat));
+/// Whether the row has exactly its order; otherwise the compiler's message names the fault, as
+/// template arguments, since only those are printed with their values.
+template <const auto& tableau, WeightRow row>
+consteval bool row_proven() {
+  constexpr OrderFault fault = row == WeightRow::b
+                                   ? order_fault(tableau, tableau.b, tableau.order)
+                                   : order_fault(tableau, tableau.b_hat, tableau.order_hat);
+  if constexpr (fault.order != 0 && fault.residual == 0)
+    (void)HasHigherOrderThanStated<row, fault.order>{};
+  else if constexpr (fault.order != 0)
+    (void)OrderConditionFails<row, fault.order,
+                              decltype(tree_at<rooted_trees<fault.order>, fault.tree>()),
+                              three_digits(fault.residual)>{};
+  return fault.order == 0;
+}
+
+/// For static_assert beside a tableau: both rows have exactly the orders stated. Where one has not,
+/// the compiler's message names the condition, see proof_message.hpp.
+template <const auto& tableau>
+consteval bool proven() {
+  // A row that is not there is zero and has exactly order 0.
+  return row_proven<tableau, WeightRow::b>() && row_proven<tableau, WeightRow::b_hat>();
 }
 
 }  // namespace odeum
