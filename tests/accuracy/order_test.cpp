@@ -43,11 +43,14 @@ std::string name_of(const testing::TestParamInfo<Pair>& info) {
   return info.param.case_id + "_" + info.param.method + "_" + to_string(info.param.mode);
 }
 
-/// Pairs that are not `confirmed`, and why. A case of * stands for every linear autonomous one.
+/// Pairs that are not `confirmed`: what they are instead, and why. A case of * stands for every
+/// linear autonomous one.
 struct Exception {
   const char* method;
   const char* case_id;
   Mode mode;
+  std::initializer_list<judge::Verdict> verdicts;  ///< one of them is met
+  double low, high;                                ///< and the order lies between
   const char* reason;
 };
 constexpr const char* sixth_on_linear = "of order 6 on linear problems with constant coefficients";
@@ -58,24 +61,44 @@ constexpr const char* mean_step =
     "tolerance";
 constexpr const char* higher_to_rounding =
     "its leading error term is small here: a higher order down to rounding";
-constexpr Exception exceptions[] = {
-    {"rodas5p", "*", Mode::fixed, sixth_on_linear},
-    {"rodas5p", "*", Mode::adaptive, sixth_on_linear},
-    {"tsitouras54", "dahlquist_real", Mode::adaptive, small_leading_term},
-    {"tsitouras54", "lotka_volterra", Mode::adaptive, small_leading_term},
-    {"dormand_prince54", "lotka_volterra", Mode::adaptive, small_leading_term},
-    {"dormand_prince54", "kepler_e06", Mode::adaptive, small_leading_term},
-    {"dormand_prince54_dead_band", "lotka_volterra", Mode::adaptive, small_leading_term},
-    {"gauss4", "lotka_volterra", Mode::adaptive, mean_step},
-    {"gauss4", "rc_circuit", Mode::adaptive, mean_step},
-    {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, mean_step},
-    {"sdirk4", "lotka_volterra", Mode::adaptive, mean_step},
-    {"radau_iia5", "duffing_free", Mode::adaptive, mean_step},
-    {"radau_iia5", "henon_heiles_regular", Mode::adaptive, mean_step},
-    {"tsitouras54", "cloth11_two_way", Mode::fixed,
+using enum judge::Verdict;
+const Exception exceptions[] = {
+    // Rounding ends some of the fits before the slope is 6.
+    {"rodas5p", "*", Mode::fixed, {higher}, 5.25, 6.5, sixth_on_linear},
+    // The adaptive band about 5 reaches to 5.75.
+    {"rodas5p", "*", Mode::adaptive, {higher, confirmed}, 5.25, 6.5, sixth_on_linear},
+    {"tsitouras54", "dahlquist_real", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
+    {"tsitouras54", "lotka_volterra", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
+    {"dormand_prince54", "lotka_volterra", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
+    {"dormand_prince54", "kepler_e06", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
+    {"dormand_prince54_dead_band",
+     "lotka_volterra",
+     Mode::adaptive,
+     {higher},
+     5.5,
+     6.5,
+     small_leading_term},
+    {"gauss4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
+    {"gauss4", "rc_circuit", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
+    {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
+    {"sdirk4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
+    {"radau_iia5", "duffing_free", Mode::adaptive, {higher}, 5.5, 7.5, mean_step},
+    {"radau_iia5",
+     "henon_heiles_regular",
+     Mode::adaptive,
+     {lower, undetermined},
+     2.0,
+     5.0,
+     mean_step},
+    {"tsitouras54",
+     "cloth11_two_way",
+     Mode::fixed,
+     {higher},
+     5.25,
+     5.75,
      "its leading error term is small: slopes still fall, 5.3 where rounding begins"},
-    {"verner98", "duffing_free", Mode::fixed, higher_to_rounding},
-    {"verner98", "rc_circuit", Mode::fixed, higher_to_rounding},
+    {"verner98", "duffing_free", Mode::fixed, {higher}, 9.5, 10.5, higher_to_rounding},
+    {"verner98", "rc_circuit", Mode::fixed, {higher}, 11.0, 12.0, higher_to_rounding},
 };
 
 const Exception* exception_for(const Pair& pair) {
@@ -101,15 +124,18 @@ TEST_P(Order, IsAsClaimed) {
                        .own = {{"mode", to_string(pair.mode)}}});
   ASSERT_EQ(result.orders.size(), 1U);
   const judge::OrderFit& fit = result.orders.front().fit;
-  if (const Exception* exception = exception_for(pair)) {
-    const bool of_many = std::string_view(exception->case_id) == "*";
-    EXPECT_TRUE(fit.verdict != judge::Verdict::confirmed || of_many) << "needs no exception";
-    GTEST_SKIP() << exception->reason;
-  }
   if (fit.verdict == judge::Verdict::higher && std::isnan(fit.order)) {
     // Exact but for rounding: polynomials of low degree, linear problems for a propagator.
     EXPECT_TRUE(pair.case_id == "free_fall" || pair.method == "exponential_propagator");
     EXPECT_GE(pair.claimed, 2);
+    return;
+  }
+  if (const Exception* exception = exception_for(pair)) {
+    EXPECT_TRUE(std::find(exception->verdicts.begin(), exception->verdicts.end(), fit.verdict) !=
+                exception->verdicts.end())
+        << to_string(fit.verdict) << ": " << fit.reason << "; expected since " << exception->reason;
+    EXPECT_GE(fit.order, exception->low);
+    EXPECT_LE(fit.order, exception->high);
     return;
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15

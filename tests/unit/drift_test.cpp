@@ -148,9 +148,11 @@ TEST(Horizons, GrowWithTheLogarithmOfTheTolerance) {
   const auto rows = measure_horizons(c, tests::find_entrant(c, "odeum/taylor"));
   ASSERT_EQ(rows.size(), 6U);
   for (const HorizonRow& row : rows) EXPECT_EQ(row.status, "ok") << row.detail;
-  // Lyapunov's exponent is 0.906: a thousandth of the error is 7.6 units more. Locally it varies,
-  // and 1e-12 is near the rounding that ends every horizon below 40.
-  EXPECT_NEAR(rows[4].horizon - rows[3].horizon, 7.6, 6);
+  // Six decades of tolerance are 6 ln 10 / 0.906 = 15.2 units of time, with the Lyapunov exponent
+  // 0.906. Over so short a time the mean growth rate differs from it by up to a sixth (measured:
+  // 16.9); without the growth, or with that of another tolerance exponent, it would be half or
+  // double.
+  EXPECT_NEAR(rows[5].horizon - rows[3].horizon, 15.2, 2.5);
   EXPECT_GT(rows[5].horizon, 30);
   EXPECT_LT(rows[5].horizon, 40);
 }
