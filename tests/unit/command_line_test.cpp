@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(CommandLine, TellsThatAStepWasShrunk) {
   const Result result = shell("odeum run free_fall --solver rk4 --step 0.3");
   EXPECT_EQ(result.code, 0);
-  EXPECT_NE(result.output.find("shrunk from 0.3"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("reduced from 0.3"), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("7 steps"), std::string::npos) << result.output;
 }
 

@@ -62,8 +62,8 @@ TEST(HardCases, BrokenFilesAreNotBelieved) {
   EXPECT_TRUE(read.reduction.empty());
   EXPECT_FALSE(read.largest_steps.empty()) << "the others are used";
   EXPECT_EQ(read.problem,
-            "the horizons.csv that was there has other columns: of another version?; the "
-            "order_reduction.csv that was there is cut off");
+            "the earlier horizons.csv has other columns (another version?); the earlier "
+            "order_reduction.csv is truncated");
   std::string spoilt = whole;
   spoilt.replace(spoilt.find(",confirmed,"), 11, ",excellent,");
   folder.write("order_reduction.csv", spoilt);

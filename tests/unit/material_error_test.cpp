@@ -179,7 +179,7 @@ TEST(MaterialCsv, ToleratesWhatItCannotUse) {
     const char* problem;
   };
   for (const auto& [text, problem] :
-       {Spoilt{whole.substr(0, whole.size() - 40), "cut off"},
+       {Spoilt{whole.substr(0, whole.size() - 40), "truncated"},
         Spoilt{"schema,step\n1,2\n", "other columns"}, Spoilt{"x" + whole, "other columns"}}) {
     folder.write("material.csv", text);
     const MaterialResult back = read_material_csv(folder.path());

@@ -69,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"inf", particle("{pos: [0, 0, 0], vel: [0, -.inf, 0], mass: 1}"),
               "particles[0].vel[1]: not finite; got -.inf"},
         Fault{"bare_nan", particle("{pos: [nan, 0, 0], mass: 1}"), "not finite; got nan"},
-        Fault{"overflow", particle("{pos: [1e999, 0, 0], mass: 1}"), "beyond what a double holds"},
+        Fault{"overflow", particle("{pos: [1e999, 0, 0], mass: 1}"), "beyond the range of doubles"},
         Fault{"underflow", particle("{pos: [0, 0, 0], mass: 1e-999}"),
-              "particles[0].mass: beyond what a double holds; got 1e-999"},
+              "particles[0].mass: beyond the range of doubles; got 1e-999"},
         Fault{"zero_mass", particle("{pos: [0, 0, 0], mass: 0}"), "particles[0].mass: zero; got 0"},
         Fault{"negative_mass", particle("{pos: [0, 0, 0], mass: -1}"), "negative; got -1"},
         Fault{"no_mass", particle("{pos: [0, 0, 0]}"), "particles[0].mass: missing"},
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"unknown_key", springs("particle_ids: [0, 1], stifness: 3"),
               "s.yaml:8:28: springs[0].stifness: an unknown key; did you mean stiffness?"},
         Fault{"key_twice", springs("particle_ids: [0, 1], stiffness: 3, stiffness: 4"),
-              "springs[0].stiffness: a key twice"},
+              "springs[0].stiffness: duplicate key"},
         Fault{"negative_stiffness", springs("particle_ids: [0, 1], stiffness: -3"),
               "springs[0].stiffness: negative; got -3"},
         Fault{"negative_rest_length",
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"plane",
               std::string(two) + "contacts: [{plane: {point: [0, 0, 0], normal: [0, 0, 0], "
                                  "stiffness: 1}}]\n",
-              "contacts[0].plane.normal: no direction"},
+              "contacts[0].plane.normal: zero vector"},
         Fault{"rate",
               std::string(two) + "emitters: [{position: [0, 0, 0], velocity: [0, 0, 1], "
                                  "rate: 0, mass: 1}]\n",
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"second_document", std::string(two) + "---\nmore: 1\n", "a second document"},
         Fault{"empty", "", "s.yaml:1:1: scene: empty"},
         Fault{"comment_only", "# nothing\n", "scene: empty"},
-        Fault{"a_list", "- 1\n", "scene: no scene; got a list of 1"},
+        Fault{"a_list", "- 1\n", "scene: not a scene; got a list of 1"},
         Fault{"binary", std::string("ab\0cd", 5), "s.yaml:1:3: scene: a binary file"},
         Fault{"not_utf8", "name: \xff\n", "s.yaml:1:7: scene: not UTF-8 text; got the byte 0xff"},
         Fault{"overlong", "name: \xc0\xaf\n", "not UTF-8"},
@@ -174,11 +174,11 @@ INSTANTIATE_TEST_SUITE_P(
         Oddity{"duplicate_spring",
                springs("particle_ids: [0, 1], stiffness: 1}\n  - {particle_ids: [1, 0], "
                        "stiffness: 2"),
-               "s.yaml:9:5: springs: a second spring between particles 0 and 1"},
+               "s.yaml:9:5: springs: duplicate spring between particles 0 and 1"},
         Oddity{"negative_damping", springs("particle_ids: [0, 1], stiffness: 1, damping: -1"),
                "springs[0].damping: negative damping"},
         Oddity{"moving_fixed", particle("{pos: [0, 0, 0], fixed: true, vel: [1, 0, 0]}"),
-               "never moves"}),
+               "of a fixed particle is not used"}),
     [](const auto& fault) { return fault.param.name; });
 
 TEST(SceneReader, NegativeDampingMayBeMeant) {

@@ -45,7 +45,7 @@ TEST(Vibration, FindsOneThatCreeps) {
 TEST(Vibration, SaysWhyThereIsNone) {
   std::string reason;
   EXPECT_FALSE(fit_vibration({1, 0, 0, 0, 0, 0}, 0.1, reason));
-  EXPECT_EQ(reason, "gone within a step");
+  EXPECT_EQ(reason, "decays within a step");
   EXPECT_FALSE(fit_vibration({1, 0.1, 0.01, 0.001, 0.0001, 0, 0, 0, 0}, 0.1, reason));
   EXPECT_NE(reason, "");
   std::vector<double> flips;
@@ -57,7 +57,7 @@ TEST(Vibration, SaysWhyThereIsNone) {
   halves.reserve(12);
   for (int i = 0; i < 12; ++i) halves.push_back(std::pow(0.5, i));
   EXPECT_FALSE(fit_vibration(halves, 0.1, reason));
-  EXPECT_NE(reason.find("creeps"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("overdamped"), std::string::npos) << reason;
 }
 
 }  // namespace

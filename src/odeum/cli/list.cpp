@@ -47,7 +47,7 @@ Listing list_solvers() {
   return listing;
 }
 
-// The comment that a scene's file begins with, on one line, without the licence.
+// The first comment of a scene's file, on one line, without the licence.
 std::string first_comment(std::string_view text) {
   std::string comment;
   while (text.starts_with("#")) {
@@ -128,7 +128,7 @@ void add_list(CLI::App& app, int&) {
     const Listing listing = what == "cases"    ? list_cases()
                             : what == "scenes" ? list_scenes()
                                                : list_solvers();
-    // A table for people leaves the long columns to the other formats.
+    // The table omits the long columns of the other formats.
     print(options->format == "csv"    ? as_csv(listing)
           : options->format == "json" ? as_json(listing)
                                       : as_table(listing, what == "cases"    ? 3

@@ -16,13 +16,13 @@ namespace {
 
 using namespace odeum::cli;
 
-// The first signal lets work under way end and flush; the second ends at once.
+// The first signal lets running work end and flush; the second ends at once.
 void on_signal(int) {
   if (odeum::interrupted.exchange(true)) std::_Exit(interrupted_code);
 }
 
 constexpr const char* introduction =
-    "Odeum compares time integrators honestly: its own and those of SUNDIALS, GSL, Boost.odeint "
+    "Odeum compares time integrators: its own and those of SUNDIALS, GSL, Boost.odeint "
     "and\n"
     "Bullet, on the same cases, against an independent truth.\n"
     "\n"
@@ -34,7 +34,7 @@ constexpr const char* introduction =
     "odeum --help lists every command.\n";
 
 int run(int argc, char** argv) {
-  CLI::App app{"Odeum: a laboratory in which time integrators are compared honestly", "odeum"};
+  CLI::App app{"Odeum: a laboratory that compares time integrators", "odeum"};
   app.set_version_flag("--version", fmt::format("odeum {}", odeum::build::version));
   app.require_subcommand(0, 1);
   int result = success;
@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     const CLI::App* at = &app;
     if (!app.get_subcommands().empty()) at = app.get_subcommands().front();
-    fmt::print(stderr, "{} --help tells more\n", at == &app ? "odeum" : "odeum " + at->get_name());
+    fmt::print(stderr, "see {} --help\n", at == &app ? "odeum" : "odeum " + at->get_name());
     return usage;
   }
   if (app.get_subcommands().empty()) print(introduction);

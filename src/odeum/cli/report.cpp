@@ -81,7 +81,7 @@ void run(const Options& options) {
   try {
     run_studies(studies, options, folder);
   } catch (const Interrupted&) {
-    throw Stopped("the same command with --resume goes on from here");
+    throw Stopped("the same command with --resume continues");
   }
   report::ReportData data = data_of(studies, options.quick);
   static_cast<report::Facts&>(data) = report::describe(all_cases(), all_libraries());

@@ -23,12 +23,12 @@ void set_step(Request& request, double h, double length, const SolverInfo& info)
   if (!info.fixed)
     throw UsageError(fmt::format("{} runs to a tolerance only: use --tol", info.id()));
   request.mode = Mode::fixed;
-  // Steps are whole and equal: to the next divisor of the horizon, unless rounding is all that
-  // differs.
+  // Steps are equal and end at the horizon: take the next smaller divisor, unless the difference is
+  // rounding.
   request.steps = static_cast<std::uint64_t>(std::ceil(length / h * (1 - 1e-12)));
   const double used = length / static_cast<double>(request.steps);
   if (std::abs(used - h) > 1e-9 * h)
-    remark(fmt::format("the step is shrunk from {} to {}, so that {} of them reach t = {}", h, used,
+    remark(fmt::format("the step is reduced from {} to {}, so that {} steps end at t = {}", h, used,
                        request.steps, request.stops.back()));
 }
 
@@ -56,7 +56,7 @@ Request make_request(const RunSettings& settings, double t0, double horizon,
     set_step(request, *settings.step, length, info);
   else
     set_tolerance(request, settings.tolerance.value_or(0), info);
-  // The user said what to do; the seconds still bound it.
+  // The user chose the setting; only the seconds are limited.
   request.budget.evaluations = 10'000'000'000;
   request.budget.seconds = 600;
   return request;

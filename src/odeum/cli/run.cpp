@@ -15,7 +15,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Time, component, value, exact value and error at the end; exact is nan where no truth is known.
+// Time, component, value, exact value and error at the end; exact is nan where the truth is not
+// known.
 std::string solution_csv(const Case& c, const Entrant& entrant, const Request& request,
                          const Outcome& outcome) {
   record::CsvTable table("case,library,solver,status,time,component,value,exact,error");
@@ -66,7 +67,7 @@ int run(const RunOptions& options) {
     }
     const judge::StopError error = judge::Judge(c, request.stops).errors(outcome).front();
     text += std::isnan(error.error_max)
-                ? fmt::format("error   unknown: {} holds no truth at t = {}\n", c.truth.source,
+                ? fmt::format("error   unknown: {} has no truth at t = {}\n", c.truth.source,
                               request.stops.back())
                 : fmt::format("error   {:.6g} (rms {:.6g}) against {}\n", error.error_max,
                               error.error_rms, c.truth.source);

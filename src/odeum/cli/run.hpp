@@ -17,17 +17,17 @@ struct RunOptions {
   std::size_t megabytes = 64;
 };
 
-/// Where a scene comes from: a file, or a text that is built in.
+/// The source of a scene: a file, or a built-in text.
 struct SceneSource {
-  std::string file;                 ///< what errors call it
+  std::string file;                 ///< the name in errors
   std::optional<std::string> text;  ///< empty: read the file
 };
 
-/// The scene of that name: what ends as a scene's file, else one that is built in and shares its
-/// name with no case, else what exists as a file; nothing where it is none of these.
+/// The scene of that name: a file name with a scene's extension, else a built-in scene unless a
+/// case has its name, else an existing file; nothing otherwise.
 std::optional<SceneSource> find_scene(const std::string& what);
 
-/// Runs a scene, prints the model and what came of it, writes the files. Returns the exit code.
+/// Runs a scene, prints the model and the result, writes the files. Returns the exit code.
 int run_scene(const SceneSource& source, const RunOptions& options);
 
 }  // namespace odeum::cli

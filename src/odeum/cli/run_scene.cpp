@@ -23,7 +23,7 @@ using scene::Scene;
 using scene::SceneProblem;
 using Lines = std::vector<std::string>;
 
-// What a run keeps in memory, at 8 bytes each.
+// Limit of the numbers kept in memory, at 8 bytes each.
 constexpr double most_numbers = 2e8;
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
@@ -36,18 +36,19 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   for (const scene::TermInfo& term : s.terms)
     lines.push_back(fmt::format("term       {:<18} {:>6} {:<10} {}", term.name, term.count,
                                 term.unit, term.law));
-  if (s.terms.empty()) lines.emplace_back("term       none: nothing acts");
-  lines.push_back(fmt::format("structure  {}, {}, autonomous, {}",
-                              s.separable ? "separable" : "not separable (looks at velocities)",
-                              s.linear ? "linear" : "nonlinear",
-                              s.smooth ? "smooth" : "with kinks (no order above 2 is promised)"));
+  if (s.terms.empty()) lines.emplace_back("term       none: no force");
+  lines.push_back(
+      fmt::format("structure  {}, {}, autonomous, {}",
+                  s.separable ? "separable" : "not separable (depends on velocities)",
+                  s.linear ? "linear" : "nonlinear",
+                  s.smooth ? "smooth" : "with kinks (no order above 2 can be expected)"));
   lines.push_back("kernel     " + s.kernel);
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
   return lines;
 }
 
-// With those that are born at once: a scene of emitters alone has nobody to enrol solvers on.
+// With the particles emitted first: a scene of emitters only has none to enrol solvers on.
 Scene at_start(Scene scene) {
   for (const auto& born :
        scene::emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
@@ -55,7 +56,7 @@ Scene at_start(Scene scene) {
   return scene;
 }
 
-// How many solvers fit, and for each reason who does not.
+// The number of fitting solvers, and the others by reason.
 Lines describe_fits(const std::vector<Entrant>& entrants) {
   std::map<std::string, Lines> reasons;
   Lines fitting;

@@ -22,14 +22,14 @@ std::vector<std::string> case_ids() {
   return ids;
 }
 
-// Every case has every solver enrolled, so the first one knows them all.
+// Every case has every solver enrolled, so that the first one lists them all.
 std::vector<std::string> solver_ids() {
   std::vector<std::string> ids;
   for (const Entrant& entrant : all_cases().front().entrants) ids.push_back(entrant.info.id());
   return ids;
 }
 
-// Where the word names a library that this build lacks: how to get it.
+// For the name of a library that is not in this build: the option that builds it.
 std::string missing_library(const std::string& word) {
   for (const LibraryInfo& info : all_libraries())
     for (const std::string& name : info.libraries)
@@ -59,7 +59,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 void print(const std::string& text) {
-  // A long text is written before the flush, which then knows nothing of its failure.
+  // A long text is written before the flush, which then does not report its failure.
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
     return;
   if (errno == EPIPE) std::_Exit(success);
@@ -110,7 +110,7 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
   if (with_solvers)
     command
         .add_option("--solver", options.solvers,
-                    "solvers, as library/method with * and ?; !GLOB leaves some out")
+                    "solvers, as library/method with * and ?; !GLOB excludes")
         ->type_name("GLOB");
   command.add_option("--out", options.out, "folder for the files")
       ->type_name("DIR")
@@ -118,7 +118,7 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
   command.add_option("--jobs", options.jobs, "solves at a time; default: the number of cores")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--resume", options.resume, "go on with a run that was interrupted");
+  command.add_flag("--resume", options.resume, "continue an interrupted run");
 }
 
 }  // namespace odeum::cli

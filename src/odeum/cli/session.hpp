@@ -20,26 +20,25 @@ enum ExitCode {
   interrupted_code = 130
 };
 
-/// Bad input: the sentence is printed and the exit code is 2.
+/// Bad input: the message is printed and the exit code is 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The work was interrupted; what() says how to go on.
+/// The work was interrupted; what() says how to continue.
 class Stopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Prints data to stdout. A closed pipe ends the program's talk quietly; a full disk is a
-/// FileError.
+/// Prints data to stdout. Output to a closed pipe is dropped; a full disk is a FileError.
 void print(const std::string& text);
 /// Prints a remark for people to stderr.
 void remark(const std::string& text);
 
-/// Throws UsageError where a glob matches no case (no solver), with the nearest name, and for
-/// solvers of a library that is not built in with the option that would build it.
+/// Throws UsageError where a glob matches no case (no solver), with the nearest name, or for a
+/// library that is not in this build with the option that builds it.
 void check_case_globs(const std::vector<std::string>& globs);
 void check_solver_globs(const std::vector<std::string>& globs);
 
@@ -52,11 +51,11 @@ const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::str
 /// "; did you mean X?", or nothing where no candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
-/// The options that every study has.
+/// The options of every study.
 struct StudyOptions {
   std::vector<std::string> solvers;
   std::string out = "reports/out";
-  unsigned jobs = 0;  ///< 0: as many as the machine has cores
+  unsigned jobs = 0;  ///< 0: the number of cores
   bool resume = false;
   unsigned jobs_or_cores() const;
 };

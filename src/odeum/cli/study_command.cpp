@@ -16,7 +16,7 @@
 namespace odeum::cli {
 namespace {
 
-/// What the program is, to the byte: results of other code or other flags are not resumed.
+/// A hash of the program's file: results of other code or flags are not resumed.
 std::string program_mark() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
@@ -53,8 +53,7 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   try {
     study.measure(options, study::Runner(common.jobs_or_cores(), journal ? &*journal : nullptr));
   } catch (const Interrupted&) {
-    throw Stopped(journal ? "the same command with --resume goes on from here"
-                          : "no file was written");
+    throw Stopped(journal ? "the same command with --resume continues" : "no file was written");
   }
   study.write(folder);
   if (journal) journal->finish();

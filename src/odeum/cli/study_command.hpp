@@ -10,7 +10,7 @@ namespace odeum::cli {
 /// Adds the command that a study declares; `result` receives the exit code when it runs.
 void add_study(CLI::App& app, study::Study& study, int& result);
 
-/// What a journal must have been written with to be resumed: this very program and these options.
+/// The fingerprint that a journal must have to be resumed: of this program and these options.
 std::string journal_mark(const study::Options& options);
 
 }  // namespace odeum::cli

@@ -8,7 +8,7 @@ namespace odeum::cli {
 void add_verify(CLI::App& app, int& result) {
   auto path = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
-      "verify", "the orders of a Runge-Kutta tableau of your own, proven and measured");
+      "verify", "orders and stability of a Runge-Kutta tableau, proven and measured");
   command->add_option("tableau", *path, "a YAML file, see the README")
       ->type_name("FILE")
       ->required();

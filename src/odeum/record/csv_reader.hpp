@@ -12,13 +12,13 @@ namespace odeum::record {
 class CsvReader {
  public:
   explicit CsvReader(std::string_view text);
-  /// The next row; false at the end, or at a row of another length, which `broken` then tells.
+  /// The next row; false at the end, or at a row of another length, see broken().
   bool next();
   bool broken() const { return broken_; }
   bool has(const std::string& column) const { return columns_.contains(column); }
   /// A field of the row. Throws std::out_of_range for an unknown column.
   const std::string& text(const std::string& column) const { return row_[columns_.at(column)]; }
-  /// Nothing where the field is no number.
+  /// Nothing where the field is not a number.
   std::optional<double> number(const std::string& column) const;
 
  private:

@@ -19,7 +19,7 @@ namespace {
   throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
 }
 
-// All of the text, or an exception: a full disk shows here, or when the file is synced.
+// Writes all of the text or throws: a full disk is reported here, or when the file is synced.
 void write_all(int file, std::string_view text, const std::filesystem::path& path) {
   while (!text.empty()) {
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -29,8 +29,8 @@ void write_all(int file, std::string_view text, const std::filesystem::path& pat
   }
 }
 
-// Every file is written under such a name first. One run a folder: what a killed one left is
-// replaced.
+// Every file is written under this name first. There is one run per folder, so a leftover of a
+// killed run is replaced.
 std::filesystem::path temporary_of(std::filesystem::path path) { return path += ".tmp"; }
 
 int create(const std::filesystem::path& path) {
@@ -67,7 +67,7 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
   const auto lock_path = path_ / ".lock";
   lock_.reset(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (lock_.get() < 0) fail("cannot open", lock_path);
-  // The lock goes with the process, however it ends; the file's text only names the holder.
+  // The lock ends with the process; the file's text only names the holder.
   if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK) fail("cannot lock", lock_path);
     const std::string holder = read_file(lock_path);
@@ -82,7 +82,7 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
 }
 
 OutputFolder::~OutputFolder() {
-  // The file stays: removing it would let a run that has just opened it lock a name that is gone.
+  // The file is not removed: another run may have opened it and would lock a deleted file.
   [[maybe_unused]] const int emptied = ::ftruncate(lock_.get(), 0);
 }
 
@@ -90,7 +90,7 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
   const std::filesystem::path relative(name);
   const auto target = path_ / relative;
   std::error_code error;
-  auto folder = path_;  // may be a link itself: that is the user's choice
+  auto folder = path_;  // the folder itself may be a link
   for (const auto& part : relative) {
     const bool link = folder != path_ && std::filesystem::is_symlink(folder, error);
     if (part == ".." || part.is_absolute() || link)
@@ -167,7 +167,7 @@ Journal::Journal(const OutputFolder& folder, const std::string& study,
       first = false;
     }
   }
-  // Renamed when whole, so that a kill at this point loses nothing either.
+  // Renamed when complete, so that a kill at this point loses nothing.
   file_.reset(create(temporary_of(path_)));
   write_all(file_.get(), kept, path_);
   replace(path_);
@@ -188,7 +188,7 @@ void Journal::add(const std::string& key, const std::string& result) {
     write_all(file_.get(), line, path_);
     length_ += line.size();
   } catch (...) {
-    // Half a line would join the next one.
+    // A partial line would be joined with the next one.
     if (::ftruncate(file_.get(), static_cast<off_t>(length_)) != 0) file_.close();
     throw;
   }

@@ -10,13 +10,13 @@
 
 namespace odeum::record {
 
-/// What reading and writing files can come to; the command line answers it with exit code 4.
+/// An error of reading or writing a file; exit code 4 of the command line.
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An open file, closed with its owner.
+/// An open file, closed by its destructor.
 class OpenFile {
  public:
   explicit OpenFile(int descriptor = -1) : descriptor_(descriptor) {}
@@ -27,7 +27,7 @@ class OpenFile {
     close();
     descriptor_ = descriptor;
   }
-  /// False where the system says that not all was written.
+  /// False where the system reports that not all was written.
   bool close();
   int get() const { return descriptor_; }
 
@@ -35,8 +35,8 @@ class OpenFile {
   int descriptor_;
 };
 
-/// The folder that a run writes to. Creating one makes the folder where it is missing and takes its
-/// lock; a second run is refused with the holder's name. Every file appears whole under its name
+/// The folder that a run writes to. The constructor makes the folder where it is missing and takes
+/// its lock; a second run is refused with the holder's name. A file appears complete under its name
 /// or not at all. Throws FileError.
 class OutputFolder {
  public:
@@ -57,19 +57,18 @@ class OutputFolder {
   OpenFile lock_;
 };
 
-/// What a study has finished so far, kept in its output folder, so that `--resume` after a kill can
-/// go on where it ended. One line a finished piece of work: a key and its result. A line that was
-/// not written whole is ignored. The journal holds a fingerprint of the run's options: a journal of
-/// another run is not used.
+/// The results of a study so far, in its output folder, so that `--resume` can continue after a
+/// kill. One line per finished task: a key and its result. An incomplete line is ignored. The first
+/// line is a fingerprint of program and options: a journal with another one is not used.
 class Journal {
  public:
-  /// Opens `<folder>/.<study>.journal`; starts it anew unless `resume` and the fingerprint agrees.
+  /// Opens `<folder>/.<study>.journal`; truncates it unless `resume` and the fingerprint agrees.
   Journal(const OutputFolder& folder, const std::string& study, const std::string& fingerprint,
           bool resume);
-  /// The result that is held for a key. Key and result may have any characters.
+  /// The result stored for a key. Key and result may have any characters.
   std::optional<std::string> find(const std::string& key) const;
-  /// Adds a result and flushes it; where that fails (FileError), nothing of it stays in the file.
-  /// Safe to call from several threads.
+  /// Appends a result and flushes it; where that fails (FileError), the file is unchanged. Safe to
+  /// call from several threads.
   void add(const std::string& key, const std::string& result);
   /// Removes the file: the study is complete.
   void finish();
@@ -80,7 +79,7 @@ class Journal {
   std::map<std::string, std::string> held_;
   std::mutex mutex_;
   OpenFile file_;
-  std::size_t length_ = 0;  ///< of the whole lines in the file
+  std::size_t length_ = 0;  ///< of the complete lines in the file
 };
 
 }  // namespace odeum::record

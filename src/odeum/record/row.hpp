@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// A row names its file and columns once, and everything that is done with rows follows from that:
+/// A row names its file and columns once; CSV, reader, journal and tables follow from that:
 ///
 ///   struct OrderRow {
 ///     std::string case_id;
@@ -45,7 +45,7 @@ struct Words {
 template <class T>
 Words(T&, const char*, const char*) -> Words<T>;
 
-/// Numbers that the journal keeps and the file has no column for.
+/// Numbers that are in the journal, without a column in the file.
 template <class T>
 struct Unlisted {
   T& values;
@@ -63,19 +63,19 @@ struct Field {
 std::string cell_text(const Cell& cell);
 std::string csv_field(const Cell& cell);
 
-/// Where the fields of a row are read from, by column or in their order.
+/// The source of a row's fields, by column or in their order.
 class FieldSource {
  public:
   virtual ~FieldSource() = default;
   virtual std::string next(const std::string& column) = 0;
   virtual bool keeps_unlisted() const = 0;
 };
-/// What a field says is no value of its member.
+/// A field is not a value of its member.
 class BadField : public std::exception {
  public:
   const char* what() const noexcept override { return "a field is malformed"; }
 };
-/// The number that a text is; throws BadField.
+/// Parses a number; throws BadField.
 double number_of(std::string_view text);
 std::int64_t integer_of(std::string_view text);
 

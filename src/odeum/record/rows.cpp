@@ -43,19 +43,19 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
   const std::string text(std::istreambuf_iterator<char>(in), {});
   CsvReader csv(text);
   CsvSource source(csv);
-  const std::string subject = "the " + name + " that was there ";
+  const std::string subject = "the earlier " + name + " ";
   if (!csv.has("schema") || !std::all_of(blank.begin(), blank.end(),
                                          [&](const Field& field) { return csv.has(field.column); }))
-    return subject + "has other columns: of another version?";
+    return subject + "has other columns (another version?)";
   try {
     while (csv.next()) {
       if (integer_of(csv.text("schema")) != csv_schema) throw BadField();
       read(source);
     }
   } catch (const BadField&) {
-    return subject + "holds what is no number, or another schema";
+    return subject + "has a field that is not a number, or another schema";
   }
-  return csv.broken() ? subject + "is cut off" : "";
+  return csv.broken() ? subject + "is truncated" : "";
 }
 
 void add_to_record(const Fields& fields, std::string& record) {

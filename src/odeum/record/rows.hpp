@@ -13,8 +13,8 @@
 #include "odeum/record/output_folder.hpp"
 #include "odeum/record/row.hpp"
 
-/// What is done with lists of rows. A Result is a struct of such lists, one for each file, that
-/// names them once:
+/// Operations on lists of rows. A Result is a struct of such lists, one for each file, that names
+/// them once:
 ///
 ///   struct DriftResult {
 ///     std::vector<DriftRow> rows;
@@ -30,13 +30,12 @@ namespace detail {
 /// The text of a file: a header with the columns of `blank`, then a line a row.
 std::string csv_text(const Fields& blank, const std::vector<Fields>& rows);
 
-/// Calls `read` for every row of folder/name, which must have the columns of `blank`. Returns why
-/// the file cannot be used, in a sentence; empty where it was read or is not there.
+/// Calls `read` for every row of folder/name, which must have the columns of `blank`. Returns a
+/// sentence why the file cannot be used; empty where it was read or does not exist.
 std::string read_csv(const std::filesystem::path& folder, const std::string& name,
                      const Fields& blank, const std::function<void(FieldSource&)>& read);
 
-/// Fields one after the other, as the journal keeps them: exact, whatever their characters but
-/// 0x1f.
+/// Consecutive fields as in the journal: exact, with any characters but 0x1f.
 void add_to_record(const Fields& fields, std::string& record);
 class RecordSource : public FieldSource {
  public:
@@ -63,8 +62,8 @@ Group group_of(const Row& row) {
 
 }  // namespace detail
 
-/// Writes folder/Row::file. Where there are no rows and the Row says `keeps_earlier`, nothing is
-/// written, and a file that is there stays as it is.
+/// Writes folder/Row::file. Where there are no rows and the Row has `keeps_earlier`, an existing
+/// file is left unchanged.
 template <class Row>
 void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   if constexpr (requires { Row::keeps_earlier; })
@@ -75,7 +74,7 @@ void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   folder.write(Row::file, detail::csv_text(fields_of(Row()), fields));
 }
 
-/// What an earlier run left in folder/Row::file, all rows or none; nothing where there is no file.
+/// The rows of folder/Row::file from an earlier run, all or none; none where there is no file.
 /// Where it cannot be used, a sentence is added to `problem`.
 template <class Row>
 std::vector<Row> read_rows(const std::filesystem::path& folder, std::string& problem) {
@@ -135,7 +134,7 @@ void for_both(Result& to, Result& from, Work&& work) {
 
 }  // namespace detail
 
-/// Adds the rows of another result at the ends of the lists.
+/// Appends the rows of another result.
 template <class Result>
 void append(Result& result, Result more) {
   detail::for_both(result, more, [](auto& list, auto& other) {

@@ -21,8 +21,8 @@ struct Table {
 };
 
 /// A column of a table made from rows: `cell` is a format in fmt's syntax in which the columns of
-/// the file stand by name, as in "{library}/{solver}" or "{error:.1e}". A ": " at the end of what
-/// comes out, with nothing after it, is left out.
+/// the file stand by name, as in "{library}/{solver}" or "{error:.1e}". A trailing ": " of the
+/// result is removed.
 struct TableColumn {
   std::string heading, cell;
 };
@@ -32,7 +32,7 @@ Table make_table(const std::vector<TableColumn>& columns,
                  const std::vector<std::vector<Field>>& rows);
 }
 
-/// Throws fmt::format_error where a format names no column of Row.
+/// Throws fmt::format_error where a format names an unknown column.
 template <class Row>
 Table table_of(const std::vector<Row>& rows, const std::vector<TableColumn>& columns) {
   std::vector<std::vector<Field>> fields;

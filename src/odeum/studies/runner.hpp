@@ -12,7 +12,7 @@
 
 namespace odeum::study {
 
-/// A solver on a case, and where a study looks at both ways of choosing steps, in a mode.
+/// A solver on a case, in a mode where a study has both.
 struct Pair {
   const Case* c;
   const Entrant* entrant;
@@ -46,7 +46,7 @@ Row named_row(const Case& c, const SolverInfo& info) {
   row.case_id = c.id;
   return row;
 }
-/// The row of a pair that there is nothing to measure for.
+/// The row of a pair that cannot be measured.
 template <class Row>
 Row not_applicable(Row row, const std::string& reason) {
   row.status = "not_applicable";
@@ -54,17 +54,17 @@ Row not_applicable(Row row, const std::string& reason) {
   return row;
 }
 
-/// Does the work of a study: several tasks at a time, with their progress shown, and with a
-/// journal, so that a run that was killed goes on where it ended.
+/// Runs the tasks of a study: several at a time, with progress, and with a journal from which a
+/// killed run continues.
 class Runner {
  public:
   explicit Runner(unsigned jobs = 1, record::Journal* journal = nullptr)
       : jobs_(jobs), journal_(journal) {}
 
-  /// Calls work(task), which returns a Result (record/rows.hpp), for each task and joins what comes
-  /// out in the order of the tasks, so that it does not depend on the number of jobs. What the
-  /// journal holds for a task is not measured again: key(task) names it, differently for each task
-  /// of a run, and `what` tells the parts of a study apart. Throws Interrupted.
+  /// Calls work(task), which returns a Result (record/rows.hpp), for each task and joins the
+  /// results in the order of the tasks, so that they do not depend on the number of jobs. A task
+  /// found in the journal is not measured again: key(task) must be unique within a run, and `what`
+  /// names the part of the study. Throws Interrupted.
   template <class Task, class Key, class Work>
   auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
     using Result = decltype(work(tasks.front()));
@@ -80,7 +80,7 @@ class Runner {
     return all;
   }
 
-  /// For what is timed, and so is neither journaled nor run beside other tasks.
+  /// For timed tasks, which are neither journaled nor run in parallel.
   unsigned jobs() const { return jobs_; }
 
  private:
@@ -91,7 +91,7 @@ class Runner {
     const std::string name = key();
     if (const auto held = journal_->find(name)) return record::from_record<Result>(*held);
     Result result = work();
-    // What an interruption cut short is no result.
+    // An interrupted task has no result.
     if (interrupted) throw Interrupted();
     journal_->add(name, record::to_record(result));
     return result;

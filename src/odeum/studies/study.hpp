@@ -10,44 +10,43 @@
 #include "odeum/record/rows.hpp"
 #include "odeum/studies/runner.hpp"
 
-/// A study is a folder, studies/<name>/: what its rows are, how they are measured, its section of
-/// the page, and `std::unique_ptr<Study> make_<name>()`, which is found by CMake. Its command, its
-/// part of the report, its files and its journal follow from that.
+/// A study is a folder, studies/<name>/: its rows, their measurement, its section of the page, and
+/// `std::unique_ptr<Study> make_<name>()`, which CMake finds. Its command, its part of the report,
+/// its files and its journal follow from that.
 namespace odeum::report {
 class Page;
 }
 
 namespace odeum::study {
 
-/// What is asked of a study.
+/// The options of a run of a study.
 struct Options {
   std::vector<std::string> cases = {};    ///< globs on case ids; empty: all
   std::vector<std::string> solvers = {};  ///< globs on library/method; empty: all
   bool quick = false;
-  std::map<std::string, std::string> own = {};  ///< by Option::name; what was not given is missing
+  std::map<std::string, std::string> own = {};  ///< by Option::name; only those given
 
   double number(const std::string& name, double otherwise) const;
-  std::string word(const std::string& name) const;  ///< empty where it was not given
-  /// The same for the same options, for the journal.
+  std::string word(const std::string& name) const;  ///< empty where not given
+  /// A text that identifies the options, for the journal.
   std::string text() const;
 };
 
-/// An option of one study alone: a word out of a list, or a number between bounds.
+/// An option of one study: a word out of a list, or a number between bounds.
 struct Option {
   std::string name, help;               ///< the name without its dashes
   std::vector<std::string> words = {};  ///< empty: a number
   double least = 0, most = 1e9;
 };
 
-/// What the command line has to know of a study.
+/// A study as the command line needs it.
 struct Declaration {
   std::string name;  ///< of the command and of the journal
   std::string help;  ///< one line
-  int place = 0;     ///< on the page and in the list of commands: low ones first
-  std::string cases_help =
-      "cases, with * and ?; !GLOB leaves some out";  ///< of --case; empty: takes none
-  std::string quick_help = {};                       ///< of --quick; empty: takes none
-  std::string no_resume = {};  ///< why there is no --resume, in a clause; empty: there is
+  int place = 0;     ///< position on the page and in the list of commands, ascending
+  std::string cases_help = "cases, with * and ?; !GLOB excludes";  ///< of --case; empty: takes none
+  std::string quick_help = {};  ///< of --quick; empty: takes none
+  std::string no_resume = {};   ///< reason for having no --resume; empty: it has
   std::vector<Option> options = {};
 };
 
@@ -56,12 +55,12 @@ class Study {
   explicit Study(Declaration declaration) : declaration_(std::move(declaration)) {}
   virtual ~Study() = default;
   const Declaration& declaration() const { return declaration_; }
-  /// Measures, and adds what comes out to the rows that there are. Throws Interrupted.
+  /// Measures and appends the rows. Throws Interrupted.
   virtual void measure(const Options& options, const Runner& runner) = 0;
-  /// What a report runs; nothing: it shows what earlier runs left in its folder.
+  /// The runs of a report; none: it shows the files of earlier runs in its folder.
   virtual std::vector<Options> report_runs(bool quick) const { return {Options{.quick = quick}}; }
-  /// Adds the rows of earlier runs that were not measured now, of cases and solvers that are still
-  /// there.
+  /// Adds the rows of earlier runs that were not measured now, of cases and solvers that still
+  /// exist.
   virtual void add_earlier(const std::filesystem::path& folder) = 0;
   virtual void write(const record::OutputFolder& folder) const = 0;
   /// The files that write() writes.
@@ -72,7 +71,7 @@ class Study {
   virtual void section(report::Page&) const {}
   /// Why files of an earlier run could not be used; empty: they could.
   const std::string& problem() const { return problem_; }
-  /// Whether this run measured anything, and not only read it.
+  /// Whether this run measured rows, or only read them.
   bool measured() const { return measured_; }
 
  protected:
@@ -83,7 +82,7 @@ class Study {
   Declaration declaration_;
 };
 
-/// Whether a case (empty: none) and a solver (likewise) are still there.
+/// Whether a case (empty: none) and a solver (likewise) exist.
 bool is_known(const std::string& case_id, const std::string& solver);
 
 /// A study whose result is a struct of lists of rows, see record/rows.hpp.
@@ -108,10 +107,10 @@ class StudyOf : public Study {
 };
 
 using Studies = std::vector<std::unique_ptr<Study>>;
-/// Every study, in the order of their places, without results.
+/// Every study, ordered by `place`, without results.
 Studies make_studies();
 
-/// The result of the study that has one of this type; an empty one where there is none.
+/// The result of the study with this type of result; an empty one where there is none.
 template <class Result>
 const Result& result_of(const Studies& studies) {
   for (const auto& study : studies)

@@ -37,7 +37,7 @@ SolverChoice read_solver(const Value& value) {
   return choice;
 }
 
-// Two springs between the same particles are allowed, and mostly a mistake.
+// Two springs between the same particles are allowed, but usually a mistake.
 void warn_of_duplicates(Context& context) {
   struct Pair {
     std::size_t low, high, spring;
@@ -55,17 +55,17 @@ void warn_of_duplicates(Context& context) {
     if (pairs[i].low != pairs[i - 1].low || pairs[i].high != pairs[i - 1].high) continue;
     if (++count <= most_told)
       context.warn(context.spring_places[pairs[i].spring],
-                   fmt::format("springs: a second spring between particles {} and {}; both act",
+                   fmt::format("springs: duplicate spring between particles {} and {}; both act",
                                pairs[i].low, pairs[i].high));
   }
   if (count > most_told)
-    context.warn({}, fmt::format("springs: {} more such second springs", count - most_told));
+    context.warn({}, fmt::format("springs: {} more duplicate springs", count - most_told));
 }
 
 void read_all(Context& context, const YamlNode& root) {
   const Value whole(context, root, "");
   if (root.kind != YamlNode::Kind::mapping)
-    Value(context, root, "scene").fail("no scene", "a mapping of keys");
+    Value(context, root, "scene").fail("not a scene", "a mapping of keys");
   const Mapping mapping(
       whole, {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth",
               "forces", "contacts", "emitters", "output", "allow_negative_damping"});

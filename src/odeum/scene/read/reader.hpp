@@ -12,19 +12,19 @@ namespace odeum::scene {
 struct ReadOptions {
   std::size_t most_bytes = 64'000'000;
   std::size_t most_particles = 1'000'000;
-  bool need_solver = true;    ///< false: who reads brings a solver and a setting
-  bool need_duration = true;  ///< false: who reads brings an end
+  bool need_solver = true;    ///< false: the caller provides solver and setting
+  bool need_duration = true;  ///< false: the caller provides the end time
 };
 
 struct ReadScene {
   Scene scene;
-  std::vector<std::string> warnings;  ///< `file:line:column: key: what is odd`
+  std::vector<std::string> warnings;  ///< `file:line:column: key: message`
 };
 
 /// Reads a scene file; its format is described in README.md. Throws InputError for everything that
 /// is wrong with the path, the text or the numbers.
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options = {});
-/// The same from a text; `file` is what errors call it.
+/// The same from a text; `file` is its name in errors.
 ReadScene read_scene(const std::string& file, const std::string& text,
                      const ReadOptions& options = {});
 

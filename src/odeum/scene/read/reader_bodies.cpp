@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene is made of: particles, springs, cloths.
+// Bodies of a scene: particles, springs, cloths.
 #include <fmt/format.h>
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t most_whole = std::uint64_t{1} << 53;
 
-// The end of a spring: the number of a particle, which exists by now.
+// The end of a spring: the id of a particle read before.
 std::size_t particle_id(const Value& value) {
   const std::size_t count = value.context().scene.particles.size();
   const std::uint64_t id = value.whole(0, most_whole);
@@ -25,7 +25,7 @@ std::size_t particle_id(const Value& value) {
 Vec3 velocity_of(const Value& value, bool fixed) {
   const Vec3 velocity = value.vector();
   if (!fixed || velocity == Vec3{}) return velocity;
-  value.warn("the velocity of a fixed particle, which never moves, is not used");
+  value.warn("the velocity of a fixed particle is not used");
   return {};
 }
 
@@ -58,8 +58,8 @@ Range read_range(const Mapping& mapping, std::string_view key, std::size_t count
   const Range range{static_cast<std::size_t>(ends[0].whole(0, count - 1)),
                     static_cast<std::size_t>(ends[1].whole(0, count - 1))};
   if (range.last < range.first)
-    mapping.at(key).fail("a range that ends before it begins",
-                         fmt::format("[{}, {}]", range.first, range.last), "first <= last");
+    mapping.at(key).fail("a descending range", fmt::format("[{}, {}]", range.first, range.last),
+                         "first <= last");
   return range;
 }
 
@@ -80,7 +80,7 @@ void read_cloth(const Value& value) {
   Particle particle;
   particle.mass = cloth.at("mass").number(Sign::positive) / static_cast<double>(count);
   if (!(particle.mass > 0))
-    cloth.at("mass").fail("too little for its particles", "a mass that can be shared out");
+    cloth.at("mass").fail("too small for its particles", "a mass that can be divided among them");
   for (std::size_t i = 0; i < patch.rows; ++i)
     for (std::size_t j = 0; j < patch.columns; ++j) {
       const double down = static_cast<double>(i) / static_cast<double>(patch.rows - 1);
@@ -136,7 +136,8 @@ void read_cloth(const Value& value) {
   };
   for (std::size_t i = 0; i < patch.rows; ++i)
     for (std::size_t j = 0; j < patch.columns; ++j)
-      for (const std::size_t reach : {1U, 2U}) {  // half of the neighbours: each pair once
+      for (const std::size_t reach :
+           {1U, 2U}) {  // half of the neighbours, so that each pair is added once
         const auto steps = static_cast<std::ptrdiff_t>(reach);
         join(reach == 1 ? structural : bend, i, j, 0, steps);
         join(reach == 1 ? shear : bend, i, j, reach, -steps);

@@ -46,7 +46,7 @@ std::string without_sign(const std::string& text) {
   return !text.empty() && (text[0] == '-' || text[0] == '+') ? text.substr(1) : text;
 }
 
-// 010 is eight to some readers and ten to others.
+// 010 is 8 in YAML 1.1 and 10 in YAML 1.2.
 bool has_octal_look(const std::string& text) {
   const std::string bare = without_sign(text);
   return bare.size() > 1 && bare[0] == '0' && digit(bare[1]);
@@ -97,7 +97,7 @@ double Value::number(Sign sign) const {
   const std::string bare = text[0] == '+' ? text.substr(1) : text;
   const auto [end, error] = std::from_chars(bare.data(), bare.data() + bare.size(), value);
   if (error == std::errc::result_out_of_range)
-    fail("beyond what a double holds", "a number between 1e-308 and 1e308, or 0");
+    fail("beyond the range of doubles", "a number between 1e-308 and 1e308, or 0");
   if (error != std::errc{} || end != bare.data() + bare.size()) fail("not a number", expected);
   if ((sign != Sign::any && value < 0) || (sign == Sign::positive && value == 0))
     fail(value < 0 ? "negative" : "zero", expected);
@@ -166,7 +166,7 @@ Mapping::Mapping(const Value& value, std::initializer_list<std::string_view> kno
     const auto at = [&](const std::string& name) {
       return Value(value.context(), key, value.key().empty() ? name : value.key() + "." + name);
     };
-    if (key.kind != YamlNode::Kind::scalar) at("?").fail("a key that is no text", "a name");
+    if (key.kind != YamlNode::Kind::scalar) at("?").fail("a key that is not text", "a name");
     if (std::find(known.begin(), known.end(), key.text) == known.end()) {
       const std::string near = nearest(key.text, candidates);
       std::string list = fmt::format("{}", fmt::join(candidates, ", "));
@@ -174,7 +174,7 @@ Mapping::Mapping(const Value& value, std::initializer_list<std::string_view> kno
           .fail("an unknown key" + (near.empty() ? "" : "; did you mean " + near + "?"),
                 (candidates.size() > 1 ? "one of " : "") + list);
     }
-    if (!seen.insert(key.text).second) at(key.text).fail("a key twice", "it once");
+    if (!seen.insert(key.text).second) at(key.text).fail("duplicate key", "each key once");
   }
 }
 
@@ -209,7 +209,7 @@ double Mapping::damping() const {
   const Value value = at("damping");
   const double damping = value.number();
   if (damping < 0 && !value.context().allow_negative_damping)
-    value.warn("negative damping, which feeds the motion; allow_negative_damping: true silences");
+    value.warn("negative damping, which adds energy; allow_negative_damping: true silences");
   return damping;
 }
 

@@ -9,10 +9,10 @@
 
 #include "odeum/scene/read/reader.hpp"
 
-/// The parts of the scene reader: values with checks, and mappings that know their keys.
+/// The parts of the scene reader: checked values, and mappings with a set of known keys.
 namespace odeum::scene::reading {
 
-/// What is being read, and what has been remarked so far.
+/// The state of reading: file, limits, warnings.
 struct Context {
   std::string file;
   ReadOptions options;
@@ -26,7 +26,7 @@ struct Context {
 
 enum class Sign { any, not_negative, positive };
 
-/// A value and what it is called: `particles[3].pos`.
+/// A value and its path: `particles[3].pos`.
 class Value {
  public:
   Value(Context& context, const YamlNode& node, std::string key)
@@ -59,7 +59,7 @@ class Value {
   std::string key_;
 };
 
-/// A mapping whose keys are known: another one, or the same twice, is an error.
+/// A mapping with known keys: an unknown or duplicate key is an error.
 class Mapping {
  public:
   Mapping(const Value& value, std::initializer_list<std::string_view> known);
@@ -75,7 +75,7 @@ class Mapping {
   /// `axial` or `full`.
   bool axial_or(bool otherwise) const;
 
-  /// The one key of a mapping that stands for a choice: `- drag: {...}`.
+  /// The only key of a mapping that selects a kind: `- drag: {...}`.
   const std::string& only_key() const { return value_.node().items.front()->text; }
   const Value& value() const { return value_; }
 
@@ -90,7 +90,7 @@ void read_cloths(const Value& list);
 void read_forces(const Value& list);
 void read_contacts(const Value& list);
 void read_emitters(const Value& list);
-/// Appends a spring after looking at its ends; `rest_length` below 0 stands for the distance.
+/// Checks the ends and appends a spring; a `rest_length` below 0 means the distance.
 void add_spring(const Value& at, Spring spring, bool rest_length_given);
 /// A mass within the limit of particles, for `more` of them; fails where there are too many.
 void make_room(const Value& at, std::uint64_t more);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What acts on a scene: forces, contacts, emitters.
+// Forces, contacts and emitters of a scene.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace odeum::scene::reading {
 namespace {
 
-// An entry of a list of choices, `- drag: {...}`: a mapping of one key.
+// An entry of a list of kinds, `- drag: {...}`: a mapping of one key.
 Mapping read_choice(const Value& entry, std::initializer_list<std::string_view> known) {
   Mapping mapping(entry, known);
   if (entry.node().items.size() != 2)
@@ -47,7 +47,7 @@ Contact read_contact(const std::string& kind, const Value& value) {
     plane.normal = mapping.at("normal").vector();
     const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
     if (!(length > 0) || !std::isfinite(length))
-      mapping.at("normal").fail("no direction", "a vector that is not zero");
+      mapping.at("normal").fail("zero vector", "a vector that is not zero");
     for (double& component : plane.normal) component /= length;
     read_pushback(mapping, plane);
     return plane;
@@ -92,7 +92,7 @@ void read_emitters(const Value& list) {
     emitter.velocity = mapping.at("velocity").vector();
     emitter.spread = mapping.number_or("spread", Sign::not_negative, 0);
     if (emitter.spread > 3.1415926535897936)
-      mapping.at("spread").fail("an angle beyond a half turn", "radians, at most pi");
+      mapping.at("spread").fail("an angle beyond pi", "radians, at most pi");
     emitter.rate = mapping.at("rate").number(Sign::positive);
     emitter.lifetime = mapping.number_or("lifetime", Sign::positive, emitter.lifetime);
     emitter.mass = mapping.at("mass").number(Sign::positive);

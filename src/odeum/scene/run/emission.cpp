@@ -23,7 +23,7 @@ Vec3 turned(const Vec3& v, double spread, double first, double second) {
   const double speed = std::hypot(v[0], v[1], v[2]);
   if (speed == 0 || spread == 0) return v;
   const Vec3 axis{v[0] / speed, v[1] / speed, v[2] / speed};
-  // A first vector across: from the coordinate axis that is farthest from `axis`.
+  // A first perpendicular vector, from the coordinate axis with the largest angle to `axis`.
   std::size_t least = 0;
   for (std::size_t d = 1; d < 3; ++d)
     if (std::abs(axis[d]) < std::abs(axis[least])) least = d;

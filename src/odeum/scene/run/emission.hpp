@@ -6,7 +6,7 @@
 
 namespace odeum::scene {
 
-/// A particle that an emitter brings into the scene, from `birth` until `death`, s.
+/// An emitted particle, which exists from `birth` to `death`, s.
 struct EmittedParticle {
   double birth = 0, death = 0;
   Particle particle;
@@ -14,7 +14,7 @@ struct EmittedParticle {
 
 /// All particles born before `until`, by time of birth (those of one time in the order of their
 /// emitters): number k of an emitter at k / rate, its direction uniform in the cone of `spread`
-/// around the emitter's velocity. The same seed, the same particles, on every machine.
+/// around the emitter's velocity. The same seed gives the same particles on every machine.
 std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitters, double until);
 
 }  // namespace odeum::scene

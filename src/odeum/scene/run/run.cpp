@@ -18,7 +18,7 @@ class Clock {
       : setting_(setting), fixed_(setting.mode == Mode::fixed) {}
 
   double step() const { return setting_.until / static_cast<double>(setting_.steps); }
-  /// The number of the step after which something due at t happens (fixed), or of no meaning.
+  /// Fixed step: the index of the step after which an event at t takes effect; else unused.
   std::uint64_t index(double t) const {
     const double exact = t / step();
     const double near = std::round(exact);
@@ -33,7 +33,7 @@ class Clock {
     return i >= setting_.steps ? setting_.until : static_cast<double>(i) * step();
   }
 
-  /// What to ask of a solver from `begin` on, with times counted from there.
+  /// The request for a solve from `begin` on, with times relative to it.
   Request request(double begin, const std::vector<double>& stops, double seconds_left) const {
     Request request;
     request.mode = setting_.mode;
@@ -66,7 +66,7 @@ class Run {
       births_[clock_.moment(one.birth)].push_back(one);
       if (const double death = clock_.moment(std::min(one.death, 2 * setting.until));
           death < setting.until)
-        births_.try_emplace(death);  // a moment where the run is cut
+        births_.try_emplace(death);  // the run is split there
     }
     for (std::uint64_t k = 1;; ++k) {
       const double due = static_cast<double>(k) * setting.frame_interval;
@@ -121,7 +121,7 @@ class Run {
     const std::size_t frames = stops.size();
     if (stops.empty() || stops.back() < end) stops.push_back(end);
     const std::size_t n = problem_->size();
-    if (n == 0) {  // nobody lives: time passes
+    if (n == 0) {  // no particles: advance time
       for (std::size_t k = 0; k < frames; ++k) keep_frame(stops[k], nullptr);
       return;
     }
@@ -152,7 +152,7 @@ class Run {
       }
   }
 
-  // The old die before the new are born. Those that the scene lists live on: springs know them.
+  // Deaths before births. Particles listed in the scene stay: springs refer to them.
   void change_population(double t) {
     const std::size_t listed = now_.particles.size() - lives_until_.size();
     std::size_t kept = listed;
@@ -177,16 +177,16 @@ class Run {
     }
   }
 
-  Scene now_;  ///< with who lives, where they are
+  Scene now_;  ///< with the particles that exist, in their present state
   const RunSetting& setting_;
   const Solve& solve_;
   Tally* tally_;
   Clock clock_;
-  std::map<double, std::vector<EmittedParticle>> births_;  ///< and, empty, the moments of deaths
+  std::map<double, std::vector<EmittedParticle>> births_;  ///< and, empty, the times of deaths
   std::vector<double> frames_due_;
   std::size_t next_frame_ = 0, next_id_ = 0;
   std::vector<std::size_t> ids_;
-  std::vector<double> lives_until_;  ///< of those emitted, who come last
+  std::vector<double> lives_until_;  ///< of the emitted particles, which are last
   std::shared_ptr<const SceneProblem> problem_;
   RunResult result_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -9,8 +9,8 @@
 #include "odeum/core/outcome.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 
-/// Runs a scene from its start to an end: one solve, or where particles are born and die during the
-/// run, one solve from each such moment to the next.
+/// Runs a scene from its start to an end: one solve, or with emitters one solve between any two
+/// successive births or deaths.
 namespace odeum::scene {
 
 struct RunSetting {
@@ -25,7 +25,7 @@ struct RunSetting {
 /// The scene at one time.
 struct Frame {
   double t = 0;
-  std::vector<std::size_t> ids;  ///< of the particles that live, in the order of the state
+  std::vector<std::size_t> ids;  ///< of the particles that exist, in the order of the state
   std::vector<double> y;
   double kinetic = 0, potential = 0;  ///< J
   Vec3 momentum{}, angular_momentum{};
@@ -43,13 +43,12 @@ struct RunResult {
 /// Solves a problem from its start at time 0.
 using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, const Request&)>;
 
-/// Births and deaths wait for the end of the step that they fall into, where the step is fixed. A
-/// method that is not self-starting starts again with each solve. `tally` may be null.
+/// At a fixed step, births and deaths take effect at the end of the step in which they fall. A
+/// method that is not self-starting is restarted in each solve. `tally` may be null.
 RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
                     Tally* tally = nullptr);
 
-/// How often a frame is kept where the scene does not say: 60 a second, at least 100 and at most
-/// 1000 in all.
+/// The default frame interval: 60 a second, at least 100 and at most 1000 in all.
 double default_frame_interval(double until);
 
 }  // namespace odeum::scene

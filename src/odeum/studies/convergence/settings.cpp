@@ -7,13 +7,14 @@
 namespace odeum::study {
 namespace {
 
-// Orders are seen on the smooth cases and on the cloths. The hard ones show who gets there at all:
-// eight settings and a small budget do, and leave a full report its five minutes.
+// Orders are measured on the smooth cases and the cloths. The hard ones only show which solvers
+// reach the end: eight settings and a small budget suffice, and keep a full report within five
+// minutes.
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
 constexpr std::uint64_t hard_budget = 10'000;
 
-// Step counts from coarse to fine. A factor of two between steps shows a low order well; a high
-// one falls to rounding within a few halvings, so its steps lie closer together, and start coarser.
+// Step counts from coarse to fine. A factor of two between steps suits low orders; a high order
+// reaches rounding within a few halvings, so that its steps are closer together and start coarser.
 std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
@@ -55,7 +56,8 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     }
   } else {
     const int finest = quick || many ? 8 : !shows_orders(*pair.c) ? 10 : 12;
-    // Orders are seen at fixed steps; a tolerance is met within this, or the method is too low.
+    // Orders are measured at fixed steps; a tolerance is met within this, or the order is too low
+    // for it.
     if (many && !quick) request.budget.evaluations /= 4;
     for (int exponent = 3; exponent <= finest; ++exponent) {
       request.tolerance = std::pow(10.0, -exponent);
@@ -117,8 +119,8 @@ std::vector<Request> second_look(const Pair& pair, const Request& like,
   return settings_beyond(*pair.c, finest);
 }
 
-// At a fixed step work grows in proportion to the steps; to a tolerance as it did last. Linear
-// systems are solved in fewer products at smaller steps, hence the quarter less.
+// At a fixed step work grows in proportion to the steps; adaptive work as it did between the last
+// settings. Linear systems are solved in fewer products at smaller steps, hence the quarter less.
 double foreseen_work(const std::vector<Cost>& coarser, const Request& next) {
   if (coarser.empty()) return 0;
   const Cost& last = coarser.back();

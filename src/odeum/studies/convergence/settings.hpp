@@ -11,21 +11,19 @@ namespace odeum::study {
 /// or tolerances from 1e-3 on.
 std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
-/// Where to look again at a pair whose order stays open, if orders are seen on its case: between
-/// the numbers of steps that were telling, or on a large problem, where a short ladder was
-/// affordable, beyond them, and between the last of them where that was `to_rounding`. All else as
-/// in `like`, one of its settings.
+/// Extra settings where the order is undetermined, if orders are measured on the case: between the
+/// numbers of steps in `telling`, or beyond them on a large problem with few affordable settings;
+/// between the last of them where `to_rounding`. All else as in `like`, one of its settings.
 std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding);
 
-/// What a solve cost, in the units of a budget.
+/// The cost of a solve, in the units of a budget.
 struct Cost {
   double setting;  ///< number of steps, or 1 / tolerance
   double work;
 };
 
-/// At least what the next setting will cost, to go by those that were run before it; 0 where
-/// nothing is known.
+/// A lower bound of the next setting's cost, extrapolated from the last ones; 0 where unknown.
 double foreseen_work(const std::vector<Cost>& coarser, const Request& next);
 
 }  // namespace odeum::study

@@ -9,7 +9,7 @@ class Convergence final : public StudyOf<ConvergenceResult> {
  public:
   Convergence()
       : StudyOf({.name = "converge",
-                 .help = "error against step, and the order that it shows",
+                 .help = "error against step, and the measured order",
                  .place = 20,
                  .quick_help = "fewer step sizes",
                  .options = {{.name = "mode",

@@ -10,7 +10,7 @@
 namespace odeum::study {
 namespace {
 
-/// The invariants of a case, and the runs in which they are observed.
+/// The invariants of a case, and the times at which they are observed.
 struct LongRun {
   const Case& c;
   std::vector<KeptQuantity> kept;
@@ -23,7 +23,7 @@ struct LongRun {
     const std::uint64_t steps = c.y0.size() > 12 ? 1'000 : 10'000;
     step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.settings.coarsest_steps));
     request.steps = steps;
-    // Eight times a decade: a law of growth is a straight line over the logarithm of time.
+    // Eight times per decade: power laws are lines over the logarithm of time.
     std::uint64_t last = 0;
     for (int k = 0; last < steps; ++k) {
       const auto index =
@@ -31,27 +31,27 @@ struct LongRun {
       if (index > last) request.stops.push_back(c.t0 + static_cast<double>(index) * step);
       last = index;
     }
-    // Enough for every solver that makes progress: five implicit stages, six iterations each.
+    // Enough for five implicit stages with six iterations each.
     request.budget.evaluations = 64 * steps;
   }
 };
 
-/// Why there is nothing to measure; empty: there is.
+/// Why nothing can be measured; empty: it can.
 std::string reason_against(const LongRun& run, const Entrant& entrant) {
   if (!entrant.unfit.empty()) return entrant.unfit;
-  if (run.kept.empty()) return "the exact solution of the case keeps nothing that is known";
+  if (run.kept.empty()) return "no invariant of the case is known";
   if (!run.c.settings.no_fixed_steps.empty()) return run.c.settings.no_fixed_steps;
   return entrant.info.fixed ? "" : "chooses its own steps only";
 }
 
-/// Rows of one quantity: a row a stop that was reached, and one more where the solve ended early.
+/// Rows of one quantity: one per stop reached, and one more where the solve ended early.
 class Series {
  public:
   Series(DriftRow blank, const char* name, std::vector<DriftRow>& rows)
       : blank_(std::move(blank)), rows_(rows) {
     blank_.invariant = name;
   }
-  /// False: the numbers have left the range of doubles, and nothing that follows is of use.
+  /// False: the numbers have left the range of doubles, and the series ends.
   bool add(double time, double value, double relative_error) {
     DriftRow row = blank_;
     row.time = time;
@@ -79,8 +79,8 @@ class Series {
   std::vector<DriftRow>& rows_;
 };
 
-/// Calls add(stop, y) for the stops that were reached until it says no, and ends the series where
-/// the solve failed.
+/// Calls add(stop, y) for the stops reached until it returns false, and ends the series where the
+/// solve failed.
 template <class Add>
 void follow(const LongRun& run, const Outcome& outcome, Series& series, Add&& add) {
   const std::size_t n = run.c.y0.size();
@@ -111,8 +111,8 @@ std::vector<DriftRow> run_pair(const LongRun& run, const Entrant& entrant) {
       const double value = motion.amplitude_of(y);
       return amplitude.add(time, value, std::abs(value / motion.amplitude - 1));
     });
-    // The lag grows in proportion to time, from far less than a turn at the first stop: what it was
-    // at one stop tells the number of full turns at the next.
+    // The lag is proportional to time and far below one turn at the first stop: its value at one
+    // stop determines the number of full turns at the next.
     Series phase(blank, "phase", rows);
     double rate = 0;
     follow(run, outcome, phase, [&](double time, const double* y) {

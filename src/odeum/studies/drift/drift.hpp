@@ -17,10 +17,10 @@ struct DriftRow {
   std::string detail;
   double step = nan, time = nan;
   /// `energy`, an invariant of the case, or on a harmonic oscillator `amplitude` and `phase`;
-  /// `none` where there is nothing to look at.
+  /// `none` where there is none.
   std::string invariant = "none";
   /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
-  /// lag over the exact angle that was run through, which is the relative error of the frequency.
+  /// lag over the exact angle, which is the relative error of the frequency.
   double relative_error = nan;
   double value = nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
 
@@ -33,7 +33,7 @@ struct DriftRow {
   }
 };
 
-/// The time at which a solver leaves a chaotic solution: a line of horizons.csv.
+/// The time up to which a solver follows a chaotic solution: a line of horizons.csv.
 struct HorizonRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
@@ -59,15 +59,16 @@ struct DriftResult {
 };
 
 /// Runs every fitting pair at a fixed step, half of that at which the case's study of convergence
-/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and compares what the
-/// exact solution keeps at some 35 times between the first step and the last. Cases tagged
-/// `chaotic` are run for their horizons besides. Throws Interrupted.
+/// begins, over 10,000 steps (1,000 where there are more than 12 unknowns), and compares the
+/// invariants of the exact solution at some 35 times between the first step and the last. Cases
+/// tagged `chaotic` are run for their horizons too. Throws Interrupted.
 DriftResult measure_drift(const Options& options, const Runner& runner = Runner());
 
 /// The horizons of one solver on one case: three steps and three tolerances.
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
 
-/// When errors, positive and at rising times, first reach a threshold; NaN where they never do.
+/// The time when errors, positive and at increasing times, first reach a threshold; NaN where they
+/// never do.
 double time_of_reaching(const std::vector<double>& times, const std::vector<double>& errors,
                         double threshold);
 

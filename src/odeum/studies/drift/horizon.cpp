@@ -70,7 +70,7 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
                       ? request.tolerance
                       : (times.back() - c.t0) / static_cast<double>(request.steps);
     Outcome outcome = entrant.solve(request);
-    // What was reached before a failure counts: the horizon may lie there.
+    // Times before a failure count: the horizon may lie there.
     const std::size_t reached = outcome.states.size() / c.y0.size();
     const std::vector<double> seen(times.begin(),
                                    times.begin() + static_cast<std::ptrdiff_t>(reached));
@@ -84,7 +84,7 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
       row.status = to_string(Status::ok);
       row.detail.clear();
     } else if (outcome.status == Status::ok) {
-      row.detail = "within 1e-3 for as long as the truth is known";
+      row.detail = "within 1e-3 to the last time of the truth";
     }
     rows.push_back(std::move(row));
   }

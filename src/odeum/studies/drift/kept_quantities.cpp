@@ -8,7 +8,7 @@
 namespace odeum::study {
 namespace {
 
-/// Whether the truth keeps the energy at all of its stops. A truth is rounded to double, which
+/// Whether the truth's energy is constant at all of its stops. A truth is rounded to double, which
 /// changes an energy by some 1e-13 at most; weak damping changes it by 1e-3 and more.
 bool keeps_energy(const Case& c) {
   constexpr double allowed = 1e-9;

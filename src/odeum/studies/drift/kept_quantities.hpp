@@ -9,15 +9,15 @@
 
 namespace odeum::study {
 
-/// What the exact solution of a case keeps for all time.
+/// An invariant of the exact solution of a case.
 struct KeptQuantity {
   std::string name;
   std::function<double(const double* y)> value;
   double exact = 0;  ///< its value at the initial state, in the case's units
 };
 
-/// The case's invariants, and its energy where that is kept: a damped system has an energy too, so
-/// the truth is asked whether it changes. In the order energy, invariants.
+/// The case's energy, where the truth shows that it is constant (a damped system has an energy
+/// too), then its invariants.
 std::vector<KeptQuantity> kept_quantities(const Case& c);
 
 /// The motion of q'' = -omega^2 q, in the plane of q and q' / omega: a circle at a constant rate.
@@ -27,12 +27,12 @@ struct HarmonicMotion {
   double start = 0;      ///< angle at the initial state, radians
 
   double amplitude_of(const double* y) const;
-  /// How far a state is behind the exact angle after `elapsed` time, in radians. An angle is known
-  /// up to full turns only: the answer is the one nearest to `expected`.
+  /// The lag of a state behind the exact angle after `elapsed` time, in radians. An angle is known
+  /// up to full turns; of these lags the one nearest to `expected` is returned.
   double lag_of(const double* y, double elapsed, double expected) const;
 };
 
-/// The harmonic motion that a case is; none where it is something else.
+/// The harmonic motion of a case; none where it is not a harmonic oscillator.
 std::optional<HarmonicMotion> harmonic_motion(const Case& c);
 
 }  // namespace odeum::study

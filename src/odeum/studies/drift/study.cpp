@@ -42,7 +42,7 @@ class Drift final : public StudyOf<DriftResult> {
                  .place = 60}) {}
 
   /// Own solvers on every case; peers on an orbit, an oscillator and, for its horizon, a chaotic
-  /// case, where arkode's many tables would take as long as all the rest.
+  /// case, without arkode, whose many tables would take as long as all the rest.
   std::vector<Options> report_runs(bool quick) const override {
     if (quick) return {};
     return {{.solvers = {"odeum/*"}},

@@ -18,11 +18,11 @@ namespace {
 constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
 
-/// A case and the time over which it is run, with the size of its solution and the spectrum along
-/// it in that time.
+/// A case and the window over which it is run, with the size of its solution and the spectrum along
+/// it.
 struct StiffWindow {
   const Case& c;
-  std::string reason;  ///< why there is nothing to measure; empty: there is
+  std::string reason;  ///< why nothing can be measured; empty: it can
   double length = LargestStep::nan;
   std::vector<double> sizes;                      ///< by component, the largest along the solution
   std::vector<std::complex<double>> eigenvalues;  ///< all that lie in the left half plane
@@ -40,7 +40,7 @@ struct StiffWindow {
 
  private:
   void find_length() {
-    // The horizon, halved until the largest eigenvalue in what is left allows it.
+    // The horizon, halved until the largest eigenvalue within it allows it.
     length = c.stops.back() - c.t0;
     while (follow(length) && std::abs(largest) * length > longest_window) length /= 2;
   }
@@ -54,7 +54,7 @@ struct StiffWindow {
     for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
     const Outcome outcome = find_solver(c.entrants, "odeum/radau_iia5").solve(request);
     if (outcome.status != Status::ok) {
-      reason = "the solution could not be followed: " + outcome.detail;
+      reason = "the solution could not be computed: " + outcome.detail;
       return false;
     }
     const std::size_t n = c.y0.size();
@@ -82,8 +82,8 @@ struct Prediction {
   std::complex<double> eigenvalue;
 };
 
-/// Where stability ends along the ray of an eigenvalue, as a multiple of 1 / |eigenvalue|; NaN
-/// where no theory covers it.
+/// The limit of stability along the ray of an eigenvalue, as a multiple of 1 / |eigenvalue|; NaN
+/// without a theory.
 double limit_along(const SolverInfo& info, const std::complex<double>& z) {
   const bool undamped = std::abs(z.real()) <= 1e-9 * std::abs(z);
   const double re = undamped ? 0 : z.real() / std::abs(z), im = z.imag() / std::abs(z);
@@ -102,11 +102,11 @@ double limit_along(const SolverInfo& info, const std::complex<double>& z) {
   return LargestStep::nan;
 }
 
-/// The least of the steps that the eigenvalues allow; those far below the largest in size never
-/// limit the step and are left out.
+/// The smallest of the steps that the eigenvalues allow. Small eigenvalues never limit the step and
+/// are left out.
 Prediction predict(const StiffWindow& window, const SolverInfo& info) {
   Prediction least{LargestStep::nan, window.largest};
-  std::map<double, double> by_angle;  // most eigenvalues are real, or turn little
+  std::map<double, double> by_angle;  // most eigenvalues are real or close in angle
   for (const std::complex<double>& z : window.eigenvalues) {
     if (std::abs(z) < 0.05 * std::abs(window.largest)) continue;
     const double angle = std::round(std::arg(z) * 1e4);
@@ -169,7 +169,7 @@ LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
   }
   row.largest_stable_step = window.length / static_cast<double>(fewest);
   row.detail = fewest == 4
-                   ? "bounded at the largest step that was tried"
+                   ? "bounded at the largest step tried"
                    : "beyond: " + (failure.detail.empty() ? failure.status : failure.detail);
   return row;
 }

@@ -18,12 +18,12 @@ struct LargestStep {
   std::string status;  ///< ok, a Status where no step was bounded, or not_applicable
   std::string detail;
   double largest_stable_step = nan;
-  /// What the method's stability function allows for the eigenvalues of the Jacobian along the
-  /// solution; infinity: any step; NaN: no function is known.
+  /// The step that the method's stability function allows for the eigenvalues of the Jacobian along
+  /// the solution; infinity: any step; NaN: no function is known.
   double predicted_step = nan;
-  /// The eigenvalue that sets the prediction; without one, the largest.
+  /// The eigenvalue that limits the step; without a prediction, the largest.
   std::complex<double> eigenvalue{nan, nan};
-  double window = nan;  ///< how long the runs are
+  double window = nan;  ///< length of the runs
 
   static constexpr const char* file = "largest_steps.csv";
   static void each(auto& row, auto&& visit) {
@@ -43,11 +43,11 @@ struct LimitsResult {
 /// The largest stable step of every fitting pair, to within 0.5 % or one step in the window. No
 /// choice of cases: those tagged `stiff`.
 ///
-/// A run is bounded where it ends `ok` and at each quarter of the window no component is beyond ten
-/// times the largest that it has along the solution. The window is the case's horizon, halved
-/// until it is below 20,000 / |largest eigenvalue in it|: growth shows, and the search is short.
-/// The solution in it is followed by Radau IIA to 1e-8, which says where to take the spectrum and
-/// how large the components are; nothing is judged by it. Throws Interrupted.
+/// A run is bounded where it ends `ok` and at each quarter of the window no component exceeds ten
+/// times its maximum along the solution. The window is the case's horizon, halved until it is below
+/// 20,000 / |largest eigenvalue in it|: growth shows, and the search is short. A solution by Radau
+/// IIA to 1e-8 gives the points of the spectrum and the sizes of the components; it is not used as
+/// a truth. Throws Interrupted.
 LimitsResult measure_limits(const Options& options, const Runner& runner = Runner());
 
 /// The number of steps, a multiple of 4, from which on a run is bounded: doubled from 4 until it is

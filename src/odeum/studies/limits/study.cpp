@@ -8,10 +8,11 @@ namespace {
 class Limits final : public StudyOf<LimitsResult> {
  public:
   Limits()
-      : StudyOf({.name = "limits",
-                 .help = "the largest stable step on hard cases, beside what the spectrum predicts",
-                 .place = 50,
-                 .cases_help = "cases, with * and ?; default: the stiff ones"}) {}
+      : StudyOf(
+            {.name = "limits",
+             .help = "the largest stable step on stiff cases, and the prediction of the spectrum",
+             .place = 50,
+             .cases_help = "cases, with * and ?; default: the stiff ones"}) {}
 
   /// Own solvers on every stiff case; peers on a decay, a relaxation and a vibration.
   std::vector<Options> report_runs(bool quick) const override {

@@ -45,8 +45,8 @@ constexpr Competitor competitors[] = {
     {"bullet/deformable_implicit", Mode::fixed},
 };
 
-/// The cloth of the cases without what holds it, pulls at it or damps it: its dampers act on the
-/// whole relative velocity, and so would change its angular momentum.
+/// The cloth of the cases without fixed particles, gravity and dampers; dampers of the whole
+/// relative velocity would change its angular momentum.
 scene::Scene free_cloth() {
   scene::Scene scene = cases::square_cloth(side, 10);
   scene.gravity = {};
@@ -160,7 +160,7 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
       rows.push_back(std::move(row));
     }
   }
-  // Beyond the range of doubles nothing is a number: the run ends where that begins.
+  // The run ends where numbers leave the range of doubles.
   const auto lost = std::find_if(rows.begin(), rows.end(), [](const LongRunRow& row) {
     return !std::isfinite(row.value) && row.quantity != "drape";
   });

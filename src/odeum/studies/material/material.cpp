@@ -19,12 +19,12 @@ namespace {
 // In periods of the slowest mode.
 constexpr double periods_a_round = 4, periods_swinging = 5;
 
-// Where a round of settling begins at the mean of the one before, a swing about the rest loses most
-// of itself: these rounds do unless the rest keeps moving.
+// Each round of settling starts at rest at the mean of the one before, which removes most of the
+// swing: this many suffice unless the rest position drifts.
 constexpr int most_rounds = 12;
 constexpr double settled_swing = 1e-3;  // of the sag
 
-// A swing that ends beyond this many times its start is growing.
+// A swing that grows by this factor is unstable.
 constexpr double grown = 100;
 
 /// Heights of the masses (the fixed point left out) at each of the last `kept` of `steps` steps.
@@ -58,7 +58,7 @@ bool unstable(const Outcome& outcome) { return outcome.status == Status::non_fin
 
 MaterialRow failed(MaterialRow row, const Outcome& outcome) {
   row.status = unstable(outcome) ? "unstable" : to_string(outcome.status);
-  row.detail = unstable(outcome) ? "grows beyond all bounds" : outcome.detail;
+  row.detail = unstable(outcome) ? "grows without bound" : outcome.detail;
   return row;
 }
 
@@ -73,10 +73,10 @@ void start_from(const SceneStage& stage, const std::vector<double>& heights) {
   for (std::size_t i = 0; i < heights.size(); ++i) y[3 * (i + 1) + 1] = heights[i];
 }
 
-/// Where the lowest mass is over a run, and where all are on average.
+/// Range of the lowest mass over a run, and mean positions of all.
 struct Swing {
   std::vector<double> mean;
-  double half;  ///< half the way between the highest and the lowest, m
+  double half;  ///< half the distance from highest to lowest, m
 };
 
 Swing swing_of(const Run& run) {
@@ -137,7 +137,7 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
     const Swing seen = swing_of(settling);
     if (!(seen.half < grown * specimen.sag())) {
       row.status = "unstable";
-      remark(row, "leaves the rest that it starts from");
+      remark(row, "moves away from rest");
       return row;
     }
     heights = seen.mean;
@@ -146,12 +146,12 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
     if (swing <= settled_swing * std::abs(sag)) break;
   }
   if (std::abs(sag) < 1e-9 * specimen.sag())
-    remark(row, "hangs as long as without gravity, to rounding");
+    remark(row, "no sag under gravity, to rounding");
   else
     row.resting = specimen.sag() / sag;
-  if (sag <= -1e-9 * specimen.sag()) remark(row, "hangs above where it is without gravity");
+  if (sag <= -1e-9 * specimen.sag()) remark(row, "hangs higher than without gravity");
   if (swing > 10 * settled_swing * std::abs(sag) && swing > 1e-9 * specimen.sag())
-    remark(row, fmt::format("not settled: rest is the mean of a swing of {:.2g} of the sag",
+    remark(row, fmt::format("not settled: rest is the mean of an oscillation of {:.2g} of the sag",
                             swing / std::abs(sag)));
   const std::vector<double> shape = specimen.shape(), resting = heights;
   const double amplitude = std::max(specimen.sag(), sag) / 10;
@@ -160,7 +160,7 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
   const std::uint64_t swinging = steps_of(periods_swinging);
   const Run swung = run(specimen, stage, entrant, step, iterations, swinging, swinging);
   if (swung.outcome.status != Status::ok) return failed(row, swung.outcome);
-  // The part of the motion that is in the slowest mode: masses are equal, so a plain product.
+  // The component of the motion in the slowest mode; a scalar product, since masses are equal.
   double norm = 0;
   for (const double x : shape) norm += x * x;
   std::vector<double> z{amplitude};
@@ -171,7 +171,7 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
   }
   if (!(std::abs(z.back()) < grown * amplitude)) {
     row.status = "unstable";
-    remark(row, "the swing grows");
+    remark(row, "the oscillation grows");
     return row;
   }
   std::string reason;
@@ -203,9 +203,9 @@ MaterialResult measure_responses(const Options& options, const Runner& runner) {
       const std::string id = info.id();
       if (!is_compared(info, options)) continue;
       tasks.push_back({specimen, id, {}});
-      // As it comes is one sweep, or Newton's one iteration.
+      // The default is one sweep, or one Newton iteration.
       for (const std::uint64_t count : counts) {
-        // Conjugate gradients are done after as many iterations as there are masses.
+        // Conjugate gradients need at most as many iterations as there are masses.
         const bool newton = info.options.contains("newton");
         if (info.options.contains("sweeps") && (newton ? count < 2 * specimen.masses : count > 1))
           tasks.push_back({specimen, id, {.sweeps = count}});
@@ -218,7 +218,8 @@ MaterialResult measure_responses(const Options& options, const Runner& runner) {
                        task.iterations.newton);
   };
   return runner.run("material", tasks, key, [&](const Task& task) {
-    const SceneStage stage(task.specimen.scene());  // its own: the start is moved
+    const SceneStage stage(
+        task.specimen.scene());  // one per task, since its initial state is changed
     MaterialResult result;
     for (const double step : steps)
       result.material.push_back(measure_response(
@@ -231,7 +232,7 @@ MaterialResult measure_material(const Options& options, const Runner& runner) {
   MaterialResult result = measure_responses(options, runner);
   record::append(result, measure_error_parts(options, runner));
   record::append(result, measure_long_runs(options, runner));
-  // Own engines are not enrolled under names of solvers: a choice of solvers leaves them out.
+  // Own engines are not enrolled as solvers, so that a choice of solvers excludes them.
   if (options.solvers.empty()) {
     result.cost = measure_cloth_cost({11, 32, 64, 128, 256, 512}, 0.1);
     result.implicit_wins = measure_implicit_wins(32, {10, 100, 1e3, 1e4, 1e5, 1e6},

@@ -13,21 +13,21 @@
 
 namespace odeum::study {
 
-/// Whether a solver is one of those whose stiffness and error parts are looked at: every engine's,
-/// and the own ones whose answer is known.
+/// Whether a solver is included: every engine's, and own ones with a known result.
 bool is_compared(const SolverInfo& info, const Options& options);
 
 /// All five files. Throws Interrupted.
 MaterialResult measure_material(const Options& options, const Runner& runner = Runner());
 
-/// Solvers on a specimen, or any other scene, with a start that may be moved between solves.
+/// Solvers on a specimen, or any other scene, with an initial state that may be changed between
+/// solves.
 struct SceneStage {
   explicit SceneStage(const scene::Scene& scene);
   std::shared_ptr<std::vector<double>> y0;  ///< all positions, then all velocities
   std::vector<Entrant> entrants;
 };
 
-/// How many iterations a step is given, by the options of these names; 0: as the engine has it.
+/// Iterations per step, by the options of these names; 0: the engine's default.
 struct Iterations {
   std::uint64_t sweeps = 0, newton = 0;
   void ask(Request& request) const {
@@ -36,8 +36,8 @@ struct Iterations {
   }
 };
 
-/// Lets the specimen settle under gravity, then swing in its slowest mode, at steps of about `step`
-/// seconds.
+/// Lets the specimen settle under gravity, then oscillate in its slowest mode, at steps of about
+/// `step` seconds.
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations);
 MaterialResult measure_responses(const Options& options, const Runner& runner = Runner());
@@ -46,15 +46,15 @@ MaterialResult measure_responses(const Options& options, const Runner& runner = 
 double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
                     std::size_t particles);
 
-/// What a split of errors is made of.
+/// The runs from which an error is split.
 struct SplitPlan {
   double time = 0.25;                ///< s
-  std::vector<std::uint64_t> steps;  ///< rising, each twice the one before, three at least
+  std::vector<std::uint64_t> steps;  ///< each twice the one before, at least three
   std::vector<Iterations> tried;
-  Iterations converged, half;  ///< the most, and half of it: by what is left between them
+  Iterations converged, half;  ///< the largest number, and half of it to estimate its error
   double order = 1;            ///< of the step, for the extrapolation to h -> 0
 };
-/// Positions at plan.time after so many steps; nothing where the run failed, and why.
+/// Positions at plan.time after this number of steps; where the run failed, nothing and the reason.
 using RunCloth = std::function<std::optional<std::vector<double>>(
     std::uint64_t steps, const Iterations& iterations, std::string& reason)>;
 
@@ -66,7 +66,7 @@ MaterialResult measure_error_parts(const Options& options, const Runner& runner 
 /// Drape, energy and momentum of cloths over 10 s.
 MaterialResult measure_long_runs(const Options& options, const Runner& runner = Runner());
 
-/// Own engines, timed in turns on one processor.
+/// Own engines, timed alternately on one processor.
 std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,
                                              double seconds_each);
 std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,

@@ -7,7 +7,7 @@
 namespace odeum::study {
 namespace {
 
-/// What a run came to: positions, or why there are none.
+/// The result of a run: positions, or the reason for having none.
 struct Reached {
   std::optional<std::vector<double>> positions;
   std::string reason;
@@ -104,7 +104,7 @@ MaterialResult measure_error_parts(const Options& options, const Runner& runner)
     plan.order = std::isfinite(info.order) ? info.order : 1;
     plan.tried = {{}};
     plan.converged = plan.half = {};
-    if (info.options.contains("newton")) {  // sweeps as they come are converged, see the adapter
+    if (info.options.contains("newton")) {  // the default of sweeps is converged, see the adapter
       plan.tried = {{.sweeps = 1}, {.sweeps = 2}, {.sweeps = 4}, {.sweeps = 8}, {}};
       plan.converged = {.newton = 4}, plan.half = {.newton = 2};
     } else if (info.options.contains("sweeps")) {

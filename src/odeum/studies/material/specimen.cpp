@@ -38,7 +38,7 @@ scene::Scene Specimen::scene() const {
   scene.gravity = {0, -gravity, 0};
   double sum = 0;
   for (std::size_t i = 0; i <= masses; ++i) {
-    // Spring i carries the masses below it.
+    // Spring i bears the weight of the masses below it.
     if (i > 0) sum += mass * gravity / stiffness * static_cast<double>(masses - i + 1);
     scene.particles.push_back({.position = {0, -static_cast<double>(i) * length - sum, 0},
                                .mass = mass,

@@ -7,8 +7,9 @@
 
 namespace odeum::study {
 
-/// Springs whose answer is known: `masses` equal ones hung one below the other from a fixed point,
-/// each on a spring of `length` at rest. Small weights, so that every strain is below 1 %.
+/// A hanging chain with known static and dynamic response: `masses` equal masses below a fixed
+/// point, each on a spring of rest length `length`. Weights are small, so that every strain is
+/// below 1 %.
 struct Specimen {
   std::string name;
   std::size_t masses = 1;
@@ -18,12 +19,12 @@ struct Specimen {
   double length = 1;        ///< m
   double gravity = 1;       ///< m/s^2
 
-  /// Of the slowest mode: angular frequency (1/s) without damping, damping ratio, and how far each
-  /// mass moves, the lowest by 1.
+  /// Of the slowest mode: angular frequency (1/s) without damping, damping ratio, and the mode's
+  /// shape, 1 at the lowest mass.
   double frequency() const;
   double damping_ratio() const;
   std::vector<double> shape() const;
-  /// How far the lowest mass hangs below where it is without gravity, m.
+  /// Sag of the lowest mass under gravity, m.
   double sag() const;
   scene::Scene scene() const;
 };

@@ -9,11 +9,11 @@ class Material final : public StudyOf<MaterialResult> {
  public:
   Material()
       : StudyOf({.name = "material",
-                 .help = "what engines do to stiffness and damping, and cloths in the long run",
+                 .help = "effective stiffness and damping of engines, cloth errors and costs",
                  .place = 70,
                  .cases_help = ""}) {}
 
-  /// A quarter of a minute: a quick report shows what an earlier one left.
+  /// It takes a quarter of a minute: a quick report shows the rows of an earlier one.
   std::vector<Options> report_runs(bool quick) const override {
     return quick ? std::vector<Options>() : std::vector<Options>(1);
   }

@@ -10,8 +10,8 @@
 namespace odeum::study {
 namespace {
 
-/// Of a motion, what lies below this part of its start is left out: rounding, and slow remainders
-/// of other modes.
+/// Samples below this fraction of the first one are ignored: rounding, and slow parts of other
+/// modes.
 constexpr double least_part = 1e-4;
 
 /// Least squares in three unknowns by modified Gram and Schmidt; rows are {1, y, x, right side}.
@@ -44,14 +44,14 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
   const double start = std::abs(z.front());
   std::size_t end = z.size();
   while (end > 1 && std::abs(z[end - 1]) < least_part * start) --end;
-  // From rest, a cosine is down to 1/e after 1.2 radians: half of that keeps clear of half a turn.
+  // From rest, a cosine falls to 1/e after 1.2 radians: half of that stays well below half a turn.
   std::size_t fallen = 1;
   while (fallen + 1 < end && z[fallen] / z.front() > std::exp(-1)) ++fallen;
   const std::size_t lag = std::max<std::size_t>(1, fallen / 2);
   if (end < 2 * lag + 4) {
-    reason = end <= 2   ? "gone within a step"
-             : end < 20 ? fmt::format("gone within {} steps, too few to tell a vibration", end - 1)
-                        : "too slow to be seen in this time";
+    reason = end <= 2   ? "decays within a step"
+             : end < 20 ? fmt::format("decays within {} steps, too few for a fit", end - 1)
+                        : "too slow for this time";
     return std::nullopt;
   }
   std::vector<std::array<long double, 4>> rows;
@@ -66,18 +66,18 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
     found.decay = static_cast<double>(-2 * fall / tau);
   } else {
     const long double fast = (a - std::sqrt(d)) / 2, slow = (a + std::sqrt(d)) / 2;
-    // A root that is nothing but rounding is a motion that a single step takes away.
+    // A root of the size of rounding is a motion that a single step removes.
     if (!(fast > 1e-9L && slow > 0)) {
       reason = slow > 0 && std::abs(fast) <= 1e-9L
-                   ? "creeps to rest, its velocity is lost at each step"
-                   : "changes sign from step to step: no oscillator does";
+                   ? "overdamped, its velocity is lost at each step"
+                   : "changes sign from step to step, unlike an oscillator";
       return std::nullopt;
     }
     found.pull = static_cast<double>(std::log(fast) * std::log(slow) / (tau * tau));
     found.decay = static_cast<double>(-(std::log(fast) + std::log(slow)) / tau);
   }
   if (!std::isfinite(found.pull) || !std::isfinite(found.decay)) {
-    reason = "no oscillator passes through the motion";
+    reason = "no oscillator fits the motion";
     return std::nullopt;
   }
   return found;

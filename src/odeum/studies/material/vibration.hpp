@@ -7,7 +7,7 @@
 namespace odeum::study {
 
 /// The oscillator z'' + decay z' + pull (z - rest) = 0 that passes through the samples of a motion:
-/// exactly so for any linear scheme of two unknowns, whatever it does.
+/// exactly so for any linear scheme of two unknowns.
 struct Vibration {
   double pull = 0;   ///< k/m, 1/s^2
   double decay = 0;  ///< d/m, 1/s
@@ -15,8 +15,8 @@ struct Vibration {
 };
 
 /// Fits z[j + lag] = a z[j] + b z[j - lag] + c by least squares and takes the logarithms of the
-/// roots of x^2 = a x + b; the lag is some sixth of a turn. `step` s apart, z starts away from rest
-/// and at rest. Where there is no such oscillator, `reason` says why in a sentence.
+/// roots of x^2 = a x + b; the lag is about a sixth of a turn. Samples are `step` s apart; z starts
+/// displaced, with velocity 0. Where no oscillator fits, `reason` is a sentence.
 std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step,
                                        std::string& reason);
 

@@ -65,7 +65,8 @@ void prove_structure(const MethodFacts& method, bool quick, ProofRow& row) {
   row.symplectic_defect = proof::symplectic_defect(mechanics, proof::structure_step);
   row.return_defect = proof::return_defect(mechanics, proof::structure_step);
   if (!row.symplectic()) return;
-  // Implicit steps cost a hundred explicit ones: the suite runs them as long, the report does not.
+  // Implicit steps cost a hundred explicit ones: the test suite runs them as long, the report does
+  // not.
   row.energy_periods = (method.on_separable ? 1e5 : 1e3) / (quick ? 100 : 1);
   const proof::EnergyWatch watch = proof::watch_energy(mechanics, 16, row.energy_periods);
   row.energy_first = watch.first;

@@ -48,7 +48,7 @@ struct ProvenEstimate {
   }
 };
 
-/// A mutant and what became of it: a line of mutants.csv.
+/// A mutant and its result: a line of mutants.csv.
 struct MutantRow {
   proof::Mutant mutant;
 
@@ -64,13 +64,13 @@ struct MutantRow {
   }
 };
 
-/// All that is proven of an own method: a line of proofs.csv. Numbers are NaN, texts empty where a
-/// proof does not apply.
+/// The proofs of an own method: a line of proofs.csv. Numbers are NaN, texts empty where a proof
+/// does not apply.
 struct ProofRow {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string method, family;
   int order = 0, order_embedded = 0;  ///< claimed
-  std::string needs;  ///< not empty: does not fit the grounds, proven by the cases alone
+  std::string needs;  ///< not empty: does not fit the test problems, tested on cases only
 
   /// By the rooted-tree conditions at run time: the order of the row, and the first condition that
   /// fails beyond it.

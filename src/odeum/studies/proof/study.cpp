@@ -8,12 +8,11 @@ namespace {
 class Proof final : public StudyOf<ProofResult> {
  public:
   Proof()
-      : StudyOf(
-            {.name = "proof",
-             .help = "own methods against their order conditions, their theory and their mutants",
-             .place = 80,
-             .cases_help = "",
-             .quick_help = "a hundredth of the periods for the energy"}) {}
+      : StudyOf({.name = "proof",
+                 .help = "proofs of own methods: order conditions, stability, structure, mutants",
+                 .place = 80,
+                 .cases_help = "",
+                 .quick_help = "a hundredth of the periods for the energy"}) {}
 
   std::string table() const override {
     return record::table_of(result().rows, {{"method", "{solver}"},

@@ -9,7 +9,7 @@ class Reduction final : public StudyOf<ReductionResult> {
  public:
   Reduction()
       : StudyOf({.name = "reduction",
-                 .help = "the order that is left on Prothero and Robinson's problem as it grows "
+                 .help = "the order on Prothero and Robinson's problem as it becomes "
                          "stiff",
                  .place = 40,
                  .cases_help = ""}) {}

@@ -9,19 +9,19 @@
 namespace odeum::study {
 namespace {
 
-constexpr std::uint64_t window = 16;    // states at the end of a run that its growth is read off
-constexpr std::uint64_t recorded = 64;  // runs up to this length are recorded whole
-constexpr double clear_noise = 1e-7;    // growth known this well needs no longer run
+constexpr std::uint64_t window = 16;    // states at the end of a run from which growth is measured
+constexpr std::uint64_t recorded = 64;  // runs up to this length are recorded completely
+constexpr double clear_noise = 1e-7;    // growth known to this accuracy needs no longer run
 
-/// The growth of a solution that dies away for good, from its start to where it has; none where it
-/// does not.
+/// The growth of a solution that decays and stays small, from its start to that point; none
+/// otherwise.
 std::optional<judge::Growth> decay(std::span<const judge::PlaneState> states, double below) {
   const double start = judge::length(states[0]);
   std::size_t dead = 1;
   while (dead < states.size() && !(judge::length(states[dead]) < below * start)) ++dead;
   if (dead == states.size()) return std::nullopt;
   for (std::size_t k = dead; k < states.size(); ++k)
-    if (!(judge::length(states[k]) < 1e3 * below * start)) return std::nullopt;  // it came back
+    if (!(judge::length(states[k]) < 1e3 * below * start)) return std::nullopt;  // it grew again
   const double left =
       std::max(judge::length(states[dead]) / start, std::numeric_limits<double>::min());
   return judge::Growth{std::log(left) / static_cast<double>(dead), 0};
@@ -36,7 +36,7 @@ GrowthMeter::GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscill
       oscillator_(oscillator),
       length_(length),
       decayed_below_(entrant.info.family == "multistep" ? 1e-250 : 1e-9) {
-  // Ten times what the costliest solvers here (extrapolation, iterations that crawl) take.
+  // Ten times the cost of the most expensive solvers (extrapolation, slow iterations).
   request_.budget.evaluations = 20'000'000;
 }
 
@@ -68,7 +68,7 @@ judge::Growth GrowthMeter::measure(double first, double second) {
   judge::Growth growth;
   for (std::uint64_t steps = length_.first_steps;; steps *= 4) {
     if (!run(steps, scale)) {
-      // Numbers that overflow have grown; whatever else stopped the solver, it gave no answer.
+      // Overflow is growth; any other failure gives no result.
       if (status_ == Status::non_finite) return {std::numeric_limits<double>::infinity(), 0};
       return {};
     }
@@ -83,8 +83,8 @@ judge::Growth GrowthMeter::measure(double first, double second) {
     if (growth.noise <= clear_noise || std::abs(growth.log_per_step) > 10 * growth.noise)
       return growth;
     if (steps * 4 > length_.last_steps) {
-      // No one or two roots dominate yet: the mean over the run, which a beat falsifies by a
-      // factor of the order of 10 in length at most.
+      // No one or two roots dominate yet: the mean over the run, in which beats change the length
+      // by a factor of the order of 10 at most.
       const double mean = std::log(judge::length(all.back()) / scale) / static_cast<double>(steps);
       return {mean, std::log(10.0) / static_cast<double>(steps)};
     }

@@ -10,18 +10,18 @@
 
 namespace odeum::study {
 
-/// How many steps a solver takes: `first_steps`, and four times as many again and again up to
-/// `last_steps` until its growth is clear.
+/// Lengths of runs: `first_steps`, then four times as many up to `last_steps` until the growth is
+/// clear.
 struct RunLength {
   std::uint64_t first_steps, last_steps;
 };
-/// For a limit, to be found to 1e-6, and for one point of many of a region.
+/// For a limit, measured to 1e-6, and for one of the many points of a region.
 inline constexpr RunLength limit_length{.first_steps = 64, .last_steps = 8192};
 inline constexpr RunLength region_length{.first_steps = 32, .last_steps = 512};
 
 /// Measures the growth of one solver anywhere on the plane of a probe: it solves at h = 1 from the
-/// probe's start, and the growth is read off the states of the run, never off the method's theory.
-/// Not safe to share between threads, since the probe is moved.
+/// probe's start, and measures the growth on the states of the run, without theory. Not
+/// thread-safe, since the probe's parameters are changed.
 class GrowthMeter {
  public:
   /// On the oscillator planes the first parameter is omega, which scales q to the size of q'.
@@ -29,9 +29,9 @@ class GrowthMeter {
 
   judge::Growth measure(double first, double second);
 
-  /// How the solve of the last measure() ended.
+  /// The status of the last solve of measure().
   Status status() const { return status_; }
-  /// Its detail, with the status in front where the detail does not begin with it.
+  /// Its detail, beginning with the status.
   std::string failure() const;
 
  private:
@@ -42,10 +42,9 @@ class GrowthMeter {
   const Entrant& entrant_;
   bool oscillator_;
   RunLength length_;
-  /// A state that has fallen below it has decayed, whatever comes later: what is left of it may be
-  /// of the size of the tolerance of an implicit solver, and its growth is not the method's any
-  /// more. A multistep method is not judged so soon: its start may die away before its own roots
-  /// show.
+  /// A state below it has decayed: the remainder may be of the size of an implicit solver's
+  /// tolerance, and its growth is not the method's. Not for multistep methods, whose start may
+  /// decay before the growing roots show.
   double decayed_below_;
   Request request_;
   std::vector<judge::PlaneState> states_;

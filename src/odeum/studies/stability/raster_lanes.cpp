@@ -18,7 +18,7 @@ void run_lanes(const double* re, const double* im, std::size_t count, unsigned s
   typename M::template Stepper<Problem> stepper(problem);
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     const std::size_t used = std::min(lanes, count - begin);
-    std::copy_n(re + begin, used, problem.re.begin());  // lanes beyond `used` idle on old values
+    std::copy_n(re + begin, used, problem.re.begin());  // lanes beyond `used` compute on old values
     std::copy_n(im + begin, used, problem.im.begin());
     State<Problem> y{};
     std::fill_n(y.begin(), lanes, 1.0);

@@ -7,8 +7,8 @@
 namespace odeum::study {
 
 /// y' = z y for L complex values of z at once, as 2L real unknowns: the real parts of all, then the
-/// imaginary parts. An explicit method's kernel takes it as it takes any problem, and its loops
-/// over the unknowns become vector instructions.
+/// imaginary parts. To an explicit method's kernel it is a problem like any other, whose loops over
+/// the unknowns become vector instructions.
 template <std::size_t L>
 struct DahlquistLanes {
   static constexpr std::size_t dimension = 2 * L;
@@ -23,7 +23,8 @@ struct DahlquistLanes {
 };
 
 /// Eight 512-bit vectors for a state. Measured on RK4 (g++ 12): from 24 to 56 lanes the loops are
-/// unrolled whole and much of a step stays in registers, 1.0 ns a step and lane; 64 take 2 ns.
+/// completely unrolled and most of a step stays in registers, 1.0 ns per step and lane; 64 take 2
+/// ns.
 inline constexpr std::size_t lanes = 32;
 
 /// Takes `steps` steps of size 1 from y = 1 for each of `count` values of z (any number) and puts

@@ -12,13 +12,13 @@
 namespace odeum::study {
 namespace {
 
-/// The coordinate of a grid point; both edges are hit exactly, and the middle of an odd grid is.
+/// The coordinate of a grid point, exact at both edges and in the middle of an odd grid.
 double coordinate(double low, double high, int i, int count) {
   const double fraction = static_cast<double>(i) / (count - 1);
   return low * (1 - fraction) + high * fraction;
 }
 
-/// Calls fill(second, row) for each row that is to be solved; answers how many those were.
+/// Calls fill(second, row) for each row to be solved; returns their number.
 template <class Fill>
 int fill_rows(StabilityRegion& region, bool mirrored, Fill&& fill) {
   const auto columns = static_cast<std::size_t>(region.columns);
@@ -56,11 +56,11 @@ void map_region(GrowthMeter& meter, bool mirrored, StabilityRegion& region) {
   region.status = failures == points ? status : to_string(Status::ok);
   if (failures > 0)
     region.detail =
-        fmt::format("no answer at {} of {} points; the first: {}", failures, points, detail);
+        fmt::format("no result at {} of {} points; the first: {}", failures, points, detail);
 }
 
 void map_region_in_lanes(LaneRunner runner, StabilityRegion& region) {
-  constexpr unsigned steps = 16;  // all alike: a one-step method multiplies y by R(z) each time
+  constexpr unsigned steps = 16;  // all equal: a one-step method multiplies y by R(z)
   const auto count = static_cast<std::size_t>(region.columns);
   std::vector<double> re(count), im(count), squared(count);
   for (std::size_t i = 0; i < count; ++i)

@@ -19,18 +19,18 @@ struct Window {
   double first_low = 0, first_high = 0, second_low = 0, second_high = 0;
 };
 
-/// What is measured of a solver: a limit along an axis or a region of a plane.
+/// A measurement: a limit along an axis or a region of a plane.
 struct Question {
-  const char* name;    ///< the axis or the plane, as the files name it
+  const char* name;    ///< the axis or the plane, as in the files
   const char* option;  ///< the value of --plane that asks for it
   const char* probe;   ///< the plane of the probe
   bool region, oscillator;
-  judge::PlaneState direction{};  ///< of an axis: where it leads from zero
+  judge::PlaneState direction{};  ///< of an axis: its direction from zero
   Window window{};                ///< of a region
 };
 
-// The window on z holds the regions of explicit methods up to order 8 and the unstable ones of
-// backward differences.
+// The window on z contains the regions of explicit methods up to order 8 and the unstable regions
+// of BDF.
 constexpr Question questions[] = {
     {.name = "real",
      .option = "lambda",
@@ -64,13 +64,13 @@ constexpr Question questions[] = {
      .window = {0, 4, 0, 2}},
 };
 
-/// The unit of work, and of the journal.
+/// A unit of work and of the journal.
 struct Task {
   const Question* question;
   const Case* c;
   SolverInfo info;
   std::size_t index;  ///< of the entrant in the probe
-  std::string unfit;  ///< why there is nothing to measure; empty: there is
+  std::string unfit;  ///< why nothing can be measured; empty: it can
 };
 
 judge::PlaneState point_at(const Question& axis, double x) {
@@ -175,7 +175,7 @@ std::vector<Task> select_tasks(const Options& options) {
         const Entrant& entrant = probe.entrants[i];
         if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
         Task task{&question, &c, entrant.info, i, entrant.unfit};
-        if (task.unfit.empty() && !entrant.info.fixed) task.unfit = "has no fixed step";
+        if (task.unfit.empty() && !entrant.info.fixed) task.unfit = "chooses its own steps only";
         tasks.push_back(std::move(task));
       }
     }

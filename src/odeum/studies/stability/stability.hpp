@@ -9,9 +9,9 @@
 
 namespace odeum::study {
 
-/// What "bounded" means here: a solver steps at h = 1 on y' = z y from y = 1, or on the oscillator
-/// q'' = -2 zeta w q' - w^2 q from q = 1, q' = 0, and its growth a step is read off the states that
-/// come out (growth_meter.hpp); bounded where that is at most 1 to within what the states resolve.
+/// A solver is stable here where its growth per step, measured on the states of a run at h = 1
+/// (growth_meter.hpp) of y' = z y from y = 1, or of the oscillator q'' = -2 zeta w q' - w^2 q from
+/// q = 1, q' = 0, is at most 1 to within the accuracy of the measurement.
 
 /// A limit of stability along an axis: a line of stability_limits.csv. `limit` is measured on the
 /// running code, `theory` comes from the method's own stability function by the same search (NaN:
@@ -36,8 +36,8 @@ struct StabilityLimit {
 /// Growth per step measured on a grid of a parameter plane, row by row from the lowest second
 /// coordinate up, each row from the lowest first coordinate up; both edges of the plane are on the
 /// grid. NaN where the solver failed, infinity where numbers overflowed. On the lambda plane only
-/// the upper half is solved and mirrored, since a method with real coefficients answers the
-/// conjugate of z with the conjugate of y.
+/// the upper half is solved and mirrored, since a method with real coefficients maps the conjugate
+/// of z to the conjugate of y.
 struct StabilityRegion {
   std::string library, solver;
   std::string plane;           ///< lambda or oscillator
@@ -68,8 +68,8 @@ struct StabilityResult {
 };
 
 /// Stability regions and limits of every solver with a fixed step. Own options: `plane` is lambda
-/// or oscillator (both), `grid` the points along the first axis (own methods 257 where they run in
-/// lanes, else 129; peers 65), `peer-grid` the same for peers alone. Throws Interrupted.
+/// or oscillator (both), `grid` the points along the first axis (own methods 257 where vectorised,
+/// else 129; peers 65), `peer-grid` the same for peers only. Throws Interrupted.
 StabilityResult measure_stability(const Options& options, const Runner& runner = Runner());
 
 /// Writes the file of a region's growth: a header and a line with schema, plane, columns, rows,

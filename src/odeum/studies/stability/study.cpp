@@ -10,7 +10,7 @@ class Stability final : public StudyOf<StabilityResult> {
   Stability()
       : StudyOf(
             {.name = "stability",
-             .help = "regions and limits of stability of the running code",
+             .help = "stability regions and limits, measured on the running code",
              .place = 30,
              .cases_help = "",
              .options = {{.name = "plane",
