@@ -21,8 +21,13 @@ struct Method {
   Kind kind;
   double order;  ///< as given by gsl_odeiv2_step_order; NaN where it varies
   const char* source;
+  double a_dydt = 0;  ///< weight of h |y'| in the error level, of |y| it is 1
 
   bool multistep() const { return kind == Kind::adams || kind == Kind::bdf; }
+  /// Of the first step: a multistep method begins at order 1.
+  int first_order() const {
+    return multistep() ? 1 : kind == Kind::extrapolation ? 6 : static_cast<int>(order);
+  }
   bool needs_jacobian() const { return kind != Kind::explicit_rk && kind != Kind::adams; }
 };
 

@@ -3,11 +3,14 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "gsl/method.hpp"
 #include "odeum/contest/dense_jacobian.hpp"
+#include "odeum/contest/first_step.hpp"
 
 namespace odeum::adapters::gsl {
 namespace {
@@ -18,9 +21,6 @@ namespace {
 /// rk4imp (at 1e-13: errors of 1e-9 where the method has 1e-13, reports/findings/gsl.md); a smaller
 /// one is below rounding and fails.
 constexpr double newton_tolerance = 1e-15;
-
-/// The library has no rule for a first step; the controllers enlarge a small one quickly.
-constexpr double first_step_fraction = 1e-4;
 
 /// The problem as passed to the library's callbacks.
 struct Problem {
@@ -122,46 +122,41 @@ void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
   }
 }
 
-Outcome refuse_fixed(const Method& method) {
+Outcome refuse(std::string why) {
   Outcome outcome;
   outcome.status = Status::refused;
-  outcome.detail = fmt::format(
-      "{} chooses its order from a tolerance; at a fixed step it stays at order 1 or 2, "
-      "or its corrector fails, depending on the tolerance",
-      method.name);
+  outcome.detail = std::move(why);
   return outcome;
 }
 
 }  // namespace
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
-  // The library's default handler aborts the process. It is global and disabled once.
-  static const gsl_error_handler_t* const previous = gsl_set_error_handler_off();
-  static_cast<void>(previous);
-
   const std::size_t n = contest.view.dimension;
+  if (n == 0) return refuse("the library has no vectors of length 0");
   if (method.needs_jacobian() && n > dense_dimension_limit) return dense_over_budget(n);
 
   const bool fixed = request.mode == Mode::fixed;
-  if (fixed && method.multistep()) return refuse_fixed(method);
+  if (fixed && method.multistep())
+    return refuse(fmt::format(
+        "{} chooses its order from a tolerance; at a fixed step it stays at order 1 or 2, "
+        "or its corrector fails, depending on the tolerance",
+        method.name));
 
   Problem problem(contest.view, request.budget);
   const gsl_odeiv2_system system = {rhs, jacobian, n, &problem};
   const double tolerance = fixed ? newton_tolerance : request.tolerance;
-  const double span = request.stops.back() - contest.t0;
-  const double first =
-      fixed ? span / static_cast<double>(request.steps) : first_step_fraction * span;
+  const double first = fixed ? FixedGrid(contest.t0, request).h()
+                             : first_step(problem.guarded, contest.t0, *contest.y0,
+                                          request.stops.back(), method.first_order(), tolerance);
 
+  const Driver driver(gsl_odeiv2_driver_alloc_standard_new(&system, *method.type, first, tolerance,
+                                                           tolerance, 1, method.a_dydt),
+                      gsl_odeiv2_driver_free);
+  if (!driver)
+    return refuse(
+        fmt::format("gsl_odeiv2_driver_alloc_standard_new gave no driver for {}", method.name));
   Outcome outcome;
-  const Driver driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, *method.type, first, tolerance, tolerance),
-      gsl_odeiv2_driver_free);
-  if (!driver) {
-    outcome.status = Status::refused;
-    outcome.detail =
-        fmt::format("gsl_odeiv2_driver_alloc_y_new gave no driver for {}", method.name);
-    return outcome;
-  }
   std::vector<double> y = *contest.y0;
   if (fixed) {
     walk_fixed(method, *driver, contest.t0, request, y, outcome);

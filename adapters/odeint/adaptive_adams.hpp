@@ -47,7 +47,8 @@ Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) 
     Stepper stepper(typename Stepper::step_adjuster_type(request.tolerance, request.tolerance,
                                                          request.stops.back() - contest.t0));
     Y y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0,
+                    first_step(problem, contest, y, 1, request), request, y, outcome);
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeint/catalogue.hpp"
 
+#include <charconv>
 #include <limits>
 #include <stdexcept>
 
@@ -47,7 +48,7 @@ const Row rows[] = {
     {"dense_output_runge_kutta_dopri5", "explicit_rk", 5, adaptive_only, controlled, needs_nothing,
      "make_dense_output: stops before the horizon are interpolated"},
     {"extrapolation_stepper", "extrapolation", 0, both, controlled, needs_nothing,
-     "order is the template parameter", 8},
+     "order is the template parameter", 12},
     {"bulirsch_stoer", "extrapolation", varies, adaptive_only, own_control, needs_nothing,
      "chooses order and step"},
     {"bulirsch_stoer_dense_out", "extrapolation", varies, adaptive_only, own_control, needs_nothing,
@@ -79,15 +80,14 @@ const Row rows[] = {
 
 /// Splits "adams_bashforth_3" into its row and 3; a plain name is its own row and 0.
 const Row& row_of(std::string_view method, int& number) {
-  const char digit = method.back();
   for (const Row& row : rows) {
     const std::string_view name = row.name;
     number = 0;
     if (!row.numbered_to && method == name) return row;
-    number = digit - '0';
-    if (row.numbered_to && number >= 1 && number <= row.numbered_to &&
-        method.size() == name.size() + 2 && method.starts_with(name) && method[name.size()] == '_')
-      return row;
+    if (!row.numbered_to || !method.starts_with(name) || method.size() < name.size() + 2) continue;
+    const char* const end = method.data() + method.size();
+    const auto parsed = std::from_chars(method.data() + name.size() + 1, end, number);
+    if (parsed.ptr == end && number >= 1 && number <= row.numbered_to) return row;
   }
   throw std::logic_error("odeint has no stepper " + std::string(method));
 }

@@ -21,6 +21,7 @@ struct SingularMatrix {};
 #include "odeint/tripped.hpp"
 #include "odeint/walk.hpp"
 #include "odeum/contest/dense_jacobian.hpp"
+#include "odeum/contest/first_step.hpp"
 
 namespace odeum::adapters::odeint {
 namespace {
@@ -73,6 +74,12 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
   return outcome;
 }
 
+double first(const System& system, double t0, const std::vector<double>& y0,
+             const Request& request) {
+  constexpr int order = 4;
+  return first_step(*system.first.problem, t0, y0, request.stops.back(), order, request.tolerance);
+}
+
 template <class Stepper>
 Outcome run_fixed(const OdeView& view, double t0, const std::vector<double>& y0,
                   const Request& request) {
@@ -96,7 +103,7 @@ Outcome run_rosenbrock4(const OdeView& view, double t0, const std::vector<double
   if (request.mode == Mode::fixed) return run_fixed<od::rosenbrock4<double>>(view, t0, y0, request);
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
     Controller stepper(request.tolerance, request.tolerance);
-    walk_controlled(stepper, system, t0, request, y, outcome);
+    walk_controlled(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
   });
 }
 
@@ -106,7 +113,7 @@ Outcome run_rosenbrock4_dense_output(const OdeView& view, double t0, const std::
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
     od::rosenbrock4_dense_output<Controller> stepper(
         Controller(request.tolerance, request.tolerance));
-    walk_dense(stepper, system, t0, request, y, outcome);
+    walk_dense(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
   });
 }
 

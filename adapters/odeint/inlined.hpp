@@ -92,7 +92,7 @@ void enroll_one_step(Roster<P>& roster) {
     using Dopri5 = od::runge_kutta_dopri5<Y>;
     return od::dense_output_runge_kutta<Controlled<Dopri5>>(make_controlled<Dopri5>(tolerance));
   };
-  roster.add("dense_output_runge_kutta_dopri5", run_dense<make_dense_dopri5, P>);
+  roster.add("dense_output_runge_kutta_dopri5", run_dense<make_dense_dopri5, 4, P>);
 }
 
 template <Ode P>
@@ -101,11 +101,13 @@ void enroll_extrapolation(Roster<P>& roster) {
   roster.add("extrapolation_stepper_4", run_extrapolation<4, P>);
   roster.add("extrapolation_stepper_6", run_extrapolation<6, P>);
   roster.add("extrapolation_stepper_8", run_extrapolation<8, P>);
-  roster.add("bulirsch_stoer", run_controlled<od::bulirsch_stoer<Y>, P>);
+  roster.add("extrapolation_stepper_10", run_extrapolation<10, P>);
+  roster.add("extrapolation_stepper_12", run_extrapolation<12, P>);
+  roster.add("bulirsch_stoer", run_controlled<od::bulirsch_stoer<Y>, 4, P>);
   constexpr auto make_dense_bulirsch_stoer = [](double tolerance) {
     return od::bulirsch_stoer_dense_out<Y>(tolerance, tolerance);
   };
-  roster.add("bulirsch_stoer_dense_out", run_dense<make_dense_bulirsch_stoer, P>);
+  roster.add("bulirsch_stoer_dense_out", run_dense<make_dense_bulirsch_stoer, 4, P>);
 }
 
 template <Ode P, std::size_t... K>

@@ -10,14 +10,12 @@
 
 namespace odeum::adapters::odeint {
 
-double first_step(double t0, const Request& request) { return 1e-4 * (request.stops.back() - t0); }
-
 double smallest_step(double t, double stop) {
   return 16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
 }
 
-bool step_is_large_enough(double h, double t, double stop, Outcome& outcome) {
-  if (h >= smallest_step(t, stop)) return true;  // a NaN is not
+bool step_is_large_enough(double h, double t, Outcome& outcome) {
+  if (h > smallest_step(t, t)) return true;  // a NaN is not
   outcome.status = Status::step_too_small;
   outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h, t);
   return false;

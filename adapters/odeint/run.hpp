@@ -5,6 +5,7 @@
 #include "odeint/system.hpp"
 #include "odeint/walk.hpp"
 #include "odeum/contest/solver.hpp"
+#include "odeum/control/adaptive.hpp"
 
 /// One function for each way of using odeint's steppers, each a template on stepper and problem
 /// type.
@@ -32,6 +33,13 @@ State<P> start_of(const Contest<P>& contest) {
   State<P> y = make_state(*contest.problem);
   std::copy(contest.y0->begin(), contest.y0->end(), y.begin());
   return y;
+}
+
+/// The first step, which odeint leaves to its user, by the rule that own methods follow.
+template <Ode P>
+double first_step(const Guarded<P>& problem, const Contest<P>& contest, const State<P>& y,
+                  int order, const Request& request) {
+  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerance);
 }
 
 /// A stepper with do_step(system, y, t, h), in place.
@@ -67,7 +75,9 @@ Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
     State<P> y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0,
+                    first_step(problem, contest, y, Stepper::error_order_value, request), request,
+                    y, outcome);
   });
 }
 
@@ -95,25 +105,28 @@ Outcome run_out_of_place(const Contest<P>& contest, const Request& request) {
   });
 }
 
-/// A stepper that is itself controlled, made from (absolute, relative) tolerance.
-template <class Controlled, Ode P>
+/// A stepper that is itself controlled, made from (absolute, relative) tolerance; `order` is that
+/// of its first step.
+template <class Controlled, int order, Ode P>
 Outcome run_controlled(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     Controlled stepper(request.tolerance, request.tolerance);
     State<P> y = start_of(contest);
-    walk_controlled(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
+    walk_controlled(stepper, System<P>{&problem}, contest.t0,
+                    first_step(problem, contest, y, order, request), request, y, outcome);
   });
 }
 
-/// A dense-output stepper; make(tolerance) makes it.
-template <auto make, Ode P>
+/// A dense-output stepper; make(tolerance) makes it, `order` is that of its first step.
+template <auto make, int order, Ode P>
 Outcome run_dense(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
     auto stepper = make(request.tolerance);
     State<P> y = start_of(contest);
-    walk_dense(stepper, System<P>{&problem}, contest.t0, request, y, outcome);
+    walk_dense(stepper, System<P>{&problem}, contest.t0,
+               first_step(problem, contest, y, order, request), request, y, outcome);
   });
 }
 

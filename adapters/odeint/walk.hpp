@@ -36,15 +36,14 @@ void walk_fixed(double t0, const Request& request, Y& y, Outcome& outcome, Step&
 }
 
 /// Runs a controlled stepper like integrate_adaptive, but with a smallest step, and keeping the
-/// step size across a stop.
+/// step size across a stop. `h` is the first step, which odeint has no rule for.
 template <class Controlled, class System, class Y>
-void walk_controlled(Controlled& stepper, System system, double t, const Request& request, Y& y,
-                     Outcome& outcome) {
-  double h = first_step(t, request);
+void walk_controlled(Controlled& stepper, System system, double t, double h, const Request& request,
+                     Y& y, Outcome& outcome) {
   for (const double stop : request.stops) {
     while (t < stop) {
       outcome.t = t;
-      if (!step_is_large_enough(h, t, stop, outcome)) return;
+      if (!step_is_large_enough(h, t, outcome)) return;
       const bool last = t + h >= stop - smallest_step(t, stop);
       double proposed = last ? stop - t : h;
       if (stepper.try_step(system, y, t, proposed) == boost::numeric::odeint::success) {
@@ -63,15 +62,15 @@ void walk_controlled(Controlled& stepper, System system, double t, const Request
 /// Runs a dense-output stepper: stops are interpolated, only the last step is shortened to end at
 /// the horizon. It does not report rejected steps.
 template <class Dense, class System, class Y>
-void walk_dense(Dense& stepper, System system, double t0, const Request& request, Y& y,
-                Outcome& outcome) {
+void walk_dense(Dense& stepper, System system, double t0, double first_step, const Request& request,
+                Y& y, Outcome& outcome) {
   const double horizon = request.stops.back();
-  stepper.initialize(y, t0, first_step(t0, request));
+  stepper.initialize(y, t0, first_step);
   for (const double stop : request.stops) {
     while (stepper.current_time() < stop - smallest_step(t0, stop)) {
       const double t = stepper.current_time(), h = stepper.current_time_step();
       outcome.t = t;
-      if (!step_is_large_enough(h, t, stop, outcome)) return;
+      if (!step_is_large_enough(h, t, outcome)) return;
       if (t + h > horizon) stepper.initialize(Y(stepper.current_state()), t, horizon - t);
       stepper.do_step(system);
       ++outcome.counters.steps;

@@ -34,6 +34,12 @@ TEST(Gsl, ErrorFallsWithTolerance) {
   }
 }
 
+TEST(Gsl, AFastStartIsNoObstacleToALongHorizon) {
+  std::vector<Entrant> entrants;
+  adapters::gsl::enroll(contest_of(Approach{}, {2}), entrants);
+  expect_long_horizon(entrants, {"msbdf", "bsimp", "rk4imp"});
+}
+
 struct Expected {
   const char* method;
   double order;
@@ -70,6 +76,20 @@ TEST(Gsl, DenseMatricesHaveALimit) {
   adapters::gsl::enroll(contest_of(Wide{}, std::vector<double>(Wide{}.size(), 1)), entrants);
   EXPECT_EQ(find(entrants, "rk4imp").solve(fixed_request(8)).status, Status::over_budget);
   EXPECT_EQ(find(entrants, "rk4").solve(fixed_request(8)).status, Status::ok);
+}
+
+/// No unknowns: the library's answer to a vector of length 0 is its error handler, which aborts.
+struct Nothing {
+  static constexpr std::size_t dimension = dynamic;
+  std::size_t size() const { return 0; }
+  void rhs(double, const double*, double*) const {}
+};
+
+TEST(Gsl, NoUnknownsAreRefused) {
+  std::vector<Entrant> entrants;
+  adapters::gsl::enroll(contest_of(Nothing{}, {}), entrants);
+  for (const Entrant& entrant : entrants)
+    EXPECT_EQ(entrant.solve(adaptive_request(1e-6)).status, Status::refused) << entrant.info.method;
 }
 
 struct Decay {

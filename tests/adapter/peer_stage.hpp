@@ -46,6 +46,14 @@ struct Circle {
   }
 };
 
+/// y' = -1e5 (y - 1) from y = 2, which asks for first steps of some 1e-8.
+struct Approach {
+  static constexpr std::size_t dimension = 1;
+  static constexpr double rate = 1e5;
+  void rhs(double, const double* y, double* dydt) const { dydt[0] = -rate * (y[0] - 1); }
+  void jacobian(double, const double*, double* j) const { j[0] = -rate; }
+};
+
 /// More unknowns than the limit for dense matrices, and no Jacobian.
 struct Wide {
   static constexpr std::size_t dimension = dynamic;
@@ -154,6 +162,20 @@ inline void expect_honest(const Entrant& entrant,
       EXPECT_NE(blown.status, Status::ok);
       EXPECT_FALSE(blown.detail.empty());
     }
+  }
+}
+
+/// That these solvers go from the start of Approach to t = 1e9, whose rounding is over 1e-7.
+inline void expect_long_horizon(const std::vector<Entrant>& entrants,
+                                const std::vector<std::string>& methods) {
+  Request request = adaptive_request(1e-6);
+  request.stops = {1e9};
+  request.budget.evaluations = 100'000;
+  for (const std::string& method : methods) {
+    const Outcome outcome = find(entrants, method).solve(request);
+    ASSERT_EQ(outcome.status, Status::ok) << method << ": " << outcome.detail;
+    // The equilibrium is attractive: what is left of local errors is some ten tolerances.
+    EXPECT_NEAR(outcome.states.back(), 1, 1e-5) << method;
   }
 }
 
