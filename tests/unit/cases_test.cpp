@@ -291,8 +291,7 @@ TEST(Reference, IsTheTruthOfACase) {
         EXPECT_GE(1.05 * claimed, absolute > 1e-25 ? absolute : 0) << name << " at t = " << t;
       };
       granted(found->stops, found->truth.floor);
-      if (!found->settings.timed_stops.empty())
-        granted(found->settings.timed_stops, found->settings.timed_floor);
+      granted(found->timed_stops(), found->timed_floor());
     }
   }
 }
