@@ -113,7 +113,7 @@ void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
                    const Request& request, std::vector<double>& y, Outcome& outcome) {
   for (const double stop : request.stops) {
     const int error = gsl_odeiv2_driver_apply(&driver, &t, stop, y.data());
-    outcome.counters.steps = driver.e->count - driver.e->failed_steps;
+    outcome.counters.steps += driver.n;  // of this call, accepted
     outcome.counters.rejected_steps = driver.e->failed_steps;
     if (error != GSL_SUCCESS)
       return fail(outcome, error == GSL_EMAXITER ? Status::over_budget : Status::step_too_small,
