@@ -53,7 +53,7 @@ class ForceEngine final : public ClassicEngine {
     body().m_cfg.piterations = 0;  // otherwise velocities are recomputed from positions
   }
 
-  bool exert(double t, Guard& guard) override {
+  void exert(double t, Guard& guard) override {
     const auto& nodes = body().m_nodes;
     const auto node = [&](std::size_t i) -> const btSoftBody::Node& {
       return nodes[static_cast<int>(i)];
@@ -67,12 +67,11 @@ class ForceEngine final : public ClassicEngine {
       for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; ++column)
           a_[i + row] += medium_[3 * row + column] * v_[i + column];
-    if (!guard.inspect(t, a_.data(), n_)) return false;
+    guard.inspect(t, a_.data(), n_);
     for (std::size_t i = 0; i < n_ / 3; ++i)
       if (node(i).m_im > 0)
         body().addForce(btVector3(a_[3 * i], a_[3 * i + 1], a_[3 * i + 2]) / node(i).m_im,
                         static_cast<int>(i));
-    return true;
   }
 
  private:

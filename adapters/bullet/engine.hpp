@@ -16,8 +16,8 @@ namespace odeum::adapters::bullet {
 class Engine {
  public:
   virtual ~Engine() = default;
-  /// Applies to the nodes the forces that the adapter computes. False: the guard tripped.
-  virtual bool exert(double /*t*/, Guard&) { return true; }
+  /// Applies to the nodes the forces that the adapter computes.
+  virtual void exert(double /*t*/, Guard&) {}
   /// One step of h seconds. False: Bullet did not step, since h is below its SIMD_EPSILON.
   virtual bool step(double h) = 0;
   virtual const btSoftBody& body() const = 0;

@@ -142,7 +142,8 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (std::uint64_t& i = outcome.counters.steps; i < grid.index_of(stop); ++i) {
       outcome.t = grid.t(i);
-      if (!guard.admit() || !engine->exert(outcome.t, guard)) return outcome;
+      if (!guard.admit()) return outcome;
+      engine->exert(outcome.t, guard);
       if (!engine->step(grid.h())) {
         outcome.status = Status::step_too_small;
         outcome.detail = fmt::format("Bullet ignores steps below SIMD_EPSILON, h = {}", grid.h());

@@ -104,6 +104,7 @@ void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, cons
                                      method.name, grid.t(i));
         return;
       }
+      if (!is_finite(y.data(), y.size())) return outcome.record(grid.t(i), y.data(), y.size());
     }
     outcome.record(request.stops[stop], y.data(), y.size());
   }

@@ -21,7 +21,16 @@ void record(Outcome& outcome, double t, const std::pair<Q, V>& y) {
   record(outcome, t, y.second);
 }
 
-/// Makes exactly request.steps calls of step(y, t, h).
+template <class Y>
+bool finite(const Y& y) {
+  return is_finite(&y[0], y.size());
+}
+template <class Q, class V>
+bool finite(const std::pair<Q, V>& y) {
+  return finite(y.first) && finite(y.second);
+}
+
+/// Makes exactly request.steps calls of step(y, t, h); fewer where the state is no longer finite.
 template <class Y, class Step>
 void walk_fixed(double t0, const Request& request, Y& y, Outcome& outcome, Step&& step) {
   const FixedGrid grid(t0, request);
@@ -30,6 +39,7 @@ void walk_fixed(double t0, const Request& request, Y& y, Outcome& outcome, Step&
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
       outcome.t = grid.t(i);
       step(y, outcome.t, grid.h());
+      if (grid.checks(i) && !finite(y)) return record(outcome, outcome.t, y);
     }
     record(outcome, request.stops[stop], y);
   }

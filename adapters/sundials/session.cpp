@@ -93,6 +93,8 @@ void Session::run_fixed(Outcome& outcome) {
       // The library accumulates its time with rounding errors; a larger deviation is a wrong step.
       if (std::abs(t_ - grid.t(i + 1)) > 1e-3 * grid.h())
         throw Failure{CV_ILL_INPUT, "stepping, which did not end on the grid"};
+      if (!is_finite(state_.data(), state_.size()))
+        return outcome.record(grid.t(i), state_.data(), state_.size());
     }
     outcome.record(request_.stops[stop], state_.data(), state_.size());
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "odeum/control/embedded_pair.hpp"
+#include "odeum/control/one_step.hpp"
 #include "odeum/kernel/dense_output.hpp"
 #include "odeum_methods.hpp"
 #include "support/order.hpp"

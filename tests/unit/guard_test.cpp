@@ -27,39 +27,41 @@ struct TurnsBad {
   }
 };
 
-TEST(Guard, LatchesTheFirstNonFiniteValueWithItsTimeAndComponent) {
+TEST(Guard, RemembersTheFirstNonFiniteValueAndLetsTheRunGoOn) {
   for (const auto& [bad, name] : {std::pair{nan, "nan"}, {inf, "inf"}, {-inf, "-inf"}}) {
     const TurnsBad problem{bad};
     GuardedView guarded(view_of(problem), Budget{});
     const double y[] = {1, 2, 3};
     double dydt[3];
     EXPECT_EQ(guarded.rhs(0.5, y, dydt), 0);
+    EXPECT_EQ(guarded.guard().first_non_finite(), "");
+    EXPECT_EQ(guarded.rhs(1.25, y, dydt), 0) << "the step may still be rejected";
+    EXPECT_EQ(guarded.rhs(3, y, dydt), 0);
     EXPECT_FALSE(guarded.guard().tripped());
-    EXPECT_EQ(guarded.rhs(1.25, y, dydt), 1);
-    EXPECT_EQ(guarded.rhs(3, y, dydt), 1) << "stays tripped";
-    EXPECT_EQ(guarded.guard().status(), Status::non_finite);
-    EXPECT_EQ(guarded.guard().detail(),
+    EXPECT_EQ(guarded.guard().first_non_finite(),
               std::string("right-hand side component 1 is ") + name + " at t = 1.25");
-    EXPECT_EQ(guarded.guard().rhs_evaluations(), 2U) << "none after it tripped";
+    EXPECT_EQ(guarded.guard().rhs_evaluations(), 3U);
   }
 }
 
 TEST(Guard, LargeFiniteValuesAreNotNonFinite) {
   Guard guard(2, Budget{});
   const double values[] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  EXPECT_TRUE(guard.inspect(0, values));
-  EXPECT_FALSE(guard.tripped());
+  EXPECT_TRUE(guard.inspect(0, values, 2));
+  EXPECT_EQ(guard.first_non_finite(), "");
 }
 
-TEST(Guard, GuardedProblemReadsZeroOnceTripped) {
+TEST(Guard, GuardedProblemReadsZeroOnceTheBudgetIsSpent) {
   const TurnsBad problem;
-  Guard guard(3, Budget{});
+  Guard guard(3, Budget{.evaluations = 1});
   const Guarded<TurnsBad> guarded(problem, guard);
   const double y[] = {1, 2, 3};
   double dydt[3] = {};
-  guarded.rhs(1.5, y, dydt);
-  EXPECT_TRUE(guarded.tripped());
   guarded.rhs(0, y, dydt);
+  EXPECT_FALSE(guarded.tripped());
+  EXPECT_EQ(dydt[2], 3);
+  guarded.rhs(0, y, dydt);
+  EXPECT_TRUE(guarded.tripped());
   for (const double d : dydt) EXPECT_EQ(d, 0);
 }
 
@@ -68,8 +70,11 @@ TEST(Guard, AllowsAsManyEvaluationsAsTheBudgetAndNoMore) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(guard.admit()) << i;
   EXPECT_FALSE(guard.tripped()) << "a solve that needs exactly the budget is within it";
   EXPECT_FALSE(guard.admit());
-  EXPECT_EQ(guard.status(), Status::over_budget);
-  EXPECT_NE(guard.detail().find("3 evaluations"), std::string::npos) << guard.detail();
+  EXPECT_TRUE(guard.tripped());
+  Outcome outcome;
+  guard.conclude(fixed_request(1, {1}), outcome);
+  EXPECT_EQ(outcome.status, Status::over_budget);
+  EXPECT_NE(outcome.detail.find("3 evaluations"), std::string::npos) << outcome.detail;
   EXPECT_EQ(guard.rhs_evaluations(), 3U);
 }
 
@@ -79,8 +84,10 @@ TEST(Guard, KeepsTheTimeLimit) {
   int admitted = 0;
   while (admitted < 10'000 && guard.admit()) ++admitted;
   EXPECT_LT(admitted, 2048) << "the clock is read once in 1024 evaluations";
-  EXPECT_EQ(guard.status(), Status::over_budget);
-  EXPECT_NE(guard.detail().find("0.001 s"), std::string::npos) << guard.detail();
+  Outcome outcome;
+  guard.conclude(fixed_request(1, {1}), outcome);
+  EXPECT_EQ(outcome.status, Status::over_budget);
+  EXPECT_NE(outcome.detail.find("0.001 s"), std::string::npos) << outcome.detail;
 }
 
 /// A library's report after two stops of a problem of two components.
@@ -112,24 +119,32 @@ TEST(Guard, ConcludeBelievesOnlyAFiniteStateAtTheEnd) {
   }
 }
 
-TEST(Guard, ConcludeOutranksTheSolverAndKeepsItsFailures) {
+TEST(Guard, ConcludeKeepsAFailureAndAddsTheFirstNonFiniteValue) {
   const Request request = fixed_request(4, {1, 2});
-  Guard tripped(2, Budget{});
+  Guard guard(2, Budget{.evaluations = 1});
   const double bad[] = {1, inf};
-  EXPECT_FALSE(tripped.inspect(0.75, bad));
-  for (const Status claimed : {Status::ok, Status::newton_failed, Status::step_too_small}) {
-    Outcome outcome = claim({1, 2, 3, 4}, 2);
-    outcome.status = claimed;
-    tripped.conclude(request, outcome);
-    EXPECT_EQ(outcome.status, Status::non_finite);
-    EXPECT_EQ(outcome.detail, "right-hand side component 1 is inf at t = 0.75");
-  }
+  EXPECT_FALSE(guard.inspect(0.75, bad, 2));
+  const std::string first =
+      "; first non-finite value: right-hand side component 1 is inf at t = 0.75";
+  Outcome good = claim({1, 2, 3, 4}, 2);
+  guard.conclude(request, good);
+  EXPECT_EQ(good.status, Status::ok) << "the value was in a step that was repeated";
+  EXPECT_EQ(good.detail, "");
   Outcome failed = claim({}, 0.5);
   failed.status = Status::newton_failed;
   failed.detail = "why";
-  Guard(2, Budget{}).conclude(request, failed);
+  guard.conclude(request, failed);
   EXPECT_EQ(failed.status, Status::newton_failed);
-  EXPECT_EQ(failed.detail, "why");
+  EXPECT_EQ(failed.detail, "why" + first);
+  EXPECT_TRUE(guard.admit());
+  EXPECT_FALSE(guard.admit());
+  for (const Status claimed : {Status::ok, Status::newton_failed, Status::step_too_small}) {
+    Outcome outcome = claim({1, 2, 3, 4}, 2);
+    outcome.status = claimed;
+    guard.conclude(request, outcome);
+    EXPECT_EQ(outcome.status, Status::over_budget) << "outranks the solver";
+    EXPECT_NE(outcome.detail.find("1 evaluation"), std::string::npos) << outcome.detail;
+  }
 }
 
 TEST(FixedGrid, EndsExactlyAtTheHorizonAndKnowsItsStops) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/control/embedded_pair.hpp"
+#include "odeum/control/one_step.hpp"
 #include "support/second_order_methods.hpp"
 
 namespace odeum::tests {

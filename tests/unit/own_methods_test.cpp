@@ -33,10 +33,14 @@ TEST(OwnMethods, ReportANonFiniteRightHandSideWithItsTimeAndComponent) {
         SCOPED_TRACE(entrant.info.id() + " " + to_string(mode) + " " + name);
         const Outcome outcome = entrant.solve(mode == Mode::fixed ? fixed_request(10, {1})
                                                                   : adaptive_request(1e-5, {1}));
-        EXPECT_EQ(outcome.status, Status::non_finite);
+        // The state of an explicit method is not finite; Newton's method fails; steps shrink.
+        EXPECT_TRUE(mode == Mode::adaptive ? outcome.status == Status::step_too_small
+                                           : outcome.status == Status::non_finite ||
+                                                 outcome.status == Status::newton_failed)
+            << to_string(outcome.status);
         const std::string expected =
-            std::string("right-hand side component 1 is ") + name + " at t = ";
-        EXPECT_EQ(outcome.detail.substr(0, expected.size()), expected);
+            std::string("first non-finite value: right-hand side component 1 is ") + name;
+        EXPECT_NE(outcome.detail.find(expected), std::string::npos) << outcome.detail;
         const double t = time_in(outcome.detail);
         EXPECT_GT(t, 0.3);
         EXPECT_LE(t, mode == Mode::fixed ? 0.4 + 1e-12 : 1);  // in the step that meets it first
@@ -51,8 +55,9 @@ TEST(OwnMethods, ReportAStartThatIsBadAtOnce) {
   for (const Entrant& entrant : own_methods_on({bad_after<0>, one, one}, 5, {1, 0})) {
     if (!entrant.info.fixed) continue;
     const Outcome outcome = entrant.solve(fixed_request(10, {6}));
-    EXPECT_EQ(outcome.status, Status::non_finite) << entrant.info.id();
-    EXPECT_EQ(outcome.t, 5) << entrant.info.id();
+    EXPECT_TRUE(outcome.status == Status::non_finite || outcome.status == Status::newton_failed)
+        << entrant.info.id() << to_string(outcome.status);
+    EXPECT_NE(outcome.detail.find("is nan at t = 5"), std::string::npos) << outcome.detail;
   }
 }
 

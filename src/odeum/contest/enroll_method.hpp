@@ -6,29 +6,12 @@
 
 #include "odeum/contest/own_methods.hpp"
 #include "odeum/contest/shared_contest.hpp"
-#include "odeum/control/embedded_pair.hpp"
-#include "odeum/control/fixed_step.hpp"
-#include "odeum/control/step_doubling.hpp"
+#include "odeum/control/run_method.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/kernel/method.hpp"
 
 namespace odeum {
-
-namespace detail {
-/// The least that a problem can be, to ask a method what it has.
-struct AnyProblem {
-  static constexpr std::size_t dimension = 1;
-  void rhs(double, const double*, double*) const {}
-};
-}  // namespace detail
-
-/// A method that brings the whole of its adaptive run, see kernel/method.hpp.
-template <class M>
-concept ChoosesItsOwnSteps = requires(const Guarded<detail::AnyProblem>& problem,
-                                      const State<detail::AnyProblem>& y, const Request& request) {
-  { M::integrate(problem, 0.0, y, request) } -> std::same_as<Outcome>;
-};
 
 /// What a method's file says about it, as any library's solver says it.
 template <class M>
@@ -58,13 +41,6 @@ SolverInfo info_of_own() {
   return info;
 }
 
-inline Outcome refusal(const char* why) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  outcome.detail = why;
-  return outcome;
-}
-
 /// Solves with method M; the type of the problem is known down to the innermost loop.
 template <class M, Ode P>
 Outcome solve_own(const Contest<P>& contest, const Request& request) {
@@ -72,25 +48,7 @@ Outcome solve_own(const Contest<P>& contest, const Request& request) {
   const Guarded<P> problem(*contest.problem, guard);
   State<P> y0 = make_state(*contest.problem);
   std::copy(contest.y0->begin(), contest.y0->end(), y0.begin());
-  Outcome outcome;
-  if (request.mode == Mode::fixed) {
-    if constexpr (M::info.fixed_step)
-      outcome =
-          run_fixed<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0, request);
-    else
-      outcome = refusal("chooses its own steps only");
-  } else if constexpr (ChoosesItsOwnSteps<M>) {
-    outcome = M::integrate(problem, contest.t0, y0, request);
-  } else if constexpr (M::info.order_embedded != 0) {
-    outcome = run_embedded_pair<typename M::template Stepper<Guarded<P>>,
-                                typename ControlFor<M::info.control>::type>(
-        problem, contest.t0, y0, request, std::min(M::info.order, M::info.order_embedded));
-  } else if constexpr (M::info.one_step) {
-    outcome = run_step_doubling<typename M::template Stepper<Guarded<P>>>(problem, contest.t0, y0,
-                                                                          request, M::info.order);
-  } else {
-    outcome = refusal("runs at a fixed step only");
-  }
+  Outcome outcome = run_method<M>(problem, contest.t0, y0, request);
   guard.conclude(request, outcome);
   return outcome;
 }

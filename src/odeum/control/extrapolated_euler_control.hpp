@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "odeum/control/adaptive.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
@@ -28,20 +29,20 @@ class ExtrapolatedEulerControl {
     for (std::size_t j = 1; j < columns; ++j) work_[j] = work_[j - 1] + substeps(j) + 2;
   }
 
-  Status operator()(double t, double h, const State<P>& y, State<P>& y_new, double& error) {
+  Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     if (moved_) {
       table_.linearise(t, y);
       moved_ = false;
     }
     for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
     used_ = 0;
-    double before = 0;
+    double error = 0, before = 0;
     for (std::size_t j = 0; j <= std::min(target_ + 1, last); ++j) {
       double contraction = 0;
-      if (!table_.add_row(j, t, h, y, contraction) || !(contraction <= 1)) return unusable();
+      if (!table_.add_row(j, t, h, y, contraction) || !(contraction <= 1)) return unusable(h);
       if (j == 0) continue;
       error = difference(j);
-      if (!std::isfinite(error) || (j > 1 && error > before && error > 1)) return unusable();
+      if (!std::isfinite(error) || (j > 1 && error > before && error > 1)) return unusable(h);
       before = std::max(4 * error, 1.0);
       used_ = j;
       const double factor =
@@ -55,47 +56,38 @@ class ExtrapolatedEulerControl {
       if (j == target_ && error > 2 * (n + 1)) break;
     }
     y_new = table_.column(used_);
-    return Status::ok;
-  }
-
-  Decision decide(double h, double error) {
-    Decision decision{error <= 1, h};
-    if (decision.accept) {
-      accepted(h, decision.next_step);
-      first_ = rejected_ = false;
-      moved_ = true;
-    } else {
-      target_ = std::min({target_, used_, last - 1});
-      if (target_ > 2 && cost_[target_ - 1] < 0.7 * cost_[target_]) --target_;
-      target_ = std::max(target_, std::size_t{1});
-      decision.next_step = std::min(step_[std::max(target_, std::size_t{1})], 0.8 * h);
-      rejected_ = true;
-    }
-    return decision;
+    return error <= 1 ? accept(h) : reject(h);
   }
 
  private:
   static constexpr std::size_t columns = ExtrapolatedEulerTable<P>::max_columns, last = columns - 1;
 
-  Status unusable() {
+  Decision unusable(double h) {
     rejected_ = true;
-    return Status::newton_failed;
+    return {false, h / 4};
   }
-
-  void accepted(double h, double& next) {
+  Decision reject(double h) {
+    target_ = std::min({target_, used_, last - 1});
+    if (target_ > 2 && cost_[target_ - 1] < 0.7 * cost_[target_]) --target_;
+    target_ = std::max(target_, std::size_t{1});
+    rejected_ = true;
+    return {false, std::min(step_[target_], 0.8 * h)};
+  }
+  Decision accept(double h) {
+    first_ = false;
+    moved_ = true;
     const std::size_t k = used_;
     std::size_t best = k;
     if (k >= 2 && cost_[k - 1] < 0.7 * cost_[k])
       best = k - 1;
     else if (k == 1 || cost_[k] < 0.9 * cost_[k - 1])
       best = std::min(k + 1, last - 1);
-    if (rejected_) {
+    if (std::exchange(rejected_, false)) {
       target_ = std::max(std::min(best, k), std::size_t{1});
-      next = std::min(h, step_[target_]);
-      return;
+      return {true, std::min(h, step_[target_])};
     }
-    next = best <= k ? step_[best] : step_[k] * work_[best] / work_[k];
     target_ = std::max(best, std::size_t{2});
+    return {true, best <= k ? step_[best] : step_[k] * work_[best] / work_[k]};
   }
 
   double difference(std::size_t j) const {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
+#include <string>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "odeum/core/guarded.hpp"
@@ -8,32 +12,34 @@
 namespace odeum {
 
 /// Runs a stepper over t_i = t0 + i h, recording the state at every stop; refused where a stop is
-/// not on that grid.
+/// not on that grid. A state that is not finite ends the run.
 template <class Stepper, Ode P>
 Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
                   const Request& request) {
   Outcome outcome;
   const FixedGrid grid(t0, request);
-  if (!grid.fits()) {
-    outcome.status = Status::refused;
-    outcome.detail = fmt::format("a stop is not on the grid of steps of {}", grid.h());
-    outcome.t = t0;
+  std::uint64_t i = 0;
+  const auto stopped = [&](Status status, std::string why) {
+    outcome.status = status;
+    outcome.detail = std::move(why);
+    outcome.t = grid.t(i);
+    outcome.counters.steps = i;
     return outcome;
-  }
+  };
+  if (!grid.fits())
+    return stopped(Status::refused,
+                   fmt::format("a stop is not on the grid of steps of {}", grid.h()));
   Stepper stepper(problem);
   State<P> y = y0;
   if constexpr (requires { stepper.start(t0, grid.h(), y); }) stepper.start(t0, grid.h(), y);
-  std::uint64_t i = 0;
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
-      outcome.status = stepper.step(grid.t(i), grid.h(), y);
-      if (outcome.status != Status::ok || problem.tripped()) {
-        outcome.t = grid.t(i);
-        if (outcome.status != Status::ok)
-          outcome.detail = fmt::format("{} at t = {}", to_string(outcome.status), outcome.t);
-        outcome.counters.steps = i;
-        return outcome;
-      }
+      const Status status = stepper.step(grid.t(i), grid.h(), y);
+      if (status != Status::ok || problem.tripped())
+        return stopped(status, fmt::format("{} at t = {}", to_string(status), grid.t(i)));
+      if ((grid.checks(i) || i + 1 == end) && !is_finite(y.data(), y.size()))
+        return stopped(Status::non_finite,
+                       fmt::format("the state is not finite after t = {}", grid.t(i)));
     }
     outcome.record(request.stops[stop], y.data(), y.size());
   }

@@ -8,9 +8,7 @@
 namespace odeum {
 
 bool Guard::exhaust(std::string why) {
-  tripped_ = true;
-  status_ = Status::over_budget;
-  detail_ = std::move(why);
+  exhausted_ = std::move(why);
   return false;
 }
 
@@ -24,25 +22,28 @@ bool Guard::may_go_on() {
   return true;
 }
 
-bool Guard::latch(double t, const double* values, std::size_t n, std::size_t first) {
-  tripped_ = true;
-  status_ = Status::non_finite;
+void Guard::describe(double t, const double* values, std::size_t n, std::size_t first) {
   for (std::size_t i = 0; i < n; ++i) {
     if (std::isfinite(values[i])) continue;
-    detail_ = fmt::format("right-hand side component {} is {} at t = {}", first + i, values[i], t);
-    break;
+    first_non_finite_ =
+        fmt::format("right-hand side component {} is {} at t = {}", first + i, values[i], t);
+    return;
   }
-  return false;
 }
 
 void Guard::conclude(const Request& request, Outcome& outcome) const {
   outcome.counters.rhs_evaluations = rhs_evaluations_;
   outcome.counters.jacobian_evaluations = jacobian_evaluations_;
   outcome.counters.work = spent();
-  if (tripped_) {
-    outcome.status = status_;
-    outcome.detail = detail_;
-    return;
+  judge(request, outcome);
+  if (outcome.status != Status::ok && !first_non_finite_.empty())
+    outcome.detail += "; first non-finite value: " + first_non_finite_;
+}
+
+void Guard::judge(const Request& request, Outcome& outcome) const {
+  if (tripped()) {
+    outcome.status = Status::over_budget;
+    outcome.detail = exhausted_;
   }
   if (outcome.status != Status::ok) return;
   for (std::size_t i = 0; i < outcome.states.size(); ++i) {

@@ -10,8 +10,9 @@
 
 namespace odeum {
 
-/// Watches every evaluation of a right-hand side: counts it, keeps the budget, and latches the
-/// first non-finite value with its time and component. One guard serves one solve.
+/// Watches every evaluation of a right-hand side: counts it, keeps the budget, and remembers the
+/// first non-finite value with its time and component. Such a value does not end a run: a solver
+/// may reject the step that it came from. It explains a run that fails. One guard serves one solve.
 class Guard {
  public:
   Guard(std::size_t dimension, const Budget& budget)
@@ -20,9 +21,9 @@ class Guard {
   /// Whether to watch at all: not in a timed run.
   bool watches() const { return budget_.watched; }
 
-  /// To be called before an evaluation. False: stop, `tripped()` says why.
+  /// To be called before an evaluation. False: the budget is spent, stop.
   bool admit() {
-    if (tripped_) return false;
+    if (tripped()) return false;
     // Looking at the clock costs more than a small right-hand side: do it rarely.
     const bool look = spent() >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
     if (look && !may_go_on()) return false;
@@ -30,27 +31,25 @@ class Guard {
     return true;
   }
 
-  /// To be called after an evaluation. False: a component is not finite.
-  bool inspect(double t, const double* dydt) { return inspect(t, dydt, dimension_); }
-  /// The same for n components from number `first` on: an acceleration is the second half.
+  /// To be called after an evaluation with its values, of n components from number `first` on (an
+  /// acceleration is the second half). False: one is not finite.
   bool inspect(double t, const double* values, std::size_t n, std::size_t first = 0) {
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += values[i] * 0.0;  // NaN when any is not finite
-    return sum == 0.0 || latch(t, values, n, first);
+    if (is_finite(values, n)) return true;
+    if (first_non_finite_.empty()) describe(t, values, n, first);
+    return false;
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }
   /// A product of the Jacobian with a vector is paid like an evaluation.
   void count_products(std::uint64_t count) { products_ += count; }
 
-  bool tripped() const { return tripped_; }
-  Status status() const { return status_; }
-  const std::string& detail() const { return detail_; }
+  bool tripped() const { return !exhausted_.empty(); }  ///< the budget is spent
+  const std::string& first_non_finite() const { return first_non_finite_; }  ///< empty: none
   std::uint64_t rhs_evaluations() const { return rhs_evaluations_; }
   std::uint64_t jacobian_evaluations() const { return jacobian_evaluations_; }
 
-  /// The last word on a solve. What the guard saw outranks what the library says; a success is
-  /// believed only if every stop was recorded, the end was reached and the states are finite.
+  /// The verdict on a solve. A spent budget overrides the library's status; a success is believed
+  /// only if every stop was recorded, the end was reached and the states are finite.
   void conclude(const Request& request, Outcome& outcome) const;
 
  private:
@@ -59,7 +58,8 @@ class Guard {
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool may_go_on();
   bool exhaust(std::string why);
-  bool latch(double t, const double* values, std::size_t n, std::size_t first);
+  void describe(double t, const double* values, std::size_t n, std::size_t first);
+  void judge(const Request& request, Outcome& outcome) const;
 
   std::size_t dimension_;
   Budget budget_;
@@ -67,12 +67,10 @@ class Guard {
   std::uint64_t rhs_evaluations_ = 0;
   std::uint64_t jacobian_evaluations_ = 0;
   std::uint64_t products_ = 0;
-  bool tripped_ = false;
-  Status status_ = Status::ok;
-  std::string detail_;
+  std::string exhausted_, first_non_finite_;
 };
 
-/// A guarded problem for C interfaces. The functions return 0, or 1 when the guard tripped.
+/// A guarded problem for C interfaces. The functions return 0, or 1 once the budget is spent.
 class GuardedView {
  public:
   GuardedView(const OdeView& view, const Budget& budget)
@@ -85,7 +83,8 @@ class GuardedView {
     }
     if (!guard_.admit()) return 1;
     view_.rhs(view_.problem, t, y, dydt);
-    return guard_.inspect(t, dydt) ? 0 : 1;
+    guard_.inspect(t, dydt, view_.dimension);
+    return 0;
   }
   /// Dense, row-major.
   int jacobian(double t, const double* y, double* j) {
@@ -110,7 +109,8 @@ class GuardedView {
   int acceleration(double t, const double* q, const double* v, double* a) {
     if (!guard_.admit()) return 1;
     view_.acceleration(view_.problem, t, q, v, a);
-    return guard_.inspect(t, a, view_.degrees_of_freedom, view_.degrees_of_freedom) ? 0 : 1;
+    guard_.inspect(t, a, view_.degrees_of_freedom, view_.degrees_of_freedom);
+    return 0;
   }
 
   const OdeView& view() const { return view_; }

@@ -24,7 +24,7 @@ class Guarded {
       problem_.rhs(t, y, dydt);
     } else if (guard_.admit()) {
       problem_.rhs(t, y, dydt);
-      guard_.inspect(t, dydt);
+      guard_.inspect(t, dydt, size());
     } else {
       for (std::size_t i = 0; i < size(); ++i) dydt[i] = 0;
     }
@@ -64,7 +64,7 @@ class Guarded {
     for (std::size_t i = n; i < n * static_cast<std::size_t>(order + 1); ++i) c[i] = 0;
     if (!admitted) return;
     problem_.taylor(t, y, order, c);
-    if (order > 0) guard_.inspect(t, c + n);
+    if (order > 0) guard_.inspect(t, c + n, n);
   }
   void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
   std::unique_ptr<ShiftedSolver> shifted_solver() const requires WithShiftedSolver<P> {

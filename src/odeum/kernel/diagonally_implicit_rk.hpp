@@ -3,7 +3,6 @@
 #include <array>
 #include <utility>
 
-#include "odeum/control/predictive.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/tableau/tableau.hpp"
 
@@ -37,6 +36,7 @@ class DiagonallyImplicitRungeKutta {
     k_.fill(base_);
   }
 
+  static constexpr bool keeps_factors = true;  ///< as long as h is the same
   /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
   void solve_to(double tolerance) { newton_.solve_to(tolerance, 0.02); }
 
@@ -105,33 +105,6 @@ class DiagonallyImplicitRungeKutta {
   State<P> base_, stage_;
 };
 
-/// The adaptive run of an implicit one-step method with an embedded estimate, whose Stepper has
-/// `solve_to`. `order` is that of the estimate. The step is kept where it would grow by little, so
-/// that the next step reuses the factors.
-template <class Stepper, Ode P>
-Outcome run_implicit_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
-                          const Request& request, int order) {
-  Stepper stepper(problem);
-  stepper.solve_to(request.tolerance);
-  State<P> error = make_state(problem);
-  PredictiveController controller(order);
-  const auto trial = [&](double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
-    y_new = y;
-    const Status status = stepper.step(t, h, y_new, error);
-    norm = scaled_error_norm(error, y, y_new, request.tolerance);
-    return status;
-  };
-  const auto decide = [&](double h, double norm) {
-    Decision decision = controller.decide(h, norm);
-    if (decision.accept && decision.next_step >= h && decision.next_step < 1.2 * h)
-      decision.next_step = h;
-    return decision;
-  };
-  const double first =
-      initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
-  return run_adaptive(problem, t0, y0, request, first, trial, decide);
-}
-
 /// Base of a method that is a diagonally implicit tableau and nothing else.
 template <const auto& T>
 struct DiagonallyImplicitMethod {
@@ -140,18 +113,6 @@ struct DiagonallyImplicitMethod {
   using Stepper = DiagonallyImplicitRungeKutta<T, P>;
   static double amplification(double re, double im) {
     return std::abs(stability_function(T, {re, im}));
-  }
-};
-
-/// The same with an embedded row.
-template <const auto& T>
-struct DiagonallyImplicitPair : DiagonallyImplicitMethod<T> {
-  static_assert(T.embedded());
-  template <class P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    using Stepper = DiagonallyImplicitRungeKutta<T, Guarded<P>>;
-    return run_implicit_pair<Stepper>(problem, t0, y0, request, std::min(T.order, T.order_hat));
   }
 };
 

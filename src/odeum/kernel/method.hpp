@@ -23,6 +23,7 @@
 /// and, where the method is not self-starting, `void start(double t, double h, const State<P>& y)`,
 /// called once before the first step; where it has an embedded row,
 /// `Status step(double t, double h, State<P>& y, State<P>& error)` with the error estimate.
+/// Adaptive runs then follow (control/one_step.hpp): by the embedded row, else by step doubling.
 ///
 /// A method that chooses its own steps (and possibly order) has in addition, or instead
 /// (`fixed_step = false`), a complete adaptive run from t0 through every stop of the request:
@@ -34,7 +35,7 @@
 namespace odeum {
 
 /// How an embedded pair chooses its steps, see control/step_control.hpp.
-enum class Control { integral, proportional_integral, dead_band };
+enum class Control { integral, proportional_integral, dead_band, predictive };
 
 struct MethodInfo {
   std::string_view id;

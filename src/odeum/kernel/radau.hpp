@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/control/predictive.hpp"
 #include "odeum/kernel/collocation_guess.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
 #include "odeum/kernel/quick_power.hpp"
@@ -17,13 +16,13 @@ namespace odeum {
 /// factors kept while it converges fast, and an error estimate of order S filtered by the matrix of
 /// the real system.
 template <const auto& T, Ode P>
-class RadauTrial {
+class RadauStepper {
  public:
   static constexpr std::size_t stages = T.stages;
   static_assert(stages % 2 == 1);
 
-  /// `tolerance`: bound on the estimate, see internal_tolerance.
-  RadauTrial(const P& problem, double tolerance, double newton_fraction)
+  /// `tolerance`: bound on the estimate; `newton_fraction` of it: bound on Newton's remainder.
+  RadauStepper(const P& problem, double tolerance, double newton_fraction)
       : problem_(problem),
         tolerance_(tolerance),
         newton_fraction_(newton_fraction),
@@ -35,20 +34,8 @@ class RadauTrial {
         moved_f_(f0_),
         guess_(problem, StageSystem<T, P>::nodes) {}
 
-  /// The estimate is of order S, the method of order 2S - 1: a step whose estimate meets the
-  /// tolerance is far more accurate than requested. Hence 0.03 tol^((S+1)/2S), as in Hairer's
-  /// codes, whose factor 0.1 misses loose tolerances.
-  static double internal_tolerance(double tolerance) {
-    return 0.03 * std::pow(tolerance, (stages + 1.0) / (2.0 * stages));
-  }
-  static double newton_fraction_for(double internal) {
-    constexpr double exponent = 2.0 * stages / (stages + 1.0) - 1;
-    return std::max(10 * std::numeric_limits<double>::epsilon() / internal,
-                    std::min(0.03, std::pow(internal, exponent)));
-  }
-
   /// y_new and the scaled error of a step of h from (t, y).
-  Status operator()(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
+  Status step(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
     if (moved_) {
       problem_.rhs(t, y.data(), f0_.data());
       for (std::size_t n = 0; n < y.size(); ++n)
@@ -166,38 +153,6 @@ class RadauTrial {
   int iterations_ = 0;
   bool moved_ = true, first_ = true, rejected_ = false;
   bool jacobian_wanted_ = true, jacobian_fresh_ = false;
-};
-
-/// Base of a Radau IIA method of 3 or 5 stages.
-template <const auto& T>
-struct RadauMethod : FullyImplicitMethod<T> {
-  template <Ode P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    using Trial = RadauTrial<T, Guarded<P>>;
-    const double tolerance = Trial::internal_tolerance(request.tolerance);
-    Trial trial(problem, tolerance, Trial::newton_fraction_for(tolerance));
-    constexpr int order = T.stages;
-    PredictiveController controller(order, 8);
-    const auto decide = [&](double h, double norm) {
-      // Many Newton iterations limit the growth of the step.
-      const double effort =
-          (1.0 + 2 * Trial::max_iterations) / (trial.iterations() + 2.0 * Trial::max_iterations);
-      Decision decision = controller.decide(h, norm / power(effort, order + 1));
-      decision.accept = norm < 1;
-      if (decision.accept) {
-        trial.accept(h);
-        // Kept where it would change by little, so that the next step reuses the factors.
-        if (decision.next_step >= h && decision.next_step < 1.2 * h) decision.next_step = h;
-      } else {
-        trial.reject();
-        decision.next_step = std::min(decision.next_step, 0.9 * h);
-      }
-      return decision;
-    };
-    const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
-    return run_adaptive(problem, t0, y0, request, first, trial, decide);
-  }
 };
 
 }  // namespace odeum

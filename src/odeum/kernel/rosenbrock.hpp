@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "odeum/control/predictive.hpp"
+#include "odeum/core/status.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/rosenbrock_tableau.hpp"
 
@@ -128,30 +128,6 @@ struct RosenbrockMethod {
   static double amplification(double re, double im) {
     static constexpr auto linear = T.linear_tableau();
     return std::abs(stability_function(linear, {re, im}));
-  }
-};
-
-/// The same with an embedded row.
-template <const auto& T>
-struct RosenbrockPair : RosenbrockMethod<T> {
-  static_assert(T.embedded());
-  template <class P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    constexpr int order = std::min(T.order, T.order_hat);
-    Rosenbrock<T, Guarded<P>> stepper(problem);
-    State<P> error = make_state(problem);
-    PredictiveController controller(order);
-    const auto trial = [&](double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
-      y_new = y;
-      const Status status = stepper.step(t, h, y_new, error);
-      norm = scaled_error_norm(error, y, y_new, request.tolerance);
-      return status;
-    };
-    const auto decide = [&](double h, double norm) { return controller.decide(h, norm); };
-    const double first =
-        initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
-    return run_adaptive(problem, t0, y0, request, first, trial, decide);
   }
 };
 

@@ -24,12 +24,12 @@ inline constexpr Tableau<6> esdirk43_tableau{
 };
 static_assert(proven<esdirk43_tableau>());
 
-struct esdirk43 : ForAnyProblem, DiagonallyImplicitPair<esdirk43_tableau> {
+struct esdirk43 : ForAnyProblem, DiagonallyImplicitMethod<esdirk43_tableau> {
   static constexpr MethodInfo info{.id = "esdirk43",
                                    .family = "implicit_rk",
                                    .order = esdirk43_tableau.order,
                                    .order_embedded = esdirk43_tableau.order_hat,
-                                   .controller = "embedded pair, predictive",
+                                   .control = Control::predictive,
                                    .source =
                                        "Kennedy, Carpenter, Appl. Numer. Math. 44 (2003) 139-181, "
                                        "table for ARK4(3)6L[2]SA-ESDIRK"};

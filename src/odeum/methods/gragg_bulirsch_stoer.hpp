@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/control/extrapolation_run.hpp"
+#include "odeum/control/extrapolation_control.hpp"
 #include "odeum/core/outcome.hpp"
 #include "odeum/kernel/extrapolation.hpp"
 #include "odeum/kernel/method.hpp"
@@ -42,7 +42,10 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
   template <class P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {
-    return run_extrapolation(problem, t0, y0, request);
+    ExtrapolationTrial<P> trial(problem, request.tolerance);
+    const double first =
+        initial_step(problem, t0, y0, request.stops.back(), trial.order(), request.tolerance);
+    return run_adaptive(problem, t0, y0, request, first, trial);
   }
 
   static double amplification(double re, double im) {

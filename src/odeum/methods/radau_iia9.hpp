@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/control/radau_control.hpp"
 #include "odeum/kernel/method.hpp"
-#include "odeum/kernel/radau.hpp"
 #include "odeum/tableau/collocation.hpp"
 #include "odeum/tableau/order_conditions.hpp"
 

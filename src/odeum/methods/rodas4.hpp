@@ -28,13 +28,13 @@ inline constexpr RosenbrockTableau<6> rodas4_tableau{
 };
 static_assert(rosenbrock_proven<4, 3>(rodas4_tableau, 1e-11));
 
-struct rodas4 : ForAnyProblem, RosenbrockPair<rodas4_tableau> {
+struct rodas4 : ForAnyProblem, RosenbrockMethod<rodas4_tableau> {
   static constexpr MethodInfo info{
       .id = "rodas4",
       .family = "linearly_implicit",
       .order = rodas4_tableau.order,
       .order_embedded = rodas4_tableau.order_hat,
-      .controller = "embedded pair, predictive",
+      .control = Control::predictive,
       .source = "Hairer, Wanner, Solving ODEs II, VI.4; coefficients of their code RODAS, set 1"};
   static constexpr bool inlined = true;
 };

@@ -40,12 +40,12 @@ inline constexpr RosenbrockTableau<8> rodas5p_tableau{
 };
 static_assert(rosenbrock_proven<5, 4>(rodas5p_tableau, 1e-11));
 
-struct rodas5p : ForAnyProblem, RosenbrockPair<rodas5p_tableau> {
+struct rodas5p : ForAnyProblem, RosenbrockMethod<rodas5p_tableau> {
   static constexpr MethodInfo info{.id = "rodas5p",
                                    .family = "linearly_implicit",
                                    .order = rodas5p_tableau.order,
                                    .order_embedded = rodas5p_tableau.order_hat,
-                                   .controller = "embedded pair, predictive",
+                                   .control = Control::predictive,
                                    .source = "Steinebach, BIT 63 (2023) 27, table 4"};
   static constexpr bool inlined = true;
 };

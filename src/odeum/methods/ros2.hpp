@@ -15,13 +15,13 @@ inline constexpr RosenbrockTableau<2> ros2_tableau =
                        {1. / 2, 1. / 2}, 2, {1, 0}, 1);
 static_assert(rosenbrock_proven<2, 1>(ros2_tableau));
 
-struct ros2 : ForAnyProblem, RosenbrockPair<ros2_tableau> {
+struct ros2 : ForAnyProblem, RosenbrockMethod<ros2_tableau> {
   static constexpr MethodInfo info{
       .id = "ros2",
       .family = "linearly_implicit",
       .order = ros2_tableau.order,
       .order_embedded = ros2_tableau.order_hat,
-      .controller = "embedded pair, predictive",
+      .control = Control::predictive,
       .source = "Verwer, Spee, Blom, Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456-1480, (2.6)"};
 };
 

@@ -20,12 +20,12 @@ inline constexpr Tableau<5> sdirk4_tableau{
 };
 static_assert(proven<sdirk4_tableau>());
 
-struct sdirk4 : ForAnyProblem, DiagonallyImplicitPair<sdirk4_tableau> {
+struct sdirk4 : ForAnyProblem, DiagonallyImplicitMethod<sdirk4_tableau> {
   static constexpr MethodInfo info{.id = "sdirk4",
                                    .family = "implicit_rk",
                                    .order = sdirk4_tableau.order,
                                    .order_embedded = sdirk4_tableau.order_hat,
-                                   .controller = "embedded pair, predictive",
+                                   .control = Control::predictive,
                                    .source = "Hairer, Wanner, Solving ODEs II, table IV.6.5"};
 };
 

@@ -24,10 +24,9 @@ struct seulex : ForAnyProblem {
   template <Ode P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {
-    ExtrapolatedEulerControl<Guarded<P>> control(problem, request.tolerance);
-    const auto decide = [&](double h, double error) { return control.decide(h, error); };
     const double first = initial_step(problem, t0, y0, request.stops.back(), 2, request.tolerance);
-    return run_adaptive(problem, t0, y0, request, first, control, decide);
+    return run_adaptive(problem, t0, y0, request, first,
+                        ExtrapolatedEulerControl<Guarded<P>>(problem, request.tolerance));
   }
 
   static double amplification(double re, double im) {

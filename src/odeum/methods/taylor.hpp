@@ -80,37 +80,37 @@ struct taylor {
     return radius * std::exp(-2 - 0.7 / (order - 1));
   }
 
+  /// Trial steps: the series at (t, y) says beforehand how long the step may be.
+  template <class P>
+  class Trial {
+   public:
+    Trial(const Guarded<P>& problem, double tolerance)
+        : problem_(problem),
+          order_(std::clamp(static_cast<int>(std::ceil(1 - std::log(tolerance) / 2)), 3,
+                            highest_taylor_order)),
+          c_((static_cast<std::size_t>(order_) + 1) * size_of(problem)) {}
+
+    double longest_step(double t, const State<P>& y) {
+      problem_.taylor(t, y.data(), order_, c_.data());
+      double finite = 0;  // NaN where a coefficient is not finite
+      for (const double x : c_) finite += x * 0;
+      return safe_step(c_, order_, y.size()) + finite;
+    }
+    Decision operator()(double, double h, const State<P>&, State<P>& y_new) const {
+      sum(c_, order_, h, y_new);
+      return {true, h};
+    }
+
+   private:
+    const Guarded<P>& problem_;
+    int order_;
+    std::vector<double> c_;
+  };
+
   template <class P>
   static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
                            const Request& request) {
-    const int order = std::clamp(static_cast<int>(std::ceil(1 - std::log(request.tolerance) / 2)),
-                                 3, highest_taylor_order);
-    const std::size_t n = y0.size();
-    std::vector<double> c((static_cast<std::size_t>(order) + 1) * n);
-    Outcome outcome;
-    State<P> y = y0;
-    double t = t0;
-    for (const double stop : request.stops) {
-      while (t < stop) {
-        outcome.t = t;
-        problem.taylor(t, y.data(), order, c.data());
-        if (problem.tripped()) return outcome;
-        const double h = safe_step(c, order, n);
-        const double smallest =
-            16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(stop));
-        if (!(h >= smallest)) {
-          outcome.status = Status::step_too_small;
-          outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h, t);
-          return outcome;
-        }
-        const bool last = t + h >= stop - smallest;
-        sum(c, order, last ? stop - t : h, y);
-        t = last ? stop : t + h;
-        ++outcome.counters.steps;
-      }
-      outcome.record(stop, y.data(), n);
-    }
-    return outcome;
+    return run_adaptive(problem, t0, y0, request, 0, Trial<P>(problem, request.tolerance));
   }
 
   static double amplification(double re, double im) {

@@ -21,12 +21,12 @@ inline constexpr Tableau<3> tr_bdf2_tableau{
 };
 static_assert(proven<tr_bdf2_tableau>());
 
-struct tr_bdf2 : ForAnyProblem, DiagonallyImplicitPair<tr_bdf2_tableau> {
+struct tr_bdf2 : ForAnyProblem, DiagonallyImplicitMethod<tr_bdf2_tableau> {
   static constexpr MethodInfo info{.id = "tr_bdf2",
                                    .family = "implicit_rk",
                                    .order = tr_bdf2_tableau.order,
                                    .order_embedded = tr_bdf2_tableau.order_hat,
-                                   .controller = "embedded pair, predictive",
+                                   .control = Control::predictive,
                                    .source =
                                        "Bank et al., IEEE Trans. CAD 4 (1985) 436-451; Hosea, "
                                        "Shampine, Appl. Numer. Math. 20 (1996) 21-37"};

@@ -98,41 +98,47 @@ class OrderAndStepControl {
   bool rejected_ = false;
 };
 
-/// An adaptive run of the extrapolated midpoint rule.
+/// Trial steps of the extrapolated midpoint rule.
 template <Ode P>
-Outcome run_extrapolation(const Guarded<P>& problem, double t0, const State<P>& y0,
-                          const Request& request) {
-  constexpr int lines = 10;  // up to order 20
-  ExtrapolationTable<Guarded<P>, lines> table(problem);
-  OrderAndStepControl<lines> control(request.tolerance);
-  State<P> difference = make_state(problem);
-  Decision decision{};
-  bool repeated = false;
-  const auto trial = [&](double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
-    if (repeated)
-      table.begin_again(h, control.wanted());
+class ExtrapolationTrial {
+ public:
+  ExtrapolationTrial(const Guarded<P>& problem, double tolerance)
+      : problem_(problem),
+        table_(problem),
+        control_(tolerance),
+        difference_(make_state(problem)),
+        tolerance_(tolerance) {}
+  int order() const { return 2 * control_.wanted(); }
+
+  Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
+    if (repeated_)
+      table_.begin_again(h, control_.wanted());
     else
-      table.begin(t, h, y, control.wanted());
-    table.add_line(0);
-    decision = control.attempt(h, [&](int line) {
-      if (problem.tripped()) return std::numeric_limits<double>::infinity();
-      if (!control.looks_at(line)) {
-        table.add_line(line);
+      table_.begin(t, h, y, control_.wanted());
+    table_.add_line(0);
+    const Decision decision = control_.attempt(h, [&](int line) {
+      if (problem_.tripped()) return std::numeric_limits<double>::infinity();
+      if (!control_.looks_at(line)) {
+        table_.add_line(line);
         return 0.0;
       }
-      table.add_line(line, &difference);
-      table.result(line, y_new);
-      return scaled_error_norm(difference, y, y_new, request.tolerance);
+      table_.add_line(line, &difference_);
+      table_.result(line, y_new);
+      return scaled_error_norm(difference_, y, y_new, tolerance_);
     });
-    table.result(control.line(), y_new);
-    norm = decision.accept ? 0 : 2;
-    return Status::ok;
-  };
-  const double first =
-      initial_step(problem, t0, y0, request.stops.back(), 2 * control.wanted(), request.tolerance);
-  return run_adaptive(
-      problem, t0, y0, request, first, trial, [&](double, double) { return decision; },
-      [&](bool accepted) { repeated = !accepted; });
-}
+    table_.result(control_.line(), y_new);
+    repeated_ = !decision.accept;
+    return decision;
+  }
+
+ private:
+  static constexpr int lines = 10;  // up to order 20
+  const Guarded<P>& problem_;
+  ExtrapolationTable<Guarded<P>, lines> table_;
+  OrderAndStepControl<lines> control_;
+  State<P> difference_;
+  double tolerance_;
+  bool repeated_ = false;
+};
 
 }  // namespace odeum

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "odeum/control/step_control.hpp"
+#include "odeum/kernel/radau.hpp"
+
+namespace odeum {
+
+/// Trial steps of a Radau IIA method under predictive control. The estimate is of order S, the
+/// method of order 2S - 1: a step whose estimate meets the tolerance is far more accurate than
+/// requested. Hence the estimate is held to 0.03 tol^((S+1)/2S), as in Hairer's codes, whose factor
+/// 0.1 misses loose tolerances.
+template <const auto& T, Ode P>
+class RadauTrial {
+ public:
+  static constexpr int order = T.stages;  ///< of the estimate
+
+  RadauTrial(const P& problem, double tolerance)
+      : tolerance_(0.03 * std::pow(tolerance, (order + 1.0) / (2.0 * order))),
+        stepper_(problem, tolerance_, newton_fraction()),
+        control_(order, 8) {}
+  double tolerance() const { return tolerance_; }
+
+  Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
+    double error = 0;
+    if (stepper_.step(t, h, y, y_new, error) != Status::ok || !std::isfinite(error))
+      return {false, h / 4};
+    // A step that took many iterations grows less.
+    constexpr int most = RadauStepper<T, P>::max_iterations;
+    const double effort = (1.0 + 2 * most) / (stepper_.iterations() + 2.0 * most);
+    Decision decision = control_(h, error / power(effort, order + 1));
+    decision.accept = error < 1;
+    if (decision.accept) {
+      stepper_.accept(h);
+      return without_small_growth(decision, h);
+    }
+    stepper_.reject();
+    return {false, std::min(decision.next_step, 0.9 * h)};
+  }
+
+ private:
+  double newton_fraction() const {
+    constexpr double exponent = 2.0 * order / (order + 1.0) - 1;
+    return std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_,
+                    std::min(0.03, std::pow(tolerance_, exponent)));
+  }
+
+  double tolerance_;
+  RadauStepper<T, P> stepper_;
+  PredictiveControl control_;
+};
+
+/// Base of a Radau IIA method of 3 or 5 stages.
+template <const auto& T>
+struct RadauMethod : FullyImplicitMethod<T> {
+  template <Ode P>
+  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+                           const Request& request) {
+    RadauTrial<T, Guarded<P>> trial(problem, request.tolerance);
+    const double first =
+        initial_step(problem, t0, y0, request.stops.back(), trial.order, trial.tolerance());
+    return run_adaptive(problem, t0, y0, request, first, trial);
+  }
+};
+
+}  // namespace odeum
