@@ -12,8 +12,8 @@
 
 #include "odeum/contest/case.hpp"
 
-/// A safety net under the adapters: programs against a library alone, as its users write them, on
-/// hard cases. What such a program solves, the adapter must solve at the same tolerance.
+/// Adapters against programs that use a library alone, written as its documentation shows, on hard
+/// cases: what such a program solves, the adapter must solve at the same tolerance.
 namespace odeum::test {
 
 /// Integrates a case to its horizon with one tolerance, relative and absolute. True where the
@@ -50,8 +50,8 @@ inline Outcome solve_adaptively(const Case& c, const Entrant& entrant, double to
   return entrant.solve(request);
 }
 
-/// Whether a program solves a case, and not by luck: Robertson's problem drifts off to negative
-/// concentrations, or not, as the last digits of a run have it (reports/findings/sundials.md), so
+/// Whether a program solves a case, and not by chance: Robertson's problem drifts to negative
+/// concentrations or not depending on the last digits of a run (reports/findings/sundials.md), so
 /// that initial states changed by 1e-10 must be solved as well.
 inline bool solves(const Program& program, const Case& c, double tolerance) {
   for (int change = 0; change < 5; ++change) {
@@ -80,7 +80,7 @@ inline void expect_no_worse_than_alone(const std::string& id, const Program& pro
   }
 }
 
-/// No hard case defeats a whole library: one of its solvers ends within a hundredth.
+/// On every hard case a solver of the library ends within an error of a hundredth.
 inline void expect_each_case_solved(const std::string& library) {
   for (const Case& c : hard_cases()) {
     double best = std::numeric_limits<double>::infinity();

@@ -11,24 +11,24 @@
 
 namespace odeum {
 
-/// The independent judge: the exact state at a time.
+/// The independent reference: the exact state at a time.
 struct Truth {
-  /// Fills the whole state at time t; false where this truth knows nothing at that time.
+  /// Fills the whole state at time t; false where it is not known at that time.
   std::function<bool(double t, double* y)> at;
-  double floor = 0;    ///< absolute error below which the truth itself says nothing
+  double floor = 0;    ///< absolute error of the truth itself
   std::string source;  ///< closed form, or the reference file
 };
 
-/// A stage with a parameter that a study moves between solves. On the `lambda` plane it is
-/// y' = (first + i second) y from y = (1, 0); on the `oscillator` plane q'' = -2 zeta w q' - w^2 q
-/// with w = first and zeta = second, from q = 1, q' = 0; `undamped` is the latter with zeta = 0,
-/// as a problem that also fits methods for separable systems. t0 is 0.
+/// A problem whose parameters a study changes between solves. On the `lambda` plane it is y' =
+/// (first + i second) y from y = (1, 0); on the `oscillator` plane q'' = -2 zeta w q' - w^2 q with
+/// w = first and zeta = second, from q = 1, q' = 0; `undamped` is the latter with zeta = 0, as a
+/// problem that also fits methods for separable systems. t0 is 0.
 struct Probe {
   std::vector<Entrant> entrants;
   std::function<void(double first, double second)> place;
 };
 
-/// What the exact solution keeps, besides its energy.
+/// An invariant of the exact solution, besides its energy.
 struct Invariant {
   std::string name;  ///< angular_momentum, mass, ...
   std::function<double(const double* y)> value;
@@ -51,7 +51,7 @@ struct StudySettings {
   std::uint64_t evaluation_budget = 500'000;
 };
 
-/// A problem with everything needed to judge solvers on it.
+/// A problem with all that is needed to run solvers on it and to measure their errors.
 struct Case {
   std::string id;
   std::string title;
@@ -68,14 +68,14 @@ struct Case {
   std::vector<std::size_t> measured;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
-  ErasedContest problem;                            ///< what the entrants are enrolled on
+  ErasedContest problem;                            ///< on which the entrants are enrolled
   std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 
   StudySettings settings;
 
   std::vector<Entrant> entrants;
-  /// Cases with a parameter plane: which (`lambda`, `oscillator`, `undamped`), and a fresh probe
-  /// of it, independent of every other one, so that threads may each have their own.
+  /// Cases with a parameter plane: its kind (`lambda`, `oscillator`, `undamped`), and a function
+  /// that makes an independent probe of it, one for each thread.
   std::string plane;
   std::function<Probe()> probe;
 

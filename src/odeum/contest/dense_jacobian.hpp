@@ -7,8 +7,8 @@
 
 namespace odeum {
 
-/// The dense Jacobian of a guarded problem for libraries that ask for one: the problem's own where
-/// it has it, else column by column from its Jacobian-vector product, else forward differences (of
+/// The dense Jacobian of a guarded problem for libraries that need one: the problem's own where it
+/// has it, else column by column from its Jacobian-vector product, else forward differences (of
 /// which each evaluation is counted and guarded as any other).
 class DenseJacobian {
  public:

@@ -18,11 +18,11 @@ namespace scene {
 struct Scene;
 }
 
-/// The theory behind a one-step method, where it has one: its stability function, from which
-/// limits are computed that the running code is then held to.
+/// The stability function of a one-step method, where it has one; limits measured on the running
+/// code are compared with it.
 using StabilityFunction = std::function<double(double re, double im)>;  ///< |R(z)|
 
-/// What a solver is, apart from any case.
+/// Properties of a solver, independent of any case.
 struct SolverInfo {
   std::string library;  ///< odeum, cvode, arkode, gsl, odeint, bullet
   std::string method;   ///< the library's own name for it
@@ -31,9 +31,10 @@ struct SolverInfo {
   double order = std::numeric_limits<double>::quiet_NaN();
   bool fixed = true;            ///< can be run at a fixed step
   bool adaptive = false;        ///< can be run to a tolerance
-  bool adaptive_order = false;  ///< adaptive: the order is chosen too, so none is claimed for it
-  std::string controller;       ///< adaptive: who chooses the step, in a few words
-  std::string needs;   ///< what a problem must offer, in a few words; empty: a right-hand side
+  bool adaptive_order = false;  ///< adaptive: the order is chosen too, so that none is claimed
+  std::string controller;       ///< adaptive: the step control, in a few words
+  std::string
+      needs;  ///< required capabilities of a problem, in a few words; empty: a right-hand side
   std::string source;  ///< paper and table, or the library's documentation
   /// Options of its own that a Request may give values for: name, and what the value means.
   std::map<std::string, std::string> options;
@@ -44,17 +45,18 @@ struct SolverInfo {
   std::string id() const { return library + "/" + method; }
 };
 
-/// A solver that has been put on a case: the only place where types are erased, once a solve.
+/// A solver enrolled on a problem: the only place where types are erased, once per solve.
 struct Entrant {
   SolverInfo info;
-  /// Why the pair does not fit, in a sentence; empty where it fits and `solve` may be called.
+  /// Why the solver does not fit the problem, in a sentence; empty where it fits and `solve` may be
+  /// called.
   std::string unfit;
   std::function<Outcome(const Request&)> solve;
-  ExtendedRun extended{};  ///< empty: has no coefficients in extended precision
+  ExtendedRun extended{};  ///< empty: no coefficients in extended precision
 };
 
-/// What a library is given to enrol its solvers: the problem, where it starts, and its scene.
-/// Solvers read the problem and the scene anew at each solve, since a study may move a parameter
+/// The input for enrolling a library's solvers: the problem, its initial state, and its scene.
+/// Solvers read the problem and the scene at each solve, since a study may change parameters
 /// between solves; only dimensions are fixed.
 template <Ode P>
 struct Contest {

@@ -28,7 +28,7 @@ class RadauTrial {
     double error = 0;
     if (stepper_.step(t, h, y, y_new, error) != Status::ok || !std::isfinite(error))
       return {false, h / 4};
-    // A step that took many iterations grows less.
+    // Many Newton iterations limit the growth of the step.
     constexpr int most = RadauStepper<T, P>::max_iterations;
     const double effort = (1.0 + 2 * most) / (stepper_.iterations() + 2.0 * most);
     Decision decision = control_(h, error / power(effort, order + 1));

@@ -7,7 +7,7 @@
 namespace odeum {
 
 bool glob_matches(std::string_view pattern, std::string_view text) {
-  // On a mismatch after a *, let that * take one character more.
+  // On a mismatch after a *, extend its match by one character.
   std::size_t p = 0, t = 0, star = std::string_view::npos, star_text = 0;
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

@@ -13,8 +13,8 @@ bool glob_matches(std::string_view pattern, std::string_view text);
 /// that does not, everything matches that is not excluded.
 bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view text);
 
-/// The candidate nearest to a word that was not found (edit distance, at most one more
-/// than a third of its length), for "did you mean"; empty where none is near.
+/// The candidate with the smallest edit distance to an unknown word, for "did you mean"; empty
+/// where that exceeds a third of its length plus one.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace odeum

@@ -10,28 +10,28 @@
 
 namespace odeum {
 
-/// Watches every evaluation of a right-hand side: counts it, keeps the budget, and remembers the
-/// first non-finite value with its time and component. Such a value does not end a run: a solver
-/// may reject the step that it came from. It explains a run that fails. One guard serves one solve.
+/// Checks every evaluation of a right-hand side: counts it, keeps the budget, and records the first
+/// non-finite value with its time and component. Such a value does not end a run, since a solver
+/// may reject the step that it came from; it explains a run that fails. One guard per solve.
 class Guard {
  public:
   Guard(std::size_t dimension, const Budget& budget)
       : dimension_(dimension), budget_(budget), start_(Clock::now()) {}
 
-  /// Whether to watch at all: not in a timed run.
+  /// Whether evaluations are counted and checked: not in a timed run.
   bool watches() const { return budget_.watched; }
 
   /// To be called before an evaluation. False: the budget is spent, stop.
   bool admit() {
     if (tripped()) return false;
-    // Looking at the clock costs more than a small right-hand side: do it rarely.
+    // Reading the clock costs more than a small right-hand side, so it is read rarely.
     const bool look = spent() >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
     if (look && !may_go_on()) return false;
     ++rhs_evaluations_;
     return true;
   }
 
-  /// To be called after an evaluation with its values, of n components from number `first` on (an
+  /// To be called after an evaluation with its values, of n components from index `first` on (an
   /// acceleration is the second half). False: one is not finite.
   bool inspect(double t, const double* values, std::size_t n, std::size_t first = 0) {
     if (is_finite(values, n)) return true;
@@ -40,7 +40,7 @@ class Guard {
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }
-  /// A product of the Jacobian with a vector is paid like an evaluation.
+  /// A product of the Jacobian with a vector counts like an evaluation.
   void count_products(std::uint64_t count) { products_ += count; }
 
   bool tripped() const { return !exhausted_.empty(); }  ///< the budget is spent
@@ -48,7 +48,7 @@ class Guard {
   std::uint64_t rhs_evaluations() const { return rhs_evaluations_; }
   std::uint64_t jacobian_evaluations() const { return jacobian_evaluations_; }
 
-  /// The verdict on a solve. A spent budget overrides the library's status; a success is believed
+  /// The verdict on a solve. A spent budget overrides the library's status; a success is accepted
   /// only if every stop was recorded, the end was reached and the states are finite.
   void conclude(const Request& request, Outcome& outcome) const;
 

@@ -5,7 +5,7 @@
 
 namespace odeum {
 
-/// Set by the signal handler of the command line: work that is under way ends soon.
+/// Set by the signal handler of the command line; running work checks it and ends.
 inline std::atomic<bool> interrupted{false};
 
 }  // namespace odeum

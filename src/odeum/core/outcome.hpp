@@ -17,7 +17,7 @@ struct Counters {
   std::uint64_t rejected_steps = 0;
   std::uint64_t rhs_evaluations = 0;  ///< counted by Odeum's guard, not by the library
   std::uint64_t jacobian_evaluations = 0;
-  /// Evaluations, and products of the derivative with a vector: what a budget counts.
+  /// What a budget counts: evaluations, and products of the derivative with a vector.
   std::uint64_t work = 0;
 };
 
@@ -28,7 +28,7 @@ inline bool is_finite(const double* y, std::size_t n) {
   return sum == 0;
 }
 
-/// What came out. `states` holds the state at each stop reached, one after the other.
+/// The result of a solve. `states` holds the state at each stop reached, one after the other.
 struct Outcome {
   Status status = Status::ok;
   std::string detail;                                   ///< a sentence where the status is not ok

@@ -12,15 +12,15 @@
 
 namespace odeum {
 
-/// What work that was interrupted throws once its threads have ended.
+/// Thrown by interrupted work once its threads have ended.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Calls work(i) for every i below `count`, `jobs` at a time, in no particular order; results go
-/// where i says, so that they do not depend on the number of jobs. Rethrows the first exception;
-/// throws Interrupted where `interrupted` was set before all were done.
+/// Calls work(i) for every i below `count`, `jobs` at a time, in no particular order; work stores
+/// its result by i, so that results do not depend on the number of jobs. Rethrows the first
+/// exception; throws Interrupted where `interrupted` was set before all were done.
 template <class Work>
 void parallel_for(std::size_t count, unsigned jobs, Work&& work) {
   std::atomic<std::size_t> next{0};

@@ -7,8 +7,8 @@
 
 namespace odeum {
 
-/// A line on stderr that tells how far long work is and when it will end; silent unless stderr is
-/// a terminal. Safe to call from several threads.
+/// A line on stderr with the progress of long work and the time left; silent unless stderr is a
+/// terminal. Safe to call from several threads.
 class Progress {
  public:
   /// `total` is in any unit of work, the same as advance() takes.

@@ -9,8 +9,8 @@
 
 namespace odeum {
 
-/// What a solve may cost at most. The evaluations are the bound that decides (the same on every
-/// machine, so that results do not depend on speed); the seconds are a safety net.
+/// Limits on the cost of a solve. The evaluations are meant to decide (the same on every machine,
+/// so that results do not depend on speed); the seconds guard against solves that never end.
 struct Budget {
   std::uint64_t evaluations = 200'000'000;
   double seconds = 60;
@@ -24,7 +24,7 @@ enum class Mode { fixed, adaptive };
 
 inline const char* to_string(Mode mode) { return mode == Mode::fixed ? "fixed" : "adaptive"; }
 
-/// What a solver is asked to do: go from t0 to the last stop and record the state at every stop.
+/// A request to a solver: integrate from t0 to the last stop and record the state at every stop.
 struct Request {
   Mode mode = Mode::fixed;
   std::uint64_t steps = 0;    ///< fixed: the number of equal steps from t0 to the last stop
@@ -32,7 +32,7 @@ struct Request {
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   Budget budget = {};
   /// Values for options that the solver has of its own, see SolverInfo::options. Without a value an
-  /// option is as the solver's library has it; a solver looks at no others.
+  /// option has the default of the solver's library; other names are ignored.
   std::map<std::string, double> options = {};
 };
 

@@ -80,7 +80,7 @@ struct taylor {
     return radius * std::exp(-2 - 0.7 / (order - 1));
   }
 
-  /// Trial steps: the series at (t, y) says beforehand how long the step may be.
+  /// Trial steps: the series at (t, y) determines the step in advance.
   template <class P>
   class Trial {
    public:
