@@ -10,12 +10,12 @@
 
 namespace odeum::proof {
 
-/// Any method's steps on a problem, behind one interface: own methods, interpreted tableaus and
-/// mutants of both go through the same checks.
+/// The steps of a method on a problem behind one interface, so that own methods, interpreted
+/// tableaus and mutants of both go through the same checks.
 class AnyStepper {
  public:
   virtual ~AnyStepper() = default;
-  /// Before the first step, and whenever (t, y, h) do not continue the last one.
+  /// Call it before the first step, and where (t, y, h) do not continue the last one.
   virtual void start(double /*t*/, double /*h*/, const std::vector<double>& /*y*/) {}
   virtual Status step(double t, double h, std::vector<double>& y) = 0;
   /// With the error estimate; refused where the method has none.
@@ -25,7 +25,7 @@ class AnyStepper {
   }
 };
 
-/// Makes a fresh stepper on a problem, which must outlive it. Empty: the method does not fit.
+/// Makes a new stepper on a problem, which must outlive it. Empty: the method does not fit.
 template <class P>
 using MakeStepper = std::function<std::unique_ptr<AnyStepper>(const P&)>;
 
@@ -69,7 +69,7 @@ class InterpretedStepper : public AnyStepper {
   TableauInterpreter interpreter_;
 };
 
-/// The tableau must outlive what is made.
+/// The tableau must outlive the result.
 inline MakeStepper<FunctionProblem> interpreted(const DynamicTableau<double>& tableau) {
   return [&tableau](const FunctionProblem& problem) {
     return std::make_unique<InterpretedStepper>(tableau, problem);

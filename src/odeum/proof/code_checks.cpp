@@ -19,7 +19,7 @@ void measure_orders(const MakeStepper<P>& code, double order, const std::vector<
   for (const Ground<P>& ground : where) fits.push_back(measure_order(code, order, ground));
 }
 
-/// Grounds are numbered as measure_orders lists them; `at` goes on counting.
+/// Test problems are numbered as in measure_orders; `at` is the running index.
 template <class P>
 std::string order_failure(const MakeStepper<P>& code, double order,
                           const std::vector<Ground<P>>& where,
@@ -61,7 +61,7 @@ double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
       if (!(apart <= difference)) difference = apart;
     }
   }
-  // The estimate is a result too.
+  // The error estimate is compared too.
   if (a->step(ground.t0, h, y, error_y) == Status::ok &&
       b->step(ground.t0, h, z, error_z) == Status::ok)
     for (std::size_t k = 0; k < y.size(); ++k)

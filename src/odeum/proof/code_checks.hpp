@@ -21,26 +21,24 @@ inline Code code_of(const MethodFacts& method) {
   return {method.on_problem, method.on_separable, method.on_second_order};
 }
 
-/// Whether a mutant's order passes for that of the sound method: the same verdict and, where it is
-/// not `confirmed` (a method may be of higher order on a problem that asks for few conditions), the
-/// same order to 0.15.
+/// Whether a mutant has the order of the unaltered method: the same verdict and, where it is not
+/// `confirmed` (on a problem with few order conditions a method may have a higher order), the same
+/// order to 0.15.
 bool same_order(const judge::OrderFit& fit, const judge::OrderFit& sound);
 
-/// Where running code must agree with its stability function, relative: some hundred operations of
-/// up to seventeen stages, whose terms may exceed the result a hundred times. An iteration that
-/// stops at a tolerance of its own is held to that.
+/// Relative tolerance of running code against its stability function: rounding of some hundred
+/// operations in up to seventeen stages, whose terms may exceed the result a hundred times. For an
+/// iteration its own tolerance.
 double stability_tolerance(const MethodFacts& method);
 
-/// How far a step strays from y = t on y' = lambda (y - t) + 1 (q = t on q'' = -w^2 (q - t)), of
-/// which y = t is the solution: one that takes every quantity at its own time stays on it, whatever
-/// its order, as follows from invariance under y -> y - t. 0 but for what `stability_tolerance`
-/// allows too.
+/// The deviation of a step from y = t, the solution of y' = lambda (y - t) + 1 (q = t on q'' = -w^2
+/// (q - t)). A method of any order that evaluates every quantity at its own time is exact on it, by
+/// invariance under y -> y - t: 0 up to `stability_tolerance`.
 double moving_frame_defect(const Code& code);
 
-/// Puts code through what the report shows of a method: order on every ground, agreement with the
-/// stability function, with the map of the oscillator and with the tableau, the moving frame,
-/// symplecticity, return and the error estimate. A mutant is held to those that the sound method
-/// passes.
+/// The checks of the code of a method: order on every test problem, agreement with the stability
+/// function, with the map of the oscillator and with the tableau, moving frame, symplecticity,
+/// reversibility and error estimate. For a mutant only those that the unaltered method passes.
 class CodeChecks {
  public:
   explicit CodeChecks(const MethodFacts& sound);
@@ -54,14 +52,14 @@ class CodeChecks {
   std::vector<EstimateQuality> estimates(const Code& code) const;
 
   const MethodFacts& sound_;
-  std::vector<judge::OrderFit> orders_;  ///< of the sound method, ground by ground
+  std::vector<judge::OrderFit> orders_;  ///< of the unaltered method, by test problem
   std::vector<EstimateQuality> estimates_;
   bool stability_ = false, map_ = false, tableau_ = false, frame_ = false, symplectic_ = false,
        returns_ = false;
 };
 
-/// The largest difference between what two codes compute on the non-autonomous grounds in eight
-/// steps; infinite where one of them fails and the other does not.
+/// The largest difference between the results of two codes on the non-autonomous test problems in
+/// eight steps; infinite where only one of them fails.
 double difference_between(const Code& one, const Code& other);
 
 }  // namespace odeum::proof

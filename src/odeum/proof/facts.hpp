@@ -10,7 +10,8 @@
 
 namespace odeum::proof {
 
-/// All that a method file says, with its types erased: what follows is not compiled per method.
+/// The contents of a method file with its types erased, so that the proofs are not compiled per
+/// method.
 struct MethodFacts {
   MethodInfo info{};
   std::string needs;
@@ -19,8 +20,8 @@ struct MethodFacts {
   std::function<OscillatorMap(double)> oscillator_map;        ///< may be empty
 
   /// Of a linear multistep method on y' = z y at h = 1, from its coefficients: c_i such that
-  /// y_{n+1} = sum_i c_i y_{n-i}. Its largest root is what |R(z)| is to a one-step method. May be
-  /// empty.
+  /// y_{n+1} = sum_i c_i y_{n-i}. Its largest root corresponds to |R(z)| of a one-step method. May
+  /// be empty.
   std::function<std::vector<std::complex<double>>(std::complex<double> z)> recurrence;
 
   /// Fixed steps of the running code; empty where the method does not fit such problems.

@@ -52,7 +52,7 @@ struct Recurrence<Adams<K, Correct, P, OneStep>> {
 
 }  // namespace detail
 
-/// What the file of method M says; compiled for the proofs' own problems.
+/// The facts of method M, compiled for the problems of the proofs.
 template <class M>
 MethodFacts facts_of() {
   MethodFacts facts;

@@ -18,8 +18,9 @@ void rotated(double s, double& z1, double& z2) {
   z2 = c * z2_start + o * (m21 * z1_start + (m22 + 0.3) * z2_start);
 }
 
-/// The bend y_2 = z_2 + g(z_1) with g(x) = 1/(1 + x^2/2), and g' and g''. Its poles keep the errors
-/// of high orders near their leading terms; those of an entire function would vanish too fast.
+/// The transformation y_2 = z_2 + g(z_1) with g(x) = 1/(1 + x^2/2), and g' and g''. Its poles keep
+/// errors of high orders near their leading terms; with an entire function they would decrease too
+/// fast.
 struct Bend {
   explicit Bend(double x) {
     const double d = 1 + 0.5 * x * x;
@@ -46,7 +47,7 @@ void bent_jacobian(const double* y, double* j) {
   j[3] = m22 + g.slope * j[1];
 }
 
-// The pace of time: its integral from 0 is `elapsed`.
+// The rate of the transformed time; its integral from 0 is `elapsed`.
 double pace(double t) { return 1 + 0.6 * std::cos(2 * t + 0.3); }
 double pace_change(double t) { return -1.2 * std::sin(2 * t + 0.3); }
 double elapsed(double t) { return t + 0.3 * (std::sin(2 * t + 0.3) - std::sin(0.3)); }

@@ -6,8 +6,8 @@
 
 #include "odeum/problem/function_problem.hpp"
 
-/// Where methods are put to the proof: small problems with closed solutions, so that a whole
-/// catalogue and thousands of mutants can be measured in seconds. The cases are for the contest.
+/// The test problems of the proofs: small ones with closed solutions, so that all methods and
+/// thousands of mutants can be measured in seconds.
 namespace odeum::proof {
 
 template <class P>
@@ -20,9 +20,9 @@ struct Ground {
 };
 
 /// - `linear`: z' = M z, a damped rotation that is not normal;
-/// - `nonlinear`: the same flow in bent coordinates y = (z_1, z_2 + g(z_1)), in which every
-///   elementary differential is at work;
-/// - `non_autonomous`: that in a time of varying pace, and beside it a pure quadrature
+/// - `nonlinear`: the same flow in curvilinear coordinates y = (z_1, z_2 + g(z_1)), in which every
+///   elementary differential occurs;
+/// - `non_autonomous`: the same in a time of varying rate, and a quadrature
 ///   y_3' = cos 3t, in which a wrong node shows alone.
 const std::vector<Ground<FunctionProblem>>& grounds();
 

@@ -10,7 +10,7 @@
 namespace odeum::proof {
 namespace {
 
-/// How a problem answers wrongly.
+/// An alteration of a problem's answers.
 struct Lie {
   enum class Time { right, stands_still, late } time = Time::right;
   int evaluation = -1;  ///< which one of a step; -1: none
@@ -19,7 +19,7 @@ struct Lie {
   bool euler_start = false;
 };
 
-/// Where the stepper is, told to the problem that it steps on.
+/// The stepper's present step, known to its problem.
 struct Moment {
   double t = 0, h = 0;
   bool jacobian_asked = false;
@@ -73,7 +73,7 @@ P lying(const P& problem, const Lie& lie, const std::shared_ptr<Moment>& now) {
   return p;
 }
 
-/// A sound stepper on a problem that lies to it.
+/// The unaltered stepper on a problem with altered answers.
 template <class P>
 class Deceived : public AnyStepper {
  public:
@@ -132,7 +132,7 @@ Code deceived(const MethodFacts& method, const Lie& lie) {
           deceived(method.on_second_order, lie)};
 }
 
-/// What a step asks for once the method is on its way.
+/// The evaluations of a step after the start.
 struct Demand {
   int evaluations = 0;
   bool jacobian = false;
@@ -172,8 +172,8 @@ std::vector<Named> lies_to(const MethodFacts& method) {
   }
   if (!method.info.one_step && family == "multistep")
     all.push_back({"start", "first step by explicit Euler", {.euler_start = true}});
-  // An iteration heals what one of its evaluations suffers: no mutants of single ones there.
-  // Methods that solve linear systems only have no iteration.
+  // An iteration corrects an error of a single evaluation: no mutants of single ones there. Methods
+  // that solve linear systems only have no iteration.
   const Demand demand = demand_of(method);
   const bool linear_systems = family == "linearly_implicit" || family == "extrapolation";
   if (family == "functional_iteration" || (demand.jacobian && !linear_systems)) return all;
@@ -201,7 +201,7 @@ std::vector<Mutant> mutate_answers(const MethodFacts& method) {
     Mutant mutant{method.id(), named.kind, named.change, 0, {}, {}};
     const Code code = deceived(method, named.lie);
     mutant.caught_by = checks.first_failure(code);
-    // The lie changed nothing: it was about something that the method does not ask for.
+    // No change: the method does not use the altered answer.
     if (!mutant.caught() && difference_between(code, code_of(method)) <= 1e-15)
       mutant.equivalent = "no result depends on it";
     else if (!mutant.caught() && named.lie.euler_start && method.info.order <= 2)

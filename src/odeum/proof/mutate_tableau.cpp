@@ -14,12 +14,12 @@ namespace {
 
 using Coefficients = DynamicTableau<double>;
 
-/// What is held against a mutant: all of it follows from the sound tableau.
+/// The properties of the unaltered tableau, with which a mutant is compared.
 struct Claims {
   Coefficients tableau;
   Structure structure;
   StabilityClass stability;
-  std::vector<judge::OrderFit> orders, orders_hat;  ///< as running shows them, ground by ground
+  std::vector<judge::OrderFit> orders, orders_hat;  ///< measured, by test problem
 };
 
 bool has_order(const Coefficients& t, const std::vector<double>& row, int order) {
@@ -35,7 +35,7 @@ bool same(const Structure& x, const Structure& y) {
          x.symplectic == y.symplectic && x.symmetric == y.symmetric;
 }
 
-// 0.01 degrees: ten times what the angle is found to.
+// 0.01 degrees: ten times the accuracy of the angle.
 bool same(const StabilityClass& x, const StabilityClass& y) {
   return x.a_stable() == y.a_stable() && std::abs(x.angle - y.angle) <= 0.01 &&
          x.vanishes_at_infinity() == y.vanishes_at_infinity();
@@ -63,8 +63,7 @@ Coefficients estimating(const Coefficients& t) {
   return other;
 }
 
-// By what follows from the coefficients alone, which costs little; then by what must be run, or is
-// seen only in nodes that are written down.
+// First the checks of coefficients, which are cheap; then runs, and the stated nodes.
 std::string caught_early(const Coefficients& mutant, const Claims& sound) {
   const Coefficients& t = sound.tableau;
   if (!has_order(mutant, mutant.b, t.order)) return "order conditions of b";
@@ -171,7 +170,7 @@ class Maker {
   void judge(const Coefficients& m, Mutant mutant) {
     if (checks_ == Checks::quickest_first) mutant.caught_by = caught_early(m, sound_);
     if (!mutant.caught()) {
-      // What no result depends on cannot be seen in one. 1e-15: the sums are formed the same way.
+      // Equivalent where no result changes. 1e-15: the sums are formed in the same order.
       if (difference_between(code_running(m), code_running(sound_.tableau)) <= 1e-15)
         mutant.equivalent = "no result depends on it";
       else if (checks_ == Checks::running_only)

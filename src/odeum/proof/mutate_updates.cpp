@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mutants written by hand: the slips that people make in Verlet, leapfrog and Euler updates.
+// Mutants written by hand: typical mistakes in Verlet, leapfrog and Euler updates.
 #include "odeum/proof/code_checks.hpp"
 #include "odeum/proof/mutant.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// What every update has at hand.
+/// The members of every update.
 template <bool V>
 class Update : public AnyStepper {
  public:
@@ -82,8 +82,8 @@ struct VerletNoAcceleration : Update<V> {
   }
 };
 
-/// Leapfrog; `half` is the part of h that its velocity is started by, `shown` the part of h by
-/// which the velocity shown lies behind. Sound: 1/2 and 1/2.
+/// Leapfrog; its velocity starts with a kick of `half` h, and the velocity reported is `shown` h
+/// behind. Correct: 1/2 and 1/2.
 template <bool V>
 class LeapfrogStarted : public Update<V> {
  public:
@@ -108,8 +108,8 @@ class LeapfrogStarted : public Update<V> {
   double start_, shown_;
 };
 
-/// Stormer's recurrence started by q_1 = q_0 + h v_0 + `half` h^2 a_0, with the velocity shown from
-/// the last two positions only where `one_sided`.
+/// Stormer's recurrence started by q_1 = q_0 + h v_0 + `half` h^2 a_0, with the velocity from the
+/// last two positions where `one_sided`.
 template <bool V>
 class StormerStarted : public Update<V> {
  public:

@@ -6,8 +6,8 @@
 
 namespace odeum::proof {
 
-/// The order that the running steps show on a ground, judged as `odeum converge` judges it: the
-/// largest error over four stops against the step, fitted over the asymptotic window.
+/// The order measured on a test problem, with a verdict as in `odeum converge`: the largest error
+/// over four stops against the step, fitted over the asymptotic window.
 judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
                               const std::vector<double>& y0,
                               const std::function<void(double t, double* y)>& truth);

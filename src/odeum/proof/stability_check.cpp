@@ -52,7 +52,7 @@ FunctionMechanics<false> oscillator(double w) {
 void note(StabilityAgreement& found, double difference, std::complex<double> z) {
   ++found.points;
   if (difference <= found.difference) return;
-  found.difference = difference;  // NaN stays, as the largest there is
+  found.difference = difference;  // NaN stays as the largest
   found.worst = z;
 }
 
@@ -77,7 +77,7 @@ StabilityAgreement compare_stability(const MakeStepper<FunctionProblem>& make,
   std::uniform_real_distribution<double> near_re(-3, 0.5), imaginary(-3, 3), size(0, 3);
   for (int i = 0; i < points; ++i) {
     std::complex<double> z{near_re(random), imaginary(random)};
-    // Far out, to |z| = 1000, for methods that are used there.
+    // To |z| = 1000 for methods of stiff problems.
     if (i % 2 == 1 && !polynomial)
       z = {-std::pow(10, size(random)), imaginary(random) * std::pow(10, size(random) - 1)};
     const std::complex<double> code = running_growth(make, z);
@@ -87,7 +87,7 @@ StabilityAgreement compare_stability(const MakeStepper<FunctionProblem>& make,
       continue;
     }
     const double r = theory.amplification(z.real(), z.imag());
-    // An iteration that gives up must be known to give up.
+    // Where the code fails, the stability function must be NaN too.
     if (!std::isfinite(r) && !std::isfinite(code.real())) continue;
     note(found, std::abs(std::abs(code) - r) / (1 + r), z);
   }
