@@ -59,6 +59,4 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
   return errors;
 }
 
-double Judge::rounding_unit() const { return std::numeric_limits<double>::epsilon() / 2 * scale_; }
-
 }  // namespace odeum::judge

@@ -27,9 +27,8 @@ class Judge {
   /// One entry a stop; the outcome must have reached all of them.
   std::vector<StopError> errors(const Outcome& outcome) const;
 
-  /// Half a unit in the last place of the components measured, as a root mean square where that is
-  /// largest: at the start or at a stop.
-  double rounding_unit() const;
+  /// Root mean square of the components measured where that is largest: at the start or at a stop.
+  double scale() const { return scale_; }
   /// How many components are measured.
   std::size_t components() const { return measured_.size(); }
 

@@ -6,103 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/judge/rounding_seen.hpp"
-#include "odeum/judge/student.hpp"
+#include "odeum/judge/floor.hpp"
 #include "odeum/judge/two_term_fit.hpp"
+#include "odeum/judge/window.hpp"
 
 namespace odeum::judge {
 namespace {
 
-constexpr std::size_t fewest_points = 4;
-constexpr double shortest_span = 1.35;  // of the steps in a window
-constexpr double finest_end = 1.65;     // of a window, against the finest step
+using Points = std::vector<ErrorPoint>;
 
-/// A straight line through (log step, log error), by least squares.
-struct Line {
-  double slope = 0;
-  double half_width = 0;  ///< of the slope's 95 % interval
-};
-
-Line fit_line(const ErrorPoint* points, std::size_t n) {
-  double mean_x = 0, mean_y = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    mean_x += std::log(points[i].step) / static_cast<double>(n);
-    mean_y += std::log(points[i].error) / static_cast<double>(n);
-  }
-  double xx = 0, xy = 0, yy = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = std::log(points[i].step) - mean_x, y = std::log(points[i].error) - mean_y;
-    xx += x * x;
-    xy += x * y;
-    yy += y * y;
-  }
-  Line line;
-  line.slope = xy / xx;
-  const double residual = std::max(0.0, yy - line.slope * xy);
-  if (n > 2)
-    line.half_width = student_t(n - 2) * std::sqrt(residual / static_cast<double>(n - 2) / xx);
-  return line;
-}
-
-double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
-  return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
-}
-
-/// The asymptotic window within usable points.
-struct Window {
-  std::size_t first = 0, count = 0;
-};
-
-// Local slopes are taken over steps this far apart, as a ladder's neighbours are. Between closer
-// ones they would show the errors' noise.
-constexpr double slope_span = 1.18;
-
-/// The next finer point that a local slope is taken to; `end` where there is none.
-std::size_t slope_partner(const std::vector<ErrorPoint>& points, std::size_t i, std::size_t end) {
-  std::size_t j = i + 1;
-  while (j < end && points[i].step < slope_span * points[j].step) ++j;
-  return j;
-}
-
-// The finest four points or more whose local slopes agree, far enough apart, then coarser ones as
-// long as their slopes agree with those four. High orders settle later, so their slopes may differ
-// by more among the four. Errors that grow as the step shrinks are no convergence, however well
-// their slopes agree.
-Window find_window(const std::vector<ErrorPoint>& points, double claimed_order, double settled) {
-  const double among_finest = settled * std::max(1.0, claimed_order / 2);
-  for (std::size_t end = points.size(); end >= fewest_points; --end) {
-    std::size_t first = end - fewest_points;
-    while (first > 0 && points[first].step < shortest_span * points[end - 1].step) --first;
-    if (points[first].step < shortest_span * points[end - 1].step) break;
-    double sum = 0, low = 1e300, high = -1e300;
-    int slopes = 0;
-    for (std::size_t i = first; i < end; ++i) {
-      const std::size_t j = slope_partner(points, i, end);
-      if (j == end) break;
-      const double slope = local_slope(points[i], points[j]);
-      sum += slope;
-      low = std::min(low, slope);
-      high = std::max(high, slope);
-      ++slopes;
-    }
-    const double mean = sum / slopes;
-    if (low <= 0 || high - mean > among_finest || mean - low > among_finest) continue;
-    while (first > 0) {
-      const std::size_t partner = slope_partner(points, first - 1, end);
-      if (partner == end ||
-          std::abs(local_slope(points[first - 1], points[partner]) - mean) > settled)
-        break;
-      --first;
-    }
-    return {first, end - first};
-  }
-  return {};
-}
+constexpr double finest_end = 1.65;  // of a window, against the finest step
 
 // Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
-void merge_same_steps(std::vector<ErrorPoint>& points) {
+void merge_same_steps(Points& points) {
   constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
-  std::vector<ErrorPoint> merged;
+  Points merged;
   for (const ErrorPoint& point : points) {
     if (!merged.empty() && point.step > same * merged.back().step)
       merged.back() = point;
@@ -112,17 +30,187 @@ void merge_same_steps(std::vector<ErrorPoint>& points) {
   points = std::move(merged);
 }
 
-OrderFit conclude(OrderFit fit, Verdict verdict, std::string reason) {
-  fit.verdict = verdict;
-  fit.reason = std::move(reason);
-  return fit;
+/// A method that is exact on the problem shows rounding at every step, at the coarsest ones above
+/// all; then it may add up in step with the number of steps, or, in recurrences of second
+/// differences, with its square.
+bool is_exact(const Points& points) {
+  if (points.size() < fewest_points) return false;
+  const double coarsest = points.front().steps;
+  return std::all_of(points.begin(), points.end(), [&](const ErrorPoint& p) {
+    const double growth = std::max(1.0, p.steps / coarsest);
+    return p.error <= 100 * p.typical_rounding() * growth * std::sqrt(growth);
+  });
 }
+
+/// One fit of points clear of rounding, from the finest to the verdict.
+class Fitting {
+ public:
+  Fitting(Points points, double claimed_order, const FitTolerance& tolerance)
+      : points_(std::move(points)),
+        claimed_(claimed_order),
+        guess_(std::isnan(claimed_order) ? 1 : claimed_order),
+        tolerance_(tolerance) {
+    while (!points_.empty() && points_.back().error <= points_.back().clear_error())
+      points_.pop_back();
+    certain_end_ = points_.size();
+    while (certain_end_ > 0 && !certain(certain_end_ - 1)) --certain_end_;
+  }
+
+  OrderFit conclude() {
+    const Window window = choose_window();
+    const ErrorFloor floor = find_floor(points_, certain_end_, guess_, tolerance_.stray);
+    if (std::isnan(claimed_))
+      return verdict(Verdict::not_applicable, "the order varies during a run, so none is claimed");
+    if (window.count && confirms(window)) return verdict(Verdict::confirmed, "");
+    if (confirmed_by_two_terms()) return fit_;
+    if (floor.first < certain_end_) return floors(floor);
+    return settled_elsewhere(window);
+  }
+
+ private:
+  bool certain(std::size_t i) const { return points_[i].error > points_[i].certain_error(); }
+
+  OrderFit verdict(Verdict verdict, std::string reason) {
+    fit_.verdict = verdict;
+    fit_.reason = std::move(reason);
+    return fit_;
+  }
+
+  /// The first of points [first, certain_end_) that is no rounding and not what `law` predicts;
+  /// `certain_end_`: none.
+  template <class Law>
+  std::size_t first_stray(std::size_t first, const Law& law) const {
+    for (std::size_t i = first; i < certain_end_; ++i)
+      if (certain(i) && std::abs(std::log(points_[i].error / law.at(points_[i].step))) >
+                            std::log(tolerance_.stray))
+        return i;
+    return certain_end_;
+  }
+
+  bool wide() const { return fit_.high - fit_.low > claimed_ / 2; }
+
+  bool confirms(const Window& window) const {
+    const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
+    return 2 * law.half_width <= claimed_ / 2 &&
+           std::abs(law.order - claimed_) <= tolerance_.order &&
+           first_stray(window.end(), law) == certain_end_;
+  }
+
+  // The finest window that confirms the claim; else the finest where errors are no rounding, if
+  // there is one.
+  Window choose_window() {
+    const auto window_to = [&](std::size_t end) {
+      return find_window(points_, end, guess_, tolerance_.settled);
+    };
+    Window chosen = window_to(points_.size());
+    while (chosen.count && !confirms(chosen) && chosen.end() > certain_end_)
+      chosen = window_to(chosen.end() - 1);
+    if (!chosen.count) chosen = window_to(points_.size());
+    if (chosen.count) {
+      const PowerLaw law = fit_power_law(points_.data() + chosen.first, chosen.count);
+      record(law, chosen);
+    }
+    return chosen;
+  }
+
+  void record(const auto& law, const Window& window) {
+    fit_.order = law.order;
+    fit_.low = law.order - law.half_width;
+    fit_.high = law.order + law.half_width;
+    fit_.points = window.count;
+    fit_.step_coarsest = points_[window.first].step;
+    fit_.step_finest = points_[window.end() - 1].step;
+  }
+
+  double finest_slope() const { return local_slope(points_[points_.size() - 2], points_.back()); }
+
+  // Slopes that still move, or settle elsewhere than they will: the next term of the error.
+  bool confirmed_by_two_terms() {
+    const TwoTermFit two = fit_two_terms(points_);
+    if (two.points == 0 || two.half_width > tolerance_.order ||
+        std::abs(two.order - claimed_) > tolerance_.order ||
+        first_stray(two.first + two.points, two) < certain_end_)
+      return false;
+    record(two, {two.first, two.points});
+    verdict(Verdict::confirmed,
+            fmt::format("local slopes still move, {:.2f} at the finest steps; by the error's first "
+                        "two terms, C h^p (1 + D h), p is {:.2f}",
+                        finest_slope(), two.order));
+    return true;
+  }
+
+  OrderFit floors(const ErrorFloor& floor) {
+    fit_.floor = floor.level;
+    fit_.floor_step = floor.step;
+    fit_.floor_scale = floor.scale;
+    const ErrorPoint& at = points_[(floor.first + certain_end_) / 2];
+    std::string reason = fmt::format("the error stops falling at {:.1e}, from steps of {:.2g} on",
+                                     floor.level, floor.step);
+    if (at.rounding_unit > 0)
+      reason += fmt::format(", {:.0f} times rounding", floor.level / at.typical_rounding());
+    if (!floor.scale.empty()) reason += "; " + floor.scale;
+    fit_.order = fit_.low = fit_.high = OrderFit::nan;
+    fit_.points = 0;
+    if (const Window before = find_window(points_, floor.first + 1, guess_, tolerance_.settled);
+        before.count) {
+      record(fit_power_law(points_.data() + before.first, before.count), before);
+      reason += fmt::format("; order {:.2f} before", fit_.order);
+    }
+    return verdict(Verdict::floors, reason);
+  }
+
+  OrderFit settled_elsewhere(const Window& window) {
+    if (points_.size() < fewest_points)
+      return verdict(Verdict::undetermined,
+                     fmt::format("{} steps give an error that is solved, converging and clear of "
+                                 "rounding; {} are needed",
+                                 points_.size(), fewest_points));
+    if (!window.count)
+      return verdict(
+          Verdict::undetermined,
+          fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
+    const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
+    if (const std::size_t i = first_stray(window.end(), law); i < certain_end_)
+      return verdict(Verdict::undetermined,
+                     fmt::format("order {:.2f} down to steps of {:.2g}, but at {:.2g} the error is "
+                                 "{:.2g} times what that predicts",
+                                 law.order, fit_.step_finest, points_[i].step,
+                                 points_[i].error / law.at(points_[i].step)));
+    const double finest = points_[std::max<std::size_t>(certain_end_, 1) - 1].step;
+    if (fit_.step_finest > finest_end * finest)
+      return verdict(
+          Verdict::undetermined,
+          fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
+    // Rounding lowers a slope: a lower one must be seen where errors are no rounding.
+    const bool rounding = fit_.order < claimed_ && window.end() > certain_end_;
+    if (wide() || rounding || (fit_.low <= claimed_ && claimed_ <= fit_.high))
+      return verdict(Verdict::undetermined,
+                     fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "
+                                 "does not settle whether it is {:g}",
+                                 fit_.order, fit_.low, fit_.high, claimed_));
+    if (std::abs(fit_.order - claimed_) <= tolerance_.apart)
+      return verdict(Verdict::undetermined,
+                     fmt::format("the slope {:.2f} is near {:g} but has not settled there",
+                                 fit_.order, claimed_));
+    return verdict(
+        fit_.order > claimed_ ? Verdict::higher : Verdict::lower,
+        fmt::format("converges with order {:.2f} where {:g} is claimed", fit_.order, claimed_));
+  }
+
+  Points points_;
+  double claimed_, guess_;
+  FitTolerance tolerance_;
+  std::size_t certain_end_ = 0;  ///< finer points may be rounding
+  OrderFit fit_;
+};
 
 }  // namespace
 
-double ErrorPoint::typical_rounding() const {
-  return rounding_unit * (8 + std::sqrt(steps)) + floor;
+double ErrorPoint::typical_rounding() const { return rounding_unit * (8 + std::sqrt(steps)); }
+double ErrorPoint::clear_error() const {
+  return std::max(4.0, 10 / std::sqrt(components)) * (typical_rounding() + floor);
 }
+double ErrorPoint::certain_error() const { return 100 * typical_rounding() + 10 * floor; }
 
 const char* to_string(Verdict verdict) {
   switch (verdict) {
@@ -144,122 +232,27 @@ const char* to_string(Verdict verdict) {
   return "undetermined";
 }
 
-OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
-                   const FitTolerance& tolerance) {
+OrderFit fit_order(const Points& points, double claimed_order, const FitTolerance& tolerance) {
   OrderFit fit;
-  std::vector<ErrorPoint> solved;
+  Points solved;
   for (const ErrorPoint& point : points)
     if (std::isfinite(point.error)) solved.push_back(point);
-  if (solved.empty()) return conclude(fit, Verdict::failed, "no step size could be solved");
-
-  // A method that is exact on the case shows rounding only, which may grow with every step, and
-  // for recurrences of second differences with its square; extrapolation weighs it by some tens.
-  const auto rounding_only = [](const ErrorPoint& p) {
-    return p.error <= 16 * p.rounding_unit * (8 + p.steps) * std::max(1.0, p.steps);
-  };
-  const auto largest_error = [](auto from, auto to) {
+  if (solved.empty()) {
+    fit.verdict = Verdict::failed;
+    fit.reason = "no step size could be solved";
+    return fit;
+  }
+  if (is_exact(solved)) {
     double largest = 0;
-    for (; from != to; ++from) largest = std::max(largest, from->error);
-    return largest;
-  };
-  const auto middle = solved.begin() + static_cast<std::ptrdiff_t>(solved.size() / 2);
-  const bool falls =
-      largest_error(middle, solved.end()) < largest_error(solved.begin(), middle) / 10;
-  if (solved.size() >= fewest_points && !falls &&
-      std::all_of(solved.begin(), solved.end(), rounding_only)) {
-    const double largest = largest_error(solved.begin(), solved.end());
-    return conclude(fit, Verdict::higher,
-                    fmt::format("exact but for rounding: errors up to {:.1e}", largest));
+    for (const ErrorPoint& p : solved) largest = std::max(largest, p.error);
+    fit.verdict = Verdict::higher;
+    fit.reason = fmt::format("exact but for rounding: errors up to {:.1e}", largest);
+    return fit;
   }
   merge_same_steps(solved);
-
   // An error ten times the solution itself is a blow-up, and says nothing of an order.
-  const auto blown_up = [](const ErrorPoint& p) {
-    return p.error > 10 * p.rounding_unit / (std::numeric_limits<double>::epsilon() / 2);
-  };
-  if (!points.empty() && points.front().rounding_unit > 0) std::erase_if(solved, blown_up);
-
-  // The fine end: points that rounding may have a part in, then points that no longer fall. An
-  // error that stops falling well above rounding is a finding, not an end of the window.
-  std::vector<ErrorPoint> usable = solved;
-  const SeenRounding rounding(solved, std::isnan(claimed_order) ? 1 : claimed_order);
-  while (!usable.empty() && usable.back().error <= rounding.limit(usable.back())) usable.pop_back();
-  const auto stagnates = [&] {
-    const std::size_t n = usable.size();
-    return n >= 2 &&
-           local_slope(usable[n - 2], usable[n - 1]) < 0.25 * std::min(1.0, claimed_order);
-  };
-  std::size_t stagnant = 0;
-  for (; stagnates(); ++stagnant) {
-    fit.floor =
-        std::isnan(fit.floor) ? usable.back().error : std::min(fit.floor, usable.back().error);
-    usable.pop_back();
-  }
-
-  const Window window =
-      find_window(usable, std::isnan(claimed_order) ? 1 : claimed_order, tolerance.settled);
-  if (window.count) {
-    const ErrorPoint* const first = usable.data() + window.first;
-    const Line line = fit_line(first, window.count);
-    fit.order = line.slope;
-    fit.low = line.slope - line.half_width;
-    fit.high = line.slope + line.half_width;
-    fit.points = window.count;
-    fit.step_coarsest = first[0].step;
-    fit.step_finest = first[window.count - 1].step;
-  }
-
-  if (std::isnan(claimed_order))
-    return conclude(fit, Verdict::not_applicable,
-                    "the order varies during a run, so none is claimed");
-  // Two stagnant steps may be noise near rounding; three are a floor.
-  if (stagnant >= 3)
-    return conclude(fit, Verdict::floors,
-                    fmt::format("stops converging at an error of {:.1e}", fit.floor));
-  const bool settled = window.count > 0;
-  // Slopes that scatter widely deny a claim as little as they confirm it.
-  const bool wide = fit.high - fit.low > claimed_order / 2;
-  if (settled && !wide && std::abs(fit.order - claimed_order) <= tolerance.order)
-    return conclude(fit, Verdict::confirmed, "");
-  // Slopes that still move, or settle elsewhere than they will: the next term of the error.
-  const TwoTermFit two = fit_two_terms(usable);
-  if (two.points > 0 && two.half_width <= tolerance.order &&
-      std::abs(two.order - claimed_order) <= tolerance.order) {
-    std::string reason = fmt::format(
-        "local slopes still move, {:.2f} at the finest steps; by the error's first two terms, C "
-        "h^p "
-        "(1 + D h), p is {:.2f}",
-        local_slope(usable[usable.size() - 2], usable.back()), two.order);
-    fit.order = two.order;
-    fit.low = two.order - two.half_width;
-    fit.high = two.order + two.half_width;
-    fit.points = two.points;
-    fit.step_coarsest = usable[two.first].step;
-    fit.step_finest = usable[two.first + two.points - 1].step;
-    return conclude(fit, Verdict::confirmed, std::move(reason));
-  }
-  // Slopes that agree at coarse steps, where finer ones are clear of rounding and do not bear them
-  // out, are a stretch before convergence.
-  const bool borne_out = settled && fit.step_finest <= finest_end * usable.back().step;
-  if (!borne_out) {
-    if (usable.size() < fewest_points)
-      return conclude(
-          fit, Verdict::undetermined,
-          fmt::format("{} of {} steps give an error that is solved, converging and clear of "
-                      "rounding; {} are needed",
-                      usable.size(), points.size(), fewest_points));
-    return conclude(fit, Verdict::undetermined,
-                    fmt::format("local slopes do not settle: {:.2f} at the finest steps",
-                                local_slope(usable[usable.size() - 2], usable.back())));
-  }
-  if (wide || (fit.low <= claimed_order && claimed_order <= fit.high))
-    return conclude(fit, Verdict::undetermined,
-                    fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "
-                                "does not settle whether it is {:g}",
-                                fit.order, fit.low, fit.high, claimed_order));
-  return conclude(
-      fit, fit.order > claimed_order ? Verdict::higher : Verdict::lower,
-      fmt::format("converges with order {:.2f} where {:g} is claimed", fit.order, claimed_order));
+  std::erase_if(solved, [](const ErrorPoint& p) { return p.scale > 0 && p.error > 10 * p.scale; });
+  return Fitting(std::move(solved), claimed_order, tolerance).conclude();
 }
 
 }  // namespace odeum::judge

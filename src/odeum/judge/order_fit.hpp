@@ -12,17 +12,27 @@ enum class Verdict { confirmed, higher, lower, floors, undetermined, failed, not
 
 const char* to_string(Verdict verdict);
 
-/// An error measured at a step size.
+/// An error measured at a step size, and what is known beforehand of the errors that are not the
+/// method's.
 struct ErrorPoint {
   double step = 0;
-  double error = 0;          ///< NaN where the solve failed
-  double steps = 0;          ///< how many steps were taken
-  double rounding_unit = 0;  ///< half a unit in the last place of what is measured
-  double floor = 0;          ///< error that the truth itself leaves open
-  double components = 1;     ///< how many the error is a root mean square over
+  double error = 0;  ///< NaN where the solve failed
+  double steps = 0;  ///< how many steps were taken
+  /// What rounding comes to for each root of the number of steps: half a unit in the last place of
+  /// the measured state, times what the problem makes of perturbations, see rounding.hpp.
+  double rounding_unit = 0;
+  double floor = 0;       ///< error that the truth itself leaves open
+  double scale = 0;       ///< size of what is measured; 0: not known
+  double components = 1;  ///< how many the error is a root mean square over
 
-  /// What rounding comes to if steps round at random, and what the truth leaves open.
+  /// The error expected of rounding at random in every step.
   double typical_rounding() const;
+  /// Above it local slopes show the method's error. Over many components rounding is independent of
+  /// the error and adds to it by squares, so that less of a margin is needed.
+  double clear_error() const;
+  /// Above it an error is not rounding. Own methods' rounding lies within a factor of 60 of what is
+  /// typical (large stage weights, linear systems, the same rounding repeated in each step).
+  double certain_error() const;
 };
 
 /// A measured order: the slope of log error against log step over the asymptotic window.
@@ -34,32 +44,44 @@ struct OrderFit {
   double low = nan, high = nan;  ///< its interval, 95 %
   std::size_t points = 0;        ///< in the window
   double step_coarsest = nan, step_finest = nan;
-  double floor = nan;  ///< smallest error seen where convergence stops; NaN where it does not
+  double floor = nan;       ///< the error at which convergence stops; NaN where it does not
+  double floor_step = nan;  ///< the step from which on it does
+  std::string floor_scale;  ///< what the floor scales with, in a few words; empty: not known
 };
 
-/// How far from the claim a slope may lie to confirm it, and how far the local slopes of a window
-/// may stray from each other.
+/// What makes a fit confirm a claim or deny it.
 struct FitTolerance {
-  double order;
-  double settled;
+  double order;    ///< how far from the claim a slope may lie to confirm it
+  double apart;    ///< how far at least, to be another order
+  double settled;  ///< how far the local slopes of a window may differ from their mean
+  double stray;    ///< the factor by which finer errors may miss the fitted power of the step
 };
-/// Fixed steps: two neighbouring orders are told apart with room to spare. Orders above 4 fall to
-/// rounding before their slopes settle as well, hence a tolerance of 5 % for them.
+/// Fixed steps: neighbouring orders are told apart by 0.15. Above order 4 errors fall to rounding
+/// before the next term of their expansion is negligible, C h^p (1 + D h): a window in which D h
+/// falls from 0.8 to 0.4 has a slope of p + 0.36. Hence 5 % of p, 0.45 at order 9: still less than
+/// half of what lies between neighbouring orders. Slopes of sound methods settle for a while
+/// between that and twice as much, so that these deny nothing.
 inline constexpr FitTolerance fixed_step_tolerance(double claimed_order) {
-  return {.order = claimed_order > 4 ? 0.05 * claimed_order : 0.15, .settled = 0.1};
+  const double order = claimed_order > 4 ? 0.05 * claimed_order : 0.15;
+  return {.order = order, .apart = 2 * order, .settled = 0.1, .stray = 2};
 }
-/// Adaptive runs: the steps vary along the run and with the tolerance, so that the mean step is a
-/// loose yardstick; whole orders are still told apart.
+/// Adaptive runs: the steps vary along the run and with the tolerance, so that errors scatter about
+/// a power of the mean step; whole orders are still told apart.
 inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
-  return {.order = claimed_order > 3 ? 0.15 * claimed_order : 0.5, .settled = 1.5};
+  const double order = claimed_order > 3 ? 0.15 * claimed_order : 0.5;
+  return {.order = order, .apart = order, .settled = 1.5, .stray = 10};
 }
 
-/// Fits the order of points sorted from coarse to fine. The window is found, never chosen by hand:
-/// its fine end is where errors meet rounding (what it comes to as a rule, or in this very run
-/// where that shows) or stop falling, its coarse end where the local slopes settle. A verdict of
-/// confirmed needs at least four points in the window, or six that lie on the error's first two
-/// terms, see two_term_fit.hpp. A claimed order of NaN gives not_applicable with the measured
-/// slope.
+/// Fits the order of points sorted from coarse to fine over the finest window (window.hpp) clear of
+/// rounding and of the truth's floor.
+/// - `confirmed`: the slope is the claimed order, or that of the error's first two terms is (see
+///   two_term_fit.hpp), and every finer point that is no rounding lies within `stray` of it.
+/// - `floors`: finer points stop falling, and are no rounding.
+/// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere. `higher`
+/// with
+///   an order of NaN: the errors are rounding at all steps.
+/// - `undetermined`: none of these; `failed`: nothing was solved.
+/// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);
 

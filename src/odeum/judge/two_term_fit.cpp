@@ -94,7 +94,14 @@ TwoTermFit fit_window(const ErrorPoint* points, std::size_t n) {
   centre(z);
   const double left = dot(log.x, log.x) - dot(log.x, z) * dot(log.x, z) / dot(z, z);
   const double spread = std::sqrt(best.squares / static_cast<double>(n - 3) / left);
+  double log_factor = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    log_factor += (std::log(points[i].error) - best.order * std::log(points[i].step) -
+                   std::log(std::abs(1 + best.d * points[i].step))) /
+                  static_cast<double>(n);
   return {.order = best.order,
+          .log_factor = log_factor,
+          .second = best.d,
           .half_width = student_t(n - 3) * spread,
           .scatter = std::sqrt(best.squares / static_cast<double>(n)),
           .second_at_finest = std::abs(best.d) * points[n - 1].step,

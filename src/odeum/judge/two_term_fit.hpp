@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <vector>
 
 #include "odeum/judge/order_fit.hpp"
@@ -10,11 +11,16 @@ namespace odeum::judge {
 /// slopes still move looks like, where a straight line through (log h, log e) is not yet one.
 struct TwoTermFit {
   double order = 0;                   ///< p, fitted freely
+  double log_factor = 0, second = 0;  ///< log C, and D
   double half_width = 0;              ///< of its 95 % interval
   double scatter = 0;                 ///< root mean square of log e beside the fit
   double second_at_finest = 0;        ///< |D h| at the finest step
   double trend = 0;                   ///< the part of it that neighbouring points share
   std::size_t first = 0, points = 0;  ///< the window
+
+  double at(double step) const {
+    return std::exp(log_factor + order * std::log(step)) * std::abs(1 + second * step);
+  }
 };
 
 /// Over those points at the fine end (or next to it, by up to two) that lie on such a curve and

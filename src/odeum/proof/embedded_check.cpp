@@ -80,7 +80,8 @@ EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, i
     points.push_back({.step = s.h,
                       .error = s.estimate,
                       .steps = 1,
-                      .rounding_unit = s.scale * std::numeric_limits<double>::epsilon() / 2});
+                      .rounding_unit = s.scale * std::numeric_limits<double>::epsilon() / 2,
+                      .scale = s.scale});
     const bool seen = s.estimate > 100 * points.back().rounding_unit ||
                       s.lower_error > 100 * points.back().rounding_unit;
     const double larger = std::max(s.estimate, s.lower_error);

@@ -62,10 +62,10 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
         const double error = std::abs(y[k] - exact[k]);
         // NaN stays, as the largest error there is
         if (!(error <= point.error)) point.error = error;
-        point.rounding_unit = std::max(
-            point.rounding_unit, std::abs(exact[k]) * std::numeric_limits<double>::epsilon() / 2);
+        point.scale = std::max(point.scale, std::abs(exact[k]));
       }
     }
+    point.rounding_unit = point.scale * std::numeric_limits<double>::epsilon() / 2;
     points.push_back(point);
     at_rounding = point.error <= point.typical_rounding() ? at_rounding + 1 : 0;
     if (at_rounding >= rounding_seen && points.size() >= 6) break;

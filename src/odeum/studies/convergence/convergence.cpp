@@ -1,240 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/convergence/convergence.hpp"
 
-#include <fmt/format.h>
+#include <map>
+#include <mutex>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "odeum/judge/errors.hpp"
-#include "odeum/studies/convergence/extended_order.hpp"
-#include "odeum/studies/convergence/settings.hpp"
+#include "odeum/judge/rounding.hpp"
+#include "odeum/studies/convergence/pair_runs.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-double claimed_order(const Pair& pair) {
-  const SolverInfo& info = pair.entrant->info;
-  return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
-}
-
-template <class Row>
-Row blank_row(const Pair& pair) {
-  Row row = named_row<Row>(*pair.c, pair.entrant->info);
-  row.mode = pair.mode;
-  return row;
-}
-
-OrderRow make_order(const Pair& pair, const judge::OrderFit& fit) {
-  OrderRow row = blank_row<OrderRow>(pair);
-  row.claimed_order = claimed_order(pair);
-  row.fit = fit;
-  return row;
-}
-
-ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
-  ConvergenceRow row = blank_row<ConvergenceRow>(pair);
-  row.status = to_string(outcome.status);
-  row.detail = outcome.detail;
-  row.counters = outcome.counters;
-  const double horizon = request.stops.back() - pair.c->t0;
-  if (pair.mode == Mode::fixed) {
-    row.steps = request.steps;
-    row.step = horizon / static_cast<double>(request.steps);
-    row.tolerance = nan;
-  } else {
-    row.steps = outcome.counters.steps;
-    row.step =
-        outcome.status == Status::ok && row.steps ? horizon / static_cast<double>(row.steps) : nan;
-    row.tolerance = request.tolerance;
-  }
-  row.error_max = row.error_rms = row.energy_error = nan;
-  return row;
-}
-
-void judge_row(const std::vector<judge::StopError>& errors, ConvergenceRow& row) {
-  row.error_max = row.error_rms = 0;
-  row.energy_error = std::isnan(errors.front().energy) ? nan : 0;
-  for (const judge::StopError& error : errors) {
-    row.error_max = std::max(row.error_max, error.error_max);
-    row.error_rms += error.error_rms * error.error_rms / static_cast<double>(errors.size());
-    if (!(error.energy_error <= row.energy_error)) row.energy_error = error.energy_error;
-  }
-  row.error_rms = std::sqrt(row.error_rms);
-}
-
-/// Why there is nothing to measure; empty: there is.
-const std::string& reason_against(const Pair& pair) {
-  if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
-  if (!pair.c->settings.no_convergence.empty()) return pair.c->settings.no_convergence;
-  static const std::string none;
-  return pair.mode == Mode::fixed ? pair.c->settings.no_fixed_steps : none;
-}
-
-ConvergenceResult not_applicable(const Pair& pair, const std::string& reason) {
-  ConvergenceRow row = not_applicable(blank_row<ConvergenceRow>(pair), reason);
-  row.step = row.tolerance = row.error_max = row.error_rms = row.energy_error = nan;
-  judge::OrderFit fit;
-  fit.verdict = judge::Verdict::not_applicable;
-  fit.reason = reason;
-  return {.rows = {row}, .times = {}, .orders = {make_order(pair, fit)}};
-}
-
-/// The runs of one pair, as they come in.
-class PairRuns {
+/// The perturbation gains of the cases of some pairs, each measured when it is first asked for.
+class Gains {
  public:
-  PairRuns(const Pair& pair, const judge::Judge& judge) : pair_(pair), judge_(judge) {}
-
-  /// Runs from coarse to fine, until rounding alone is left to see.
-  void climb(const std::vector<Request>& requests) {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Request& request : requests) {
-      runs_.push_back(measure(request, run_unless_over_budget(request)));
-      const judge::ErrorPoint& point = runs_.back().point;
-      const bool falls = point.error < 0.5 * smallest;
-      at_floor_ = near_rounding(point) && !falls ? at_floor_ + 1 : 0;
-      if (std::isfinite(point.error)) smallest = std::min(smallest, point.error);
-      // Eight settings are on record, finer ones would only repeat it.
-      if (at_floor_ >= 3 && runs_.size() >= 8) break;
-    }
+  explicit Gains(const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) gains_[pair.c];
   }
-
-  /// Runs more, if the order is still open.
-  void look_again(const Request& like) {
-    const judge::OrderFit first = fit();
-    if (first.verdict != judge::Verdict::undetermined && first.verdict != judge::Verdict::lower &&
-        first.verdict != judge::Verdict::higher)
-      return;
-    // Where runs are long, a low order that is clearly another one is not looked at twice; high
-    // ones settle late.
-    const double claimed = claimed_order(pair_);
-    if (first.verdict != judge::Verdict::undetermined && claimed <= 6 &&
-        std::abs(first.order - claimed) > 0.75 && pair_.c->y0.size() > dense_dimension_limit)
-      return;
-    std::vector<std::uint64_t> telling;  // solved, down to the smallest error
-    const std::uint64_t end = steps_of_least_error();
-    for (const Run& run : runs_)
-      if (std::isfinite(run.point.error) && run.row.steps <= end) telling.push_back(run.row.steps);
-    for (const Request& request : second_look(pair_, like, telling, at_floor_ > 0)) {
-      if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
-      std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
-      runs_.push_back(measure(request, pair_.entrant->solve(request)));
-    }
-    std::stable_sort(runs_.begin(), runs_.end(),
-                     [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
-  }
-
-  std::uint64_t steps_of_least_error() const {
-    const auto least = std::min_element(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
-      return std::isfinite(a.point.error) && !(a.point.error >= b.point.error);
-    });
-    return least->row.steps;
-  }
-
-  judge::OrderFit fit() const {
-    std::vector<judge::ErrorPoint> points;
-    for (const Run& run : runs_) points.push_back(run.point);
-    const double claimed = claimed_order(pair_);
-    judge::OrderFit fit =
-        judge::fit_order(points, claimed,
-                         pair_.mode == Mode::fixed ? judge::fixed_step_tolerance(claimed)
-                                                   : judge::adaptive_tolerance(claimed));
-    if (fit.verdict == judge::Verdict::failed)
-      fit.reason += ": " + runs_.back().row.status + ", " + runs_.back().row.detail;
-    return fit;
-  }
-
-  ConvergenceResult result() && {
-    ConvergenceResult result;
-    result.orders.push_back(make_order(pair_, fit()));
-    for (Run& run : runs_) {
-      result.rows.push_back(std::move(run.row));
-      std::move(run.times.begin(), run.times.end(), std::back_inserter(result.times));
-    }
-    return result;
+  double of(const Case& c) {
+    Gain& gain = gains_.at(&c);
+    std::call_once(gain.once, [&] { gain.value = judge::perturbation_gain(c); });
+    return gain.value;
   }
 
  private:
-  struct Run {
-    ConvergenceRow row;
-    std::vector<TimeRow> times;
-    judge::ErrorPoint point;
+  struct Gain {
+    std::once_flag once;
+    double value = 0;
   };
-
-  static bool near_rounding(const judge::ErrorPoint& point) {
-    return point.error <= 10 * point.typical_rounding();
-  }
-
-  Outcome run_unless_over_budget(const Request& request) {
-    Outcome outcome;
-    outcome.status = Status::over_budget;
-    if (!runs_.empty() && runs_.back().row.status == to_string(Status::over_budget))
-      outcome.detail = "not run: a coarser setting was over budget already";
-    else if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations))
-      outcome.detail = fmt::format(
-          "not run: coarser settings say that it takes more than {} evaluations and products",
-          request.budget.evaluations);
-    else
-      outcome = pair_.entrant->solve(request);
-    if (outcome.status == Status::ok)
-      costs_.push_back(
-          {pair_.mode == Mode::fixed ? static_cast<double>(request.steps) : 1 / request.tolerance,
-           static_cast<double>(outcome.counters.work)});
-    return outcome;
-  }
-
-  Run measure(const Request& request, const Outcome& outcome) const {
-    Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
-    ConvergenceRow& row = run.row;
-    run.point = {.step = row.step, .error = nan};
-    if (outcome.status != Status::ok) return run;
-    const std::vector<judge::StopError> errors = judge_.errors(outcome);
-    judge_row(errors, row);
-    for (const judge::StopError& e : errors)
-      run.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
-                           e.error_max, e.error_rms, e.energy, e.energy_error});
-    run.point.error = row.error_rms;
-    run.point.rounding_unit = judge_.rounding_unit();
-    run.point.components = static_cast<double>(judge_.components());
-    run.point.floor = pair_.c->truth.floor;
-    run.point.steps = static_cast<double>(row.steps);
-    return run;
-  }
-
-  const Pair& pair_;
-  const judge::Judge& judge_;
-  std::vector<Run> runs_;
-  int at_floor_ = 0;  ///< how many of the finest runs fell no more, near rounding
-  std::vector<Cost> costs_;
+  std::map<const Case*, Gain> gains_;
 };
-
-/// An order that double leaves open is looked at in extended precision, where pair and case allow.
-void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit& fit) {
-  if (fit.verdict != judge::Verdict::undetermined) return;
-  std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
-  if (!closer || closer->verdict == judge::Verdict::undetermined) return;
-  closer->reason =
-      fmt::format("order {:.2f} in extended precision, at steps of {:.2g} to {:.2g}; in double: {}",
-                  closer->order, closer->step_coarsest, closer->step_finest, fit.reason);
-  fit = *closer;
-}
-
-ConvergenceResult run_pair(const Pair& pair, const judge::Judge& judge, bool quick) {
-  if (const std::string& reason = reason_against(pair); !reason.empty())
-    return not_applicable(pair, reason);
-  PairRuns runs(pair, judge);
-  const std::vector<Request> requests = convergence_settings(pair, quick);
-  runs.climb(requests);
-  if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();
-  runs.look_again(requests.front());
-  const std::uint64_t end = runs.steps_of_least_error();
-  ConvergenceResult result = std::move(runs).result();
-  look_closer(pair, end, result.orders.front().fit);
-  return result;
-}
 
 }  // namespace
 
@@ -249,8 +43,11 @@ ConvergenceResult converge(const Options& options, const Runner& runner) {
           (only.empty() || only == to_string(mode)))
         pairs.push_back(pair);
     }
+  Gains gains(pairs);
   return runner.run("converge", pairs, key_of, [&](const Pair& pair) {
-    return run_pair(pair, judge::Judge(*pair.c, pair.c->stops), options.quick);
+    const std::string& reason = reason_against(pair);
+    return reason.empty() ? converge_pair(pair, gains.of(*pair.c), options.quick)
+                          : not_measured(pair, reason);
   });
 }
 

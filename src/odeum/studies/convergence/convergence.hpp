@@ -68,6 +68,7 @@ struct OrderRow {
     visit("points", row.fit.points), visit("step_coarsest", row.fit.step_coarsest);
     visit("step_finest", row.fit.step_finest), visit("floor", row.fit.floor);
     visit("verdict", row.fit.verdict), visit("reason", row.fit.reason), visit("mode", row.mode);
+    visit("floor_step", row.fit.floor_step), visit("floor_scale", row.fit.floor_scale);
   }
 };
 

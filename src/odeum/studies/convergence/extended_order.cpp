@@ -39,6 +39,7 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
           .steps = n,
           .rounding_unit = half_unit * static_cast<double>(largest),
           .floor = problem.floor,
+          .scale = static_cast<double>(largest),
           .components = static_cast<double>(numbers)};
 }
 

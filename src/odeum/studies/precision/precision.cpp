@@ -149,7 +149,7 @@ void time_once(const Stage& stage, const Contender& contender, Trial& trial) {
   double apart = outcome.states.size() == trial.states.size() ? 0 : nan;
   for (std::size_t i = 0; i < trial.states.size() && !std::isnan(apart); ++i)
     apart = std::max(apart, std::abs(outcome.states[i] - trial.states[i]));
-  const double allowed = 0.1 * trial.row.error + stage.floor + 1e4 * stage.judge.rounding_unit();
+  const double allowed = 0.1 * trial.row.error + stage.floor + 1e-12 * stage.judge.scale();
   if (!(apart <= allowed))
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }

@@ -60,6 +60,7 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
                             .error = ReductionRow::nan};
     point.steps = static_cast<double>(steps);
     point.rounding_unit = std::numeric_limits<double>::epsilon() / 2;
+    point.scale = 1;
     if (outcome.status == Status::ok)
       point.error = std::abs(outcome.states.back() - std::cos(horizon));
     else

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/rounding.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "odeum/judge/errors.hpp"
+
+namespace odeum::judge {
+namespace {
+
+constexpr double perturbation = 1e-8;  // far above rounding, far below what bends the solution
+constexpr std::uint64_t most_steps = 8192;
+
+class ClassicalRungeKutta {
+ public:
+  explicit ClassicalRungeKutta(const OdeView& problem)
+      : problem_(problem), k_(problem.dimension), sum_(k_), stage_(k_) {}
+
+  void step(double t, double h, std::vector<double>& y) {
+    sum_.assign(y.size(), 0);
+    stage_ = y;
+    add(t, h, 1, 0.5, y);
+    add(t + h / 2, h, 2, 0.5, y);
+    add(t + h / 2, h, 2, 1, y);
+    add(t + h, h, 1, 0, y);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6 * sum_[i];
+  }
+
+ private:
+  /// Evaluates at the stage; the next one lies `share` of a step along the slope.
+  void add(double t, double h, double weight, double share, const std::vector<double>& y) {
+    problem_.rhs(problem_.problem, t, stage_.data(), k_.data());
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      sum_[i] += weight * k_[i];
+      stage_[i] = y[i] + share * h * k_[i];
+    }
+  }
+
+  OdeView problem_;
+  std::vector<double> k_, sum_, stage_;
+};
+
+/// The states at the stops, each state but the first multiplied by 1 + size x, |x| <= 1 at random.
+Outcome run(const Case& c, const Request& request, double size, unsigned seed) {
+  const FixedGrid grid(c.t0, request);
+  ClassicalRungeKutta method(c.problem.view);
+  std::mt19937 random(seed);
+  const auto range = static_cast<double>(std::mt19937::max());
+  std::vector<double> y = c.y0;
+  Outcome outcome;
+  std::size_t stop = 0;
+  for (std::uint64_t i = 0; i < grid.steps(); ++i) {
+    method.step(grid.t(i), grid.h(), y);
+    for (double& x : y) x *= 1 + size * (2 * static_cast<double>(random()) / range - 1);
+    if (i + 1 == grid.index_of(stop)) outcome.record(request.stops[stop++], y.data(), y.size());
+  }
+  return outcome;
+}
+
+}  // namespace
+
+double perturbation_gain(const Case& c) {
+  const Judge judge(c, c.stops);
+  const double scale = judge.scale();
+  Request request;
+  request.stops = c.stops;
+  request.steps = std::max(most_steps / c.settings.steps_multiple, std::uint64_t{1}) *
+                  c.settings.steps_multiple;
+  request.steps =
+      std::max(c.settings.coarsest_steps, std::min(request.steps, c.settings.finest_steps));
+  const Outcome plain = run(c, request, 0, 0);
+  for (const StopError& error : judge.errors(plain))
+    if (!(error.error_rms <= 0.01 * scale)) return scale;
+  const std::vector<std::size_t> measured = measured_components(c);
+  double squares = 0;
+  constexpr unsigned runs = 3;
+  for (unsigned seed = 1; seed <= runs; ++seed) {
+    const Outcome moved = run(c, request, perturbation, seed);
+    for (std::size_t stop = 0; stop < c.stops.size(); ++stop)
+      for (const std::size_t i : measured) {
+        const std::size_t at = stop * c.y0.size() + i;
+        squares += std::pow(moved.states[at] - plain.states[at], 2);
+      }
+  }
+  const double errors = static_cast<double>(runs * c.stops.size() * measured.size());
+  return std::sqrt(squares / errors / static_cast<double>(request.steps)) / perturbation;
+}
+
+}  // namespace odeum::judge

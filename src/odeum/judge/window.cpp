@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/window.hpp"
+
+#include <algorithm>
+
+#include "odeum/judge/student.hpp"
+
+namespace odeum::judge {
+namespace {
+
+constexpr double shortest_span = 1.35;  // of the steps in a window
+
+// Local slopes are taken over steps this far apart, as a ladder's neighbours are. Between closer
+// ones they would show the errors' noise.
+constexpr double slope_span = 1.18;
+
+/// The next finer point that a local slope is taken to; `end` where there is none.
+std::size_t slope_partner(const std::vector<ErrorPoint>& points, std::size_t i, std::size_t end) {
+  std::size_t j = i + 1;
+  while (j < end && points[i].step < slope_span * points[j].step) ++j;
+  return j;
+}
+
+/// Mean, least and largest local slope of points [first, end).
+struct Slopes {
+  double mean = 0, low = 0, high = 0;
+};
+Slopes slopes_of(const std::vector<ErrorPoint>& points, std::size_t first, std::size_t end) {
+  Slopes slopes{.mean = 0, .low = 1e300, .high = -1e300};
+  int count = 0;
+  for (std::size_t i = first; i < end; ++i) {
+    const std::size_t j = slope_partner(points, i, end);
+    if (j == end) break;
+    const double slope = local_slope(points[i], points[j]);
+    slopes.mean += slope;
+    slopes.low = std::min(slopes.low, slope);
+    slopes.high = std::max(slopes.high, slope);
+    ++count;
+  }
+  slopes.mean /= count;
+  return slopes;
+}
+
+}  // namespace
+
+PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n) {
+  const auto count = static_cast<double>(n);
+  double mean_x = 0, mean_y = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    mean_x += std::log(points[i].step) / count;
+    mean_y += std::log(points[i].error) / count;
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = std::log(points[i].step) - mean_x, y = std::log(points[i].error) - mean_y;
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+  }
+  PowerLaw law{.order = xy / xx, .log_factor = mean_y - xy / xx * mean_x};
+  const double residual = std::max(0.0, yy - law.order * xy);
+  if (n > 2) law.half_width = student_t(n - 2) * std::sqrt(residual / (count - 2) / xx);
+  return law;
+}
+
+double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
+  return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
+}
+
+Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
+                   double settled) {
+  const double among_finest = settled * std::max(1.0, claimed_order / 2);
+  for (; end >= fewest_points; --end) {
+    std::size_t first = end - fewest_points;
+    while (first > 0 && points[first].step < shortest_span * points[end - 1].step) --first;
+    if (points[first].step < shortest_span * points[end - 1].step) break;
+    const Slopes slopes = slopes_of(points, first, end);
+    if (slopes.low <= 0 || slopes.high - slopes.mean > among_finest ||
+        slopes.mean - slopes.low > among_finest)
+      continue;
+    for (; first > 0; --first) {
+      const std::size_t partner = slope_partner(points, first - 1, end);
+      if (partner == end ||
+          std::abs(local_slope(points[first - 1], points[partner]) - slopes.mean) > settled)
+        break;
+    }
+    return {first, end - first};
+  }
+  return {};
+}
+
+}  // namespace odeum::judge
