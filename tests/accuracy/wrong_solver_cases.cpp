@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "accuracy/wrong_solvers.hpp"
+#include "odeum/proof/grounds.hpp"
+
+namespace odeum::tests {
+namespace {
+
+template <class P>
+Case make_case(const std::string& id, std::shared_ptr<const P> problem, double t0, double horizon,
+               std::vector<double> y0, std::function<void(double t, double* y)> truth) {
+  Case c;
+  c.id = id;
+  c.tags = {"smooth"};
+  c.t0 = t0;
+  c.y0 = std::move(y0);
+  for (int k = 1; k <= 4; ++k) c.stops.push_back(t0 + horizon * k / 4);
+  c.truth.at = [truth = std::move(truth)](double t, double* y) {
+    truth(t, y);
+    return true;
+  };
+  c.settings.steps_multiple = 4;
+  c.settings.finest_steps = 8192;
+  c.problem.view = view_of(*problem);
+  c.problem.keep_alive = problem;
+  return c;
+}
+
+template <class P>
+Case on_ground(const std::string& id, const proof::Ground<P>& ground) {
+  return make_case(id, std::make_shared<const P>(ground.problem), ground.t0, ground.horizon,
+                   ground.y0, ground.truth);
+}
+
+/// Kaps' problem, y1' = -(200 + 2) y1 + 200 y2^2, y2' = y1 - y2 - y2^2: y = (exp(-2t), exp(-t)).
+struct Kaps {
+  static constexpr std::size_t dimension = 2;
+  void rhs(double, const double* y, double* d) const {
+    d[0] = -202 * y[0] + 200 * y[1] * y[1];
+    d[1] = y[0] - y[1] - y[1] * y[1];
+  }
+};
+void kaps_truth(double t, double* y) {
+  y[0] = std::exp(-2 * t);
+  y[1] = std::exp(-t);
+}
+
+/// A ring of unknowns, each driven by its neighbours' deviations from a travelling wave, which is
+/// the solution: y_i = sin(2t + i pi/10), y_i' = s_i' + s_i (y_{i+1} - s_{i+1}) - (y_i - s_i).
+struct Ring {
+  static constexpr std::size_t dimension = 20;
+  static double wave(double t, std::size_t i) {
+    return std::sin(2 * t + std::numbers::pi / 10 * static_cast<double>(i));
+  }
+  void rhs(double t, const double* y, double* d) const {
+    for (std::size_t i = 0; i < dimension; ++i) {
+      const std::size_t next = (i + 1) % dimension;
+      const double speed = 2 * std::cos(2 * t + std::numbers::pi / 10 * static_cast<double>(i));
+      d[i] = speed + y[i] * (y[next] - wave(t, next)) - (y[i] - wave(t, i));
+    }
+  }
+};
+void ring_truth(double t, double* y) {
+  for (std::size_t i = 0; i < Ring::dimension; ++i) y[i] = Ring::wave(t, i);
+}
+
+std::vector<double> at_start(std::size_t size, void (*truth)(double t, double* y)) {
+  std::vector<double> y(size);
+  truth(0, y.data());
+  return y;
+}
+
+/// The fixed-step run of a Step.
+Outcome run(const Case& c, const MakeStep& make, const Request& request) {
+  const FixedGrid grid(c.t0, request);
+  const Step step = make(c.problem.view);
+  Vector y = c.y0;
+  Outcome outcome;
+  std::size_t stop = 0;
+  for (std::uint64_t i = 0; i < grid.steps(); ++i) {
+    step(i, grid.t(i), grid.h(), y);
+    if (i + 1 == grid.index_of(stop)) outcome.record(request.stops[stop++], y.data(), y.size());
+  }
+  outcome.counters.steps = grid.steps();
+  outcome.counters.work = outcome.counters.rhs_evaluations = 4 * grid.steps();
+  for (const double x : outcome.states)
+    if (!std::isfinite(x)) outcome.status = Status::non_finite;
+  return outcome;
+}
+
+}  // namespace
+
+Entrant entrant_of(const std::string& name, double claimed, const MakeStep& make, const Case& c) {
+  Entrant entrant;
+  entrant.info.library = "wrong";
+  entrant.info.method = name;
+  entrant.info.order = claimed;
+  entrant.solve = [&c, make](const Request& request) { return run(c, make, request); };
+  return entrant;
+}
+
+const std::vector<Case>& campaign_cases() {
+  static const std::vector<Case> cases = [] {
+    std::vector<Case> list;
+    for (const auto& ground : proof::grounds()) list.push_back(on_ground(ground.id, ground));
+    list.push_back(on_ground("second_order", proof::separable_grounds()[1]));
+    list.push_back(make_case("stiff", std::make_shared<const Kaps>(), 0, 2,
+                             at_start(Kaps::dimension, kaps_truth), kaps_truth));
+    list.push_back(make_case("larger", std::make_shared<const Ring>(), 0, 2,
+                             at_start(Ring::dimension, ring_truth), ring_truth));
+    list.back().settings.finest_steps = 512;  // its Jacobians by differences are dear
+    return list;
+  }();
+  return cases;
+}
+
+}  // namespace odeum::tests
