@@ -107,6 +107,76 @@ TEST(Verify, FailsWhatIsNotReached) {
   EXPECT_FALSE(nodes.passed());
 }
 
+/// Dormand and Prince's pair, with b_hat = b + share (b_hat - b).
+std::string dormand_prince(const mpq_class& share) {
+  const char* const b[] = {"35/384", "0", "500/1113", "125/192", "-2187/6784", "11/84", "0"};
+  const char* const b_hat[] = {"5179/57600",    "0",        "7571/16695", "393/640",
+                               "-92097/339200", "187/2100", "1/40"};
+  std::string text =
+      "order: 5\norder_embedded: 4\nA:\n  - []\n  - [1/5]\n  - [3/40, 9/40]\n"
+      "  - [44/45, -56/15, 32/9]\n  - [19372/6561, -25360/2187, 64448/6561, -212/729]\n"
+      "  - [9017/3168, -355/33, 46732/5247, 49/176, -5103/18656]\n"
+      "  - [35/384, 0, 500/1113, 125/192, -2187/6784, 11/84]\n";
+  std::string row = "b: [", row_hat = "b_hat: [";
+  for (int i = 0; i < 7; ++i) {
+    const mpq_class difference = mpq_class(b_hat[i]) - mpq_class(b[i]);
+    const mpq_class scaled = mpq_class(b[i]) + share * difference;
+    row += std::string(i ? ", " : "") + b[i];
+    row_hat += std::string(i ? ", " : "") + scaled.get_str();
+  }
+  return text + row + "]\n" + row_hat + "]\n";
+}
+
+proof::Verification verified(const std::string& yaml, std::string& text) {
+  const TableauFile file = tableau_of(yaml);
+  proof::Verification v = proof::verify(file);
+  text = v.text(file);
+  return v;
+}
+
+TEST(Verify, SaysWhatTheAuthorsOfAPairLookAt) {
+  std::string text;
+  const proof::Verification v = verified(dormand_prince(1), text);
+  EXPECT_TRUE(v.passed());
+  // Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19-26: A = 3.99e-4.
+  EXPECT_NEAR(v.quality.a, 3.99e-4, 1e-6);
+  EXPECT_NEAR(v.quality.a_hat, 1.18e-3, 1e-5);
+  EXPECT_NEAR(v.quality.b, 1.54, 0.01);
+  EXPECT_NEAR(v.quality.c, 1.67, 0.01);
+  EXPECT_NEAR(v.quality.d, 11.6, 0.01);
+  EXPECT_NEAR(v.quality.e, v.quality.a / v.quality.a_hat, 1e-12);
+  EXPECT_TRUE(v.quality.remarks().empty());
+  EXPECT_NE(text.find("B = 1.54, C = 1.67, E = 0.337"), std::string::npos) << text;
+  // One and a half times the difference is no fault, but it shows.
+  const proof::Verification more = verified(dormand_prince(mpq_class(33, 20)), text);
+  EXPECT_TRUE(more.passed());
+  EXPECT_NEAR(more.quality.a_hat / v.quality.a_hat, 1.65, 1e-9);
+}
+
+TEST(Verify, AnEstimateOfAnUnusualSizeIsRemarkedOn) {
+  std::string text;
+  const proof::Verification large = verified(dormand_prince(1'000'000), text);
+  EXPECT_TRUE(large.passed());
+  EXPECT_NE(text.find("passed, with 1 remark"), std::string::npos) << text;
+  // The running row shows the next order: its leading term is too small to be seen.
+  const proof::Verification small = verified(dormand_prince(mpq_class(1, 1000)), text);
+  EXPECT_TRUE(small.passed());
+  EXPECT_NE(text.find("too small to be seen"), std::string::npos) << text;
+  EXPECT_GT(small.quality.e, 100);
+  EXPECT_FALSE(small.quality.remarks().empty());
+}
+
+TEST(Verify, APairThatIsBlindIsRemarkedOn) {
+  // b and b_hat share the weights of the nodes 0 and 1: no difference where f depends on t alone.
+  std::string text;
+  const proof::Verification v = verified(
+      "order: 2\norder_embedded: 1\nA: [[], [1], [0, 1]]\nb: [1/2, 1/2, 0]\nb_hat: [1/2, 0, "
+      "1/2]\n",
+      text);
+  EXPECT_NE(text.find("blind on quadrature"), std::string::npos) << text;
+  EXPECT_EQ(v.embedded.order, 2);
+}
+
 TEST(Verify, RootsAndRoundedDecimalsAreNotTakenForFaults) {
   const TableauFile sdirk2 = tableau_of(
       "order: 2\nA: [[1 - sqrt(1/2)], [sqrt(1/2), 1 - sqrt(1/2)]]\n"

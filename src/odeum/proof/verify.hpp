@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "odeum/judge/order_fit.hpp"
+#include "odeum/proof/pair_quality.hpp"
 #include "odeum/tableau/character.hpp"
 #include "odeum/tableau/tableau_file.hpp"
 
@@ -30,6 +31,7 @@ struct MeasuredRow {
   std::string row, ground;
   judge::OrderFit fit;
   bool agrees = false;
+  std::string note;  ///< why a higher order agrees; may be empty
 };
 
 struct Verification {
@@ -39,6 +41,7 @@ struct Verification {
   StabilityClass stability;
   double real_limit = 0, imaginary_limit = 0;
   std::vector<MeasuredRow> measured;
+  PairQuality quality;
 
   /// Claims are reached, nodes are the row sums, and what runs agrees with the conditions.
   bool passed() const;

@@ -11,9 +11,10 @@ namespace odeum::study {
 /// or tolerances from 1e-3 on.
 std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
-/// Extra settings where the order is undetermined, if orders are measured on the case: between the
-/// numbers of steps in `telling`, or beyond them on a large problem with few affordable settings;
-/// between the last of them where `to_rounding`. All else as in `like`, one of its settings.
+/// Where to look again at a pair whose order stays open: between the numbers of steps that were
+/// telling, or beyond them where the ladder ended before errors came to rounding (`to_rounding`:
+/// they did). Large problems are looked at again where they are smooth alone. All else as in
+/// `like`, one of the pair's settings.
 std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding);
 

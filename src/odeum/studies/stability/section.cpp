@@ -17,12 +17,14 @@ constexpr const char* axes[] = {"real", "imaginary", "oscillator"};
 
 std::string limit_cells(const StabilityLimit* limit) {
   if (!limit) return "<td></td><td></td><td></td>";
-  if (limit->status != "ok")
+  const bool differs = limit->status == "differs";
+  if (limit->status != "ok" && !differs)
     return fmt::format("<td colspan=\"3\" class=\"dim\" title=\"{}\">{}</td>",
                        escape(limit->detail), escape(limit->status));
-  return fmt::format("<td title=\"{}\">{}</td><td class=\"dim\">{}</td><td class=\"dim\">{}</td>",
+  return fmt::format("<td title=\"{}\">{}</td><td class=\"dim\">{}</td><td class=\"dim\">{}{}</td>",
                      escape(limit->detail), show_number(limit->limit, 8),
-                     show_number(limit->theory, 8), show_number(limit->difference, 2));
+                     show_number(limit->theory, 8), differs ? "differs: " : "",
+                     show_number(limit->difference, 2));
 }
 
 std::string limits_table(const ReportData& data, const std::string& library) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +92,13 @@ std::function<judge::Growth(double)> theory_of(const Task& task) {
   };
 }
 
+/// A point where one of two limits is exceeded and the other is not.
+double between(double limit, double other) {
+  const double low = std::min(limit, other), high = std::max(limit, other);
+  if (std::isinf(high)) return 2 * low;
+  return low > 0 ? std::sqrt(low * high) : high / 2;
+}
+
 void find_limit_of(const Task& task, StabilityLimit& row) {
   const Probe probe = task.c->probe();
   GrowthMeter meter(probe, probe.entrants[task.index], task.question->oscillator, limit_length);
@@ -110,8 +118,20 @@ void find_limit_of(const Task& task, StabilityLimit& row) {
   row.detail = found.how;
   if (!failure.empty() && found.fails) row.detail += ": " + failure_detail;
   const auto theory = theory_of(task);
-  if (theory) row.theory = judge::find_limit(theory).limit;
+  if (!theory) return;
+  row.theory = judge::find_limit(theory).limit;
   row.difference = row.limit == row.theory ? 0 : std::abs(row.limit - row.theory);
+  if (row.difference > limit_tolerance * std::max(1.0, std::min(row.limit, row.theory))) {
+    row.status = "differs";
+    const double x = between(row.limit, row.theory);
+    const auto [first, second] = point_at(*task.question, x);
+    const judge::Growth measured = meter.measure(first, second);
+    if (!row.detail.empty()) row.detail += "; ";
+    row.detail += fmt::format(
+        "at {:.4g}, between the two limits, a step grows by {:.1e} as measured (known to {:.1e}) "
+        "and by {:.1e} in theory",
+        x, std::expm1(measured.log_per_step), measured.noise, std::expm1(theory(x).log_per_step));
+  }
 }
 
 void map_region_of(const Task& task, const Options& options, StabilityRegion& region) {

@@ -13,6 +13,9 @@ namespace odeum::study {
 /// (growth_meter.hpp) of y' = z y from y = 1, or of the oscillator q'' = -2 zeta w q' - w^2 q from
 /// q = 1, q' = 0, is at most 1 to within the accuracy of the measurement.
 
+/// To what a measured limit is held to theory, relative above 1.
+inline constexpr double limit_tolerance = 1e-6;
+
 /// A limit of stability along an axis: a line of stability_limits.csv. `limit` is measured on the
 /// running code, `theory` comes from the method's own stability function by the same search (NaN:
 /// none).
@@ -22,7 +25,7 @@ struct StabilityLimit {
   std::string axis;  ///< real, imaginary, oscillator
   double limit = nan, theory = nan;
   double difference = nan;  ///< |limit - theory|, 0 where both are infinite
-  std::string status;       ///< a Status, or not_applicable
+  std::string status;  ///< a Status, not_applicable, or differs: from theory, see limit_tolerance
   std::string detail;
 
   static constexpr const char* file = "stability_limits.csv";

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/proof/pair_quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/tableau/rooted_trees.hpp"
+
+namespace odeum::proof {
+namespace {
+
+/// sigma(tau), how many ways a tree maps to itself.
+double symmetry(std::size_t tree) {
+  const std::vector<RootedTree>& trees = all_rooted_trees();
+  if (tree == 0) return 1;
+  const std::size_t right = trees[tree].right;
+  double copies = 1;  // of `right` on the root
+  for (std::size_t rest = trees[tree].left; rest != 0; rest = trees[rest].left)
+    if (trees[rest].right == right) ++copies;
+  return copies * symmetry(trees[tree].left) * symmetry(right);
+}
+
+/// Norm over the trees of one order of |sum_i row_i Phi_i - exact / gamma| / sigma.
+double norm_of(const DynamicTableau<double>& tableau, const std::vector<double>& row, double exact,
+               int order) {
+  const std::vector<RootedTree>& trees = all_rooted_trees();
+  const std::size_t s = tableau.stages;
+  std::vector<std::vector<double>> phi;
+  double squares = 0;
+  for (std::size_t tau = 0; tau < trees.size() && trees[tau].nodes <= order; ++tau) {
+    phi.emplace_back(s, 1.0);
+    double sum = 0;
+    for (std::size_t i = 0; i < s; ++i) {
+      if (tau != 0) {
+        double graft = 0;
+        for (std::size_t j = 0; j < s; ++j) graft += tableau.at(i, j) * phi[trees[tau].right][j];
+        phi[tau][i] = phi[trees[tau].left][i] * graft;
+      }
+      sum += row[i] * phi[tau][i];
+    }
+    if (trees[tau].nodes != order) continue;
+    const double residual = sum - exact / static_cast<double>(trees[tau].density);
+    squares += std::pow(residual / symmetry(tau), 2);
+  }
+  return std::sqrt(squares);
+}
+
+double largest(const std::vector<double>& numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+/// Whether an estimate sees no error where there is one.
+bool blind(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
+
+}  // namespace
+
+double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row,
+                  int order) {
+  return norm_of(tableau, row, 1, order);
+}
+
+PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int order_hat) {
+  PairQuality quality;
+  quality.d = std::max(
+      {largest(tableau.a), largest(tableau.b), largest(tableau.c), largest(tableau.b_hat)});
+  if (order > 0 && order < highest_order_checked)
+    quality.a = error_norm(tableau, tableau.b, order + 1);
+  if (!tableau.embedded() || order == 0 || order_hat == 0) return quality;
+  quality.a_hat =
+      error_norm(tableau, tableau.b_hat, std::min(order_hat + 1, highest_order_checked));
+  const int q = std::min(order, order_hat) + 1;
+  if (q + 1 <= highest_order_checked) {
+    const bool kept_is_lower = order < order_hat;
+    const std::vector<double>& lower = kept_is_lower ? tableau.b : tableau.b_hat;
+    const std::vector<double>& higher = kept_is_lower ? tableau.b_hat : tableau.b;
+    std::vector<double> difference;
+    for (std::size_t i = 0; i < lower.size(); ++i) difference.push_back(higher[i] - lower[i]);
+    const double leading = error_norm(tableau, lower, q);
+    quality.b = error_norm(tableau, lower, q + 1) / leading;
+    quality.c = norm_of(tableau, difference, 0, q + 1) / leading;
+    quality.e = error_norm(tableau, higher, q + 1) / leading;
+    quality.of_term = leading / norm_of(tableau, std::vector<double>(tableau.stages), 1, q);
+  }
+  DynamicTableau<double> pair = tableau;
+  pair.order = order;
+  pair.order_hat = order_hat;
+  quality.estimate = estimate_quality(interpreted(pair), order, order_hat);
+  return quality;
+}
+
+std::vector<std::string> PairQuality::remarks() const {
+  std::vector<std::string> remarks;
+  if (of_term > 3)
+    remarks.push_back(fmt::format(
+        "the lower row's leading error is {:.2g} times the term of the solution that it misses: "
+        "the estimate makes steps far too short",
+        of_term));
+  if (b > 10)
+    remarks.push_back(fmt::format(
+        "the lower row's leading error term is small beside the next (B = {:.2g}): the estimate is "
+        "of its order only at steps much below 1/B, and may miss the error of the row that is kept",
+        b));
+  for (const EstimateQuality& q : estimate) {
+    if (blind(q))
+      remarks.push_back(fmt::format("blind on {} problems: the estimate is {:.1e} of the error",
+                                    q.ground, std::isnan(q.ratio) ? 0 : q.ratio));
+    else if (q.margin < 1)
+      remarks.push_back(fmt::format(
+          "on the {} problem the estimate is {:.2g} of the error of the row that is kept", q.ground,
+          q.margin));
+  }
+  return remarks;
+}
+
+std::string PairQuality::text() const {
+  std::string text = fmt::format("principal error norms: A of b {:.3e}", a);
+  if (!std::isnan(a_hat)) text += fmt::format(", of b_hat {:.3e}", a_hat);
+  text += fmt::format("; largest coefficient D = {:.4g}\n", d);
+  if (!std::isnan(b))
+    text +=
+        fmt::format("Prince and Dormand's ratios: B = {:.3g}, C = {:.3g}, E = {:.3g}\n", b, c, e);
+  for (const EstimateQuality& q : estimate)
+    text += fmt::format(
+        "  {:<12}{:<16}{:.3g} of the error of the lower row, {:.3g} of that of b; h^{:.2f}\n",
+        "estimate", q.ground, q.ratio, q.margin, q.exponent);
+  for (const std::string& remark : remarks()) text += "remark: " + remark + '\n';
+  return text;
+}
+
+}  // namespace odeum::proof

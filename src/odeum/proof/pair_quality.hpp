@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/proof/embedded_check.hpp"
+#include "odeum/tableau/dynamic_tableau.hpp"
+
+namespace odeum::proof {
+
+/// The Euclidean norm of a row's error coefficients of one order,
+/// (sum_i b_i Phi_i(tau) - 1/gamma(tau)) / sigma(tau) over all trees tau with so many nodes: zero
+/// where the order's conditions hold, A(p+1) of Prince and Dormand for the first that do not.
+double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row, int order);
+
+/// What the author of a method or a pair looks at beside the orders (Prince, Dormand, J. Comput.
+/// Appl. Math. 7 (1981) 67-75). The lower row is the one of less order, of order q - 1.
+struct PairQuality {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  double a = nan,
+         a_hat = nan;  ///< principal error norms of b and b_hat; b_hat's NaN without a pair
+  double b = nan;      ///< of the lower row, A(q+1) / A(q): small, its leading term leads
+  double c = nan;      ///< |tau(q+1) of the rows' difference| / A(q) of the lower row
+  double d = 0;        ///< the largest coefficient
+  double e = nan;      ///< A(q+1) of the higher row / A(q) of the lower one
+  /// A(q) of the lower row beside the whole term h^q of the solution, whose coefficients are
+  /// 1 / (gamma sigma).
+  double of_term = nan;
+  std::vector<EstimateQuality> estimate;  ///< measured; empty without a pair
+
+  /// What is unusual in these numbers, a sentence each.
+  std::vector<std::string> remarks() const;
+  std::string text() const;
+};
+
+/// `order` and `order_hat`: as proven; 0: there is no such row, or it is not consistent.
+PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int order_hat);
+
+}  // namespace odeum::proof
