@@ -170,6 +170,11 @@ class PairRuns {
       } else {
         fit.reason += fmt::format(": {}, {}", other->row.status, other->row.detail);
       }
+    } else if (fit.verdict == judge::Verdict::lower || fit.verdict == judge::Verdict::floors) {
+      const bool linearised = pair_.entrant->info.family == "linearly_implicit";
+      if (linearised && !pair_.c->problem.view.jacobian)
+        fit.reason +=
+            "; the Jacobian is taken by differences, and its error of 1e-8 is one of the method's";
     } else if (fit.verdict == judge::Verdict::undetermined && !costs_.empty()) {
       const auto first = std::find_if(runs_.begin(), runs_.end(), over_budget);
       if (first == runs_.end()) return;
