@@ -9,9 +9,8 @@
 #include "goals.hpp"
 #include "grid_forces.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/scene/springs/cloth_engine.hpp"
-#include "odeum/scene/springs/imex_cloth.hpp"
 #include "odeum/scene/springs/lanes.hpp"
+#include "odeum/studies/material/cloth_steps.hpp"
 #include "support/square_cloth.hpp"
 
 namespace odeum::bench {
@@ -53,18 +52,17 @@ void add_frame_rows(std::vector<Row>& rows) {
                                           {std::size_t{256}, std::size_t{2}, 16.7}}) {
     const Scene scene = square_cloth(n, 10);
     const double m = scene.particles[0].mass;
-    const double by_springs = scene::spring_limit * std::sqrt(m / 10),
-                 by_damping = 0.98 * scene::verlet_damping_limit * m / 0.05;
+    const double by_springs = study::cloth_spring_limit * std::sqrt(m / 10),
+                 by_damping = 0.98 * study::cloth_damping_limit * m / 0.05;
     const auto steps_of = [](double largest) {
       return static_cast<std::size_t>(std::ceil(frame / largest));
     };
     const std::size_t many = steps_of(std::min(by_springs, by_damping)), few = steps_of(by_springs);
-    scene::ClothEngine<float> verlet(scene, threads);
-    scene::ImexCloth<float> imex(scene, threads);
-    const auto t =
-        interleave({[&] { verlet.velocity_verlet(frame / static_cast<double>(many), many); },
-                    [&] { imex.step(frame / static_cast<double>(few), few, 1e-2); }},
-                   2, false);
+    const auto verlet = study::velocity_verlet_steps<float>(scene, threads);
+    const auto imex = study::imex_verlet_steps<float>(scene, 1e-2, threads);
+    const auto t = interleave({[&] { verlet->run(frame / static_cast<double>(many), many); },
+                               [&] { imex->run(frame / static_cast<double>(few), few); }},
+                              2, false);
     const auto add = [&, n = n, threads = threads](const char* how, double goal, const Timing& time,
                                                    std::size_t steps) {
       rows.push_back(
@@ -137,7 +135,8 @@ std::vector<Row> cloth_step_rows() {
   } sizes[] = {{11, 25, 12, 400, 20'000}, {32, 40, 20, 60, 2'000}, {64, 60, 25, 20, 500}};
   for (const auto& size : sizes) {
     const ClothStage stage(size.n, 10), plain(size.n, 10, Forces::plain);
-    scene::ClothEngine<double> engine(stage.scene());
+    const auto verlet_steps = study::velocity_verlet_steps<double>(stage.scene());
+    const auto rk4_steps = study::rk4_steps<double>(stage.scene());
     // The difference of two runs of a peer removes its set-up: three quarters of it are steps
     // alone.
     const auto steps_of = [](const ClothStage& on, const std::string& id, std::uint64_t steps) {
@@ -149,10 +148,9 @@ std::vector<Row> cloth_step_rows() {
     };
     const std::uint64_t b = size.bullet_steps, s = size.own_steps;
     const auto t = interleave(
-        {[&] { engine.velocity_verlet(h / 64, s); },
-         steps_of(stage, "bullet/deformable_explicit", b),
-         steps_of(stage, "bullet/deformable_explicit", b / 4), [&] { engine.rk4(h / 64, s / 4); },
-         steps_of(stage, "odeint/runge_kutta4", s / 4),
+        {[&] { verlet_steps->run(h / 64, s); }, steps_of(stage, "bullet/deformable_explicit", b),
+         steps_of(stage, "bullet/deformable_explicit", b / 4),
+         [&] { rk4_steps->run(h / 64, s / 4); }, steps_of(stage, "odeint/runge_kutta4", s / 4),
          steps_of(stage, "odeint/runge_kutta4", s / 16),
          steps_of(plain, "odeint/runge_kutta4", s / 4),
          steps_of(plain, "odeint/runge_kutta4", s / 16)},
@@ -174,9 +172,9 @@ std::vector<Row> cloth_step_rows() {
   }
   add_frame_rows(rows);
   for (const std::size_t n : {11, 32, 64, 128, 256, 512}) {
-    scene::ClothEngine<double> engine(square_cloth(n, 10));
+    const auto cloth = study::velocity_verlet_steps<double>(square_cloth(n, 10));
     const std::size_t steps = 2'000'000 / (n * n) + 2;
-    const auto t = interleave({[&] { engine.velocity_verlet(1e-6, steps); }}, 0.5);
+    const auto t = interleave({[&] { cloth->run(1e-6, steps); }}, 0.5);
     rows.push_back({.what = fmt::format("{0} x {0}: velocity Verlet, f64, a particle and step", n),
                     .goal = nan,
                     .measured = 1e9 * t[0].min / static_cast<double>(steps * n * n),

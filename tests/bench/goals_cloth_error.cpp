@@ -8,16 +8,15 @@
 
 #include "cloth_stage.hpp"
 #include "goals.hpp"
-#include "odeum/scene/springs/cloth_engine.hpp"
-#include "odeum/scene/springs/implicit_cloth.hpp"
+#include "odeum/studies/material/cloth_steps.hpp"
 
 namespace odeum::bench {
 namespace {
 
-std::vector<double> state_of(const auto& engine, std::size_t particles) {
-  std::vector<double> y(6 * particles);
-  engine.read(y.data());
-  return y;
+/// The state after n steps that together take t seconds.
+std::vector<double> after(const auto& cloth, double t, double n) {
+  if (!cloth->run(t / n, static_cast<std::uint64_t>(n))) throw std::runtime_error("a failed step");
+  return cloth->state();
 }
 
 /// An own implicit step against Bullet's, both one Newton step of backward Euler at the same h.
@@ -28,17 +27,15 @@ Row implicit_row(std::size_t n, double goal) {
   const ClothStage stage(n, 10);
   const std::vector<double> truth = stage.truth(t);
   double own_error = 0, peer_error = 0;
-  const auto time = interleave({[&] {
-                                  scene::ImplicitCloth cloth(stage.scene());
-                                  if (!cloth.step(h, steps, tolerance))
-                                    throw std::runtime_error("an indefinite system");
-                                  own_error = stage.distance(state_of(cloth, n * n), truth);
-                                },
-                                [&] {
-                                  peer_error = stage.distance(
-                                      stage.fixed("bullet/deformable_implicit", t, steps), truth);
-                                }},
-                               3);
+  const auto time = interleave(
+      {[&] {
+         const auto cloth = study::predicted_implicit_euler_steps(stage.scene(), tolerance);
+         own_error = stage.distance(after(cloth, t, static_cast<double>(steps)), truth);
+       },
+       [&] {
+         peer_error = stage.distance(stage.fixed("bullet/deformable_implicit", t, steps), truth);
+       }},
+      3);
   return compare(fmt::format("{0} x {0}: Bullet deformable implicit / own, dt = 0.01", n), goal,
                  time[0], time[1],
                  fmt::format("errors {:.2g} (own, CG to {:.0e}) and {:.2g} m", own_error, tolerance,
@@ -81,14 +78,10 @@ void equal_error_rows(std::vector<Row>& rows) {
   const std::vector<double> truth = stage.truth(t);
   const auto error_of = [&](const std::vector<double>& y) { return stage.distance(y, truth); };
   const auto verlet = [&](double steps) {
-    scene::ClothEngine<float> engine(stage.scene());
-    engine.velocity_verlet(t / steps, static_cast<std::size_t>(steps));
-    return state_of(engine, n * n);
+    return after(study::velocity_verlet_steps<float>(stage.scene()), t, steps);
   };
   const auto rk4 = [&](double steps) {
-    scene::ClothEngine<double> engine(stage.scene());
-    engine.rk4(t / steps, static_cast<std::size_t>(steps));
-    return state_of(engine, n * n);
+    return after(study::rk4_steps<double>(stage.scene()), t, steps);
   };
   const std::vector<double> step_counts{190, 220, 256, 320, 400, 512, 724, 1024, 2048};
   const Reached by_verlet = reach(1e-3, step_counts, verlet, error_of);

@@ -92,8 +92,8 @@ TEST(PageMaterial, ColoursImplicitBySpeedAndTellsItsError) {
     made.step = 1e-4;
     made.wall_ns_min = ns;
     made.wall_ns_median = 1.1 * ns;
-    made.error = error;
-    made.truth_left = 1e-6;
+    made.rk4_distance = error;
+    made.rk4_left = 1e-6;
     made.conditions = {.drift = 0.4, .processor_share = 1, .measured = "2026-01-01T00:00:00Z"};
     return made;
   };
@@ -121,7 +121,7 @@ TEST(PageMaterial, ShowsTheLongRunBesideItsReference) {
     row.time = 10;
     row.quantity = quantity;
     row.value = 12.5;
-    row.exact = 10.25;
+    row.reference = 10.25;
     rows.push_back(row);
   }
   study::LongRunRow ended = rows.front();

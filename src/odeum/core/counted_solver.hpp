@@ -23,6 +23,7 @@ class CountedSolver final : public ShiftedSolver {
     guard_.count_products(solver_->products() - before);
     return solved;
   }
+  void solve_once_a_step() override { solver_->solve_once_a_step(); }
   std::uint64_t products() const override { return solver_->products(); }
 
  private:

@@ -46,14 +46,20 @@ class Guarded {
   }();
   void acceleration(double t, const double* q, const double* v,
                     double* a) const requires SecondOrder<P> {
-    if (!guard_.watches()) {
-      problem_.acceleration(t, q, v, a);
-    } else if (guard_.admit()) {
-      problem_.acceleration(t, q, v, a);
-      guard_.inspect(t, a, size() / 2, size() / 2);
-    } else {
-      for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
-    }
+    watched(t, a, [&] { problem_.acceleration(t, q, v, a); });
+  }
+  bool offers_damping() const requires WithDamping<P> {
+    if constexpr (requires { problem_.offers_damping(); }) return problem_.offers_damping();
+    return true;
+  }
+  void undamped_acceleration(double t, const double* q, double* a) const requires WithDamping<P> {
+    watched(t, a, [&] { problem_.undamped_acceleration(t, q, a); });
+  }
+  std::uint64_t damp(double t, const double* q, double h, double* v,
+                     double relative) const requires WithDamping<P> {
+    const std::uint64_t products = problem_.damp(t, q, h, v, relative);
+    guard_.count_products(products);
+    return products;
   }
   /// Counts as `order` evaluations: each coefficient takes the recurrence once around.
   void taylor(double t, const double* y, int order, double* c) const requires WithTaylorSeries<P> {
@@ -75,6 +81,18 @@ class Guarded {
   Guard& guard() const { return guard_; }
 
  private:
+  template <class Evaluate>
+  void watched(double t, double* a, Evaluate&& evaluate) const {
+    if (!guard_.watches()) {
+      evaluate();
+    } else if (guard_.admit()) {
+      evaluate();
+      guard_.inspect(t, a, size() / 2, size() / 2);
+    } else {
+      for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
+    }
+  }
+
   const P& problem_;
   Guard& guard_;
 };

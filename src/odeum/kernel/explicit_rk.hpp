@@ -90,13 +90,13 @@ class ExplicitRungeKutta {
 
   template <std::size_t I, std::size_t... J>
   void evaluate_stage(Real t, Real h, const State<P>& y, std::index_sequence<J...>) {
-    const std::array<Real, I> ha{(h * T.a[I][J])...};
+    const std::array<Real, I> ha{static_cast<Real>(h * T.a[I][J])...};
     for (std::size_t n = 0; n < y.size(); ++n) {
       Real sum = y[n];
       ((T.a[I][J] != 0 ? void(sum += ha[J] * k_[J][n]) : void()), ...);
       argument_[n] = sum;
     }
-    problem_.rhs(t + T.c(I) * h, argument_.data(), k_[I].data());
+    problem_.rhs(static_cast<Real>(t + T.c(I) * h), argument_.data(), k_[I].data());
   }
 
   template <Row row>
@@ -107,7 +107,7 @@ class ExplicitRungeKutta {
   template <Row row>
   static constexpr std::array<Real, stages> weights_times(Real h) {
     std::array<Real, stages> weights{};
-    for (std::size_t i = 0; i < stages; ++i) weights[i] = h * weight<row>(i);
+    for (std::size_t i = 0; i < stages; ++i) weights[i] = static_cast<Real>(h * weight<row>(i));
     return weights;
   }
 

@@ -23,17 +23,18 @@ struct velocity_verlet : ForSecondOrder {
   template <class P>
   class Stepper {
    public:
+    using Real = RealOf<P>;
+
     explicit Stepper(const P& problem)
         : problem_(problem), a_(make_state(problem)), a_next_(a_), predicted_(a_) {}
 
-    void start(double t, double /*h*/, const State<P>& y) {
+    void start(Real t, Real /*h*/, const State<P>& y) {
       problem_.acceleration(t, y.data(), y.data() + y.size() / 2, a_.data());
     }
 
-    Status step(double t, double h, State<P>& y) {
+    Status step(Real t, Real h, State<P>& y) {
       const std::size_t n = y.size() / 2;
-      double* const q = y.data();
-      double* const v = q + n;
+      Real *const q = y.data(), *const v = q + n;
       for (std::size_t i = 0; i < n; ++i) {
         q[i] += h * (v[i] + h / 2 * a_[i]);
         predicted_[i] = v[i] + h * a_[i];

@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -80,7 +81,7 @@ concept NonAutonomous = Ode<P> && requires(const P& p, double t, const double* y
 /// q'' = a(t, q, v) with y = [q, v]: all positions, then all velocities.
 template <class P>
 concept SecondOrder = Ode<P> &&
-    requires(const P& p, double t, const double* q, const double* v, double* a) {
+    requires(const P& p, RealOf<P> t, const RealOf<P>* q, const RealOf<P>* v, RealOf<P>* a) {
   { P::velocity_dependent } -> std::convertible_to<bool>;
   p.acceleration(t, q, v, a);
 };
@@ -88,6 +89,16 @@ concept SecondOrder = Ode<P> &&
 /// q'' = a(t, q): the acceleration does not depend on the velocity.
 template <class P>
 concept Separable = SecondOrder<P> && !P::velocity_dependent;
+
+/// q'' = a(t, q) + d(t, q, v) with d(t, q, 0) = 0: `undamped_acceleration` fills a, and `damp`
+/// takes one step of length h of the trapezoidal rule for v' = d(t, q, v) at fixed t and q. The
+/// error of the change of v is `relative` of it; the number of products with dd/dv is returned.
+template <class P>
+concept WithDamping = SecondOrder<P> &&
+    requires(const P& p, RealOf<P> t, const RealOf<P>* q, RealOf<P>* v, double relative) {
+  p.undamped_acceleration(t, q, v);
+  { p.damp(t, q, t, v, relative) } -> std::convertible_to<std::uint64_t>;
+};
 
 /// Offers its own solver of (I - gamma_h J) x = r, see problem/shifted_solver.hpp: a pointer, null
 /// where it has none.
@@ -147,8 +158,8 @@ State<P> make_state(const P& problem) {
 
 /// The right-hand side of q'' = a(t, q, v) as a first-order system: dydt = [v, a].
 template <class P>
-void second_order_rhs(const P& problem, std::size_t degrees, double t, const double* y,
-                      double* dydt) {
+void second_order_rhs(const P& problem, std::size_t degrees, RealOf<P> t, const RealOf<P>* y,
+                      RealOf<P>* dydt) {
   for (std::size_t i = 0; i < degrees; ++i) dydt[i] = y[degrees + i];
   problem.acceleration(t, y, y + degrees, dydt + degrees);
 }
@@ -193,6 +204,17 @@ OdeView view_of(const P& problem) {
     view.velocity_dependent = P::velocity_dependent;
     view.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
       static_cast<const P*>(p)->acceleration(t, q, v, a);
+    };
+  }
+  if constexpr (WithDamping<P>) {
+    if constexpr (requires { problem.offers_damping(); })
+      if (!problem.offers_damping()) return view;
+    view.undamped_acceleration = [](const void* p, double t, const double* q, double* a) {
+      static_cast<const P*>(p)->undamped_acceleration(t, q, a);
+    };
+    view.damp = [](const void* p, double t, const double* q, double h, double* v,
+                   double relative) -> std::uint64_t {
+      return static_cast<const P*>(p)->damp(t, q, h, v, relative);
     };
   }
   return view;

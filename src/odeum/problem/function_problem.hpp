@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "odeum/problem/concepts.hpp"
 
@@ -31,6 +34,23 @@ struct FunctionMechanics : FunctionProblem {
 
   void acceleration(double t, const double* q, const double* v, double* out) const {
     a(t, q, v, out);
+  }
+  void undamped_acceleration(double t, const double* q, double* out) const {
+    a(t, q, std::vector<double>(unknowns / 2).data(), out);
+  }
+  /// By fixed-point iteration, which converges for the steps of proofs.
+  std::uint64_t damp(double t, const double* q, double h, double* v, double /*relative*/) const {
+    const std::size_t n = unknowns / 2;
+    std::vector<double> undamped(n), before(n), after(n), next(v, v + n);
+    undamped_acceleration(t, q, undamped.data());
+    a(t, q, v, before.data());
+    for (int i = 0; i < 40; ++i) {
+      a(t, q, next.data(), after.data());
+      for (std::size_t k = 0; k < n; ++k)
+        next[k] = v[k] + h * ((before[k] + after[k]) / 2 - undamped[k]);
+    }
+    std::copy(next.begin(), next.end(), v);
+    return 0;
   }
 };
 

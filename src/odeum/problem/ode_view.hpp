@@ -2,6 +2,7 @@
 #pragma once
 // Plain C++17: the adapter parts that need an older standard (uBLAS) include this header too.
 #include <cstddef>
+#include <cstdint>
 
 namespace odeum {
 
@@ -35,6 +36,12 @@ struct OdeView {
   bool velocity_dependent = false;  ///< whether a depends on q'
   void (*acceleration)(const void* problem, double t, const double* q, const double* v,
                        double* a) = nullptr;
+
+  /// Damping apart from the other forces, see WithDamping.
+  void (*undamped_acceleration)(const void* problem, double t, const double* q,
+                                double* a) = nullptr;
+  std::uint64_t (*damp)(const void* problem, double t, const double* q, double h, double* v,
+                        double relative) = nullptr;
 
   bool second_order() const { return degrees_of_freedom != 0; }
 };

@@ -72,6 +72,14 @@ class SharedSecondOrder : public SharedOde {
   void acceleration(double t, const double* q, const double* v, double* a) const {
     view().acceleration(view().problem, t, q, v, a);
   }
+
+  bool offers_damping() const { return view().damp != nullptr; }
+  void undamped_acceleration(double t, const double* q, double* a) const {
+    view().undamped_acceleration(view().problem, t, q, a);
+  }
+  std::uint64_t damp(double t, const double* q, double h, double* v, double relative) const {
+    return view().damp(view().problem, t, q, h, v, relative);
+  }
 };
 
 /// q'' = a(t, q).

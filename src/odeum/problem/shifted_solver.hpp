@@ -15,6 +15,10 @@ class ShiftedSolver {
   /// solver, of the size of rounding for a direct one.
   virtual bool solve(double* x, double relative) = 0;
   static constexpr double exact = 1e-12;  ///< for solutions without a later correction
+  /// For methods that solve one system a step and whose order does not depend on J: from now on J
+  /// may be replaced by one that keeps the matrix positive definite at any step, and each solution
+  /// is the guess for the next. A direct solver does nothing.
+  virtual void solve_once_a_step() {}
   /// Products with a matrix of J's sparsity by all solves so far; 0 for a direct solver.
   virtual std::uint64_t products() const { return 0; }
 };

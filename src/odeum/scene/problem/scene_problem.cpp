@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "odeum/linear/conjugate_gradients.hpp"
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/scene/model/spring_law.hpp"
 
@@ -75,7 +76,7 @@ SceneProblem::SceneProblem(const Scene& scene)
     any_radius |= particle.radius > 0;
   }
   if (const auto found = find_grid(scene.particles, springs_.springs()))
-    grid_.emplace(GridLayout(found->rows, found->columns), found->kinds);
+    grid_.emplace(scene, *found);
   if (auto axial = springs_of(scene, true); !axial.empty())
     terms_.push_back(std::make_unique<EdgeSprings>("springs_axial", std::move(axial)));
   for (const UniformForce& force : scene.forces) terms_.push_back(make_uniform_force(force));
@@ -123,7 +124,7 @@ void SceneProblem::grid_forces(const double* q, const double* v, double* force) 
   double *const gq = scratch(3 * n), *const gv = gq + n, *const gathered = gv + n;
   layout.scatter(q, gq);
   layout.scatter(v, gv);
-  grid_->forces(gq, gv, gathered, 0, layout.rows);
+  grid_->springs().forces(gq, gv, gathered, 0, layout.rows);
   layout.gather(gathered, force);
 }
 
@@ -135,7 +136,7 @@ void SceneProblem::grid_derivative(const double* y, const double* x, double* cha
   layout.scatter(y, gq);
   layout.scatter(x, gdq);
   layout.scatter(x + size() / 2, gdv);
-  grid_->derivative(gq, gdq, gdv, gathered, 0, layout.rows);
+  grid_->springs().derivative(gq, gdq, gdv, gathered, 0, layout.rows);
   layout.gather(gathered, change);
 }
 
@@ -158,6 +159,66 @@ void SceneProblem::acceleration(double, const double* q, const double* v, double
     for (std::size_t d = 0; d < 3; ++d)
       a[3 * i + d] = a[3 * i + d] * bodies_.inverse_mass[i] + free * gravity_[d];
   }
+}
+
+// The damping force vanishes with the velocities.
+void SceneProblem::undamped_acceleration(double t, const double* q, double* a) const {
+  if (!grid_) {
+    const std::vector<double> at_rest(size() / 2);
+    return acceleration(t, q, at_rest.data(), a);
+  }
+  const GridLayout& layout = grid_->layout();
+  const std::size_t n = 3 * layout.size;
+  double *const gq = scratch(2 * n), *const ga = gq + n;
+  layout.scatter(q, gq);
+  grid_->undamped_acceleration(t, gq, ga);
+  layout.gather(ga, a);
+}
+
+std::uint64_t SceneProblem::damp(double t, const double* q, double h, double* v,
+                                 double relative) const {
+  if (!grid_) return damp_edges(h, v, relative);
+  const GridLayout& layout = grid_->layout();
+  std::vector<double> gv(3 * layout.size);
+  layout.scatter(v, gv.data());
+  const std::uint64_t products = grid_->damp(t, q, h, gv.data(), relative);
+  layout.gather(gv.data(), v);
+  return products;
+}
+
+// v += x with (M - h/2 D) x = h D v, by conjugate gradients; fixed particles keep x = 0.
+std::uint64_t SceneProblem::damp_edges(double h, double* v, double relative) const {
+  const std::size_t n = size() / 2;
+  std::vector<double> right(n), x(n), diagonal(n);
+  const auto damping_times = [&](const double* w, double* product) {
+    std::fill_n(product, n, 0.0);
+    for (const Spring& s : springs())
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double f = s.damping * (w[3 * s.b + d] - w[3 * s.a + d]);
+        product[3 * s.a + d] += f, product[3 * s.b + d] -= f;
+      }
+    for (std::size_t i = 0; i < n; ++i)
+      if (!bodies_.free(i / 3)) product[i] = 0;
+  };
+  for (std::size_t i = 0; i < n; ++i) diagonal[i] = bodies_.free(i / 3) ? bodies_.mass[i / 3] : 1;
+  for (const Spring& s : springs())
+    for (std::size_t d = 0; d < 3; ++d)
+      for (const std::size_t end : {s.a, s.b}) diagonal[3 * end + d] += h / 2 * s.damping;
+  damping_times(v, right.data());
+  for (double& component : right) component *= h;
+  linear::ConjugateGradients cg(n);
+  cg.solve(
+      [&](const double* w, double* product) {
+        damping_times(w, product);
+        for (std::size_t i = 0; i < n; ++i)
+          product[i] = bodies_.mass[i / 3] * w[i] - h / 2 * product[i];
+      },
+      [&](const double* r, double* z) {
+        for (std::size_t i = 0; i < n; ++i) z[i] = r[i] / diagonal[i];
+      },
+      right.data(), x.data(), relative);
+  for (std::size_t i = 0; i < n; ++i) v[i] += x[i];
+  return cg.products();
 }
 
 void SceneProblem::jacobian_times(double, const double* y, const double* x, double* product) const {

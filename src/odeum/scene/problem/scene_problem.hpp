@@ -11,7 +11,7 @@
 #include "odeum/scene/model/edge_springs.hpp"
 #include "odeum/scene/model/scene.hpp"
 #include "odeum/scene/model/terms.hpp"
-#include "odeum/scene/springs/spring_grid.hpp"
+#include "odeum/scene/springs/grid_cloth.hpp"
 
 namespace odeum::scene {
 
@@ -59,6 +59,11 @@ class SceneProblem {
   /// that damp the whole relative velocity, or none.
   bool symmetric() const { return terms_.empty(); }
 
+  /// See WithDamping; for springs that damp the whole relative velocity, and no other damping.
+  bool offers_damping() const { return symmetric() && !structure_.separable; }
+  void undamped_acceleration(double t, const double* q, double* a) const;
+  std::uint64_t damp(double t, const double* q, double h, double* v, double relative) const;
+
   double energy(const double* y) const { return kinetic(y) + potential(y); }  ///< J
   double kinetic(const double* y) const;
   double potential(const double* y) const;       ///< of gravity, springs and penetrations
@@ -72,7 +77,7 @@ class SceneProblem {
   /// The springs without axial damping.
   const std::vector<Spring>& springs() const { return springs_.springs(); }
   /// The grid that `springs` form; null where they are computed edge by edge.
-  const GridSprings<double>* grid() const { return grid_ ? &*grid_ : nullptr; }
+  const GridCloth<double>* grid() const { return grid_ ? &*grid_ : nullptr; }
   /// The scene for physics engines; null where it has terms other than gravity and `springs`.
   std::shared_ptr<const Scene> plain_scene() const { return plain_; }
   /// Evaluations are counted there from now on; null stops it.
@@ -81,13 +86,14 @@ class SceneProblem {
  private:
   void grid_forces(const double* q, const double* v, double* force) const;
   void grid_derivative(const double* y, const double* x, double* change) const;
+  std::uint64_t damp_edges(double h, double* v, double relative) const;
   void describe(const Scene& scene);
 
   Bodies bodies_;
   Vec3 gravity_;
   std::vector<double> start_;
   EdgeSprings springs_;
-  std::optional<GridSprings<double>> grid_;
+  std::optional<GridCloth<double>> grid_;
   std::vector<std::unique_ptr<Term>> terms_;  ///< beside gravity and springs_
   std::shared_ptr<const Scene> plain_;
   Structure structure_;

@@ -14,7 +14,6 @@
 #include <algorithm>
 
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/scene/springs/grid_matrix.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -105,64 +104,39 @@ class SparseShiftedSolver final : public ShiftedSolver {
   double g_ = 0;
 };
 
-/// On a regular grid, in the grid's layout: conjugate gradients, since A is positive definite
-/// unless compressed springs outweigh the masses; then the sparse solver takes over.
-class GridShiftedSolver final : public ShiftedSolver {
+/// On a regular grid, by conjugate gradients in the grid's layout; where compressed springs make A
+/// indefinite, the sparse solver takes over.
+class SceneGridSolver final : public ShiftedSolver {
  public:
-  explicit GridShiftedSolver(const SceneProblem& problem)
-      : problem_(problem),
-        layout_(problem.grid()->layout()),
-        matrix_(*problem.grid(), free_masses(problem.bodies()).data()),
-        xq_(3 * layout_.size),
-        xv_(xq_),
-        b_(xq_),
-        scratch_(xq_) {}
+  SceneGridSolver(const SceneProblem& problem, std::unique_ptr<ShiftedSolver> on_grid)
+      : problem_(problem), on_grid_(std::move(on_grid)) {}
 
   bool factorise(double t, const double* y, double gamma_h) override {
     t_ = t;
     y_.assign(y, y + problem_.size());
     gamma_h_ = gamma_h;
     directly_.reset();
-    layout_.scatter(y, scratch_.data());
-    matrix_.assemble(scratch_.data(), gamma_h);
-    return finite(y, problem_.size() / 2);
+    return on_grid_->factorise(t, problem_.grid()->scattered(y_).data(), gamma_h);
   }
-
   bool solve(double* x, double relative) override {
-    double* const v = x + problem_.size() / 2;
-    if (directly_) return directly_->solve(x, relative);
-    layout_.scatter(x, xq_.data());
-    layout_.scatter(v, xv_.data());
-    matrix_.mass_times(xv_.data(), b_.data());
-    if (gamma_h_ != 0) {
-      matrix_.stiffness_times(xq_.data(), scratch_.data());
-      for (std::size_t i = 0; i < b_.size(); ++i) b_[i] += scratch_[i];
-    }
-    matrix_.clear_free(xv_.data());
-    if (!matrix_.solve(b_.data(), xv_.data(), relative)) {
+    if (!directly_) {
+      std::vector<double> state = problem_.grid()->scattered({x, x + problem_.size()});
+      if (on_grid_->solve(state.data(), relative)) {
+        const std::vector<double> solution = problem_.grid()->gathered(state);
+        std::copy(solution.begin(), solution.end(), x);
+        return true;
+      }
       directly_ = std::make_unique<SparseShiftedSolver>(problem_);
-      return directly_->factorise(t_, y_.data(), gamma_h_) && directly_->solve(x, relative);
+      if (!directly_->factorise(t_, y_.data(), gamma_h_)) return false;
     }
-    for (std::size_t i = 0; i < xq_.size(); ++i) xq_[i] += gamma_h_ * xv_[i];
-    layout_.gather(xq_.data(), x);
-    layout_.gather(xv_.data(), v);
-    return true;
+    return directly_->solve(x, relative);
   }
-
-  std::uint64_t products() const override { return matrix_.products(); }
+  void solve_once_a_step() override { on_grid_->solve_once_a_step(); }
+  std::uint64_t products() const override { return on_grid_->products(); }
 
  private:
-  static std::vector<double> free_masses(const Bodies& bodies) {
-    std::vector<double> masses;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      masses.push_back(bodies.free(i) ? bodies.mass[i] : 0);
-    return masses;
-  }
-
   const SceneProblem& problem_;
-  GridLayout layout_;
-  GridMatrix matrix_;
-  std::vector<double> xq_, xv_, b_, scratch_;
+  std::unique_ptr<ShiftedSolver> on_grid_;
   std::unique_ptr<SparseShiftedSolver> directly_;
   std::vector<double> y_;
   double t_ = 0, gamma_h_ = 0;
@@ -171,11 +145,9 @@ class GridShiftedSolver final : public ShiftedSolver {
 }  // namespace
 
 std::unique_ptr<ShiftedSolver> SceneProblem::shifted_solver() const {
-  const auto negative = [](const Spring& spring) {
-    return spring.stiffness * spring.rest_length < 0;
-  };
-  if (grid_ && symmetric() && std::none_of(springs().begin(), springs().end(), negative))
-    return std::make_unique<GridShiftedSolver>(*this);
+  if (grid_ && symmetric())
+    if (auto on_grid = grid_->shifted_solver())
+      return std::make_unique<SceneGridSolver>(*this, std::move(on_grid));
   return std::make_unique<SparseShiftedSolver>(*this);
 }
 

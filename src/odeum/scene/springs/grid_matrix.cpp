@@ -2,6 +2,9 @@
 // Compiled for speed and for wide vectors in every build type, see CMakeLists.txt.
 #include "odeum/scene/springs/grid_matrix.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "odeum/scene/springs/lanes.hpp"
 
 namespace odeum::scene {
@@ -21,14 +24,10 @@ void each_vector(const GridLayout& layout, Visit&& visit) {
 GridMatrix::GridMatrix(const GridSprings<double>& springs, const double* mass)
     : springs_(springs),
       layout_(springs.layout()),
-      mass_(layout_.size),
+      mass_(mass, mass + layout_.size),
       free_(layout_.size),
       cg_(3 * layout_.size) {
-  for (std::size_t r = 0; r < layout_.rows; ++r)
-    for (std::size_t c = 0; c < layout_.columns; ++c) {
-      mass_[layout_.row(r) + c] = mass[r * layout_.columns + c];
-      free_[layout_.row(r) + c] = mass[r * layout_.columns + c] != 0 ? 1 : 0;
-    }
+  for (std::size_t i = 0; i < layout_.size; ++i) free_[i] = mass_[i] != 0 ? 1 : 0;
   const std::vector<double> zeros(layout_.size);
   for (const SpringKind& kind : springs.kinds()) {
     Kind& added = kinds_.emplace_back();
@@ -147,6 +146,32 @@ bool GridMatrix::solve(const double* b, double* x, double relative_tolerance) {
   return cg_.solve([this](const double* p, double* ap) { multiply(p, ap); },
                    [this](const double* r, double* z) { precondition(r, z); }, b, x,
                    relative_tolerance);
+}
+
+GridShiftedSolver::GridShiftedSolver(const GridSprings<double>& springs, const double* mass)
+    : matrix_(springs, mass), n_(3 * springs.layout().size), right_(n_), scratch_(n_), last_(n_) {}
+
+bool GridShiftedSolver::factorise(double, const double* y, double gamma_h) {
+  g_ = gamma_h;
+  matrix_.assemble(y, g_, once_);
+  return std::all_of(y, y + 2 * n_, [](double x) { return std::isfinite(x); });
+}
+
+bool GridShiftedSolver::solve(double* x, double relative) {
+  double *const xq = x, *const xv = x + n_;
+  matrix_.mass_times(xv, right_.data());
+  if (g_ != 0) {
+    matrix_.stiffness_times(xq, scratch_.data());
+    for (std::size_t i = 0; i < n_; ++i) right_[i] += scratch_[i];
+  }
+  matrix_.clear_free(xv);
+  std::copy_n(xv, n_, scratch_.data());
+  if (once_)
+    for (std::size_t i = 0; i < n_; ++i) xv[i] += last_[i];
+  if (!matrix_.solve(right_.data(), xv, relative)) return false;
+  for (std::size_t i = 0; i < n_; ++i) last_[i] = xv[i] - scratch_[i];
+  for (std::size_t i = 0; i < n_; ++i) xq[i] += g_ * xv[i];
+  return true;
 }
 
 }  // namespace odeum::scene

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "odeum/linear/conjugate_gradients.hpp"
+#include "odeum/problem/shifted_solver.hpp"
 #include "odeum/scene/springs/spring_grid.hpp"
 
 namespace odeum::scene {
@@ -17,8 +18,8 @@ namespace odeum::scene {
 /// the grid's layout, three components one after the other, with zeros in the margins.
 class GridMatrix {
  public:
-  /// `mass` of each particle (kg), 0 where it is fixed. The springs must outlive the matrix, and
-  /// have no negative stiffness * rest_length.
+  /// `mass` by place (kg), 0 where a particle is fixed and in the margins. The springs must outlive
+  /// the matrix, and have no negative stiffness * rest_length.
   GridMatrix(const GridSprings<double>& springs, const double* mass);
 
   /// Takes the springs as they are at q; `clamped` as GridSprings::stiffness has it: A is positive
@@ -61,6 +62,25 @@ class GridMatrix {
   std::vector<double> inverse_[6];  // of the diagonal blocks: xx, xy, xz, yy, yz, zz
   linear::ConjugateGradients cg_;
   double g_ = 0;
+};
+
+/// Solves (I - g J) x = r of springs on a grid for states in the grid's layout, positions before
+/// velocities: x_q = r_q + g x_v and A x_v = M r_v + g K r_q by conjugate gradients. A solve fails,
+/// with x lost, where A is found indefinite, which solve_once_a_step() excludes.
+class GridShiftedSolver final : public ShiftedSolver {
+ public:
+  GridShiftedSolver(const GridSprings<double>& springs, const double* mass);
+  bool factorise(double t, const double* y, double gamma_h) override;
+  bool solve(double* x, double relative) override;
+  void solve_once_a_step() override { once_ = true; }
+  std::uint64_t products() const override { return matrix_.products(); }
+
+ private:
+  GridMatrix matrix_;
+  std::size_t n_;                               // of positions
+  std::vector<double> right_, scratch_, last_;  // the last x_v on free particles
+  double g_ = 0;
+  bool once_ = false;
 };
 
 }  // namespace odeum::scene

@@ -6,9 +6,7 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/scene/springs/cloth_engine.hpp"
-#include "odeum/scene/springs/imex_cloth.hpp"
-#include "odeum/scene/springs/implicit_cloth.hpp"
+#include "odeum/studies/material/cloth_steps.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum/studies/precision/stopwatch.hpp"
 #include "support/square_cloth.hpp"
@@ -18,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs all in turns, three times at least and for `seconds` each on average.
+/// Interleaved runs of all, at least three times and for `seconds` each on average.
 std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, double seconds) {
   std::vector<Times> times(rivals.size());
   const auto start = Clock::now();
@@ -37,9 +35,9 @@ std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, 
 constexpr double watched_for = 8.0 / 30;  // s; a whole number of every frame
 constexpr double damping = 0.05;          // of square_cloth, N s/m
 
-/// Whether velocity Verlet as ClothEngine has it keeps q'' = -w^2 q - c q' bounded. It reckons with
-/// the acceleration at the predicted velocity v + h a in the next step too, so that its map has a
-/// third unknown: of (q, h v, h^2 a).
+/// Whether velocity Verlet keeps q'' = -w^2 q - c q' bounded. The acceleration at the predicted
+/// velocity v + h a is used in the next step too, so that its map has three unknowns: q, h v, h^2
+/// a.
 bool verlet_bounded(double h, double w, double c) {
   const double x = h * h * w * w, y = h * c;
   double q = 1, u = 1, a = 1;
@@ -56,34 +54,27 @@ bool verlet_bounded(double h, double w, double c) {
 /// Largest stable step less a tenth. At what springs alone allow w h = 2, at what dampers
 /// alone allow Verlet c h = 1, by the map above. It has both in one mode at worst.
 double stable_step(double mass, double stiffness, bool damping_limits) {
-  const double by_springs = scene::spring_limit * std::sqrt(mass / stiffness),
-               by_damping = scene::verlet_damping_limit * mass / damping;
+  const double by_springs = cloth_spring_limit * std::sqrt(mass / stiffness),
+               by_damping = cloth_damping_limit * mass / damping;
   double h = by_springs;
   if (damping_limits)
     while (!verlet_bounded(h, 2 / by_springs, 1 / by_damping)) h *= 0.99;
   return 0.9 * h;
 }
 
-template <class Engine>
-std::vector<double> state_of(const Engine& engine, std::size_t particles) {
-  std::vector<double> y(6 * particles);
-  engine.read(y.data());
-  return y;
-}
-
-struct Truth {
+struct Reference {
   std::vector<double> y;
   double left;  ///< distance of the two runs that it comes from, m
 };
 
-/// By RK4 at what is stable for Verlet, and at half of that.
-Truth find_truth(const scene::Scene& scene, double stiffness) {
+/// There is no independent truth at this size: RK4 at what is stable for Verlet, and at half of it.
+Reference rk4_reference(const scene::Scene& scene, double stiffness) {
   const double h = stable_step(scene.particles[0].mass, stiffness, true);
   const auto run = [&](double parts) {
-    scene::ClothEngine<double> engine(scene);
-    const auto steps = static_cast<std::size_t>(std::ceil(parts * watched_for / h));
-    engine.rk4(watched_for / static_cast<double>(steps), steps);
-    return state_of(engine, scene.size());
+    const auto cloth = rk4_steps<double>(scene);
+    const auto steps = static_cast<std::uint64_t>(std::ceil(parts * watched_for / h));
+    cloth->run(watched_for / static_cast<double>(steps), steps);
+    return cloth->state();
   };
   std::vector<double> fine = run(2);
   const double left = rms_distance(fine, run(1), scene.size());
@@ -98,15 +89,14 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
   Progress progress("cloth cost", static_cast<double>(sides.size()));
   for (const std::size_t n : sides) {
     const scene::Scene scene = cases::square_cloth(n, 10);
-    scene::ClothEngine<double> f64(scene);
-    scene::ClothEngine<float> f32(scene);
+    const auto f64 = velocity_verlet_steps<double>(scene);
+    const auto f32 = velocity_verlet_steps<float>(scene);
     // Some 5 ms a call; a step so short that nothing moves far.
     const std::size_t steps = 300'000 / (n * n) + 2;
     const Pinned pinned;
     const ConditionsMeter meter;
-    const auto times = take_turns(
-        {[&] { f64.velocity_verlet(1e-6, steps); }, [&] { f32.velocity_verlet(1e-6, steps); }},
-        seconds_each);
+    const auto times =
+        take_turns({[&] { f64->run(1e-6, steps); }, [&] { f32->run(1e-6, steps); }}, seconds_each);
     const Conditions conditions = meter.end();
     const auto each = static_cast<double>(steps * n * n);
     for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
@@ -123,20 +113,20 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
 
 namespace {
 
-/// One way to step the cloth.
+/// A method at a step.
 struct Rival {
   const char* name;
-  double frame;  ///< s; NaN where it steps as it can
+  double frame;  ///< s; NaN for the largest stable step
   double h;      ///< s
-  /// False where it could not.
-  std::function<bool(double h, std::size_t steps, std::vector<double>& y)> run;
+  /// Fills y with the state at `watched_for`; false where a step fails.
+  std::function<bool(double h, std::uint64_t steps, std::vector<double>& y)> run;
   std::vector<double> y{};
   bool solved = true;
 
-  void go() { solved = run(h, static_cast<std::size_t>(std::lround(watched_for / h)), y); }
+  void go() { solved = run(h, static_cast<std::uint64_t>(std::lround(watched_for / h)), y); }
 };
 
-constexpr double relative = 1e-2;  // what the linear systems are solved to
+constexpr double relative = 1e-2;  // of the linear systems
 
 std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
                              const std::vector<double>& frames) {
@@ -144,29 +134,22 @@ std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
   const auto step = [&](bool damping_limits) {
     return watched_for / std::ceil(watched_for / stable_step(mass, stiffness, damping_limits));
   };
+  const auto by = [](auto make) {
+    return [make](double h, std::uint64_t steps, std::vector<double>& y) {
+      const auto cloth = make();
+      const bool solved = cloth->run(h, steps);
+      y = cloth->state();
+      return solved;
+    };
+  };
   std::vector<Rival> rivals;
   rivals.push_back({"verlet_f32", not_measured, step(true),
-                    [&scene](double h, std::size_t steps, std::vector<double>& y) {
-                      scene::ClothEngine<float> engine(scene);
-                      engine.velocity_verlet(h, steps);
-                      y = state_of(engine, scene.size());
-                      return true;
-                    }});
+                    by([&scene] { return velocity_verlet_steps<float>(scene); })});
   rivals.push_back({"imex_f32", not_measured, step(false),
-                    [&scene](double h, std::size_t steps, std::vector<double>& y) {
-                      scene::ImexCloth<float> engine(scene);
-                      engine.step(h, steps, relative);
-                      y = state_of(engine, scene.size());
-                      return true;
-                    }});
+                    by([&scene] { return imex_verlet_steps<float>(scene, relative); })});
   for (const double frame : frames)
     rivals.push_back({"implicit_f64", frame, frame,
-                      [&scene](double h, std::size_t steps, std::vector<double>& y) {
-                        scene::ImplicitCloth engine(scene);
-                        const bool solved = engine.step(h, steps, relative);
-                        y = state_of(engine, scene.size());
-                        return solved;
-                      }});
+                      by([&scene] { return predicted_implicit_euler_steps(scene, relative); })});
   return rivals;
 }
 
@@ -180,7 +163,7 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
   Progress progress("implicit", static_cast<double>(stiffnesses.size()));
   for (const double stiffness : stiffnesses) {
     const scene::Scene scene = cases::square_cloth(side, stiffness);
-    const Truth truth = find_truth(scene, stiffness);
+    const Reference reference = rk4_reference(scene, stiffness);
     std::vector<Rival> rivals = rivals_on(scene, stiffness, frames);
     std::vector<std::function<void()>> calls;
     calls.reserve(rivals.size());
@@ -191,19 +174,19 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
     const Conditions conditions = meter.end();
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       const Rival& rival = rivals[i];
-      const double error = rms_distance(rival.y, truth.y, scene.size());
+      const double distance = rms_distance(rival.y, reference.y, scene.size());
       ImplicitWinsRow row;
       row.stiffness = stiffness;
       row.frame = rival.frame;
       row.engine = rival.name;
-      row.status = !rival.solved ? "newton_failed" : std::isfinite(error) ? "ok" : "non_finite";
-      if (!rival.solved) row.detail = "conjugate gradients did not end";
+      row.status = !rival.solved ? "newton_failed" : std::isfinite(distance) ? "ok" : "non_finite";
+      if (!rival.solved) row.detail = "conjugate gradients did not converge";
       row.step = rival.h;
       row.wall_ns_min = times[i].min() / watched_for;
       row.wall_ns_median = times[i].median() / watched_for;
       row.repetitions = times[i].ns.size();
-      if (row.status == "ok") row.error = error;
-      row.truth_left = truth.left;
+      if (row.status == "ok") row.rk4_distance = distance;
+      row.rk4_left = reference.left;
       row.conditions = conditions;
       rows.push_back(std::move(row));
     }

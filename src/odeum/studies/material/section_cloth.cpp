@@ -30,7 +30,7 @@ std::string energy_cell(const Course& course, double time) {
   const auto at = course.found.find({"energy", time});
   if (at == course.found.end()) return "<td class=\"dim\">–</td>";
   const LongRunRow& row = *at->second;
-  const double off = row.value / row.exact - 1;
+  const double off = row.value / row.reference - 1;
   return fmt::format(R"(<td class="{}">{}</td>)", shade(off, 0.01, 0.1, 0.5),
                      show_number(row.value, 4));
 }
@@ -48,7 +48,7 @@ std::string number_cell(const Course& course, const char* quantity, const char* 
   if (at == course.found.end()) return ended_or(course, scene);
   const LongRunRow& row = *at->second;
   return fmt::format(R"(<td class="{}">{}</td>)",
-                     shade(row.value - row.exact, slight, strong, extreme),
+                     shade(row.value - row.reference, slight, strong, extreme),
                      show_number(row.value, digits));
 }
 
@@ -90,7 +90,7 @@ std::string long_run_table(const std::vector<LongRunRow>& rows) {
       continue;
     }
     course.found[{row.quantity, row.time}] = &row;
-    if (row.quantity == "energy") truth[row.time] = row.exact;
+    if (row.quantity == "energy") truth[row.time] = row.reference;
     if (row.quantity == "energy" && !row.detail.empty()) problem = row.detail;
   }
   std::string html =
@@ -110,7 +110,7 @@ std::string long_run_table(const std::vector<LongRunRow>& rows) {
   for (const double time : watched) html += fmt::format("<td>{}</td>", show_number(truth[time], 4));
   double lowest = study::not_measured;
   for (const LongRunRow& row : rows)
-    if (row.quantity == "lowest" && row.time == 10) lowest = row.exact;
+    if (row.quantity == "lowest" && row.time == 10) lowest = row.reference;
   html += fmt::format("<td>0</td><td>{}</td><td>0</td><td>0</td></tr>\n", show_number(lowest, 4));
   for (const std::string& who : order) {
     const Course& course = courses[who];
@@ -134,8 +134,7 @@ std::string cloth_cost_table(const std::vector<ClothCostRow>& rows) {
     best = std::min(best, row.wall_ns_min);
   }
   std::string html =
-      "<h3>Cost a particle</h3>\n<p>A step of velocity Verlet in <code>scene::ClothEngine</code> "
-      "on "
+      "<h3>Cost a particle</h3>\n<p>A step of velocity Verlet on <code>scene::GridCloth</code> on "
       "one processor, in ns a particle: least time, median in brackets, and how many times the "
       "cheapest size it is. Linear cost, the goal, is a column of 1×; what a large cloth costs "
       "more "
@@ -179,17 +178,17 @@ std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
   };
   std::string html =
       "<h3>Where implicit wins</h3>\n<p>A cloth of 32 x 32 by its stiffness: the time that one "
-      "simulated second takes the fastest explicit engine (velocity Verlet or IMEX in f32, each at "
+      "simulated second takes the fastest explicit method (velocity Verlet or IMEX in f32, each at "
       "the largest step that is stable, less a tenth) over the time that backward Euler "
-      "(<code>scene::ImplicitCloth</code>, f64, each system solved to 1 %) takes at a fixed step: "
+      "(predicted_implicit_euler, f64, each system solved to 1 %) takes at a fixed step: "
       "green, above 1, where implicit is faster, orange where it is slower.</p>\n"
-      "<p>Beside it, the error at t = 0.27 s: RMS distance of a particle from a truth by RK4, in "
-      "m. "
+      "<p>Beside it, the RMS distance of a particle at t = 0.27 s from a run of RK4 in f64 at half "
+      "the stable step, in m: there is no independent truth at this size. "
       "The cloth is 1 m wide: an implicit step that is stable may be far off, and 0.1 m is a "
       "cloth of another shape.</p>\n" +
       conditions_note(rows) +
       "<div class=\"wide\"><table class=\"numbers tolerances\"><thead><tr><th>stiffness</th><th>"
-      "explicit</th><th>a second takes</th><th>error</th>";
+      "explicit</th><th>a second takes</th><th>distance</th>";
   for (const double frame : frames) html += "<th>implicit, h = " + show_step(frame) + "</th>";
   html += "</tr></thead><tbody>\n";
   for (const double stiffness : stiffnesses) {
@@ -197,7 +196,7 @@ std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
     const ImplicitWinsRow* ours = find(stiffness, study::not_measured);
     html += ours ? fmt::format("<td>{}, h = {}</td><td>{}</td><td>{} m</td>", escape(ours->engine),
                                show_step(ours->step), milliseconds(ours->wall_ns_min),
-                               show_number(ours->error, 2))
+                               show_number(ours->rk4_distance, 2))
                  : R"(<td class="dim" colspan="3">none is stable</td>)";
     for (const double frame : frames) {
       const ImplicitWinsRow* row = find(stiffness, frame);
@@ -208,13 +207,13 @@ std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
       const double low = ours->wall_ns_min / row->wall_ns_median,
                    high = ours->wall_ns_median / row->wall_ns_min;
       html += fmt::format(
-          "<td class=\"{}\" title=\"{} against {}, {:.2g} to {:.2g} times; truth known to {:.0e} "
+          "<td class=\"{}\" title=\"{} against {}, {:.2g} to {:.2g} times; RK4 converged to {:.0e} "
           "m\">{:.2g}×, {} m</td>",
           low > 1    ? "confirmed"
           : high < 1 ? "lower"
                      : "undetermined",
-          milliseconds(ours->wall_ns_min), milliseconds(row->wall_ns_min), low, high,
-          row->truth_left, ours->wall_ns_min / row->wall_ns_min, show_number(row->error, 2));
+          milliseconds(ours->wall_ns_min), milliseconds(row->wall_ns_min), low, high, row->rk4_left,
+          ours->wall_ns_min / row->wall_ns_min, show_number(row->rk4_distance, 2));
     }
     html += "</tr>\n";
   }
