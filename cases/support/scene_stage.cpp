@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/scene_stage.hpp"
 
+#include <stdexcept>
+
+#include "odeum/contest/own_methods.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -49,6 +52,21 @@ std::vector<Entrant> enroll_scene(const std::shared_ptr<const scene::SceneProble
   std::vector<Entrant> entrants = enroll(stage_of(problem));
   entrants.push_back(closed_form(problem));
   return entrants;
+}
+
+Entrant enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem,
+                     const std::string& id) {
+  if (id == "odeum/closed_form") return closed_form(problem);
+  const ErasedContest contest = stage_of(problem);
+  for (const OwnMethod& method : own_methods())
+    if (method.info.id() == id) {
+      Entrant entrant{.info = method.info, .unfit = {}, .solve = {}};
+      method.enroll(contest, entrant);
+      return entrant;
+    }
+  for (Entrant& entrant : enroll(contest))
+    if (entrant.info.id() == id) return std::move(entrant);
+  throw std::out_of_range("no solver " + id);
 }
 
 }  // namespace odeum::cases

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -46,14 +46,6 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
   return lines;
-}
-
-// With the particles emitted first: a scene of emitters only has none to enrol solvers on.
-Scene at_start(Scene scene) {
-  for (const auto& born :
-       scene::emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
-    scene.particles.push_back(born.particle);
-  return scene;
 }
 
 // The number of fitting solvers, and the others by reason.
@@ -116,19 +108,6 @@ const Entrant& choose(const std::vector<Entrant>& entrants, const RunOptions& op
   }
 }
 
-double frame_interval(const Scene& scene, double until) {
-  const double interval = scene.frame_interval.value_or(scene::default_frame_interval(until));
-  double count = until / interval + 1, living = static_cast<double>(scene.particles.size());
-  for (const scene::Emitter& emitter : scene.emitters)
-    living += emitter.rate * std::min(emitter.lifetime, until) + 1;
-  if (!(count * 6 * std::max(1.0, living) < most_numbers))
-    throw UsageError(
-        fmt::format("output.every: {} frames of {} particles are too many to keep; "
-                    "expected at most {:g} numbers in all",
-                    std::floor(count), std::floor(living), most_numbers));
-  return interval;
-}
-
 void write_files(const record::OutputFolder& folder, const Scene& scene,
                  const scene::RunResult& run, const Lines& facts) {
   if (run.status == Status::ok) folder.write("final.csv", report::final_csv(run));
@@ -141,22 +120,18 @@ void write_files(const record::OutputFolder& folder, const Scene& scene,
 int run_read(const scene::ReadScene& read, const RunOptions& options) {
   const Scene& scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-  const auto whole = std::make_shared<const SceneProblem>(at_start(scene));
+  const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
   const Entrant& entrant = choose(entrants, options, scene);
   const Request request =
       make_request(settings_of(options, scene), 0, scene.duration.value_or(0), entrant.info);
-  for (const scene::Emitter& emitter : scene.emitters)
-    if (!(emitter.rate * request.stops.back() < 1e6))
-      throw UsageError(fmt::format("emitters: rate {} for {} s is more than a million particles",
-                                   emitter.rate, request.stops.back()));
   scene::RunSetting setting;
   setting.mode = request.mode;
   setting.steps = request.steps;
   setting.tolerance = request.tolerance;
   setting.until = request.stops.back();
   setting.budget = request.budget;
-  setting.frame_interval = frame_interval(scene, setting.until);
+  setting.frame_interval = scene::frame_interval(scene, setting.until);
 
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
@@ -165,10 +140,9 @@ int run_read(const scene::ReadScene& read, const RunOptions& options) {
   model.insert(model.begin(), "scene      " + name);
   print(text_of(model) + text_of(describe_fits(entrants)));
 
-  const std::string id = entrant.info.id();
   const scene::RunResult run = scene::run_scene(
       scene, setting, [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
-        return find_entrant(cases::enroll_scene(problem), "this scene", id).solve(part);
+        return cases::enroll_scene(problem, entrant.info.id()).solve(part);
       });
   if (interrupted) return interrupted_code;
   const Lines result = describe_result(entrant, request, run);
@@ -205,6 +179,8 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
     return run_read(source.text ? scene::read_scene(source.file, *source.text, read_options)
                                 : scene::read_scene_file(source.file, read_options),
                     options);
+  } catch (const std::length_error& error) {
+    throw UsageError(error.what());
   } catch (const InputError& error) {
     remark(error.what());
     return usage;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/run/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "odeum/scene/run/emission.hpp"
 
@@ -201,6 +205,32 @@ RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& 
 
 double default_frame_interval(double until) {
   return std::clamp(1.0 / 60, until / 1000, until / 100);
+}
+
+Scene at_start(const Scene& scene) {
+  Scene result = scene;
+  for (const auto& born : emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
+    result.particles.push_back(born.particle);
+  return result;
+}
+
+double frame_interval(const Scene& scene, double until) {
+  constexpr double most_numbers = 2e8;  // of 8 bytes each
+  const double interval = scene.frame_interval.value_or(default_frame_interval(until));
+  const double frames = until / interval + 1;
+  double particles = static_cast<double>(scene.particles.size());
+  for (const Emitter& emitter : scene.emitters) {
+    if (!(emitter.rate * until < 1e6))
+      throw std::length_error(fmt::format(
+          "emitters: rate {} for {} s is more than a million particles", emitter.rate, until));
+    particles += emitter.rate * std::min(emitter.lifetime, until) + 1;
+  }
+  if (!(frames * 6 * std::max(1.0, particles) < most_numbers))
+    throw std::length_error(
+        fmt::format("output.every: {} frames of {} particles are too many to keep; "
+                    "expected at most {:g} numbers in all",
+                    std::floor(frames), std::floor(particles), most_numbers));
+  return interval;
 }
 
 }  // namespace odeum::scene

@@ -48,7 +48,13 @@ using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, 
 RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
                     Tally* tally = nullptr);
 
+/// The scene at time 0: with the particles that are emitted then.
+Scene at_start(const Scene& scene);
+
 /// The default frame interval: 60 a second, at least 100 and at most 1000 in all.
 double default_frame_interval(double until);
+/// The scene's own frame interval, or the default; throws std::length_error where a run until then
+/// emits a million particles from one emitter or keeps more than 2e8 numbers.
+double frame_interval(const Scene& scene, double until);
 
 }  // namespace odeum::scene
