@@ -28,5 +28,11 @@ expect(rk4 "{0, 1. / 2, 0, 0}" "{0, 0.501, 0, 0}"
 # A weight of the embedded row moves: its sum is off by 1e-4.
 expect(bogacki_shampine32 "1. / 8" "0.1251"
        "OrderConditionFails<odeum::WeightRow::b_hat, 1, ${node}, (odeum::Decimal)?{100, -6}>")
+# A Rosenbrock method: its Gamma moves.
+expect(ros2 "-2 * ros2_gamma" "-2.001 * ros2_gamma"
+       "OrderConditionFails<odeum::WeightRow::b, 2, ${chain2}, (odeum::Decimal)?{-146, -6}>")
+# A Nystroem method: a weight of the velocity moves.
+expect(dormand_nystroem64 "25. / 522" "0.048"
+       "OrderConditionFails<odeum::WeightRow::b_v, 1, ${node}, (odeum::Decimal)?{107, -6}>")
 # Too low an order is claimed.
 expect(rk4 ".order = 4" ".order = 3" "HasHigherOrderThanStated<odeum::WeightRow::b, 4>")

@@ -14,7 +14,7 @@ inline constexpr Splitting<7> blanes_moan4_splitting{
     .drift = {0.245298957184271, 0.60487266571108, -0.350171622895351, -0.350171622895351,
               0.60487266571108, 0.245298957184271, 0.0},
     .order = 4};
-static_assert(proven(blanes_moan4_splitting) && blanes_moan4_splitting.symmetric());
+static_assert(proven<blanes_moan4_splitting>() && blanes_moan4_splitting.symmetric());
 
 struct blanes_moan4 : SplittingMethod<blanes_moan4_splitting> {
   static constexpr MethodInfo info{

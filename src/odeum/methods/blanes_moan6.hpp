@@ -16,7 +16,7 @@ inline constexpr Splitting<12> blanes_moan6_splitting{
               0.357208872795928, 0.20477705429147, 0.357208872795928, -0.246331761062075,
               -0.127049212625417, 0.290553797799558, 0.123229775946271, 0.0},
     .order = 6};
-static_assert(proven(blanes_moan6_splitting) && blanes_moan6_splitting.symmetric());
+static_assert(proven<blanes_moan6_splitting>() && blanes_moan6_splitting.symmetric());
 
 struct blanes_moan6 : SplittingMethod<blanes_moan6_splitting> {
   static constexpr MethodInfo info{

@@ -22,7 +22,8 @@ inline constexpr NystroemTableau<6> dormand_nystroem64_tableau{
     .b_q_hat = {1349. / 157500, 7873. / 50000, 192199. / 900000, 521683. / 2100000, -16. / 125, 0},
     .b_v_hat = {1349. / 157500, 7873. / 45000, 27457. / 90000, 521683. / 630000, -2. / 5, 1. / 12},
     .order_hat = 4};
-static_assert(proven(dormand_nystroem64_tableau) && dormand_nystroem64_tableau.reuses_last_stage());
+static_assert(proven<dormand_nystroem64_tableau>() && dormand_nystroem64_tableau.is_explicit() &&
+              dormand_nystroem64_tableau.reuses_last_stage());
 
 struct dormand_nystroem64 : NystroemMethod<dormand_nystroem64_tableau> {
   static constexpr MethodInfo info{

@@ -33,7 +33,8 @@ inline constexpr NystroemTableau<9> dormand_nystroem86_tableau{
                 -497221. / 6204800, 10023263. / 23454144, 1610737. / 40207104, -4251941. / 54970650,
                 3. / 20},
     .order_hat = 6};
-static_assert(proven(dormand_nystroem86_tableau) && dormand_nystroem86_tableau.reuses_last_stage());
+static_assert(proven<dormand_nystroem86_tableau>() && dormand_nystroem86_tableau.is_explicit() &&
+              dormand_nystroem86_tableau.reuses_last_stage());
 
 struct dormand_nystroem86 : NystroemMethod<dormand_nystroem86_tableau> {
   static constexpr MethodInfo info{

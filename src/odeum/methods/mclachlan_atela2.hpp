@@ -12,7 +12,7 @@ inline constexpr Splitting<2> mclachlan_atela2_splitting{
     .kick = {0.29289321881345247560, 0.70710678118654752440},
     .drift = {0.70710678118654752440, 0.29289321881345247560},
     .order = 2};
-static_assert(proven(mclachlan_atela2_splitting));
+static_assert(proven<mclachlan_atela2_splitting>());
 
 struct mclachlan_atela2 : SplittingMethod<mclachlan_atela2_splitting> {
   static constexpr MethodInfo info{

@@ -13,7 +13,7 @@ inline constexpr Splitting<3> mclachlan_atela3_splitting{
     .kick = {0.26833009578175992496, -0.18799161879915978201, 0.91966152301739985705},
     .drift = {0.91966152301739985705, -0.18799161879915978201, 0.26833009578175992496},
     .order = 3};
-static_assert(proven(mclachlan_atela3_splitting));
+static_assert(proven<mclachlan_atela3_splitting>());
 
 struct mclachlan_atela3 : SplittingMethod<mclachlan_atela3_splitting> {
   static constexpr MethodInfo info{

@@ -14,7 +14,7 @@ inline constexpr Splitting<4> mclachlan_atela4_splitting{
     .drift = {0.515352837431122936, -0.085782019412973646, 0.441583023616466524,
               0.128846158365384185},
     .order = 4};
-static_assert(proven(mclachlan_atela4_splitting));
+static_assert(proven<mclachlan_atela4_splitting>());
 
 struct mclachlan_atela4 : SplittingMethod<mclachlan_atela4_splitting> {
   static constexpr MethodInfo info{

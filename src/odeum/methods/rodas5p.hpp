@@ -37,8 +37,9 @@ inline constexpr RosenbrockTableau<8> rodas5p_tableau{
     .m_hat = {-7.502846399306121, 2.561846144803919, -11.627539656261098, -0.18268767659942256,
               0.030198172008377946, 1, 1},
     .order_hat = 4,
+    .rounding = 1e-11,
 };
-static_assert(rosenbrock_proven<5, 4>(rodas5p_tableau, 1e-11));
+static_assert(proven<rodas5p_tableau>());
 
 struct rodas5p : ForAnyProblem, RosenbrockMethod<rodas5p_tableau> {
   static constexpr MethodInfo info{.id = "rodas5p",

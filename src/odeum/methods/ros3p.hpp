@@ -17,7 +17,7 @@ inline constexpr RosenbrockTableau<3> ros3p_tableau =
                          {-1, ros3p_gamma, 0},
                          {-ros3p_gamma, 1. / 2 - 2 * ros3p_gamma, ros3p_gamma}}},
                        {2. / 3, 0, 1. / 3}, 3, {1. / 3, 1. / 3, 1. / 3}, 2);
-static_assert(rosenbrock_proven<3, 2>(ros3p_tableau));
+static_assert(proven<ros3p_tableau>());
 
 struct ros3p : ForAnyProblem, RosenbrockMethod<ros3p_tableau> {
   static constexpr MethodInfo info{.id = "ros3p",

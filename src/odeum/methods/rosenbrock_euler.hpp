@@ -9,7 +9,7 @@ namespace odeum::methods {
 /// implicit_euler_linearised evaluates f at t + h, this one takes f and df/dt at t.
 inline constexpr RosenbrockTableau<1> rosenbrock_euler_tableau =
     rosenbrock_from<1>({{{0}}}, {{{1}}}, {1}, 1);
-static_assert(rosenbrock_proven<1, 0>(rosenbrock_euler_tableau));
+static_assert(proven<rosenbrock_euler_tableau>());
 
 struct rosenbrock_euler : ForAnyProblem, RosenbrockMethod<rosenbrock_euler_tableau> {
   static constexpr MethodInfo info{

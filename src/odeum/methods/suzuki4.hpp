@@ -11,7 +11,7 @@ namespace odeum::methods {
 /// since the backward step is shorter.
 inline constexpr Splitting<6> suzuki4_splitting = compose_verlet(
     around_the_middle<2>({1 / (4 - 1.5874010519681994748), 1 / (4 - 1.5874010519681994748)}), 4);
-static_assert(proven(suzuki4_splitting) && suzuki4_splitting.symmetric());
+static_assert(proven<suzuki4_splitting>() && suzuki4_splitting.symmetric());
 
 struct suzuki4 : SplittingMethod<suzuki4_splitting> {
   static constexpr MethodInfo info{.id = "suzuki4",

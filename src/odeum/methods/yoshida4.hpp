@@ -10,7 +10,7 @@ namespace odeum::methods {
 /// lengths w_1, w_0, w_1 with w_1 = 1 / (2 - 2^(1/3)), the middle one backwards.
 inline constexpr Splitting<4> yoshida4_splitting =
     compose_verlet(around_the_middle<1>({1 / (2 - 1.2599210498948731648)}), 4);
-static_assert(proven(yoshida4_splitting) && yoshida4_splitting.symmetric());
+static_assert(proven<yoshida4_splitting>() && yoshida4_splitting.symmetric());
 
 struct yoshida4 : SplittingMethod<yoshida4_splitting> {
   static constexpr MethodInfo info{.id = "yoshida4",

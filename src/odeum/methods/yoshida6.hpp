@@ -11,7 +11,7 @@ namespace odeum::methods {
 inline constexpr Splitting<8> yoshida6_splitting = compose_verlet(
     around_the_middle<3>({-1.1776799841788710069, 0.23557321335935813368, 0.78451361047755726382}),
     6);
-static_assert(proven(yoshida6_splitting) && yoshida6_splitting.symmetric());
+static_assert(proven<yoshida6_splitting>() && yoshida6_splitting.symmetric());
 
 struct yoshida6 : SplittingMethod<yoshida6_splitting> {
   static constexpr MethodInfo info{

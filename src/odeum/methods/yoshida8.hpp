@@ -13,7 +13,7 @@ inline constexpr Splitting<16> yoshida8_splitting = compose_verlet(
                           -0.1582406353680501752, -1.4448522368606051577, 0.25369333656621135415,
                           0.91484424622979156675}),
     8);
-static_assert(proven(yoshida8_splitting) && yoshida8_splitting.symmetric());
+static_assert(proven<yoshida8_splitting>() && yoshida8_splitting.symmetric());
 
 struct yoshida8 : SplittingMethod<yoshida8_splitting> {
   static constexpr MethodInfo info{

@@ -23,6 +23,12 @@ struct NystroemTableau {
   std::array<double, S> b_q_hat{}, b_v_hat{};
   int order_hat = 0;
 
+  constexpr bool is_explicit() const {
+    for (std::size_t i = 0; i < S; ++i)
+      for (std::size_t j = i; j < S; ++j)
+        if (a[i][j] != 0) return false;
+    return true;
+  }
   constexpr bool has_embedded_rows() const { return order_hat != 0; }
   /// First same as last: the last stage is the first of the next step.
   constexpr bool reuses_last_stage() const {
@@ -75,19 +81,14 @@ struct NystroemTrees {
 template <int MaxOrder>
 inline constexpr NystroemTrees<MaxOrder> nystroem_trees{};
 
-/// The largest violation of the conditions of each order n = 1..Order: those on the velocity's row
-/// by the trees of n nodes, those on the position's row by the trees of n - 1 nodes.
-template <int Order, std::size_t S>
-constexpr std::array<double, Order + 1> nystroem_residuals(const NystroemTableau<S>& tableau,
-                                                           const std::array<double, S>& row_q,
-                                                           const std::array<double, S>& row_v) {
+/// Calls visit(row, order, tau, residual) for each condition up to `Order`: those on the velocity's
+/// row by the trees of as many nodes, those on the position's row by the trees of one node less.
+template <int Order, std::size_t S, class Visit>
+constexpr void for_each_condition(const NystroemTableau<S>& tableau,
+                                  const std::array<double, S>& row_q,
+                                  const std::array<double, S>& row_v, Visit&& visit) {
   constexpr auto& trees = nystroem_trees<Order>;
   double phi[trees.count][S]{};
-  std::array<double, Order + 1> worst{};
-  const auto note = [&worst](int n, double violation) {
-    double& w = worst[static_cast<std::size_t>(n)];
-    w = violation > w ? violation : (-violation > w ? -violation : w);
-  };
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
     const std::size_t r = trees.grafted[tau];
     double sum_q = 0, sum_v = 0;
@@ -102,32 +103,65 @@ constexpr std::array<double, Order + 1> nystroem_residuals(const NystroemTableau
       sum_v += row_v[i] * phi[tau][i];
     }
     const int n = trees.nodes[tau];
-    note(n, sum_v - trees.factor[tau] / n);
-    if (n < Order) note(n + 1, sum_q - trees.factor[tau] / (n * (n + 1)));
+    visit(WeightRow::b_v, n, tau, sum_v - trees.factor[tau] / n);
+    if (n < Order) visit(WeightRow::b_q, n + 1, tau, sum_q - trees.factor[tau] / (n * (n + 1)));
   }
-  return worst;
 }
 
-/// Whether the rows meet every condition up to `order` (at most 8) and fail one of the next.
+/// The first condition up to `order` (at most 8) that the rows do not meet, or that they meet all
+/// of the next order.
+template <std::size_t S>
+constexpr OrderFault order_fault(const NystroemTableau<S>& tableau,
+                                 const std::array<double, S>& row_q,
+                                 const std::array<double, S>& row_v, int order) {
+  OrderFault fault;
+  bool no_higher = false;
+  for_each_condition<9>(tableau, row_q, row_v,
+                        [&](WeightRow row, int n, std::size_t tau, double residual) {
+                          if (residual < order_rounding && -residual < order_rounding) return;
+                          if (n <= order && (fault.order == 0 || n < fault.order))
+                            fault = {row, n, tau, residual};
+                          if (n == order + 1) no_higher = true;
+                        });
+  if (fault.order == 0 && !no_higher) fault.order = order + 1;
+  return fault;
+}
+
+/// Whether the rows meet every condition up to `order` and fail one of the next.
 template <std::size_t S>
 constexpr bool has_exactly_order(const NystroemTableau<S>& tableau,
                                  const std::array<double, S>& row_q,
                                  const std::array<double, S>& row_v, int order) {
-  const auto residuals = nystroem_residuals<9>(tableau, row_q, row_v);
-  for (int n = 1; n <= order; ++n)
-    if (!(residuals[static_cast<std::size_t>(n)] < order_rounding)) return false;
-  return order <= 8 && residuals[static_cast<std::size_t>(order) + 1] > order_rounding;
+  return order_fault(tableau, row_q, row_v, order).order == 0;
 }
 
-/// For static_assert beside a tableau: explicit, and both pairs of rows have the orders stated.
+/// The first fault of either pair of rows; order 0 where there is none.
 template <std::size_t S>
-consteval bool proven(const NystroemTableau<S>& tableau) {
-  for (std::size_t i = 0; i < S; ++i)
-    for (std::size_t j = i; j < S; ++j)
-      if (tableau.a[i][j] != 0) return false;
-  return has_exactly_order(tableau, tableau.b_q, tableau.b_v, tableau.order) &&
-         (!tableau.has_embedded_rows() ||
-          has_exactly_order(tableau, tableau.b_q_hat, tableau.b_v_hat, tableau.order_hat));
+constexpr OrderFault first_fault(const NystroemTableau<S>& tableau) {
+  OrderFault fault = order_fault(tableau, tableau.b_q, tableau.b_v, tableau.order);
+  if (fault.order != 0) return fault;
+  fault = order_fault(tableau, tableau.b_q_hat, tableau.b_v_hat, tableau.order_hat);
+  fault.row = fault.row == WeightRow::b_q ? WeightRow::b_q_hat : WeightRow::b_v_hat;
+  return fault;
+}
+
+/// A velocity at a node of a Nystroem tree, see `tree`.
+struct velocity {};
+
+template <const auto& Trees, std::size_t Index>
+constexpr auto nystroem_tree_at() {
+  if constexpr (Index == 0)
+    return tree<>{};
+  else if constexpr (Trees.grafted[Index] == Trees.velocity)
+    return graft(nystroem_tree_at<Trees, Trees.base[Index]>(), velocity{});
+  else
+    return graft(nystroem_tree_at<Trees, Trees.base[Index]>(),
+                 nystroem_tree_at<Trees, Trees.grafted[Index]>());
+}
+
+template <int Order, std::size_t Index, std::size_t S>
+constexpr auto tree_of_fault(const NystroemTableau<S>&) {
+  return nystroem_tree_at<nystroem_trees<Order>, Index>();
 }
 
 }  // namespace odeum

@@ -108,6 +108,7 @@ inline constexpr double order_rounding = 1e-13;
 
 /// Why a row of weights does not have exactly the order stated for it.
 struct OrderFault {
+  WeightRow row = WeightRow::b;
   int order = 0;         ///< of the first condition that fails; 0: the row has the order stated
   std::size_t tree = 0;  ///< of that condition, its place among the rooted trees
   double residual = 0;   ///< of that condition; 0: none fails, the row has a higher order
@@ -121,7 +122,7 @@ constexpr OrderFault order_fault_up_to(const Tableau<S>& tableau, const std::arr
   for_each_condition<Order>(tableau, row, [&](std::size_t tau, double residual) {
     if (residual < order_rounding && -residual < order_rounding) return;
     const int nodes = rooted_trees<Order>.nodes[tau];
-    if (nodes <= order && fault.order == 0) fault = {nodes, tau, residual};
+    if (nodes <= order && fault.order == 0) fault = {WeightRow::b, nodes, tau, residual};
     if (nodes == order + 1) no_higher = true;
   });
   if (fault.order == 0 && !no_higher) fault.order = order + 1;
@@ -148,28 +149,36 @@ constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<dou
   return order_fault(tableau, row, order).order == 0;
 }
 
-/// Whether the row has exactly its order; otherwise the compiler's message names the fault, as
-/// template arguments, since only those are printed with their values.
-template <const auto& tableau, WeightRow row>
-consteval bool row_proven() {
-  constexpr OrderFault fault = row == WeightRow::b
-                                   ? order_fault(tableau, tableau.b, tableau.order)
-                                   : order_fault(tableau, tableau.b_hat, tableau.order_hat);
-  if constexpr (fault.order != 0 && fault.residual == 0)
-    (void)HasHigherOrderThanStated<row, fault.order>{};
-  else if constexpr (fault.order != 0)
-    (void)OrderConditionFails<row, fault.order,
-                              decltype(tree_at<rooted_trees<fault.order>, fault.tree>()),
-                              three_digits(fault.residual)>{};
-  return fault.order == 0;
+/// The first fault of the rows of a tableau; order 0 where there is none.
+template <std::size_t S>
+constexpr OrderFault first_fault(const Tableau<S>& tableau) {
+  OrderFault fault = order_fault(tableau, tableau.b, tableau.order);
+  if (fault.order != 0) return fault;
+  // A row that is not there is zero and has exactly order 0.
+  fault = order_fault(tableau, tableau.b_hat, tableau.order_hat);
+  fault.row = WeightRow::b_hat;
+  return fault;
 }
 
-/// For static_assert beside a tableau: both rows have exactly the orders stated. Where one has not,
-/// the compiler's message names the condition, see proof_message.hpp.
-template <const auto& tableau>
+/// The tree of a fault of that order, as a type.
+template <int Order, std::size_t Index, std::size_t S>
+constexpr auto tree_of_fault(const Tableau<S>&) {
+  return tree_at<rooted_trees<Order>, Index>();
+}
+
+/// For static_assert beside coefficients: all rows have exactly the orders stated. Where one has
+/// not, the compiler's message names the fault, as template arguments, since only those are printed
+/// with their values. Each kind of coefficients has its own first_fault and tree_of_fault.
+template <const auto& coefficients>
 consteval bool proven() {
-  // A row that is not there is zero and has exactly order 0.
-  return row_proven<tableau, WeightRow::b>() && row_proven<tableau, WeightRow::b_hat>();
+  constexpr OrderFault fault = first_fault(coefficients);
+  if constexpr (fault.order != 0 && fault.residual == 0)
+    (void)HasHigherOrderThanStated<fault.row, fault.order>{};
+  else if constexpr (fault.order != 0)
+    (void)OrderConditionFails<fault.row, fault.order,
+                              decltype(tree_of_fault<fault.order, fault.tree>(coefficients)),
+                              three_digits(fault.residual)>{};
+  return fault.order == 0;
 }
 
 }  // namespace odeum

@@ -41,13 +41,14 @@ constexpr Decimal three_digits(double x) {
   return result;
 }
 
-enum class WeightRow { b, b_hat };
+/// A row of weights: of a Runge-Kutta or Rosenbrock method, of a Nystroem method, of a splitting.
+enum class WeightRow { b, b_hat, b_q, b_v, b_q_hat, b_v_hat, drift };
 
 template <WeightRow row, int order, class RootedTree, Decimal residual>
 struct OrderConditionFails {
   static_assert(order == 0,
                 "the row of weights does not meet the condition of this order on this rooted tree; "
-                "the residual is sum_i b_i Phi_i(tree) - 1 / gamma(tree)");
+                "the residual is its left-hand side less its right-hand side");
 };
 
 template <WeightRow row, int order>

@@ -30,6 +30,9 @@ struct RosenbrockTableau {
   int order = 0;
   Row m_hat{};  ///< the embedded row
   int order_hat = 0;
+  /// What the conditions leave: coefficients of size up to a hundred, published to 16 digits, need
+  /// more than the default.
+  double rounding = 1e-13;
 
   constexpr bool embedded() const { return order_hat != 0; }
 
@@ -108,18 +111,17 @@ constexpr RosenbrockTableau<S> rosenbrock_from(const std::array<std::array<doubl
   return t;
 }
 
-/// The largest violation of the order conditions up to `Order` by a row of b: those of Runge-Kutta
-/// methods, but for a node with a single child, whose edge takes alpha + Gamma instead of alpha
-/// (theorem 7.4; with Gamma's diagonal included the right-hand side is 1 / gamma(tau)). Since
-/// alpha_i and gamma_i are row sums they cover non-autonomous problems too.
-template <int Order, std::size_t S>
-constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
-                                     const std::array<double, S>& b) {
+/// Calls visit(tau, residual) for each rooted tree with at most `Order` nodes: the order conditions
+/// of Runge-Kutta methods on a row of b, but for a node with a single child, whose edge takes alpha
+/// + Gamma instead of alpha (theorem 7.4; with Gamma's diagonal included the right-hand side is 1 /
+/// gamma(tau)). Since alpha_i and gamma_i are row sums they cover non-autonomous problems too.
+template <int Order, std::size_t S, class Visit>
+constexpr void for_each_condition(const RosenbrockTableau<S>& tableau,
+                                  const std::array<double, S>& b, Visit&& visit) {
   constexpr auto& trees = rooted_trees<Order>;
   const auto alpha = tableau.alpha_matrix(), gamma = tableau.gamma_matrix();
   std::array<std::array<double, S>, trees.count> phi{};   // as the whole tree
   std::array<std::array<double, S>, trees.count> many{};  // as one of several branches
-  double worst = 0;
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
     double sum = 0;
     for (std::size_t i = 0; i < S; ++i) {
@@ -135,30 +137,52 @@ constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
       }
       sum += b[i] * phi[tau][i];
     }
-    const double violation = sum - 1 / trees.density[tau];
-    worst = violation > worst ? violation : (-violation > worst ? -violation : worst);
+    visit(tau, sum - 1 / trees.density[tau]);
   }
+}
+
+/// The largest violation of the conditions up to `Order` by a row of b.
+template <int Order, std::size_t S>
+constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
+                                     const std::array<double, S>& b) {
+  double worst = 0;
+  for_each_condition<Order>(tableau, b, [&](std::size_t, double residual) {
+    worst = residual > worst ? residual : (-residual > worst ? -residual : worst);
+  });
   return worst;
 }
 
-/// Whether the row has order `Order` and no more. `rounding` allows for coefficients of size up to
-/// a hundred published to 16 digits.
-template <int Order, std::size_t S>
-constexpr bool rosenbrock_has_exactly_order(const RosenbrockTableau<S>& tableau,
-                                            const std::array<double, S>& m, double rounding) {
-  const auto b = tableau.weights(m);
-  return rosenbrock_residual<Order>(tableau, b) < rounding &&
-         rosenbrock_residual<Order + 1>(tableau, b) > 10 * rounding;
+/// The first condition up to `order` (at most 5) that a row of m does not meet, or that it meets
+/// all of the next order.
+template <std::size_t S>
+constexpr OrderFault order_fault(const RosenbrockTableau<S>& tableau,
+                                 const std::array<double, S>& m, int order) {
+  OrderFault fault;
+  bool no_higher = false;
+  for_each_condition<6>(tableau, tableau.weights(m), [&](std::size_t tau, double residual) {
+    const double size = residual < 0 ? -residual : residual;
+    const int nodes = rooted_trees<6>.nodes[tau];
+    if (nodes <= order && fault.order == 0 && !(size < tableau.rounding))
+      fault = {WeightRow::b, nodes, tau, residual};
+    if (nodes == order + 1 && size > 10 * tableau.rounding) no_higher = true;
+  });
+  if (fault.order == 0 && !no_higher) fault.order = order + 1;
+  return fault;
 }
 
-/// For static_assert: both rows have exactly the orders stated. OrderHat 0: there is no second.
-template <int Order, int OrderHat, std::size_t S>
-consteval bool rosenbrock_proven(const RosenbrockTableau<S>& tableau, double rounding = 1e-13) {
-  if (tableau.order != Order || tableau.order_hat != OrderHat) return false;
-  if (!rosenbrock_has_exactly_order<Order>(tableau, tableau.m, rounding)) return false;
-  if constexpr (OrderHat != 0)
-    return rosenbrock_has_exactly_order<OrderHat>(tableau, tableau.m_hat, rounding);
-  return true;
+/// The first fault of the rows; order 0 where there is none.
+template <std::size_t S>
+constexpr OrderFault first_fault(const RosenbrockTableau<S>& tableau) {
+  OrderFault fault = order_fault(tableau, tableau.m, tableau.order);
+  if (fault.order != 0) return fault;
+  fault = order_fault(tableau, tableau.m_hat, tableau.order_hat);
+  fault.row = WeightRow::b_hat;
+  return fault;
+}
+
+template <int Order, std::size_t Index, std::size_t S>
+constexpr auto tree_of_fault(const RosenbrockTableau<S>&) {
+  return tree_at<rooted_trees<Order>, Index>();
 }
 
 }  // namespace odeum

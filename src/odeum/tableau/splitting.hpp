@@ -59,12 +59,18 @@ struct Splitting {
   }
 };
 
-/// For static_assert beside the coefficients: the drifts add up to one step, and the conditions of
-/// the order stated hold.
+/// The first fault: the drifts do not add up to one step, or a condition of the order stated fails.
 template <std::size_t S>
-consteval bool proven(const Splitting<S>& splitting) {
+constexpr OrderFault first_fault(const Splitting<S>& splitting) {
   const double rest = splitting.c(S - 1) + splitting.drift[S - 1] - 1;
-  return rest < order_rounding && -rest < order_rounding && proven(splitting.as_nystroem());
+  if (!(rest < order_rounding && -rest < order_rounding))
+    return {.row = WeightRow::drift, .order = 1, .tree = 0, .residual = rest};
+  return first_fault(splitting.as_nystroem());
+}
+
+template <int Order, std::size_t Index, std::size_t S>
+constexpr auto tree_of_fault(const Splitting<S>&) {
+  return nystroem_tree_at<nystroem_trees<Order>, Index>();
 }
 
 /// Kicks and drifts of the composition of velocity-Verlet steps of lengths w_0 h, w_1 h, ...
