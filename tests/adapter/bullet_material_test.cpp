@@ -13,7 +13,7 @@ namespace {
 MaterialRow response(const Specimen& specimen, const char* id, double step,
                      const Iterations& iterations = {}) {
   const SceneStage stage(specimen.scene());
-  return measure_response(specimen, stage, stage.solver(id), step, iterations);
+  return measure_response(specimen, stage, find_solver(stage.entrants, id), step, iterations);
 }
 
 Specimen undamped(Specimen specimen) {
@@ -110,8 +110,8 @@ TEST(BulletMaterial, NewtonIterationsEndAtBackwardEulerOfACloth) {
   request.stops = {1};
   const auto distance = [&](double newton) {
     request.options = {{"newton", newton}};
-    const Outcome engine = stage.solver("bullet/deformable_implicit").solve(request),
-                  own = stage.solver("odeum/implicit_euler").solve(request);
+    const Outcome engine = find_solver(stage.entrants, "bullet/deformable_implicit").solve(request),
+                  own = find_solver(stage.entrants, "odeum/implicit_euler").solve(request);
     EXPECT_EQ(engine.status, Status::ok) << engine.detail;
     EXPECT_EQ(own.status, Status::ok) << own.detail;
     return rms_distance(engine.states, own.states, 3);

@@ -12,7 +12,7 @@
 #include <map>
 #include <optional>
 
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::bench {
 

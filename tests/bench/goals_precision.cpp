@@ -42,7 +42,7 @@ std::vector<Row> precision_rows() {
     if (std::count(done.begin(), done.end(), level.case_id)) continue;
     done.emplace_back(level.case_id);
     const study::PrecisionResult result =
-        study::measure_precision({.cases = {level.case_id}, .solvers = {}, .jobs = 2});
+        study::measure_precision({.cases = {level.case_id}}, study::Runner(2));
     for (const study::PrecisionSummary& line : result.summary) {
       const int exponent = static_cast<int>(std::lround(-std::log10(line.error)));
       if (exponent != 3 && exponent != 6 && exponent != 9 && exponent != 11) continue;

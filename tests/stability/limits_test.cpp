@@ -25,10 +25,10 @@ constexpr double quoted = 1e-6;
 
 using Key = std::pair<std::string, std::string>;
 
-StabilityOptions own_limits() {
-  StabilityOptions options;
+Options own_limits() {
+  Options options;
   options.solvers = {"odeum/*"};
-  options.own_grid = 5;
+  options.own = {{"grid", "5"}};
   return options;
 }
 
@@ -122,10 +122,9 @@ TEST(Limits, Textbook) {
 }
 
 TEST(Regions, GrowthIsTheStabilityFunction) {
-  StabilityOptions options;
+  Options options;
   options.solvers = {"odeum/rk4", "odeum/implicit_euler"};
-  options.plane = "lambda";
-  options.own_grid = 13;  // every whole number of the window
+  options.own = {{"plane", "lambda"}, {"grid", "13"}};  // every whole number of the window
   for (const StabilityRegion& region : measure_stability(options).regions) {
     ASSERT_EQ(region.growth.size(), 13U * 13U);
     for (int j = 0; j < 13; ++j)
@@ -144,10 +143,9 @@ TEST(Regions, GrowthIsTheStabilityFunction) {
 }
 
 TEST(Regions, OscillatorPlane) {
-  StabilityOptions options;
+  Options options;
   options.solvers = {"odeum/symplectic_euler"};
-  options.plane = "oscillator";
-  options.own_grid = 9;
+  options.own = {{"plane", "oscillator"}, {"grid", "9"}};
   const StabilityResult result = measure_stability(options);
   ASSERT_EQ(result.regions.size(), 1U);
   ASSERT_EQ(result.regions[0].growth.size(), 9U * 5U);
@@ -165,9 +163,7 @@ TEST(Regions, OscillatorPlane) {
 }
 
 TEST(Stability, DoesNotDependOnTheNumberOfJobs) {
-  StabilityOptions options = own_limits();
-  options.jobs = 2;
-  const StabilityResult two = measure_stability(options);
+  const StabilityResult two = measure_stability(own_limits(), Runner(2));
   ASSERT_EQ(two.limits.size(), own().limits.size());
   for (std::size_t i = 0; i < two.limits.size(); ++i) {
     EXPECT_EQ(two.limits[i].solver, own().limits[i].solver);
@@ -187,18 +183,18 @@ TEST(Stability, AnInterruptedRunResumesToTheSameFiles) {
       std::filesystem::path(::testing::TempDir()) / "odeum_stability_resume";
   std::filesystem::remove_all(path);
   const record::OutputFolder folder(path);
-  StabilityOptions options;
+  Options options;
   options.solvers = {"odeum/heun", "odeum/velocity_verlet", "odeum/implicit_euler_fixed_point"};
-  options.own_grid = 9;
+  options.own = {{"grid", "9"}};
   {
     record::Journal journal(folder, "stability", "same", false);
-    StabilityOptions first = options;
+    Options first = options;
     first.solvers = {"odeum/heun", "odeum/implicit_euler_fixed_point"};
-    measure_stability(first, &journal);
+    measure_stability(first, Runner(1, &journal));
   }
   record::Journal journal(folder, "stability", "same", true);
   EXPECT_EQ(journal.size(), 10U);  // two solvers, three axes and two planes
-  const StabilityResult resumed = measure_stability(options, &journal);
+  const StabilityResult resumed = measure_stability(options, Runner(1, &journal));
   const StabilityResult fresh = measure_stability(options);
   ASSERT_EQ(resumed.limits.size(), fresh.limits.size());
   for (std::size_t i = 0; i < fresh.limits.size(); ++i) {

@@ -21,7 +21,7 @@ Specimen undamped(Specimen specimen) {
 MaterialRow response(const Specimen& specimen, const char* id, double step,
                      const Iterations& iterations = {}) {
   const SceneStage stage(specimen.scene());
-  return measure_response(specimen, stage, stage.solver(id), step, iterations);
+  return measure_response(specimen, stage, find_solver(stage.entrants, id), step, iterations);
 }
 
 TEST(Material, ASpecimenKnowsItself) {
@@ -98,7 +98,7 @@ TEST(Material, WhatDoesNotFitSaysSo) {
 
 TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {
   const auto rows =
-      measure_long_runs({.solvers = {"odeum/velocity_verlet", "odeum/rk4"}, .jobs = 2});
+      measure_long_runs({.solvers = {"odeum/velocity_verlet", "odeum/rk4"}}, Runner(2)).long_run;
   double verlet = 0, rk4 = 0, linear = 0, drape = 0, energy = 0, exact = 0;
   for (const LongRunRow& row : rows) {
     EXPECT_EQ(row.status, "ok") << row.detail;

@@ -159,65 +159,6 @@ TEST(PagePrecision, TimesHaveTheUnitThatFits) {
   EXPECT_EQ(show_time(nan), "–");
 }
 
-TEST(PrecisionCsv, IsReadBackAsItWasWritten) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  study::PrecisionResult result;
-  result.rows = rows_of("some_case");
-  result.rows[0].detail = "at t = 1, \"quoted\"";
-  result.rows[1].inlined = result.rows[1].pareto = true;
-  result.rows[2].mode = Mode::fixed;
-  result.rows[3].counters.rhs_evaluations = 1234;
-  write_csv(result, folder);
-  const fs::path file = folder.path() / "precision.csv";
-  const study::EarlierPrecision earlier = study::read_precision_csv(file);
-  ASSERT_EQ(earlier.problem, "");
-  ASSERT_EQ(earlier.rows.size(), result.rows.size());
-  study::PrecisionResult again;
-  again.rows = earlier.rows;
-  const std::string before = text_of(file);
-  write_csv(again, folder);
-  EXPECT_EQ(text_of(file), before);
-}
-
-TEST(PrecisionCsv, IsNotBelievedWhereItIsBroken) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  const fs::path file = folder.path() / "precision.csv";
-  EXPECT_EQ(study::read_precision_csv(file).problem, "") << "missing is no problem";
-  study::PrecisionResult result;
-  result.rows = rows_of("some_case");
-  write_csv(result, folder);
-  const std::string whole = text_of(file);
-  const auto problem_of = [&](const std::string& text) {
-    folder.write("precision.csv", text);
-    const study::EarlierPrecision earlier = study::read_precision_csv(file);
-    EXPECT_TRUE(earlier.problem.empty() || earlier.rows.empty());
-    return earlier.problem;
-  };
-  EXPECT_NE(problem_of(whole.substr(0, whole.size() - 7)).find("cut off"), std::string::npos);
-  EXPECT_NE(problem_of("").find("columns"), std::string::npos);
-  EXPECT_NE(problem_of("schema,case\n1,a\n").find("columns"), std::string::npos);
-  std::string spoilt = whole;
-  spoilt.replace(spoilt.find(",0.01,"), 6, ",slow,");
-  EXPECT_NE(problem_of(spoilt).find("no number"), std::string::npos);
-}
-
-TEST(PrecisionCsv, WhatIsMeasuredNowReplacesWhatWas) {
-  Case measured, other;
-  measured.id = "measured";
-  other.id = "other";
-  study::PrecisionResult result;
-  result.rows = rows_of("measured");
-  std::vector<PrecisionRow> earlier = rows_of("measured");
-  for (const char* id : {"other", "gone"})
-    for (const PrecisionRow& each : rows_of(id)) earlier.push_back(each);
-  add_earlier(result, earlier, {measured, other});
-  EXPECT_EQ(result.rows.size(), 2 * rows_of("x").size()) << "each once, and not the case that went";
-  ASSERT_EQ(result.summary.size(), 11U);
-  EXPECT_EQ(result.summary[0].case_id, "other");
-}
-
 TEST(SolverGroups, SmallFamiliesShareAGroupAndNobodyIsLost) {
   const ReportData data = test::fabricate_report();
   std::size_t solvers = 0;

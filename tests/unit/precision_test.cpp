@@ -7,7 +7,7 @@
 #include <cmath>
 #include <thread>
 
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
 namespace {
@@ -104,7 +104,7 @@ TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
   const PrecisionResult result =
       measure_precision({.cases = {"lotka_volterra"},
                          .solvers = {"odeum/cash_karp54", "gsl/rkck", "odeum/leapfrog"},
-                         .seconds_per_case = 0.05});
+                         .own = {{"seconds", "0.05"}}});
   int ok = 0, unfit = 0;
   double last[2] = {1, 1};  // settings get finer, in each mode
   for (const PrecisionRow& each : result.rows) {

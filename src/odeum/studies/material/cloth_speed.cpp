@@ -8,7 +8,7 @@
 #include "odeum/core/progress.hpp"
 #include "odeum/studies/material/cloth_steps.hpp"
 #include "odeum/studies/material/material.hpp"
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 #include "support/square_cloth.hpp"
 
 namespace odeum::study {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "odeum/record/rows.hpp"
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 /// What the study of engines and cloths finds. A row names its columns once, in `each`; its file is
 /// written and read by that.

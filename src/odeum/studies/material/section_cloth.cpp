@@ -8,8 +8,8 @@
 
 #include "odeum/report/html.hpp"
 #include "odeum/studies/material/section.hpp"
-#include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/precision/speed_diagram.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::report {
 namespace {

@@ -13,7 +13,7 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/judge/errors.hpp"
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
 namespace {
@@ -240,10 +240,6 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
 }
 
 }  // namespace
-
-bool disturbed(double drift, double processor_share) {
-  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
-}
 
 PrecisionResult measure_precision(const Options& options, const Runner& runner) {
   const std::vector<const Case*> cases = select_cases(options.cases);

@@ -98,12 +98,6 @@ struct PrecisionResult {
 /// What a solve may take in a report, in seconds.
 inline constexpr double report_seconds_per_solve = 0.02;
 
-/// Beyond this drift of the machine's speed, or this loss of the processor to others, the times of
-/// a case are marked as disturbed.
-inline constexpr double most_disturbance = 0.05;
-/// False where nothing was timed.
-bool disturbed(double drift, double processor_share);
-
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
 /// than 5 %, or other programs had the processor for more than that, is timed once more, and marked

@@ -41,6 +41,12 @@ struct Conditions {
   std::string measured;  ///< when, UTC
 };
 
+/// Beyond this drift of the machine's speed, or this loss of the processor to others, times are
+/// marked as disturbed.
+inline constexpr double most_disturbance = 0.05;
+/// False where nothing was timed.
+bool disturbed(double drift, double processor_share);
+
 /// Measures the conditions from its construction on.
 class ConditionsMeter {
  public:

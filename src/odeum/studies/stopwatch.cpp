@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/precision/stopwatch.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 #ifdef __linux__
 #include <sched.h>
@@ -56,6 +56,10 @@ Conditions ConditionsMeter::end() const {
   return {.drift = calibration_ns() / before_ - 1,
           .processor_share = 1e9 * (thread_seconds() - used_) / since(start_),
           .measured = report::utc_text(std::chrono::system_clock::now())};
+}
+
+bool disturbed(double drift, double processor_share) {
+  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
 }
 
 double calibration_ns() {

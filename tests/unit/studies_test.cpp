@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/studies/study.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum::study {
+namespace {
+
+using tests::text_of;
+
+/// Little work for each study: those without an entry take what any study takes.
+Options little_of(const std::string& name) {
+  Options options{.cases = {"dahlquist_real", "lotka_volterra"},
+                  .solvers = {"odeum/rk4", "odeum/velocity_verlet"},
+                  .quick = true};
+  if (name == "limits") options.cases = {"stiff_chain2_k1e4"};
+  if (name == "drift") options.cases = {"osc_undamped", "lorenz_kehlet_logg"};
+  if (name == "stability") options.own = {{"grid", "8"}};
+  if (name == "precision") options.own = {{"seconds", "0.01"}};
+  return options;
+}
+
+TEST(Studies, ReadTheirFilesBackToTheSameBytes) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path() / "out"), again(root.path() / "again");
+  for (const auto& study : make_studies()) {
+    study->measure(little_of(study->declaration().name), Runner(2));
+    study->write(folder);
+    EXPECT_NE(study->table(), "") << study->declaration().name;
+  }
+  for (const auto& study : make_studies()) {
+    study->add_earlier(folder.path());
+    EXPECT_EQ(study->problem(), "") << study->declaration().name;
+    study->write(again);
+    for (const std::string& file : study->files()) {
+      // Growth of stability has files of its own, and a study that was not asked may have none.
+      if (file == "stability_regions.csv" || !std::filesystem::exists(folder.path() / file))
+        continue;
+      EXPECT_EQ(text_of(folder.path() / file), text_of(again.path() / file)) << file;
+    }
+  }
+}
+
+TEST(Studies, AnInterruptedOneResumesToTheSameFiles) {
+  for (const std::string name : {"converge", "stability", "limits", "drift", "proof"}) {
+    const tests::TemporaryFolder root;
+    const record::OutputFolder folder(root.path());
+    const auto files_of = [&](const Options& options, record::Journal* journal) {
+      for (const auto& study : make_studies()) {
+        if (study->declaration().name != name) continue;
+        study->measure(options, Runner(1, journal));
+        study->write(folder);
+        std::string texts;
+        for (const std::string& file : study->files()) texts += text_of(folder.path() / file);
+        return texts;
+      }
+      return std::string();
+    };
+    const Options whole = little_of(name);
+    Options part = whole;
+    part.solvers = {"odeum/rk4"};
+    {
+      record::Journal journal(folder, name, "same", false);
+      files_of(part, &journal);
+    }
+    record::Journal journal(folder, name, "same", true);
+    EXPECT_GT(journal.size(), 0U) << name;
+    EXPECT_EQ(files_of(whole, &journal), files_of(whole, nullptr)) << name;
+  }
+}
+
+TEST(Studies, WhatAReportRunsIsThere) {
+  for (const auto& study : make_studies())
+    for (const bool quick : {false, true})
+      for (const Options& options : study->report_runs(quick)) {
+        for (const std::string& glob : options.cases)
+          EXPECT_TRUE(std::any_of(all_cases().begin(), all_cases().end(),
+                                  [&](const Case& c) { return glob_matches(glob, c.id); }))
+              << study->declaration().name << ": " << glob;
+        for (const auto& [name, value] : options.own)
+          EXPECT_TRUE(std::any_of(study->declaration().options.begin(),
+                                  study->declaration().options.end(),
+                                  [&](const Option& option) { return option.name == name; }))
+              << study->declaration().name << ": " << name;
+      }
+}
+
+TEST(Studies, HaveNamesAndPlacesOfTheirOwn) {
+  std::vector<std::string> names;
+  std::vector<int> places;
+  for (const auto& study : make_studies()) {
+    EXPECT_NE(study->declaration().help, "");
+    names.push_back(study->declaration().name);
+    places.push_back(study->declaration().place);
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end()));
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+}  // namespace
+}  // namespace odeum::study
