@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "odeum/studies/study.hpp"
+
+namespace odeum::study {
+
+/// One square sheet of particles and springs: a line of mesh.csv. Every sheet has the same edge
+/// (1 m), mass (1 kg, in equal parts) and, at the coarsest mesh, stiffness of a spring (200 N/m).
+struct MeshRow {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string springs;  ///< structural, shear (and structural), bend (and both)
+  /// How the stiffness of a spring follows the mesh: `constant`, `per_length` (k ~ 1 / length, as
+  /// of a thread cut shorter) or `per_count` (k ~ 1 / springs along an edge).
+  std::string scaling;
+  std::string status, detail;
+  std::size_t particles = 0;  ///< along an edge
+  double stiffness = nan;     ///< of a spring, N/m
+  double extension = nan;     ///< of the sheet hung by its upper edge, mean over the lower one, m
+  double period = nan;        ///< of its slowest vertical oscillation, s
+  double sag = nan;    ///< of its centre line below two opposite edges that are held level, m
+  double drape = nan;  ///< of its lowest particle below the two upper corners that hold it, m
+  /// What every stiffness must be multiplied by for the extension of the coarsest mesh.
+  double factor = nan;
+
+  static constexpr const char* file = "mesh.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("springs", row.springs), visit("scaling", row.scaling), visit("status", row.status);
+    visit("detail", row.detail), visit("particles", row.particles);
+    visit("stiffness", row.stiffness), visit("extension", row.extension);
+    visit("period", row.period), visit("sag", row.sag), visit("drape", row.drape);
+    visit("factor", row.factor);
+  }
+};
+
+struct MeshResult {
+  std::vector<MeshRow> rows;
+  static auto lists(auto& result) { return std::tie(result.rows); }
+};
+
+/// Equilibria by relaxation and periods by undamped runs of meshes of 6 x 6 to 96 x 96, each twice
+/// as fine as the one before (own option `most`: the finest). Throws Interrupted.
+MeshResult measure_mesh(const Options& options, const Runner& runner = Runner());
+
+}  // namespace odeum::study

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "odeum/record/table.hpp"
+#include "odeum/report/chart.hpp"
+#include "odeum/report/page.hpp"
+#include "odeum/report/table.hpp"
+#include "odeum/studies/mesh/rows.hpp"
+
+namespace odeum::study {
+namespace {
+
+std::vector<record::TableColumn> columns() {
+  return {{"springs", "{springs}"},
+          {"scaling", "{scaling}"},
+          {"particles an edge", "{particles:d}"},
+          {"stiffness, N/m", "{stiffness:.4g}"},
+          {"extension, m", "{extension:.4f}"},
+          {"period, s", "{period:.4f}"},
+          {"sag, m", "{sag:.4f}"},
+          {"drape, m", "{drape:.4f}"},
+          {"factor", "{factor:.3f}"},
+          {"status", "{status}: {detail}"}};
+}
+
+/// The factor against the number of particles, a curve for each scaling of the structural springs.
+std::string factor_chart(const std::vector<MeshRow>& rows) {
+  report::Axis across, up;
+  std::map<std::string, std::vector<report::ChartPoint>> curves;
+  for (const MeshRow& row : rows) {
+    if (row.springs != "structural" || row.status != "ok") continue;
+    across.include(static_cast<double>(row.particles)), up.include(row.factor);
+    curves[row.scaling].emplace_back(row.particles, row.factor);
+  }
+  if (curves.empty()) return {};
+  report::Chart chart(report::large_chart, across.widened(1.1), up.widened(1.3),
+                      {.x = "particles along an edge, log",
+                       .y = "factor, log",
+                       .description = "factor against the number of particles"});
+  std::vector<report::Key> keys;
+  for (const auto& [scaling, points] : curves) {
+    chart.curve(points, keys.size());
+    keys.push_back({.text = scaling, .style = keys.size()});
+  }
+  return "<figure>" + chart.svg() + report::legend(keys) + "</figure>\n";
+}
+
+class Mesh final : public StudyOf<MeshResult> {
+ public:
+  Mesh()
+      : StudyOf({.name = "mesh",
+                 .help = "one square sheet at meshes of 6 x 6 to 96 x 96, and how to scale springs",
+                 .place = 75,
+                 .cases_help = "",
+                 .options = {{.name = "most",
+                              .help = "particles along an edge of the finest; default: 96",
+                              .least = 6,
+                              .most = 192}}}) {}
+
+  std::vector<Options> report_runs(bool quick) const override {
+    return quick ? std::vector<Options>() : std::vector<Options>{{.own = {{"most", "24"}}}};
+  }
+
+  std::string table() const override { return record::table_of(result().rows, columns()).text(); }
+
+  void section(report::Page& page) const override {
+    const record::Table rows = record::table_of(result().rows, columns());
+    if (rows.rows.empty()) return;
+    report::Table table("numbers");
+    std::vector<report::Cell> cells;
+    for (const auto& column : rows.columns) cells.push_back({.text = column.heading});
+    table.head(cells);
+    for (const auto& row : rows.rows) {
+      cells.clear();
+      for (const std::string& text : row) cells.push_back({.text = text});
+      table.row(cells.front(), {cells.begin() + 1, cells.end()});
+    }
+    page.section(
+        {.id = "mesh",
+         .title = "Mesh influence",
+         .place = declaration().place,
+         .html = "<p>The same square sheet (1 m, 1 kg) as meshes of particles and springs. Factor: "
+                 "what every stiffness must be multiplied by for the extension of the coarsest "
+                 "mesh. Structural and shear springs keep their stiffness when the mesh is "
+                 "refined: as many more stand side by side as stand in a row. A stiffness per "
+                 "length (k ~ 1 / length, as of one thread) makes a finer sheet stiffer, one "
+                 "divided by the number of springs makes it softer, both in proportion to the "
+                 "number of particles along an edge.</p>\n" +
+                 factor_chart(result().rows) + table.html()});
+  }
+
+ protected:
+  MeshResult run(const Options& options, const Runner& runner) const override {
+    return measure_mesh(options, runner);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Study> make_mesh() { return std::make_unique<Mesh>(); }
+
+}  // namespace odeum::study
