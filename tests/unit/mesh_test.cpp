@@ -49,7 +49,8 @@ TEST(Mesh, AFinerSheetNeedsTheFactorThatItsScalingLacks) {
       // Edges have fewer diagonal and long springs, and weigh less at a finer mesh.
       EXPECT_NEAR(row.factor / lacks, 1, 0.2) << row.springs << ' ' << row.scaling;
     }
-    EXPECT_GT(row.sag, 0), EXPECT_GT(row.drape, 1);
+    EXPECT_GT(row.sag, 0);
+    EXPECT_GT(row.drape, 1);
   }
 }
 

@@ -26,10 +26,10 @@ struct AnyRow {
   std::size_t count = 0;
   int offset = 0;
   bool flag = false, chosen = false;
-  std::complex<double> z;
+  std::complex<double> z{};
   Colour colour = Colour::red;
-  std::optional<int> order;
-  std::vector<float> kept;
+  std::optional<int> order = {};
+  std::vector<float> kept = {};
 
   static constexpr const char* file = "any.csv";
   static void each(auto& row, auto&& visit) {

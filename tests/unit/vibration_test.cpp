@@ -23,7 +23,7 @@ TEST(Vibration, FindsAnOscillatorAtAnyResolution) {
     const auto found = fit_vibration(damped_cosine(5, 0.3, 0.01, h, 400), h, reason);
     ASSERT_TRUE(found) << h << reason;
     // The samples are of 1e-16; a lag of a sixth of a turn makes at most 1e3 times that of it.
-    EXPECT_NEAR(found->pull, 25 + 0.09, 1e-9) << h;
+    EXPECT_NEAR(found->omega_squared, 25 + 0.09, 1e-9) << h;
     EXPECT_NEAR(found->decay, 0.6, 1e-9) << h;
     EXPECT_NEAR(found->rest, 0.01, 1e-10) << h;
   }
@@ -38,7 +38,7 @@ TEST(Vibration, FindsOneThatCreeps) {
   std::string reason;
   const auto found = fit_vibration(z, h, reason);
   ASSERT_TRUE(found) << reason;
-  EXPECT_NEAR(found->pull, 14, 1e-6);  // the faster part is e^-20 of the slower at the end
+  EXPECT_NEAR(found->omega_squared, 14, 1e-6);  // the faster part is e^-20 of the slower at the end
   EXPECT_NEAR(found->decay, 9, 1e-6);
 }
 

@@ -110,6 +110,111 @@ bool is_compared(const SolverInfo& info, const Options& options) {
   return compared && any_glob_matches(options.solvers, id);
 }
 
+namespace {
+
+/// The steps of a run of so many periods of the slowest mode.
+std::uint64_t steps_of(const Specimen& specimen, double periods, double step) {
+  const double period = 2 * std::numbers::pi / specimen.frequency();
+  return static_cast<std::uint64_t>(std::ceil(std::max(60.0, periods * period / step)));
+}
+
+/// The specimen at rest under gravity.
+struct Rest {
+  std::vector<double> heights;
+  double sag = 0, swing = 0;  ///< of the lowest mass; half of what is left of its motion, m
+};
+
+/// Lets the specimen settle, each round from the mean of the one before. None where it does not;
+/// the row then says why.
+std::optional<Rest> settle(const Specimen& specimen, const SceneStage& stage,
+                           const Entrant& entrant, const Iterations& iterations, MaterialRow& row) {
+  Rest rest;
+  const scene::Scene scene = specimen.scene();
+  for (std::size_t i = 1; i <= specimen.masses; ++i)
+    rest.heights.push_back(scene.particles[i].position[1]);
+  for (int round = 0; round < most_rounds; ++round) {
+    start_from(stage, rest.heights);
+    const std::uint64_t count = steps_of(specimen, periods_a_round, row.step);
+    const Run settling = run(specimen, stage, entrant, row.step, iterations, count, count);
+    if (settling.outcome.status != Status::ok) {
+      row = failed(row, settling.outcome);
+      return std::nullopt;
+    }
+    const Swing seen = swing_of(settling);
+    if (!(seen.half < grown * specimen.sag())) {
+      row.status = "unstable";
+      remark(row, "moves away from rest");
+      return std::nullopt;
+    }
+    rest.heights = seen.mean;
+    rest.sag = -seen.mean.back() - static_cast<double>(specimen.masses) * specimen.length;
+    rest.swing = seen.half;
+    if (rest.swing <= settled_swing * std::abs(rest.sag)) break;
+  }
+  return rest;
+}
+
+/// The static stiffness, from the sag.
+void measure_rest(const Specimen& specimen, const Rest& rest, MaterialRow& row) {
+  if (std::abs(rest.sag) < 1e-9 * specimen.sag())
+    remark(row, "no sag under gravity, to rounding");
+  else
+    row.resting = specimen.sag() / rest.sag;
+  if (rest.sag <= -1e-9 * specimen.sag()) remark(row, "hangs higher than without gravity");
+  if (rest.swing > 10 * settled_swing * std::abs(rest.sag) && rest.swing > 1e-9 * specimen.sag())
+    remark(row, fmt::format("not settled: rest is the mean of an oscillation of {:.2g} of the sag",
+                            rest.swing / std::abs(rest.sag)));
+}
+
+/// The component of a motion about the rest in the slowest mode, over time, from `amplitude` on; a
+/// scalar product, since masses are equal.
+std::vector<double> slowest_mode(const Run& swung, const std::vector<double>& shape,
+                                 const std::vector<double>& rest, double amplitude) {
+  double norm = 0;
+  for (const double x : shape) norm += x * x;
+  std::vector<double> z{amplitude};
+  for (const auto& at : swung.heights) {
+    double sum = 0;
+    for (std::size_t i = 0; i < shape.size(); ++i) sum += shape[i] * (at[i] - rest[i]);
+    z.push_back(sum / norm);
+  }
+  return z;
+}
+
+/// The dynamic stiffness and the damping, from the slowest mode.
+void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entrant& entrant,
+                   const Iterations& iterations, const Rest& rest, MaterialRow& row) {
+  const std::vector<double> shape = specimen.shape();
+  const double amplitude = std::max(specimen.sag(), rest.sag) / 10;
+  std::vector<double> heights = rest.heights;
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += amplitude * shape[i];
+  start_from(stage, heights);
+  const std::uint64_t steps = steps_of(specimen, periods_swinging, row.step);
+  const Run swung = run(specimen, stage, entrant, row.step, iterations, steps, steps);
+  if (swung.outcome.status != Status::ok) {
+    row = failed(row, swung.outcome);
+    return;
+  }
+  const std::vector<double> z = slowest_mode(swung, shape, rest.heights, amplitude);
+  if (!(std::abs(z.back()) < grown * amplitude)) {
+    row.status = "unstable";
+    remark(row, "the oscillation grows");
+    return;
+  }
+  std::string reason;
+  if (const auto found = fit_vibration(z, row.step, reason)) {
+    const double w = specimen.frequency(), nominal = specimen.damping_ratio();
+    row.vibrating = found->omega_squared / (w * w);
+    row.damping = nominal > 0 ? found->decay / (2 * nominal * w) : not_measured;
+    row.added_damping_ratio = found->decay / (2 * std::sqrt(found->omega_squared)) - nominal;
+  } else {
+    remark(row, reason);
+  }
+  if (std::isnan(row.resting) || std::isnan(row.vibrating)) row.status = "unmeasured";
+}
+
+}  // namespace
+
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations) {
   auto row = named_row<MaterialRow>(entrant.info);
@@ -120,70 +225,10 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
   row.phase = step * specimen.frequency();
   row.status = to_string(Status::ok);
   if (!entrant.unfit.empty()) return not_applicable(row, entrant.unfit);
-  const double period = 2 * std::numbers::pi / specimen.frequency();
-  const auto steps_of = [&](double periods) {
-    return static_cast<std::uint64_t>(std::ceil(std::max(60.0, periods * period / step)));
-  };
-  std::vector<double> heights;
-  const scene::Scene scene = specimen.scene();
-  for (std::size_t i = 1; i <= specimen.masses; ++i)
-    heights.push_back(scene.particles[i].position[1]);
-  double sag = specimen.sag(), swing = 0;
-  for (int round = 0; round < most_rounds; ++round) {
-    start_from(stage, heights);
-    const std::uint64_t count = steps_of(periods_a_round);
-    const Run settling = run(specimen, stage, entrant, step, iterations, count, count);
-    if (settling.outcome.status != Status::ok) return failed(row, settling.outcome);
-    const Swing seen = swing_of(settling);
-    if (!(seen.half < grown * specimen.sag())) {
-      row.status = "unstable";
-      remark(row, "moves away from rest");
-      return row;
-    }
-    heights = seen.mean;
-    sag = -heights.back() - static_cast<double>(specimen.masses) * specimen.length;
-    swing = seen.half;
-    if (swing <= settled_swing * std::abs(sag)) break;
+  if (const auto rest = settle(specimen, stage, entrant, iterations, row)) {
+    measure_rest(specimen, *rest, row);
+    measure_swing(specimen, stage, entrant, iterations, *rest, row);
   }
-  if (std::abs(sag) < 1e-9 * specimen.sag())
-    remark(row, "no sag under gravity, to rounding");
-  else
-    row.resting = specimen.sag() / sag;
-  if (sag <= -1e-9 * specimen.sag()) remark(row, "hangs higher than without gravity");
-  if (swing > 10 * settled_swing * std::abs(sag) && swing > 1e-9 * specimen.sag())
-    remark(row, fmt::format("not settled: rest is the mean of an oscillation of {:.2g} of the sag",
-                            swing / std::abs(sag)));
-  const std::vector<double> shape = specimen.shape(), resting = heights;
-  const double amplitude = std::max(specimen.sag(), sag) / 10;
-  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += amplitude * shape[i];
-  start_from(stage, heights);
-  const std::uint64_t swinging = steps_of(periods_swinging);
-  const Run swung = run(specimen, stage, entrant, step, iterations, swinging, swinging);
-  if (swung.outcome.status != Status::ok) return failed(row, swung.outcome);
-  // The component of the motion in the slowest mode; a scalar product, since masses are equal.
-  double norm = 0;
-  for (const double x : shape) norm += x * x;
-  std::vector<double> z{amplitude};
-  for (const auto& at : swung.heights) {
-    double sum = 0;
-    for (std::size_t i = 0; i < shape.size(); ++i) sum += shape[i] * (at[i] - resting[i]);
-    z.push_back(sum / norm);
-  }
-  if (!(std::abs(z.back()) < grown * amplitude)) {
-    row.status = "unstable";
-    remark(row, "the oscillation grows");
-    return row;
-  }
-  std::string reason;
-  if (const auto found = fit_vibration(z, step, reason)) {
-    const double w = specimen.frequency(), nominal = specimen.damping_ratio();
-    row.vibrating = found->pull / (w * w);
-    row.damping = nominal > 0 ? found->decay / (2 * nominal * w) : not_measured;
-    row.added_damping_ratio = found->decay / (2 * std::sqrt(found->pull)) - nominal;
-  } else {
-    remark(row, reason);
-  }
-  if (std::isnan(row.resting) || std::isnan(row.vibrating)) row.status = "unmeasured";
   return row;
 }
 

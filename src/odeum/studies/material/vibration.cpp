@@ -62,7 +62,7 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
   found.rest = static_cast<double>(c / (1 - a - b));
   if (d < 0) {
     const long double fall = std::log(-b) / 2, turn = std::atan2(std::sqrt(-d), a);
-    found.pull = static_cast<double>((fall * fall + turn * turn) / (tau * tau));
+    found.omega_squared = static_cast<double>((fall * fall + turn * turn) / (tau * tau));
     found.decay = static_cast<double>(-2 * fall / tau);
   } else {
     const long double fast = (a - std::sqrt(d)) / 2, slow = (a + std::sqrt(d)) / 2;
@@ -73,10 +73,10 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
                    : "changes sign from step to step, unlike an oscillator";
       return std::nullopt;
     }
-    found.pull = static_cast<double>(std::log(fast) * std::log(slow) / (tau * tau));
+    found.omega_squared = static_cast<double>(std::log(fast) * std::log(slow) / (tau * tau));
     found.decay = static_cast<double>(-(std::log(fast) + std::log(slow)) / tau);
   }
-  if (!std::isfinite(found.pull) || !std::isfinite(found.decay)) {
+  if (!std::isfinite(found.omega_squared) || !std::isfinite(found.decay)) {
     reason = "no oscillator fits the motion";
     return std::nullopt;
   }

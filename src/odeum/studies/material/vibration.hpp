@@ -6,12 +6,12 @@
 
 namespace odeum::study {
 
-/// The oscillator z'' + decay z' + pull (z - rest) = 0 that passes through the samples of a motion:
-/// exactly so for any linear scheme of two unknowns.
+/// The oscillator z'' + decay z' + omega_squared (z - rest) = 0 that passes through the samples of
+/// a motion: exactly so for any linear scheme of two unknowns.
 struct Vibration {
-  double pull = 0;   ///< k/m, 1/s^2
-  double decay = 0;  ///< d/m, 1/s
-  double rest = 0;   ///< in the units of z
+  double omega_squared = 0;  ///< k/m, 1/s^2
+  double decay = 0;          ///< d/m, 1/s
+  double rest = 0;           ///< in the units of z
 };
 
 /// Fits z[j + lag] = a z[j] + b z[j - lag] + c by least squares and takes the logarithms of the
