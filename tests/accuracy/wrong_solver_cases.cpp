@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "accuracy/wrong_solvers.hpp"
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 
 namespace odeum::tests {
 namespace {
@@ -29,9 +29,9 @@ Case make_case(const std::string& id, std::shared_ptr<const P> problem, double t
 }
 
 template <class P>
-Case on_ground(const std::string& id, const proof::Ground<P>& ground) {
-  return make_case(id, std::make_shared<const P>(ground.problem), ground.t0, ground.horizon,
-                   ground.y0, ground.truth);
+Case on_test_problem(const std::string& id, const proof::TestProblem<P>& test) {
+  return make_case(id, std::make_shared<const P>(test.problem), test.t0, test.horizon, test.y0,
+                   test.truth);
 }
 
 /// Kaps' problem, y1' = -(200 + 2) y1 + 200 y2^2, y2' = y1 - y2 - y2^2: y = (exp(-2t), exp(-t)).
@@ -104,8 +104,8 @@ Entrant entrant_of(const std::string& name, double claimed, const MakeStep& make
 const std::vector<Case>& campaign_cases() {
   static const std::vector<Case> cases = [] {
     std::vector<Case> list;
-    for (const auto& ground : proof::grounds()) list.push_back(on_ground(ground.id, ground));
-    list.push_back(on_ground("second_order", proof::separable_grounds()[1]));
+    for (const auto& test : proof::test_problems()) list.push_back(on_test_problem(test.id, test));
+    list.push_back(on_test_problem("second_order", proof::separable_test_problems()[1]));
     list.push_back(make_case("stiff", std::make_shared<const Kaps>(), 0, 2,
                              at_start(Kaps::dimension, kaps_truth), kaps_truth));
     list.push_back(make_case("larger", std::make_shared<const Ring>(), 0, 2,

@@ -13,23 +13,23 @@ namespace odeum::proof {
 namespace {
 
 template <class P>
-void measure_orders(const MakeStepper<P>& code, double order, const std::vector<Ground<P>>& where,
-                    std::vector<judge::OrderFit>& fits) {
+void measure_orders(const MakeStepper<P>& code, double order,
+                    const std::vector<TestProblem<P>>& where, std::vector<judge::OrderFit>& fits) {
   if (!code) return;
-  for (const Ground<P>& ground : where) fits.push_back(measure_order(code, order, ground));
+  for (const TestProblem<P>& test : where) fits.push_back(measure_order(code, order, test));
 }
 
 /// Test problems are numbered as in measure_orders; `at` is the running index.
 template <class P>
 std::string order_failure(const MakeStepper<P>& code, double order,
-                          const std::vector<Ground<P>>& where,
+                          const std::vector<TestProblem<P>>& where,
                           const std::vector<judge::OrderFit>& sound, std::size_t& at) {
   if (!code) return {};
-  for (const Ground<P>& ground : where) {
+  for (const TestProblem<P>& test : where) {
     const judge::OrderFit& expected = sound[at++];
-    const judge::OrderFit fit = measure_order(code, order, ground);
+    const judge::OrderFit fit = measure_order(code, order, test);
     if (!same_order(fit, expected))
-      return fmt::format("order on {}: {}", ground.id, to_string(fit.verdict));
+      return fmt::format("order on {}: {}", test.id, to_string(fit.verdict));
   }
   return {};
 }
@@ -43,16 +43,16 @@ MakeStepper<FunctionMechanics<false>> on_mechanics(const Code& code) {
 
 template <class P>
 double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
-                     const Ground<P>& ground) {
+                     const TestProblem<P>& test) {
   if (!one || !other) return 0;
-  const auto a = one(ground.problem), b = other(ground.problem);
-  std::vector<double> y = ground.y0, z = ground.y0, error_y, error_z;
+  const auto a = one(test.problem), b = other(test.problem);
+  std::vector<double> y = test.y0, z = test.y0, error_y, error_z;
   const double h = 0.15;
-  a->start(ground.t0, h, y);
-  b->start(ground.t0, h, z);
+  a->start(test.t0, h, y);
+  b->start(test.t0, h, z);
   double difference = 0;
   for (int i = 0; i < 8; ++i) {
-    const double t = ground.t0 + i * h;
+    const double t = test.t0 + i * h;
     const Status first = a->step(t, h, y), second = b->step(t, h, z);
     if (first != second) return std::numeric_limits<double>::infinity();
     if (first != Status::ok) return difference;
@@ -62,8 +62,8 @@ double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
     }
   }
   // The error estimate is compared too.
-  if (a->step(ground.t0, h, y, error_y) == Status::ok &&
-      b->step(ground.t0, h, z, error_z) == Status::ok)
+  if (a->step(test.t0, h, y, error_y) == Status::ok &&
+      b->step(test.t0, h, z, error_z) == Status::ok)
     for (std::size_t k = 0; k < y.size(); ++k)
       difference = std::max(difference, std::abs(error_y[k] - error_z[k]));
   return difference;
@@ -123,9 +123,9 @@ double moving_frame_defect(const Code& code) {
 CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
   const Code code = code_of(sound);
   const double order = sound.info.order;
-  measure_orders(code.on_problem, order, grounds(), orders_);
-  measure_orders(code.on_separable, order, separable_grounds(), orders_);
-  measure_orders(code.on_second_order, order, second_order_grounds(), orders_);
+  measure_orders(code.on_problem, order, test_problems(), orders_);
+  measure_orders(code.on_separable, order, separable_test_problems(), orders_);
+  measure_orders(code.on_second_order, order, second_order_test_problems(), orders_);
   stability_ = code.on_problem && (sound.info.one_step || sound.recurrence) &&
                agrees_with_stability_function(code);
   map_ = code.on_separable && agrees_with_oscillator_map(code);
@@ -163,11 +163,11 @@ std::vector<EstimateQuality> CodeChecks::estimates(const Code& code) const {
 std::string CodeChecks::first_failure(const Code& code) const {
   const double order = sound_.info.order;
   std::size_t at = 0;
-  std::string failure = order_failure(code.on_problem, order, grounds(), orders_, at);
+  std::string failure = order_failure(code.on_problem, order, test_problems(), orders_, at);
   if (failure.empty())
-    failure = order_failure(code.on_separable, order, separable_grounds(), orders_, at);
+    failure = order_failure(code.on_separable, order, separable_test_problems(), orders_, at);
   if (failure.empty())
-    failure = order_failure(code.on_second_order, order, second_order_grounds(), orders_, at);
+    failure = order_failure(code.on_second_order, order, second_order_test_problems(), orders_, at);
   if (!failure.empty()) return failure;
   if (stability_ && !agrees_with_stability_function(code)) return "stability function";
   if (map_ && !agrees_with_oscillator_map(code)) return "map of the oscillator";
@@ -186,9 +186,10 @@ std::string CodeChecks::first_failure(const Code& code) const {
 
 double difference_between(const Code& one, const Code& other) {
   return std::max(
-      {difference_on(one.on_problem, other.on_problem, grounds().back()),
-       difference_on(one.on_separable, other.on_separable, separable_grounds().back()),
-       difference_on(one.on_second_order, other.on_second_order, second_order_grounds().back())});
+      {difference_on(one.on_problem, other.on_problem, test_problems().back()),
+       difference_on(one.on_separable, other.on_separable, separable_test_problems().back()),
+       difference_on(one.on_second_order, other.on_second_order,
+                     second_order_test_problems().back())});
 }
 
 }  // namespace odeum::proof

@@ -6,15 +6,15 @@
 #include <limits>
 
 #include "odeum/judge/order_fit.hpp"
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 
 namespace odeum::proof {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Ground<FunctionProblem> quadrature() {
-  Ground<FunctionProblem> g;
+TestProblem<FunctionProblem> quadrature() {
+  TestProblem<FunctionProblem> g;
   g.id = "quadrature";
   g.problem.unknowns = 1;
   g.problem.f = [](double t, const double*, double* f) {
@@ -35,22 +35,22 @@ double norm(const std::vector<double>& x) {
   return std::sqrt(sum);
 }
 
-/// Sizes at one h, root mean square over several places on the solution, so that a zero of the
-/// error at one of them means nothing.
+/// Sizes at one h, root mean square over several points of the solution, so that a zero of the
+/// error at one of them has no effect.
 struct Sizes {
   double h = 0, estimate = 0, lower_error = 0, kept_error = 0, scale = 0;
 };
 
 template <class P>
-Sizes sizes_at(AnyStepper& stepper, const Ground<P>& ground, double h, bool kept_is_lower) {
+Sizes sizes_at(AnyStepper& stepper, const TestProblem<P>& test, double h, bool kept_is_lower) {
   constexpr int places = 8;
   Sizes sizes{.h = h};
-  const std::size_t n = ground.problem.size();
+  const std::size_t n = test.problem.size();
   for (int place = 0; place < places; ++place) {
-    const double t = ground.t0 + 0.23 * place;
+    const double t = test.t0 + 0.23 * place;
     std::vector<double> y(n), exact(n), error(n), lower(n), kept(n);
-    ground.truth(t, y.data());
-    ground.truth(t + h, exact.data());
+    test.truth(t, y.data());
+    test.truth(t + h, exact.data());
     stepper.start(t, h, y);
     if (stepper.step(t, h, y, error) != Status::ok) return {h, nan, nan, nan, nan};
     for (std::size_t i = 0; i < n; ++i) {
@@ -68,15 +68,16 @@ Sizes sizes_at(AnyStepper& stepper, const Ground<P>& ground, double h, bool kept
 }
 
 template <class P>
-EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, int order_embedded) {
+EstimateQuality judge(AnyStepper& stepper, const TestProblem<P>& test, int order,
+                      int order_embedded) {
   EstimateQuality quality;
-  quality.ground = ground.id;
+  quality.ground = test.id;
   quality.expected_exponent = std::min(order, order_embedded) + 1;
   quality.exponent = quality.ratio = quality.margin = nan;
   std::vector<judge::ErrorPoint> points;
   double nearest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 28; ++k) {
-    const Sizes s = sizes_at(stepper, ground, std::pow(2.0, -k / 3.0), order <= order_embedded);
+    const Sizes s = sizes_at(stepper, test, std::pow(2.0, -k / 3.0), order <= order_embedded);
     points.push_back({.step = s.h,
                       .error = s.estimate,
                       .steps = 1,
@@ -98,11 +99,11 @@ EstimateQuality judge(AnyStepper& stepper, const Ground<P>& ground, int order, i
 }
 
 template <class P>
-std::vector<EstimateQuality> judge_on(const std::vector<Ground<P>>& where,
+std::vector<EstimateQuality> judge_on(const std::vector<TestProblem<P>>& where,
                                       const MakeStepper<P>& make, int order, int order_embedded) {
   std::vector<EstimateQuality> all;
-  for (const Ground<P>& ground : where)
-    all.push_back(judge(*make(ground.problem), ground, order, order_embedded));
+  for (const TestProblem<P>& test : where)
+    all.push_back(judge(*make(test.problem), test, order, order_embedded));
   return all;
 }
 
@@ -117,14 +118,14 @@ bool EstimateQuality::right_exponent() const {
 
 std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionProblem>& make, int order,
                                               int order_embedded) {
-  std::vector<Ground<FunctionProblem>> where = grounds();
+  std::vector<TestProblem<FunctionProblem>> where = test_problems();
   where.push_back(quadrature());
   return judge_on(where, make, order, order_embedded);
 }
 
 std::vector<EstimateQuality> estimate_quality(const MakeStepper<FunctionMechanics<false>>& make,
                                               int order, int order_embedded) {
-  return judge_on(separable_grounds(), make, order, order_embedded);
+  return judge_on(separable_test_problems(), make, order, order_embedded);
 }
 
 }  // namespace odeum::proof

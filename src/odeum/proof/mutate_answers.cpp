@@ -139,18 +139,18 @@ struct Demand {
 };
 
 template <class P>
-Demand demand_of(const MakeStepper<P>& make, const Ground<P>& ground) {
-  Deceived<P> stepper(make, ground.problem, {});
-  std::vector<double> y = ground.y0;
+Demand demand_of(const MakeStepper<P>& make, const TestProblem<P>& test) {
+  Deceived<P> stepper(make, test.problem, {});
+  std::vector<double> y = test.y0;
   const double h = 0.05;
-  stepper.start(ground.t0, h, y);
-  for (int i = 0; i < 8; ++i) stepper.step(ground.t0 + i * h, h, y);
+  stepper.start(test.t0, h, y);
+  for (int i = 0; i < 8; ++i) stepper.step(test.t0 + i * h, h, y);
   return {stepper.evaluations(), stepper.asked_for_jacobian()};
 }
 
 Demand demand_of(const MethodFacts& method) {
-  if (method.on_problem) return demand_of(method.on_problem, grounds().back());
-  return demand_of(method.on_separable, separable_grounds().back());
+  if (method.on_problem) return demand_of(method.on_problem, test_problems().back());
+  return demand_of(method.on_separable, separable_test_problems().back());
 }
 
 constexpr int most_evaluations = 24;  // of extrapolation methods, the first ones

@@ -51,8 +51,8 @@ using Orders = std::vector<judge::OrderFit>;
 
 Orders orders_by_running(const Coefficients& t, int order) {
   Orders fits;
-  for (const Ground<FunctionProblem>& ground : grounds())
-    fits.push_back(measure_order(interpreted(t), order, ground));
+  for (const TestProblem<FunctionProblem>& test : test_problems())
+    fits.push_back(measure_order(interpreted(t), order, test));
   return fits;
 }
 
@@ -77,7 +77,8 @@ std::string caught_early(const Coefficients& mutant, const Claims& sound) {
 std::string difference_in(const Orders& found, const Orders& expected, const char* of) {
   for (std::size_t i = 0; i < found.size(); ++i)
     if (!same_order(found[i], expected[i]))
-      return fmt::format("order {}on {}: {}", of, grounds()[i].id, to_string(found[i].verdict));
+      return fmt::format("order {}on {}: {}", of, test_problems()[i].id,
+                         to_string(found[i].verdict));
   return {};
 }
 

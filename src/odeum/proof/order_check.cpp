@@ -7,12 +7,12 @@
 namespace odeum::proof {
 namespace {
 
-/// How the order is looked for. High orders fall to rounding within a few steps: they are given a
-/// longer way, and step counts that lie closer together.
+/// Settings of the measurement. High orders reach rounding within a few steps: they get a longer
+/// run, and closer step counts.
 struct Plan {
   double horizon, ratio, start;
   int count;
-  std::uint64_t stops;  ///< where errors are looked at; step counts are multiples of it
+  std::uint64_t stops;  ///< where errors are measured; step counts are multiples of it
 };
 Plan plan_for(double order) {
   if (order <= 2) return {1, 2, 16, 9, 4};
@@ -60,7 +60,7 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
       truth(t0 + static_cast<double>(i + 1) * h, exact.data());
       for (std::size_t k = 0; k < y.size(); ++k) {
         const double error = std::abs(y[k] - exact[k]);
-        // NaN stays, as the largest error there is
+        // NaN stays as the largest error
         if (!(error <= point.error)) point.error = error;
         point.scale = std::max(point.scale, std::abs(exact[k]));
       }

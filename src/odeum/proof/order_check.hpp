@@ -2,7 +2,7 @@
 #pragma once
 #include "odeum/judge/order_fit.hpp"
 #include "odeum/proof/any_stepper.hpp"
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 
 namespace odeum::proof {
 
@@ -14,9 +14,9 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
 
 template <class P>
 judge::OrderFit measure_order(const MakeStepper<P>& make, double claimed_order,
-                              const Ground<P>& ground) {
-  const auto stepper = make(ground.problem);
-  return measure_order(*stepper, claimed_order, ground.t0, ground.horizon, ground.y0, ground.truth);
+                              const TestProblem<P>& test) {
+  const auto stepper = make(test.problem);
+  return measure_order(*stepper, claimed_order, test.t0, test.horizon, test.y0, test.truth);
 }
 
 }  // namespace odeum::proof

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "odeum/linear/eigenvalues.hpp"
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 #include "odeum/tableau/character.hpp"
 
 namespace odeum::proof {
@@ -175,10 +175,10 @@ StabilityAgreement compare_oscillator_map(const MakeStepper<FunctionMechanics<fa
 
 double compare_with_tableau(const MakeStepper<FunctionProblem>& make,
                             const DynamicTableau<double>& tableau, bool with_estimate) {
-  const Ground<FunctionProblem>& ground = grounds().back();
-  const auto code = make(ground.problem);
-  InterpretedStepper theory(tableau, ground.problem);
-  std::vector<double> y = ground.y0, z = y, error, estimate;
+  const TestProblem<FunctionProblem>& test = test_problems().back();
+  const auto code = make(test.problem);
+  InterpretedStepper theory(tableau, test.problem);
+  std::vector<double> y = test.y0, z = y, error, estimate;
   double difference = 0;
   const double h = 0.1;
   code->start(0, h, y);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 
 namespace odeum::proof {
 namespace {
@@ -105,7 +105,7 @@ double return_defect(const MechanicsMaker& make, double h) {
   double worst = 0;
   for (const Vec4& state : states)
     worst = larger(worst, returned(*stepper, 0, h, {state.begin(), state.end()}));
-  const auto& driven = separable_grounds().back();
+  const auto& driven = separable_test_problems().back();
   const auto on_driven = make(driven.problem);
   return larger(worst, returned(*on_driven, driven.t0, h, driven.y0));
 }

@@ -69,18 +69,18 @@ double limit_along(const DynamicTableau<double>& tableau, std::complex<double> d
 
 void run_row(const char* name, const DynamicTableau<double>& tableau, int order,
              std::vector<MeasuredRow>& measured) {
-  if (order == 0) return;  // not even consistent: there is nothing to converge to
+  if (order == 0) return;  // not consistent: it does not converge
   // A leading error term that is small beside the next is seen at steps below their ratio alone.
   const double next =
       order + 2 <= highest_order_checked
           ? error_norm(tableau, tableau.b, order + 2) / error_norm(tableau, tableau.b, order + 1)
           : 0;
   constexpr double small_beside = 10;
-  for (const Ground<FunctionProblem>& ground : grounds()) {
-    MeasuredRow row{name, ground.id, measure_order(interpreted(tableau), order, ground), false, ""};
+  for (const TestProblem<FunctionProblem>& test : test_problems()) {
+    MeasuredRow row{name, test.id, measure_order(interpreted(tableau), order, test), false, ""};
     const bool higher = row.fit.verdict == judge::Verdict::higher;
-    // A linear problem asks for few of the conditions: a higher order there contradicts nothing.
-    row.agrees = row.fit.verdict == judge::Verdict::confirmed || (ground.id == "linear" && higher);
+    // A linear problem has few order conditions: a higher order there is no contradiction.
+    row.agrees = row.fit.verdict == judge::Verdict::confirmed || (test.id == "linear" && higher);
     if (!row.agrees && row.fit.order > order && next > small_beside) {
       row.agrees = true;
       row.note = fmt::format(

@@ -10,10 +10,10 @@
 
 namespace odeum::proof {
 
-/// What the order conditions say of one row, in numbers that a reader can check.
+/// The order conditions of one row, in numbers that a reader can check.
 struct RowProof {
   std::string row;             ///< b or b_hat
-  int claimed = 0, order = 0;  ///< claimed 0: nothing is
+  int claimed = 0, order = 0;  ///< claimed 0: no claim
   bool at_limit = false;       ///< no condition fails up to the highest order that is checked
   std::string tree, residual;  ///< the first condition that fails; residual exact where it can be
   int failing = 0, of = 0;     ///< conditions of the next order
@@ -43,7 +43,7 @@ struct Verification {
   std::vector<MeasuredRow> measured;
   PairQuality quality;
 
-  /// Claims are reached, nodes are the row sums, and what runs agrees with the conditions.
+  /// Claims are met, nodes are the row sums, and measured orders agree with the conditions.
   bool passed() const;
   std::string text(const TableauFile& file) const;
 };

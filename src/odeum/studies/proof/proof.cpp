@@ -30,13 +30,13 @@ void prove_conditions(const MethodFacts& method, ProofRow& row) {
 
 template <class P>
 void measure(const proof::MakeStepper<P>& make, const MethodFacts& method, const char* prefix,
-             const std::vector<proof::Ground<P>>& where, std::vector<ProvenOrder>& orders) {
+             const std::vector<proof::TestProblem<P>>& where, std::vector<ProvenOrder>& orders) {
   const int order = method.info.order;
   if (!make || order == 0) return;
-  for (const proof::Ground<P>& ground : where)
+  for (const proof::TestProblem<P>& test : where)
     orders.push_back(
-        {method.id(), prefix + ground.id, order, proof::measure_order(make, order, ground),
-         proof::measure_order(make, order + 1, ground).verdict == judge::Verdict::confirmed});
+        {method.id(), prefix + test.id, order, proof::measure_order(make, order, test),
+         proof::measure_order(make, order + 1, test).verdict == judge::Verdict::confirmed});
 }
 
 void prove_stability(const MethodFacts& method, ProofRow& row) {
@@ -110,9 +110,11 @@ ProofResult prove_method(const MethodFacts& method, bool quick) {
   if (!method.on_problem && !method.on_separable)
     row.needs = method.needs.empty() ? "a run of its own steps" : method.needs;
   prove_conditions(method, row);
-  measure(method.on_problem, method, "", proof::grounds(), result.orders);
-  measure(method.on_separable, method, "separable_", proof::separable_grounds(), result.orders);
-  measure(method.on_second_order, method, "damped_", proof::second_order_grounds(), result.orders);
+  measure(method.on_problem, method, "", proof::test_problems(), result.orders);
+  measure(method.on_separable, method, "separable_", proof::separable_test_problems(),
+          result.orders);
+  measure(method.on_second_order, method, "damped_", proof::second_order_test_problems(),
+          result.orders);
   prove_stability(method, row);
   prove_structure(method, quick, row);
   for (const proof::EstimateQuality& quality : prove_estimate(method)) {

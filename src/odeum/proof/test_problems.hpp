@@ -11,7 +11,7 @@
 namespace odeum::proof {
 
 template <class P>
-struct Ground {
+struct TestProblem {
   std::string id;  ///< linear, nonlinear, non_autonomous, ...
   P problem;
   double t0 = 0, horizon = 2;  ///< of a run; solutions last for four times that
@@ -24,14 +24,14 @@ struct Ground {
 ///   elementary differential occurs;
 /// - `non_autonomous`: the same in a time of varying rate, and a quadrature
 ///   y_3' = cos 3t, in which a wrong node shows alone.
-const std::vector<Ground<FunctionProblem>>& grounds();
+const std::vector<TestProblem<FunctionProblem>>& test_problems();
 
 /// Separable problems q'' = a(t, q): `linear`, an oscillator; `nonlinear`, Kepler's ellipse with
 /// e = 0.3; `non_autonomous`, a driven pendulum.
-const std::vector<Ground<FunctionMechanics<false>>>& separable_grounds();
+const std::vector<TestProblem<FunctionMechanics<false>>>& separable_test_problems();
 
 /// With velocities in the acceleration: `linear`, a damped oscillator; `nonlinear`, a rotation
 /// under a force that grows with the speed; `non_autonomous`, a driven pendulum with damping.
-const std::vector<Ground<FunctionMechanics<true>>>& second_order_grounds();
+const std::vector<TestProblem<FunctionMechanics<true>>>& second_order_test_problems();
 
 }  // namespace odeum::proof

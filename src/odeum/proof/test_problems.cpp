@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/proof/grounds.hpp"
+#include "odeum/proof/test_problems.hpp"
 
 #include <cmath>
 
@@ -54,8 +54,8 @@ double elapsed(double t) { return t + 0.3 * (std::sin(2 * t + 0.3) - std::sin(0.
 
 void nothing_of(std::size_t n, double* dfdt) { std::fill_n(dfdt, n, 0.0); }
 
-Ground<FunctionProblem> linear() {
-  Ground<FunctionProblem> g;
+TestProblem<FunctionProblem> linear() {
+  TestProblem<FunctionProblem> g;
   g.id = "linear";
   g.problem.unknowns = 2;
   g.problem.f = [](double, const double* y, double* f) {
@@ -73,8 +73,8 @@ Ground<FunctionProblem> linear() {
   return g;
 }
 
-Ground<FunctionProblem> nonlinear() {
-  Ground<FunctionProblem> g;
+TestProblem<FunctionProblem> nonlinear() {
+  TestProblem<FunctionProblem> g;
   g.id = "nonlinear";
   g.problem.unknowns = 2;
   g.problem.f = [](double, const double* y, double* f) { bent_field(y, f); };
@@ -87,8 +87,8 @@ Ground<FunctionProblem> nonlinear() {
   return g;
 }
 
-Ground<FunctionProblem> non_autonomous() {
-  Ground<FunctionProblem> g;
+TestProblem<FunctionProblem> non_autonomous() {
+  TestProblem<FunctionProblem> g;
   g.id = "non_autonomous";
   g.problem.unknowns = 3;
   g.problem.f = [](double t, const double* y, double* f) {
@@ -156,8 +156,8 @@ FunctionMechanics<Velocity> mechanics(std::size_t degrees, Derivatives<Velocity>
 
 constexpr double stiffness = 2.3;
 
-Ground<FunctionMechanics<false>> oscillator() {
-  Ground<FunctionMechanics<false>> g;
+TestProblem<FunctionMechanics<false>> oscillator() {
+  TestProblem<FunctionMechanics<false>> g;
   g.id = "linear";
   g.problem = mechanics<false>(
       1, {.a = [](double, const double* q, const double*, double* a) { a[0] = -stiffness * q[0]; },
@@ -173,9 +173,9 @@ Ground<FunctionMechanics<false>> oscillator() {
 }
 
 // Kepler's ellipse of semi-major axis 1: E - e sin E = t, the perihelion passed at t = -0.5.
-Ground<FunctionMechanics<false>> kepler() {
+TestProblem<FunctionMechanics<false>> kepler() {
   constexpr double e = 0.3;
-  Ground<FunctionMechanics<false>> g;
+  TestProblem<FunctionMechanics<false>> g;
   g.id = "nonlinear";
   g.problem = mechanics<false>(
       2, {.a =
@@ -214,9 +214,9 @@ double phi_2(double t) { return -1.352 * std::sin(1.3 * t + 0.4); }
 double phi_3(double t) { return -1.7576 * std::cos(1.3 * t + 0.4); }
 
 template <bool Velocity>
-Ground<FunctionMechanics<Velocity>> driven_pendulum() {
+TestProblem<FunctionMechanics<Velocity>> driven_pendulum() {
   constexpr double d = Velocity ? 0.6 : 0;
-  Ground<FunctionMechanics<Velocity>> g;
+  TestProblem<FunctionMechanics<Velocity>> g;
   g.id = "non_autonomous";
   g.problem = mechanics<Velocity>(
       1, {.a =
@@ -236,9 +236,9 @@ Ground<FunctionMechanics<Velocity>> driven_pendulum() {
 }
 
 // q'' = -2 beta q' - k q with beta = 0.3.
-Ground<FunctionMechanics<true>> damped_oscillator() {
+TestProblem<FunctionMechanics<true>> damped_oscillator() {
   constexpr double beta = 0.3;
-  Ground<FunctionMechanics<true>> g;
+  TestProblem<FunctionMechanics<true>> g;
   g.id = "linear";
   g.problem = mechanics<true>(
       1, {.a = [](double, const double* q, const double* v,
@@ -256,8 +256,8 @@ Ground<FunctionMechanics<true>> damped_oscillator() {
 }
 
 // q'' = -q'^2 + ...: with q = log u and u'' = -u, q'' = -1 - q'^2.
-Ground<FunctionMechanics<true>> quadratic_drag() {
-  Ground<FunctionMechanics<true>> g;
+TestProblem<FunctionMechanics<true>> quadratic_drag() {
+  TestProblem<FunctionMechanics<true>> g;
   g.id = "nonlinear";
   g.horizon = 0.5;
   g.problem = mechanics<true>(
@@ -273,26 +273,26 @@ Ground<FunctionMechanics<true>> quadratic_drag() {
 }
 
 template <class P>
-std::vector<Ground<P>> started(std::vector<Ground<P>> grounds) {
-  for (Ground<P>& g : grounds) {
+std::vector<TestProblem<P>> started(std::vector<TestProblem<P>> test_problems) {
+  for (TestProblem<P>& g : test_problems) {
     g.y0.resize(g.problem.size());
     g.truth(g.t0, g.y0.data());
   }
-  return grounds;
+  return test_problems;
 }
 
 }  // namespace
 
-const std::vector<Ground<FunctionProblem>>& grounds() {
+const std::vector<TestProblem<FunctionProblem>>& test_problems() {
   static const auto all = started<FunctionProblem>({linear(), nonlinear(), non_autonomous()});
   return all;
 }
-const std::vector<Ground<FunctionMechanics<false>>>& separable_grounds() {
+const std::vector<TestProblem<FunctionMechanics<false>>>& separable_test_problems() {
   static const auto all =
       started<FunctionMechanics<false>>({oscillator(), kepler(), driven_pendulum<false>()});
   return all;
 }
-const std::vector<Ground<FunctionMechanics<true>>>& second_order_grounds() {
+const std::vector<TestProblem<FunctionMechanics<true>>>& second_order_test_problems() {
   static const auto all = started<FunctionMechanics<true>>(
       {damped_oscillator(), quadratic_drag(), driven_pendulum<true>()});
   return all;
