@@ -13,8 +13,8 @@ inline double quick_power(double x, double p) {
   // log2 of the mantissa, moved to [1/sqrt 2, sqrt 2), by the series of atanh.
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
   const auto bits = std::bit_cast<std::uint64_t>(x);
-  double m = std::bit_cast<double>((bits & mantissa) | (std::uint64_t{1023} << 52));
-  double exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
+  auto m = std::bit_cast<double>((bits & mantissa) | (std::uint64_t{1023} << 52));
+  auto exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
   const bool upper = m > 1.4142135623730951;
   m = upper ? m / 2 : m;
   exponent += upper;
