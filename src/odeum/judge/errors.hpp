@@ -18,10 +18,10 @@ struct StopError {
 /// The components whose error is measured: those that the case names, or all.
 std::vector<std::size_t> measured_components(const Case& c);
 
-/// Holds solves on one case against its truth, which is evaluated once.
+/// Compares solves of one case with its truth, which is evaluated once.
 class Judge {
  public:
-  /// `stops`: as given to the solver. Stops at which the truth knows nothing give NaN errors.
+  /// `stops`: as given to the solver. Stops at which the truth is not known give NaN errors.
   Judge(const Case& c, std::vector<double> stops);
 
   /// One entry a stop; the outcome must have reached all of them.

@@ -12,13 +12,13 @@ namespace odeum::judge {
 namespace {
 
 constexpr double float_rounding = 0x1p-24, double_rounding = 0x1p-53;
-constexpr double unresolved = 0.1;  // of the solution: such errors vary and say nothing
+constexpr double unresolved = 0.1;  // of the solution: such errors vary and are not used
 
 std::string scale_of(const std::vector<ErrorPoint>& points, const ErrorFloor& floor,
                      std::size_t end) {
   const ErrorPoint& at = points[(floor.first + end) / 2];
   if (at.rounding_unit == 0) return "";
-  // Over the finer half, where what still falls is gone.
+  // Over the finer half, without the points that still fall.
   const std::size_t half = std::min((floor.first + end) / 2, end - 3);
   const PowerLaw law = fit_power_law(points.data() + half, end - half);
   const double growth = -law.order;  // with the number of steps

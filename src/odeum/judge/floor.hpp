@@ -7,7 +7,7 @@
 
 namespace odeum::judge {
 
-/// Where an error stops falling, clear of rounding.
+/// The level at which an error stops falling, clear of rounding.
 struct ErrorFloor {
   std::size_t first = 0;  ///< of the points that do not fall, up to the finest clear one
   double level = 0;       ///< median of their errors

@@ -46,7 +46,7 @@ Growth growth_by_norms(std::span<const PlaneState> states) {
     high = std::max(high, next - last);
     last = next;
   }
-  // A variation that dies out slowly has more of it to come than the window shows: hence the 4.
+  // A slowly decaying variation continues beyond the window, hence the factor of 4.
   return {(last - first) / static_cast<double>(states.size() - 1),
           4 * (high - low) + growth_rounding};
 }
@@ -78,8 +78,8 @@ Growth growth_by_recurrence(std::span<const PlaneState> states, Coefficients coe
   subtract(w, b, v);
   const double scatter =
       4 * std::max(norm(w) / std::sqrt(equations - 2), std::numeric_limits<double>::epsilon());
-  // alpha and b are independent, a = alpha - uv b is tied to b: near a double root the errors of a
-  // and b taken apart would make much more of the same scatter.
+  // alpha and b are independent, a = alpha - uv b is tied to b: near a double root separate errors
+  // of a and b would overestimate the scatter.
   const double value = log_larger_root(alpha - uv * b, b);
   constexpr std::array<Complex, 4> all_directions{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const std::span directions(all_directions.data(), coefficients == Coefficients::real ? 2 : 4);

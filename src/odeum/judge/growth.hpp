@@ -4,13 +4,13 @@
 #include <limits>
 #include <span>
 
-/// How fast successive states of a linear iteration grow, from the states alone.
+/// The growth rate of a linear iteration, measured on its states.
 namespace odeum::judge {
 
 /// The growth of a solver at one point of a parameter plane. A solve that failed has NaN.
 struct Growth {
   double log_per_step = std::numeric_limits<double>::quiet_NaN();  ///< log |y_{n+1}| / |y_n|
-  double noise = 0;  ///< below it the sign of log_per_step says nothing
+  double noise = 0;  ///< below it the sign of log_per_step is not significant
 
   bool failed() const { return log_per_step != log_per_step; }
   /// The solution does not stay bounded.
@@ -18,31 +18,30 @@ struct Growth {
   bool decays() const { return log_per_step < -noise; }
 };
 
-/// What a double can resolve of the growth of a step: some dozen operations are rounded in one.
+/// The resolution of the growth of a step in double: rounding of about a dozen operations.
 inline constexpr double growth_rounding = 64 * std::numeric_limits<double>::epsilon();
 
-/// A state of two components, in a norm in which the exact solution of the test problem keeps its
-/// length where it is undamped: (Re y, Im y), or (omega q, q').
+/// A state of two components, in a norm that is constant on the exact solution of the undamped test
+/// problem: (Re y, Im y), or (omega q, q').
 using PlaneState = std::array<double, 2>;
 
 /// From the lengths of the states: their logarithm rises by the same amount each step where one
 /// root of the iteration dominates. Noise: how much the amount varies.
 Growth growth_by_norms(std::span<const PlaneState> states);
 
-/// What is known of a recurrence beforehand: that of a real linear map is real.
+/// The type of a recurrence's coefficients: those of a real linear map are real.
 enum class Coefficients { real, complex };
 
 /// From the recurrence s_{k+2} = a s_{k+1} + b s_k of the states as complex numbers, which every
 /// linear one-step map of a plane obeys (a its trace, -b its determinant, both real) and every
 /// iteration that two roots dominate: the larger root of r^2 = a r + b. Sees that a symplectic map
 /// is bounded although its states change in length. Noise: the effect of the scatter of a
-/// least-squares fit; infinite where the states leave the recurrence open.
+/// least-squares fit; infinite where the states do not determine the recurrence.
 Growth growth_by_recurrence(std::span<const PlaneState> states, Coefficients coefficients);
 
 /// For y' = z y (complex coefficients): the one of the two with less noise. For an oscillator (real
-/// ones): the recurrence, and the lengths only where it is open, since they swell and shrink with
-/// twice the oscillator's frequency, too slowly for a window of states to see. At least four
-/// states.
+/// ones): the recurrence, and the lengths only where it is not determined, since they vary with
+/// twice the oscillator's frequency, too slowly for the window. At least four states.
 Growth dominant_growth(std::span<const PlaneState> states, Coefficients coefficients);
 
 double length(const PlaneState& state);

@@ -7,7 +7,7 @@
 
 namespace odeum::judge {
 
-/// What a measured order says of a claimed one.
+/// The result of comparing a measured order with the claimed one.
 enum class Verdict { confirmed, higher, lower, floors, undetermined, failed, not_applicable };
 
 const char* to_string(Verdict verdict);
@@ -21,7 +21,7 @@ struct ErrorPoint {
   /// What rounding comes to for each root of the number of steps: half a unit in the last place of
   /// the measured state, times what the problem makes of perturbations, see rounding.hpp.
   double rounding_unit = 0;
-  double floor = 0;       ///< error that the truth itself leaves open
+  double floor = 0;       ///< error of the truth itself
   double scale = 0;       ///< size of what is measured; 0: not known
   double components = 1;  ///< how many the error is a root mean square over
 
@@ -49,7 +49,7 @@ struct OrderFit {
   std::string floor_scale;  ///< what the floor scales with, in a few words; empty: not known
 };
 
-/// What makes a fit confirm a claim or deny it.
+/// The tolerances for confirming or denying a claim.
 struct FitTolerance {
   double order;    ///< how far from the claim a slope may lie to confirm it
   double apart;    ///< how far at least, to be another order

@@ -9,7 +9,7 @@
 namespace odeum::judge {
 namespace {
 
-constexpr double perturbation = 1e-8;  // far above rounding, far below what bends the solution
+constexpr double perturbation = 1e-8;  // far above rounding, far below nonlinear effects
 constexpr std::uint64_t most_steps = 8192;
 
 class ClassicalRungeKutta {

@@ -4,12 +4,12 @@
 
 namespace odeum::judge {
 
-/// What a case makes of perturbations: the root mean square error over stops and measured
-/// components that a relative perturbation of all components at random in each of N steps leaves,
-/// for each root of N and unit of the perturbation; in the case's units. Rounding in N steps then
-/// comes to 2^-53 sqrt(N) times it. Measured by runs of the classical Runge-Kutta method with and
-/// without such perturbations, of 1e-8. Where that method does not solve the case to 1 % (stiff
-/// problems, which damp perturbations): the size of the measured components.
+/// The amplification of perturbations by a case: the root mean square error over stops and measured
+/// components due to a random relative perturbation of all components in each of N steps, divided
+/// by the perturbation and sqrt(N); in the case's units. Rounding in N steps then comes to 2^-53
+/// sqrt(N) times it. Measured by runs of the classical Runge-Kutta method with and without such
+/// perturbations, of 1e-8. Where that method does not solve the case to 1 % (stiff problems, which
+/// damp perturbations): the size of the measured components.
 double perturbation_gain(const Case& c);
 
 }  // namespace odeum::judge

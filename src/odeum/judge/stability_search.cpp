@@ -19,7 +19,7 @@ double next_point(double x) {
 /// onset itself; none where growth sets in abruptly.
 std::optional<double> power_law(double onset, const Growth& at_onset,
                                 const std::function<Growth(double)>& growth_at) {
-  // The law is read off two points above the onset, far enough to stand clear of the noise.
+  // The law is determined from two points above the onset, far enough to be clear of the noise.
   constexpr double ratio = 1.5;
   const Growth near = growth_at(onset * ratio), far = growth_at(onset * ratio * ratio);
   if (at_onset.failed() || !(near.log_per_step > near.noise) || !std::isfinite(far.log_per_step))

@@ -7,11 +7,11 @@
 
 namespace odeum::judge {
 
-/// Where stability ends along an axis.
+/// The limit of stability along an axis.
 struct LimitFound {
   double limit = 0;    ///< infinity: none up to search_end; NaN: the solver fails from the start
-  bool fails = false;  ///< the solver has no answer beyond the limit
-  std::string how;     ///< what there is to say of it, in a sentence; may be empty
+  bool fails = false;  ///< the solver fails beyond the limit
+  std::string how;     ///< a remark, one sentence; may be empty
 };
 
 /// The search looks at points whose distance grows by 2 % between 0.05 and 100, by 25 % below and
@@ -25,11 +25,11 @@ inline constexpr double search_width = 1e-10;
 /// of x > 0 alone. The first point that grows is bracketed by a scan from zero outwards, and the
 /// bracket is bisected.
 ///
-/// A method may grow everywhere and yet too little to be seen near zero: |R(iy)| = 1 + y^4/8 + ...
+/// A method may grow everywhere, but too little to be measured near zero: |R(iy)| = 1 + y^4/8 + ...
 /// for a Runge-Kutta method of order 2 is 1 to rounding below y = 1e-2. So where no point below the
-/// onset is seen to decay, it is asked how growth sets in: if it continues, down to the level of
-/// the noise at the onset, the power law that holds above it, the law is taken to hold below it
-/// too, and the limit is 0; a true limit sets in abruptly, many powers of ten above that law.
+/// onset decays, the onset decides: if growth there continues the power law above it, down to the
+/// level of the noise, the law is assumed to hold below it too, and the limit is 0; at a true limit
+/// growth starts abruptly, many powers of ten above that law.
 LimitFound find_limit(const std::function<Growth(double)>& growth_at);
 
 }  // namespace odeum::judge

@@ -50,7 +50,7 @@ Attempt attempt(const Logarithms& log, double d) {
 }
 
 /// The best D, u = D max(h) between -0.97 (the error changes sign just beyond the coarsest step)
-/// and 30 (the second term is all there is to see).
+/// and 30 (only the second term is visible).
 Attempt best_attempt(const Logarithms& log) {
   // Evenly in log(1 + u), which is how much the factor bends the curve.
   const double low = std::log(0.03), high = std::log(31.0);
@@ -88,7 +88,8 @@ TwoTermFit fit_window(const ErrorPoint* points, std::size_t n) {
   }
   centre(log.x);
   const Attempt best = best_attempt(log);
-  // How well p is known beside D: by what of log h the derivative by D, h / (1 + D h), leaves.
+  // The accuracy of p given D: from the part of log h that is orthogonal to the derivative by D, h
+  // / (1 + D h).
   std::vector<double> z;
   for (const double h : log.h) z.push_back(h / (1 + best.d * h));
   centre(z);

@@ -7,8 +7,8 @@
 
 namespace odeum::judge {
 
-/// Errors by the first two terms of their expansion, e = C h^p |1 + D h|: what an error whose local
-/// slopes still move looks like, where a straight line through (log h, log e) is not yet one.
+/// Errors by the first two terms of their expansion, e = C h^p |1 + D h|: for errors whose local
+/// slopes still change, so that (log h, log e) is not yet a straight line.
 struct TwoTermFit {
   double order = 0;                   ///< p, fitted freely
   double log_factor = 0, second = 0;  ///< log C, and D
@@ -24,8 +24,8 @@ struct TwoTermFit {
 };
 
 /// Over those points at the fine end (or next to it, by up to two) that lie on such a curve and
-/// tell p best: at least six, whose scatter is 5 % at most, with no trend, with 1 + D h of one sign
-/// and D h at most 1 in size at the finest. None: `points` is 0.
+/// determine p best: at least six, whose scatter is 5 % at most, with no trend, with 1 + D h of one
+/// sign and D h at most 1 in size at the finest. None: `points` is 0.
 TwoTermFit fit_two_terms(const std::vector<ErrorPoint>& points);
 
 }  // namespace odeum::judge

@@ -11,7 +11,7 @@ namespace {
 constexpr double shortest_span = 1.35;  // of the steps in a window
 
 // Local slopes are taken over steps this far apart, as a ladder's neighbours are. Between closer
-// ones they would show the errors' noise.
+// ones the noise of the errors dominates.
 constexpr double slope_span = 1.18;
 
 /// The next finer point that a local slope is taken to; `end` where there is none.

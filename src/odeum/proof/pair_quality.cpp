@@ -11,7 +11,7 @@
 namespace odeum::proof {
 namespace {
 
-/// sigma(tau), how many ways a tree maps to itself.
+/// sigma(tau), the number of automorphisms of a tree.
 double symmetry(std::size_t tree) {
   const std::vector<RootedTree>& trees = all_rooted_trees();
   if (tree == 0) return 1;
@@ -53,7 +53,7 @@ double largest(const std::vector<double>& numbers) {
   return size;
 }
 
-/// Whether an estimate sees no error where there is one.
+/// Whether an estimate is zero where the error is not.
 bool blind(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace odeum::proof {
 /// where the order's conditions hold, A(p+1) of Prince and Dormand for the first that do not.
 double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row, int order);
 
-/// What the author of a method or a pair looks at beside the orders (Prince, Dormand, J. Comput.
-/// Appl. Math. 7 (1981) 67-75). The lower row is the one of less order, of order q - 1.
+/// Quality measures of a method or a pair besides the orders (Prince, Dormand, J. Comput. Appl.
+/// Math. 7 (1981) 67-75). The lower row is the one of less order, of order q - 1.
 struct PairQuality {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double a = nan,

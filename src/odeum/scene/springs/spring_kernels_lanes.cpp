@@ -49,42 +49,42 @@ void gather_forces(const SpringRows<Real>& springs, const Real* q, const Real* v
   using V = Vector<Real>;
   const std::size_t n = springs.size;
   constexpr Real shortest = std::numeric_limits<Real>::min();
-  gather(springs, begin, end,
-         [&](std::size_t i, std::size_t c, const SpringNeighbour<Real>* near,
-             const SpringNeighbour<Real>* end_near) {
-           const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
-           V fx{}, fy{}, fz{};
-           [[maybe_unused]] V damping{};
-           for (; near != end_near; ++near) {
-             const Real* const qj = q + i + near->offset;
-             [[maybe_unused]] const Real* const vj = v + i + near->offset;
-             const V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
-             const V inverse_length =
-                 inverse_sqrt<Real>(ux * ux + (uy * uy + (uz * uz + shortest)));
-             const V mask = load(near->mask + c);
-             const V pull = larger<Real>(near->stiffness - near->stiffness_length * inverse_length,
-                                         near->least) *
-                            mask;
-             fx += pull * ux;
-             fy += pull * uy;
-             fz += pull * uz;
-             if constexpr (damped) {
-               const V d = near->damping * mask;
-               damping += d;
-               fx += d * load(vj);
-               fy += d * load(vj + n);
-               fz += d * load(vj + 2 * n);
-             }
-           }
-           if constexpr (damped) {
-             fx -= damping * load(v + i);
-             fy -= damping * load(v + n + i);
-             fz -= damping * load(v + 2 * n + i);
-           }
-           store<Real>(force + i, fx);
-           store<Real>(force + n + i, fy);
-           store<Real>(force + 2 * n + i, fz);
-         });
+  gather(
+      springs, begin, end,
+      [&](std::size_t i, std::size_t c, const SpringNeighbour<Real>* near,
+          const SpringNeighbour<Real>* end_near) {
+        const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
+        V fx{}, fy{}, fz{};
+        [[maybe_unused]] V damping{};
+        for (; near != end_near; ++near) {
+          const Real* const qj = q + i + near->offset;
+          [[maybe_unused]] const Real* const vj = v + i + near->offset;
+          const V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
+          const V inverse_length = inverse_sqrt<Real>(ux * ux + (uy * uy + (uz * uz + shortest)));
+          const V mask = load(near->mask + c);
+          const V elastic =
+              larger<Real>(near->stiffness - near->stiffness_length * inverse_length, near->least) *
+              mask;
+          fx += elastic * ux;
+          fy += elastic * uy;
+          fz += elastic * uz;
+          if constexpr (damped) {
+            const V d = near->damping * mask;
+            damping += d;
+            fx += d * load(vj);
+            fy += d * load(vj + n);
+            fz += d * load(vj + 2 * n);
+          }
+        }
+        if constexpr (damped) {
+          fx -= damping * load(v + i);
+          fy -= damping * load(v + n + i);
+          fz -= damping * load(v + 2 * n + i);
+        }
+        store<Real>(force + i, fx);
+        store<Real>(force + n + i, fy);
+        store<Real>(force + 2 * n + i, fz);
+      });
 }
 
 template <class Real>
