@@ -82,7 +82,7 @@ class DiagonallyImplicitRungeKutta {
         for (std::size_t n = 0; n < y.size(); ++n) stage_[n] += gamma_h * k_[i - 1][n];
       const Status status = newton_.solve(stage_time, gamma_h, base_, stage_);
       if (status != Status::ok) return status;
-      for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = (stage_[n] - base_[n]) / gamma_h;
+      for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = newton_.increment()[n] / gamma_h;
     }
     return Status::ok;
   }

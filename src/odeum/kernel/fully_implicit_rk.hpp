@@ -35,11 +35,12 @@ class FullyImplicitRungeKutta {
         largest = std::max(largest, max_norm(system_.z[i]));
       });
       if (!std::isfinite(size)) break;
-      if (size <= iteration_tolerance * std::max(largest, smallest_state)) {
+      const double rate = since_renewal > 0 ? size / last : 0;
+      const double unit = iteration_tolerance * std::max(largest, smallest_state);
+      if (at_rounding(size / unit, rate, since_renewal > 0)) {
         finish(y);
         return Status::ok;
       }
-      const double rate = since_renewal > 0 ? size / last : 0;
       last = size;
       ++since_renewal;
       if (rate > (fresh ? slow_fresh : slow_kept)) {

@@ -19,8 +19,7 @@ void rotated(double s, double& z1, double& z2) {
 }
 
 /// The transformation y_2 = z_2 + g(z_1) with g(x) = 1/(1 + x^2/2), and g' and g''. Its poles keep
-/// errors of high orders near their leading terms; with an entire function they would decrease too
-/// fast.
+/// errors of high orders near their leading terms, as those of an entire function would not be.
 struct Bend {
   explicit Bend(double x) {
     const double d = 1 + 0.5 * x * x;
