@@ -55,7 +55,7 @@ TEST(Summary, NeverExtrapolates) {
   EXPECT_EQ(at(lines, 1e-4).own, "");
   EXPECT_EQ(at(lines, 1e-4).reason, "no own solver reaches it");
   EXPECT_TRUE(std::isnan(at(lines, 1e-4).ratio));
-  EXPECT_EQ(at(lines, 1e-9).reason, "nobody reaches it");
+  EXPECT_EQ(at(lines, 1e-9).reason, "no solver reaches it");
 }
 
 TEST(Summary, BelowTheFloorNobodyIsFaster) {

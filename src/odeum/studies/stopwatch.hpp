@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-/// How a time is taken.
+/// Measurement of times.
 namespace odeum::study {
 
-/// Keeps the calling thread on the processor that it is on, where the system can, until the end of
-/// its life: a thread that moves finds cold caches and another clock frequency.
+/// Pins the calling thread to its present processor, where the system can, for the lifetime of the
+/// object: another processor has cold caches and another clock frequency.
 class Pinned {
  public:
   Pinned();
@@ -25,16 +25,16 @@ class Pinned {
   std::vector<unsigned char> before_;
 };
 
-/// Nanoseconds that a fixed piece of arithmetic takes now, the least of several runs: what the
-/// machine was like when the times beside it were taken.
+/// Nanoseconds of a fixed piece of arithmetic, the least of several runs: a measure of the
+/// machine's present speed.
 double calibration_ns();
 
-/// Seconds of processor time that the calling thread has used so far. Over a stretch of work, its
-/// quotient with wall time tells whether another program took the processor in between, which a
-/// calibration between two such moments does not see.
+/// Seconds of processor time that the calling thread has used so far. Its quotient with wall time
+/// shows whether another program had the processor in between, which calibrations before and after
+/// do not.
 double thread_seconds();
 
-/// What the machine was like while times were taken, see PrecisionRow.
+/// The conditions of the machine while times were taken, see PrecisionRow.
 struct Conditions {
   double drift = std::numeric_limits<double>::quiet_NaN();
   double processor_share = std::numeric_limits<double>::quiet_NaN();
@@ -47,7 +47,7 @@ inline constexpr double most_disturbance = 0.05;
 /// False where nothing was timed.
 bool disturbed(double drift, double processor_share);
 
-/// Measures the conditions from its construction on.
+/// Measures the conditions since its construction.
 class ConditionsMeter {
  public:
   Conditions end() const;
@@ -57,7 +57,7 @@ class ConditionsMeter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Wall times of one thing, taken at different moments.
+/// Wall times of one piece of work, taken at different times.
 struct Times {
   std::vector<double> ns;
 
@@ -65,8 +65,8 @@ struct Times {
   double median() const;  ///< NaN where there is none
 };
 
-/// Wall time of one call of work, in nanoseconds; short work is called as often as fills 20
-/// microseconds, `guess_ns` being what a call is thought to take.
+/// Wall time of one call of work, in nanoseconds; short work is repeated to fill 20 microseconds,
+/// with `guess_ns` the estimated time of a call.
 double time_call(const std::function<void()>& work, double guess_ns);
 
 }  // namespace odeum::study

@@ -10,7 +10,7 @@
 namespace odeum::study {
 namespace {
 
-/// The perturbation gains of the cases of some pairs, each measured when it is first asked for.
+/// The perturbation gains of the cases of some pairs, each measured at its first use.
 class Gains {
  public:
   explicit Gains(const std::vector<Pair>& pairs) {

@@ -13,7 +13,7 @@ namespace {
 using Real = ExtendedProblem::real;
 constexpr double half_unit = std::numeric_limits<Real>::epsilon() / 2;
 
-/// As Judge has it, in extended precision: the root mean square over components and stops.
+/// The error as in Judge, in extended precision: the root mean square over components and stops.
 judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t steps) {
   const ExtendedProblem& problem = *c.extended;
   const std::vector<std::size_t> measured = judge::measured_components(c);
@@ -50,7 +50,7 @@ std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t ro
   if (!c.extended || !pair.entrant->extended ||
       half_unit >= std::numeric_limits<double>::epsilon() / 2)
     return std::nullopt;
-  // Seven numbers of steps, from before the end of double to a third beyond it.
+  // Seven numbers of steps, from before the rounding of double to a third beyond it.
   std::vector<judge::ErrorPoint> points;
   for (int k = 0; k < 7; ++k) {
     const double wanted = 0.65 * static_cast<double>(rounding_steps) * std::pow(1.13, k);

@@ -67,7 +67,7 @@ void judge_row(const std::vector<judge::StopError>& errors, ConvergenceRow& row)
   row.error_rms = std::sqrt(row.error_rms);
 }
 
-/// The runs of one pair, as they come in.
+/// The runs of one pair.
 class PairRuns {
  public:
   PairRuns(const Pair& pair, double gain)
@@ -77,7 +77,7 @@ class PairRuns {
     if (pair.entrant->info.family == "extrapolation") rounding_unit_ *= 100;
   }
 
-  /// Runs from coarse to fine, until rounding alone is left to see.
+  /// Runs from coarse to fine, until errors are rounding.
   void climb(const std::vector<Request>& requests) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Request& request : requests) {
@@ -86,19 +86,19 @@ class PairRuns {
       const bool falls = point.error < 0.5 * smallest;
       at_floor_ = near_rounding(point) && !falls ? at_floor_ + 1 : 0;
       if (std::isfinite(point.error)) smallest = std::min(smallest, point.error);
-      // Eight settings are on record, finer ones would only repeat it.
+      // With eight settings recorded, finer ones add nothing.
       if (at_floor_ >= 3 && runs_.size() >= 8) break;
     }
   }
 
-  /// Runs more, if the order is still open.
+  /// Runs extra settings where the order is undetermined.
   void look_again(const Request& like) {
     const judge::OrderFit first = fit();
     if (first.verdict != judge::Verdict::undetermined && first.verdict != judge::Verdict::lower &&
         first.verdict != judge::Verdict::higher)
       return;
-    // Where runs are long, a low order that is clearly another one is not looked at twice; high
-    // ones settle late.
+    // Where runs are long, a low order that is clearly different needs no extra settings; high
+    // orders converge late.
     const double claimed = claimed_order(pair_);
     if (first.verdict != judge::Verdict::undetermined && claimed <= 6 &&
         std::abs(first.order - claimed) > 0.75 && pair_.c->y0.size() > dense_dimension_limit)
@@ -160,7 +160,7 @@ class PairRuns {
     return run.row.status == to_string(Status::over_budget);
   }
 
-  /// Where runs ended otherwise than in a state: how; where the budget ended them, what they ask.
+  /// The reason where runs failed; the required cost where the budget ended them.
   void say_why(judge::OrderFit& fit) const {
     if (fit.verdict == judge::Verdict::failed) {
       const auto other = std::find_if_not(runs_.begin(), runs_.end(), over_budget);
@@ -194,11 +194,11 @@ class PairRuns {
     Outcome outcome;
     outcome.status = Status::over_budget;
     if (!runs_.empty() && runs_.back().row.status == to_string(Status::over_budget))
-      outcome.detail = "not run: a coarser setting was over budget already";
+      outcome.detail = "not run: a coarser setting was over budget";
     else if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations))
-      outcome.detail = fmt::format(
-          "not run: coarser settings say that it takes more than {} evaluations and products",
-          request.budget.evaluations);
+      outcome.detail =
+          fmt::format("not run: by coarser settings it takes more than {} evaluations and products",
+                      request.budget.evaluations);
     else
       outcome = pair_.entrant->solve(request);
     if (outcome.status == Status::ok)
@@ -231,11 +231,12 @@ class PairRuns {
   judge::Judge judge_;
   double rounding_unit_;
   std::vector<Run> runs_;
-  int at_floor_ = 0;  ///< how many of the finest runs fell no more, near rounding
+  int at_floor_ = 0;  ///< number of finest runs whose errors no longer fell, near rounding
   std::vector<Cost> costs_;
 };
 
-/// An order that double leaves open is looked at in extended precision, where pair and case allow.
+/// Extra measurement in extended precision where double does not determine the order, if pair and
+/// case have it.
 void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit& fit) {
   if (fit.verdict != judge::Verdict::undetermined) return;
   std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
@@ -248,7 +249,7 @@ void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit&
 
 }  // namespace
 
-/// Why there is nothing to measure; empty: there is.
+/// Why nothing can be measured; empty: it can.
 const std::string& reason_against(const Pair& pair) {
   if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
   if (!pair.c->settings.no_convergence.empty()) return pair.c->settings.no_convergence;

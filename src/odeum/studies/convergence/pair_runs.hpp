@@ -4,11 +4,11 @@
 
 namespace odeum::study {
 
-/// Why there is nothing to measure; empty: there is.
+/// Why nothing can be measured; empty: it can.
 const std::string& reason_against(const Pair& pair);
 ConvergenceResult not_measured(const Pair& pair, const std::string& reason);
 
-/// Runs of one pair from coarse to fine, and the order that they show. `gain`: what the case makes
+/// Runs of one pair from coarse to fine, and the measured order. `gain`: the case's amplification
 /// of perturbations, see judge/rounding.hpp.
 ConvergenceResult converge_pair(const Pair& pair, double gain, bool quick);
 

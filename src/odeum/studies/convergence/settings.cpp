@@ -7,9 +7,9 @@
 namespace odeum::study {
 namespace {
 
-// Where orders are seen, on the smooth cases and on the cloths, the case sets the budget. The hard
-// ones are met by many solvers that cannot solve them at all: a full study spends five minutes on
-// them with this one.
+// Where orders are measured, on the smooth cases and the cloths, the case sets the budget. Many
+// solvers cannot solve the hard ones at all: with this budget a full study spends five minutes on
+// them.
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
 constexpr std::uint64_t hard_budget = 100'000, quick_hard_budget = 10'000;
 

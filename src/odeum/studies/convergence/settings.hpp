@@ -11,10 +11,9 @@ namespace odeum::study {
 /// or tolerances from 1e-3 on.
 std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
-/// Where to look again at a pair whose order stays open: between the numbers of steps that were
-/// telling, or beyond them where the ladder ended before errors came to rounding (`to_rounding`:
-/// they did). Large problems are looked at again where they are smooth alone. All else as in
-/// `like`, one of the pair's settings.
+/// Extra settings where the order is undetermined: between the numbers of steps in `telling`, or
+/// beyond them where the runs ended before errors reached rounding (`to_rounding`: they did). For
+/// large problems only where they are smooth. All else as in `like`, one of the pair's settings.
 std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding);
 

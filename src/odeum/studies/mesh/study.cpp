@@ -80,7 +80,8 @@ class Mesh final : public StudyOf<MeshResult> {
          .title = "Mesh influence",
          .place = declaration().place,
          .html = "<p>The same square sheet (1 m, 1 kg) as meshes of particles and springs. Factor: "
-                 "what every stiffness must be multiplied by for the extension of the coarsest "
+                 "the number by which every stiffness must be multiplied for the extension of the "
+                 "coarsest "
                  "mesh. Structural and shear springs keep their stiffness when the mesh is "
                  "refined: as many more stand side by side as stand in a row. A stiffness per "
                  "length (k ~ 1 / length, as of one thread) makes a finer sheet stiffer, one "

@@ -22,12 +22,12 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 
-/// A setting of a solver: what was measured, and what a timed run needs.
+/// A setting of a solver: its row, and the data for a timed run.
 struct Trial {
   PrecisionRow row;
   Request request;
   std::vector<double> states;
-  double guarded_ns = 0;  ///< of the run under the guard: what to expect
+  double guarded_ns = 0;  ///< of the guarded run: an estimate
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }
@@ -50,7 +50,7 @@ struct Stage {
   explicit Stage(const Case& each)
       : c(each), stops(each.timed_stops()), floor(each.timed_floor()), judge(each, stops) {}
 
-  /// How much longer the horizon is than that of other studies.
+  /// The ratio of the horizon to that of other studies.
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
 
@@ -68,7 +68,8 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) 
   request.budget.seconds = seconds;
   request.mode = mode;
   if (mode == Mode::adaptive) {
-    // Errors grow along a long horizon: only tolerances near rounding show what is in reach.
+    // Errors grow along a long horizon: the smallest reachable error needs tolerances near
+    // rounding.
     const int finest = stage.stretch() > 1 ? 14 : 12;
     for (int exponent = 3; exponent <= finest; ++exponent) {
       request.tolerance = std::pow(10.0, -exponent);
@@ -93,7 +94,7 @@ PrecisionRow blank_row(const Stage& stage, const SolverInfo& info, Mode mode) {
   return row;
 }
 
-/// The run that counts and judges.
+/// The guarded run, which counts and measures the error.
 Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& request) {
   Trial trial{.row = blank_row(stage, entrant.info, request.mode),
               .request = request,
@@ -130,13 +131,13 @@ void run_guarded(const Stage& stage, Contender& contender, double seconds) {
   }
   for (const Request& request : settings_of(stage, contender.mode, seconds)) {
     contender.trials.push_back(run_guarded(stage, entrant, request));
-    // Finer settings would only cost more.
+    // Finer settings cost more and are not needed.
     if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
   }
 }
 
-/// Times a trial once with the bare right-hand side, and sees that it ends where the counted run
-/// ended: to a tenth of that run's error, or to what a different order of roundings may do.
+/// Times a trial once with the bare right-hand side, and checks that it ends at the state of the
+/// counted run: to a tenth of that run's error, or to rounding.
 void time_once(const Stage& stage, const Contender& contender, Trial& trial) {
   const auto& solve = contender.inlined ? contender.inlined->solve : contender.entrant->solve;
   trial.row.inlined = contender.inlined != nullptr;
@@ -172,14 +173,14 @@ void time_all(const Stage& stage, std::vector<Contender>& contenders, double sec
         if (k >= contender.trials.size() || !contender.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         Trial& trial = contender.trials[k];
-        // A long run is an average in itself: twice is enough.
+        // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, contender, trial);
       }
 }
 
-/// Whether a solver is timed in a mode. Who can do both is run at fixed steps too where that may
-/// be the faster way: on smooth problems of few unknowns.
+/// Whether a solver is timed in a mode. One that has both is run at fixed steps too where these may
+/// be faster: on smooth problems of few unknowns.
 bool runs(const Case& c, const SolverInfo& info, Mode mode) {
   if (mode == Mode::adaptive) return info.adaptive;
   const bool worth = c.y0.size() <= dense_dimension_limit && c.settings.no_fixed_steps.empty() &&

@@ -24,12 +24,12 @@ struct PrecisionRow {
   std::uint64_t repetitions = 0;
   Counters counters;
   bool inlined = false;  ///< timed with the right-hand side compiled into the solver
-  bool pareto = false;   ///< nobody is both faster and more exact
-  /// How the machine's own speed changed from before the timed runs of the case to after them, as
-  /// a part of it: what another program running does to times. NaN where nothing was timed.
+  bool pareto = false;   ///< no other row is both faster and more accurate
+  /// How the machine's own speed changed from before the timed runs of the case to after them, as a
+  /// fraction: an effect of other programs on times. NaN where nothing was timed.
   double drift = std::numeric_limits<double>::quiet_NaN();
-  /// The part of the time of the case's timed runs that they had the processor: 1 where no other
-  /// program took it. NaN where nothing was timed.
+  /// Processor time over wall time of the case's timed runs: 1 where no other program ran. NaN
+  /// where nothing was timed.
   double processor_share = std::numeric_limits<double>::quiet_NaN();
   std::string measured;  ///< when the case was measured, UTC
 
@@ -50,7 +50,7 @@ struct PrecisionRow {
   }
 };
 
-/// What came of a tolerance: a line of tolerances.csv.
+/// The error reached at a tolerance: a line of tolerances.csv.
 struct ToleranceRow {
   std::string case_id, library, solver;
   double requested = 0, achieved = 0;
@@ -64,15 +64,15 @@ struct ToleranceRow {
   }
 };
 
-/// Who is fastest at an error on a case, of Odeum and of all others: a line of
-/// precision_summary.csv. Empty and NaN where nobody reaches the error.
+/// The fastest own solver and the fastest peer at an error on a case: a line of
+/// precision_summary.csv. Empty and NaN where none reaches the error.
 struct PrecisionSummary {
   std::string case_id;
   double error = 0;
   std::string own, peer;
   double own_ns = 0, peer_ns = 0;
-  /// peer_ns / own_ns: above one, Odeum is faster; from the least times, and its interval from
-  /// setting the least time of one against the median of the other.
+  /// peer_ns / own_ns: above one, Odeum is faster; from the minimal times; its interval compares
+  /// the minimum of one with the median of the other.
   double ratio = 0, ratio_low = 0, ratio_high = 0;
   std::string reason;  ///< why there is no ratio
 
@@ -95,18 +95,18 @@ struct PrecisionResult {
   }
 };
 
-/// What a solve may take in a report, in seconds.
+/// Limit of a solve in a report, in seconds.
 inline constexpr double report_seconds_per_solve = 0.02;
 
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
 /// than 5 %, or other programs had the processor for more than that, is timed once more, and marked
-/// where it is disturbed again. Own options: `seconds` is what the timed runs of a case may take,
-/// roughly (4), `solve-seconds` when a solve ends over budget (2), `attempts` how often a disturbed
-/// case is timed at most (2). Throws Interrupted.
+/// where it is disturbed again. Own options: `seconds` bounds the timed runs of a case, roughly
+/// (4), `solve-seconds` a solve (2), `attempts` the timings of a disturbed case (2). Throws
+/// Interrupted.
 PrecisionResult measure_precision(const Options& options, const Runner& runner = Runner());
 
-/// Marks the rows of one case that nobody beats in both time and error.
+/// Marks the Pareto-optimal rows of one case in time and error.
 void mark_pareto(std::vector<PrecisionRow>& rows);
 
 /// The fastest at each error of 1e-2 ... 1e-12 over the rows of one case; times between two

@@ -19,8 +19,8 @@ struct Least {
   double min = infinity, median = infinity;
 };
 
-/// What reaching `error` takes a solver, from its rows from coarse to fine: the least time of a
-/// setting that is exact enough, or on the line between two neighbouring settings on both sides.
+/// The time in which a solver reaches `error`, from its rows from coarse to fine: the least time of
+/// a setting that is accurate enough, or interpolated between two neighbouring settings.
 Least time_at(const std::vector<const PrecisionRow*>& rows, double error) {
   Least best;
   for (const PrecisionRow* row : rows)
@@ -93,7 +93,7 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
     } else if (!(line.error > floor)) {
       line.reason = "at the truth's floor";
     } else if (line.own.empty() && line.peer.empty()) {
-      line.reason = "nobody reaches it";
+      line.reason = "no solver reaches it";
     } else {
       line.reason = line.own.empty() ? "no own solver reaches it" : "no peer reaches it";
     }

@@ -37,7 +37,7 @@ struct ReductionResult {
 /// Prothero and Robinson's problem from y = 1 at t = 0, which cos t solves, to t = 2 for lambda =
 /// -1, -10, ..., -1e8 at 8, 16, ..., 512 fixed steps: the same window of steps at every lambda.
 /// Where the stages of a method are of lower order than the method, the order falls as h lambda
-/// grows. Explicit solvers are run too: their rows say where they end. Throws Interrupted.
+/// grows. Explicit solvers are run too, until they fail. Throws Interrupted.
 ReductionResult measure_reduction(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study
