@@ -117,7 +117,8 @@ TEST_F(Page, TellsOfEveryCaseAndSolver) {
           count(html, "<td class=\"failed\" title=") +
           count(html, "<td class=\"not_applicable\" title="),
       data.convergence.orders.size());
-  EXPECT_NE(html.find("reference has a larger initial velocity field"), std::string::npos) << "findings";
+  EXPECT_NE(html.find("reference has a larger initial velocity field"), std::string::npos)
+      << "findings";
 }
 
 TEST_F(Page, StandsAlone) {
