@@ -8,7 +8,7 @@
 
 namespace odeum {
 
-/// A problem's own solver of linear systems, whose products are paid from a guard's budget.
+/// A problem's own solver of linear systems, whose products count against a guard's budget.
 class CountedSolver final : public ShiftedSolver {
  public:
   CountedSolver(std::unique_ptr<ShiftedSolver> solver, Guard& guard)
@@ -31,7 +31,7 @@ class CountedSolver final : public ShiftedSolver {
   Guard& guard_;
 };
 
-/// Null for null: a problem that has no solver of its own.
+/// Null where the problem has no solver of its own.
 inline std::unique_ptr<ShiftedSolver> counted(std::unique_ptr<ShiftedSolver> solver, Guard& guard) {
   if (!solver) return nullptr;
   return std::make_unique<CountedSolver>(std::move(solver), guard);

@@ -7,8 +7,8 @@
 
 namespace odeum {
 
-/// A problem that offers what P offers, each evaluation watched by a guard. Once the guard has
-/// tripped the right-hand side reads zero; whoever steps asks `tripped()` after each step.
+/// A problem with the capabilities of P, each evaluation checked by a guard. Once the guard has
+/// tripped the right-hand side returns zero; steppers check `tripped()` after each step.
 template <Ode P>
 class Guarded {
  public:
@@ -31,7 +31,7 @@ class Guarded {
   }
   void jacobian(double t, const double* y, double* j) const requires WithJacobian<P> {
     if constexpr (Shared<P>) {
-      // Differences are paid for as the evaluations that they are.
+      // Each evaluation of the differences is counted.
       if (!problem_.offers_jacobian()) return difference_jacobian(*this, t, y, j);
     }
     guard_.count_jacobian();
@@ -61,7 +61,7 @@ class Guarded {
     guard_.count_products(products);
     return products;
   }
-  /// Counts as `order` evaluations: each coefficient takes the recurrence once around.
+  /// Counts as `order` evaluations: one pass of the recurrence per coefficient.
   void taylor(double t, const double* y, int order, double* c) const requires WithTaylorSeries<P> {
     bool admitted = true;
     for (int k = 0; k < order; ++k) admitted = admitted && guard_.admit();
@@ -97,7 +97,7 @@ class Guarded {
   Guard& guard_;
 };
 
-/// A problem as timed runs take it where it is compiled into the solvers: nothing is watched.
+/// A problem for timed runs with an inlined right-hand side: no guard.
 template <Ode P>
 struct Bare : P {};
 
