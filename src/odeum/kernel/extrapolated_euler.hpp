@@ -109,7 +109,7 @@ template <std::size_t Column>
 double extrapolated_euler_amplification(std::complex<double> z) {
   std::array<std::complex<double>, Column> table{};
   for (std::size_t j = 0; j < Column; ++j) {
-    const double n = static_cast<double>(j + 2);
+    const auto n = static_cast<double>(j + 2);
     std::complex<double> carried = std::pow(1.0 / (1.0 - z / n), static_cast<int>(j + 2));
     for (std::size_t k = 0; k < j; ++k) {
       const double weight = 1 / (n / static_cast<double>(j - k + 1) - 1);

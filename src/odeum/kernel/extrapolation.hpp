@@ -32,8 +32,8 @@ constexpr double extrapolation_weight(int line, int column) {
 template <class P, int Lines>
 class ExtrapolationTable {
  public:
-  explicit ExtrapolationTable(const P& problem) : problem_(problem), f0_(make_state(problem)) {
-    f_ = y0_ = f0_;
+  explicit ExtrapolationTable(const P& problem)
+      : problem_(problem), f0_(make_state(problem)), y0_(f0_), f_(f0_) {
     for (auto* states : {&before_, &now_, &argument_, &table_}) states->fill(f0_);
   }
 
