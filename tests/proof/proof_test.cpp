@@ -143,14 +143,14 @@ TEST(Proofs, EnergyStaysBoundedOverAHundredThousandPeriods) {
 TEST(Proofs, EstimatesHaveTheirOrderAndSize) {
   // Pairs whose estimate vanishes on a kind of problem, as shown on the page; anything else is a
   // fault.
-  const std::set<std::string> blind{
+  const std::set<std::string> vanishing{
       "fehlberg78 quadrature",  // b - b_hat = 41/840 (-1, 0, ..., 1, 1): c is 0, 1, 0, 1 there
       "ros3p linear",           // both rows have the same R(z)
   };
   int pairs = 0;
   for (const auto& [method, q] : proofs().estimates) {
     ++pairs;
-    EXPECT_EQ(q.good(), !blind.contains(method + " " + q.ground))
+    EXPECT_EQ(q.good(), !vanishing.contains(method + " " + q.ground))
         << method << " on " << q.ground << ": exponent " << q.exponent << " for "
         << q.expected_exponent << ", ratio " << q.ratio;
   }

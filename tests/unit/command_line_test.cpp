@@ -82,7 +82,7 @@ TEST_F(CommandLine, RunsASceneAndWritesItsFiles) {
                            "trajectory.vtk.series", "vtk/frame_000000.vtk"})
     EXPECT_TRUE(fs::exists(fs::path(in("pair")) / name)) << name;
   EXPECT_NE(shell("odeum list scenes").output.find("hanging_cloth"), std::string::npos);
-  EXPECT_EQ(shell("odeum run fountain --until 0.2").code, 0) << "nobody lives before the start";
+  EXPECT_EQ(shell("odeum run fountain --until 0.2").code, 0) << "no particles before the start";
   // A failed run writes the states reached, and no final state.
   EXPECT_EQ(shell("odeum run stiff_rope --solver rk4 --step 0.01 --out " + in("rope")).code, 3);
   EXPECT_FALSE(fs::exists(in("rope/final.csv")));

@@ -54,7 +54,7 @@ double largest(const std::vector<double>& numbers) {
 }
 
 /// Whether an estimate is zero where the error is not.
-bool blind(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
+bool vanishes(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
 
 }  // namespace
 
@@ -105,8 +105,8 @@ std::vector<std::string> PairQuality::remarks() const {
         "of its order only at steps much below 1/B, and may miss the error of the row that is kept",
         b));
   for (const EstimateQuality& q : estimate) {
-    if (blind(q))
-      remarks.push_back(fmt::format("blind on {} problems: the estimate is {:.1e} of the error",
+    if (vanishes(q))
+      remarks.push_back(fmt::format("no estimate on {} problems: it is {:.1e} of the error",
                                     q.ground, std::isnan(q.ratio) ? 0 : q.ratio));
     else if (q.margin < 1)
       remarks.push_back(fmt::format(
