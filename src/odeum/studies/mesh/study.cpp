@@ -86,7 +86,10 @@ class Mesh final : public StudyOf<MeshResult> {
                  "refined: as many more stand side by side as stand in a row. A stiffness per "
                  "length (k ~ 1 / length, as of one thread) makes a finer sheet stiffer, one "
                  "divided by the number of springs makes it softer, both in proportion to the "
-                 "number of particles along an edge.</p>\n" +
+                 "number of particles along an edge. Held by two corners alone, a sheet sags "
+                 "further with "
+                 "every refinement: a membrane does not carry a load in a point, and no stiffness "
+                 "makes up for it.</p>\n" +
                  factor_chart(result().rows) + table.html()});
   }
 
