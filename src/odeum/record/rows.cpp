@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <fstream>
 
-#include "odeum/record/csv.hpp"
 #include "odeum/record/csv_reader.hpp"
 
 namespace odeum::record::detail {
@@ -24,19 +23,19 @@ class CsvSource : public FieldSource {
 
 }  // namespace
 
-std::string csv_text(const Fields& blank, const std::vector<Fields>& rows) {
+std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>& rows) {
   std::string text = "schema";
   for (const Field& field : blank) text += ',' + field.column;
   text += '\n';
   for (const Fields& row : rows) {
-    text += std::to_string(csv_schema);
+    text += std::to_string(schema);
     for (const Field& field : row) text += ',' + csv_field(field.value);
     text += '\n';
   }
   return text;
 }
 
-std::string read_csv(const std::filesystem::path& folder, const std::string& name,
+std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
                      const Fields& blank, const std::function<void(FieldSource&)>& read) {
   std::ifstream in(folder / name, std::ios::binary);
   if (!in) return {};
@@ -49,7 +48,7 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
     return subject + "has other columns (another version?)";
   try {
     while (csv.next()) {
-      if (integer_of(csv.text("schema")) != csv_schema) throw BadField();
+      if (integer_of(csv.text("schema")) != schema) throw BadField();
       read(source);
     }
   } catch (const BadField&) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/record/row.hpp"
 
@@ -27,12 +28,19 @@ using Fields = std::vector<Field>;
 
 namespace detail {
 
+/// The schema of a row's file: its own, raised where a column changes, or that of all files.
+template <class Row>
+constexpr int schema_of() {
+  if constexpr (requires { Row::schema; }) return Row::schema;
+  return csv_schema;
+}
+
 /// The text of a file: a header with the columns of `blank`, then a line a row.
-std::string csv_text(const Fields& blank, const std::vector<Fields>& rows);
+std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>& rows);
 
 /// Calls `read` for every row of folder/name, which must have the columns of `blank`. Returns a
 /// sentence why the file cannot be used; empty where it was read or does not exist.
-std::string read_csv(const std::filesystem::path& folder, const std::string& name,
+std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
                      const Fields& blank, const std::function<void(FieldSource&)>& read);
 
 /// Consecutive fields as in the journal: exact, with any characters but 0x1f.
@@ -71,7 +79,7 @@ void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   std::vector<Fields> fields;
   fields.reserve(rows.size());
   for (const Row& row : rows) fields.push_back(fields_of(row));
-  folder.write(Row::file, detail::csv_text(fields_of(Row()), fields));
+  folder.write(Row::file, detail::csv_text(detail::schema_of<Row>(), fields_of(Row()), fields));
 }
 
 /// The rows of folder/Row::file from an earlier run, all or none; none where there is no file.
@@ -80,7 +88,7 @@ template <class Row>
 std::vector<Row> read_rows(const std::filesystem::path& folder, std::string& problem) {
   std::vector<Row> rows;
   const std::string why =
-      detail::read_csv(folder, Row::file, fields_of(Row()),
+      detail::read_csv(folder, Row::file, detail::schema_of<Row>(), fields_of(Row()),
                        [&](FieldSource& source) { rows.push_back(row_of<Row>(source)); });
   if (why.empty()) return rows;
   problem += (problem.empty() ? "" : "; ") + why;

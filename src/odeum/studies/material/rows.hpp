@@ -81,6 +81,7 @@ struct LongRunRow {
       "none";  ///< the file of cases/reference, or the methods that agree
 
   static constexpr const char* file = "cloth_long.csv";
+  static constexpr int schema = 2;
   static void each(auto& row, auto&& visit) {
     visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("setting_kind", row.setting_kind);
@@ -124,6 +125,7 @@ struct ImplicitWinsRow {
   Conditions conditions;
 
   static constexpr const char* file = "implicit_wins.csv";
+  static constexpr int schema = 2;
   static constexpr bool keeps_earlier = true;
   static void each(auto& row, auto&& visit) {
     visit("stiffness", row.stiffness), visit("frame", row.frame), visit("engine", row.engine);
