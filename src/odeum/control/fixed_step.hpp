@@ -35,11 +35,13 @@ Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
       const Status status = stepper.step(grid.t(i), grid.h(), y);
-      if (status != Status::ok || problem.tripped())
-        return stopped(status, fmt::format("{} at t = {}", to_string(status), grid.t(i)));
-      if ((grid.checks(i) || i + 1 == end) && !is_finite(y.data(), y.size()))
+      // A step from a state that is not finite may fail in its own way before the next check.
+      const bool check = grid.checks(i) || i + 1 == end || status != Status::ok;
+      if (check && !is_finite(y.data(), y.size()))
         return stopped(Status::non_finite,
                        fmt::format("the state is not finite after t = {}", grid.t(i)));
+      if (status != Status::ok || problem.tripped())
+        return stopped(status, fmt::format("{} at t = {}", to_string(status), grid.t(i)));
     }
     outcome.record(request.stops[stop], y.data(), y.size());
   }

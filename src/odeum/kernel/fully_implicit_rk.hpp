@@ -71,23 +71,7 @@ class FullyImplicitRungeKutta {
     if constexpr (stiffly_accurate) {
       for (std::size_t n = 0; n < y.size(); ++n) y[n] += system_.z[T.stages - 1][n];
     } else {
-      static constexpr auto weights = [] {
-        // b^T A^-1, by elimination on the transposed A.
-        constexpr std::size_t s = T.stages;
-        auto m = T.a;
-        auto x = T.b;
-        for (std::size_t i = 0; i < s; ++i)
-          for (std::size_t j = 0; j < s; ++j) m[i][j] = T.a[j][i];
-        for (std::size_t k = 0; k < s; ++k)
-          for (std::size_t i = 0; i < s; ++i) {
-            if (i == k) continue;
-            const double factor = m[i][k] / m[k][k];
-            for (std::size_t j = k; j < s; ++j) m[i][j] -= factor * m[k][j];
-            x[i] -= factor * x[k];
-          }
-        for (std::size_t i = 0; i < s; ++i) x[i] /= m[i][i];
-        return x;
-      }();
+      const std::vector<double>& weights = stage_transform<T>().weights;
       for (std::size_t n = 0; n < y.size(); ++n) {
         double sum = 0;
         for (std::size_t j = 0; j < T.stages; ++j) sum += weights[j] * system_.z[j][n];

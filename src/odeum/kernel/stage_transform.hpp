@@ -18,6 +18,7 @@ struct StageTransform {
   std::vector<Complex> inverse_mu;       ///< 1 / mu
   std::vector<std::vector<Complex>> t;   ///< t[k][i]: column k of T, doubled for a pair
   std::vector<std::vector<Complex>> ti;  ///< ti[k][j]: row k of T^-1
+  std::vector<double> weights;           ///< b^T A^-1: of the stages z_i in the new state
   /// With a real eigenvalue, the error estimate gamma0 h f(t, y) + sum_i e_i z_i, gamma0 = 1 / mu:
   /// the difference to a quadrature formula of order S that has the weight gamma0 at the left end.
   std::vector<double> estimate;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -88,45 +89,24 @@ std::string describe(const Structure& s) {
   return text;
 }
 
-namespace {
-
-using LongComplex = std::complex<long double>;
-
-/// The pivots of Gaussian elimination; their product is the determinant. See tableau.hpp.
-std::vector<LongComplex> pivots_of(std::vector<LongComplex> m, std::size_t s) {
-  std::vector<LongComplex> pivots(s);
-  for (std::size_t k = 0; k < s; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < s; ++i)
-      if (std::abs(m[i * s + k]) > std::abs(m[pivot * s + k])) pivot = i;
-    if (pivot != k)
-      for (std::size_t j = 0; j < s; ++j) std::swap(m[k * s + j], m[pivot * s + j]);
-    pivots[k] = pivot == k ? m[k * s + k] : -m[k * s + k];
-    if (m[k * s + k] == LongComplex(0)) continue;
-    for (std::size_t i = k + 1; i < s; ++i) {
-      const LongComplex factor = m[i * s + k] / m[k * s + k];
-      if (factor == LongComplex(0)) continue;
-      for (std::size_t j = k; j < s; ++j) m[i * s + j] -= factor * m[k * s + j];
-    }
-  }
-  return pivots;
-}
-
-}  // namespace
-
 std::complex<double> stability_function(const DynamicTableau<double>& t, std::complex<double> at) {
-  const LongComplex z(at.real(), at.imag());
-  const std::size_t s = t.stages;
-  std::vector<LongComplex> below(s * s), above(s * s);
-  for (std::size_t i = 0; i < s; ++i)
-    for (std::size_t j = 0; j < s; ++j) {
-      const long double a = t.at(i, j), b = t.b[j];
-      below[i * s + j] = (i == j ? 1.0L : 0.0L) - z * a;
-      above[i * s + j] = (i == j ? 1.0L : 0.0L) - z * (a - b);
+  using LongComplex = std::complex<long double>;
+  using Matrix = Eigen::Matrix<LongComplex, Eigen::Dynamic, Eigen::Dynamic>;
+  const auto s = static_cast<Eigen::Index>(t.stages);
+  Matrix below(s, s), above(s, s);
+  for (Eigen::Index i = 0; i < s; ++i)
+    for (Eigen::Index j = 0; j < s; ++j) {
+      const auto column = static_cast<std::size_t>(j);
+      const long double a = t.at(static_cast<std::size_t>(i), column), b = t.b[column];
+      below(i, j) = (i == j ? 1.0L : 0.0L) - LongComplex(at) * a;
+      above(i, j) = (i == j ? 1.0L : 0.0L) - LongComplex(at) * (a - b);
     }
-  const auto numerator = pivots_of(above, s), denominator = pivots_of(below, s);
-  LongComplex result = 1;
-  for (std::size_t k = 0; k < s; ++k) result *= numerator[k] / denominator[k];
+  // Ratios of pivots: either determinant alone may overflow.
+  const Eigen::PartialPivLU<Matrix> numerator(above), denominator(below);
+  LongComplex result = static_cast<long double>(numerator.permutationP().determinant() *
+                                                denominator.permutationP().determinant());
+  for (Eigen::Index k = 0; k < s; ++k)
+    result *= numerator.matrixLU()(k, k) / denominator.matrixLU()(k, k);
   return {static_cast<double>(result.real()), static_cast<double>(result.imag())};
 }
 
