@@ -121,6 +121,12 @@ void enroll_multistep(Roster<P>& roster, std::index_sequence<K...>) {
    ...);
 }
 
+/// The Adams method of the highest order alone, for timed runs.
+template <Ode P>
+void enroll_longest_adams(Roster<P>& roster) {
+  roster.add("adams_bashforth_8", run_out_of_place<od::adams_bashforth<8, State<P>>, P>);
+}
+
 template <std::size_t... K, Ode P>
 void enroll_adaptive_adams(Roster<P>& roster) {
   (roster.add("adaptive_adams_bashforth_moulton_" + std::to_string(K), run_adaptive_adams<K, P>),

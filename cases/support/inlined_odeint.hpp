@@ -5,7 +5,7 @@
 
 namespace odeum::cases::inlined {
 
-/// Appends odeint's one-step steppers where the case has problem P.
+/// Appends odeint's one-step steppers, and its fastest multistep one, where the case has problem P.
 template <Ode P>
 void add_odeint(const Case& c, std::vector<Entrant>& all) {
   const Contest<Bare<P>> contest = bare_contest<P>(c);
@@ -14,6 +14,7 @@ void add_odeint(const Case& c, std::vector<Entrant>& all) {
   adapters::odeint::enroll_one_step(roster);
   adapters::odeint::enroll_extrapolation(roster);
   adapters::odeint::enroll_second_order(roster);
+  adapters::odeint::enroll_longest_adams(roster);
 }
 
 }  // namespace odeum::cases::inlined

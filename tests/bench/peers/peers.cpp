@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes reports/peers.md to standard output: the settings that the documentation of each library
+// leaves open, measured over stiff cases with the library alone.
+#include "bench/peers/peers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <iterator>
+#include <limits>
+#include <map>
+
+namespace odeum::peers {
+namespace {
+
+constexpr double tolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9};
+constexpr double wanted_errors[] = {1e-2, 1e-4, 1e-6};
+constexpr double unreached = std::numeric_limits<double>::infinity();
+
+/// At the horizon, relative to the largest component there.
+double error_at_end(const Case& c, const std::vector<double>& y) {
+  std::vector<double> exact(y.size());
+  c.truth.at(c.stops.back(), exact.data());
+  double error = 0, size = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    error = std::max(error, std::abs(y[i] - exact[i]));
+    size = std::max(size, std::abs(exact[i]));
+  }
+  return std::isfinite(error) ? error / size : unreached;
+}
+
+double processor_microseconds() { return 1e6 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// The best of three, processor time in microseconds: other programs do not count.
+double timed(const Alternative& alternative, const Case& c, double tolerance, Run& run,
+             Counted& counted) {
+  double best = unreached;
+  for (int repetition = 0; repetition < 3; ++repetition) {
+    counted = {c.problem.view};
+    const double start = processor_microseconds();
+    run = alternative.run(c, tolerance, counted);
+    best = std::min(best, processor_microseconds() - start);
+  }
+  return best;
+}
+
+struct Sums {
+  int runs = 0, solved = 0;
+  long steps = 0, evaluations = 0;
+  std::map<std::string, double> time_to;  ///< by case and error
+};
+
+Sums measure(const Alternative& alternative, const std::vector<const Case*>& cases) {
+  Sums sums;
+  for (const Case* c : cases)
+    for (const double tolerance : tolerances) {
+      Run run;
+      Counted counted{c->problem.view};
+      const double time = timed(alternative, *c, tolerance, run, counted);
+      const double error = run.ok ? error_at_end(*c, run.y) : unreached;
+      ++sums.runs;
+      if (!(error < 0.1)) continue;
+      ++sums.solved;
+      sums.steps += run.steps;
+      sums.evaluations += counted.evaluations;
+      for (const double wanted : wanted_errors) {
+        if (error > wanted) continue;
+        double& best =
+            sums.time_to.try_emplace(fmt::format("{} {}", c->id, wanted), unreached).first->second;
+        best = std::min(best, time);
+      }
+    }
+  return sums;
+}
+
+/// Geometric mean over the cases and errors that both reach.
+double time_ratio(const Sums& sums, const Sums& first) {
+  double sum = 0;
+  int count = 0;
+  for (const auto& [key, time] : sums.time_to) {
+    const auto other = first.time_to.find(key);
+    if (other == first.time_to.end()) continue;
+    sum += std::log(time / other->second);
+    ++count;
+  }
+  return std::exp(sum / count);
+}
+
+void write(const Choice& choice, const std::vector<const Case*>& cases) {
+  fmt::print("## {}: {}\n\n{}\n\n", choice.solver, choice.choice, choice.documentation);
+  fmt::print("| setting | solved | steps | evaluations | errors reached | time | |\n");
+  fmt::print("|---|---|---|---|---|---|---|\n");
+  Sums first;
+  for (const Alternative& alternative : choice.alternatives) {
+    const Sums sums = measure(alternative, cases);
+    if (&alternative == &choice.alternatives.front()) first = sums;
+    fmt::print("| {} | {} of {} | {} | {} | {} of {} | {:.2f} | {} |\n", alternative.setting,
+               sums.solved, sums.runs, sums.steps, sums.evaluations, sums.time_to.size(),
+               cases.size() * std::size(wanted_errors), time_ratio(sums, first),
+               alternative.taken ? "taken" : "");
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
+constexpr const char* introduction =
+    R"(# Settings of the peers
+
+What the documentation of each library leaves to its user, the alternatives measured with the library
+alone, and the one that the adapter takes. Written by `odeum_peers` (target of the build, see
+tests/bench/peers); cases:{}.
+
+Tolerances from 1e-3 to 1e-9, relative and absolute. A run is solved where the library reports success
+within 100,000 evaluations and the error at the horizon is below a tenth of the largest component. Steps
+and evaluations are sums over the solved runs. Errors reached: of 1e-2, 1e-4 and 1e-6 in each case, at
+any tolerance. Processor time: the least to each of these errors, as a geometric mean relative to the
+first row over what both reach.
+
+Settings that need no measurement:
+
+- **Linear algebra**: dense LU with the exact Jacobian up to 128 unknowns, the problem's own solver of
+  its structure beyond (SUNDIALS: matrix-embedded), Krylov iterations where it has none.
+- **First step**: CVODE and ARKODE choose their own; GSL and odeint ask for one and get that of Hairer,
+  Norsett and Wanner (Solving ODEs I, II.4), which own methods use.
+- **Stops**: CVODE interpolates those before the last and has its stop time at the last; ARKODE lands on
+  each (interpolation costs evaluations, or order); GSL's driver and odeint's controlled steppers land,
+  odeint's dense ones interpolate.
+
+)";
+
+}  // namespace
+}  // namespace odeum::peers
+
+int main() {
+  using namespace odeum;
+  std::vector<const Case*> cases;
+  std::string names;
+  for (const Case& c : all_cases())
+    for (const char* id :
+         {"robertson_40", "robertson", "vdp_mu1000", "vdp_eps1e_6", "hires", "oregonator"})
+      if (c.id == id) {
+        cases.push_back(&c);
+        names += ' ' + c.id;
+      }
+  fmt::print(fmt::runtime(peers::introduction), names);
+  for (const auto& choices : {peers::sundials_choices(), peers::gsl_choices()})
+    for (const peers::Choice& choice : choices) peers::write(choice, cases);
+}

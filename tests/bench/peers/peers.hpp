@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+
+/// Settings of the peers, measured with the libraries alone: reports/peers.md.
+namespace odeum::peers {
+
+struct Run {
+  bool ok = false;  ///< as the library says
+  long steps = 0;   ///< accepted
+  std::vector<double> y;
+};
+
+/// The problem of a case as a library's user data: counts evaluations, and refuses more than
+/// most_evaluations of them.
+struct Counted {
+  OdeView view;
+  long evaluations = 0;
+  static constexpr long most_evaluations = 100'000;
+
+  bool rhs(double t, const double* y, double* dydt) {
+    view.rhs(view.problem, t, y, dydt);
+    return ++evaluations <= most_evaluations;
+  }
+};
+
+struct Alternative {
+  std::string setting;
+  bool taken;  ///< by the adapter
+  std::function<Run(const Case&, double tolerance, Counted&)> run;
+};
+
+struct Choice {
+  std::string solver, choice;
+  std::string documentation;  ///< what it recommends, and where
+  std::vector<Alternative> alternatives;
+};
+
+std::vector<Choice> sundials_choices();
+std::vector<Choice> gsl_choices();
+
+}  // namespace odeum::peers
