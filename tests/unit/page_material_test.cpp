@@ -3,25 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "odeum/report/old_page.hpp"
 #include "support/report_fixture.hpp"
-#include "support/temporary_folder.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using tests::text_of;
-
-std::string index_of(const ReportData& data) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  write_page(data, folder);
-  return text_of(folder.path() / "index.html");
-}
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 study::MaterialRow links(double step, std::uint64_t sweeps, double vibrating) {
   study::MaterialRow row;
@@ -37,13 +24,15 @@ study::MaterialRow links(double step, std::uint64_t sweeps, double vibrating) {
 }
 
 TEST(PageMaterial, SaysWhereNothingWasMeasured) {
-  ReportData data = test::fabricate_small_report();
-  data.material.problem = "the material.csv that was there is <cut> off";
-  const std::string page = index_of(data);
+  const std::string page =
+      test::Report(test::fabricate_small_report().facts)
+          .add(MaterialResult(),
+               {.command = "material", .problem = "the material.csv that was there is <cut> off"})
+          .index();
   EXPECT_TRUE(has(page, "<section id=\"material\">"));
   EXPECT_TRUE(has(page, "href=\"#material\""));
   EXPECT_TRUE(has(page, "is &lt;cut&gt; off"));
-  EXPECT_TRUE(has(page, "<code>odeum material</code> into the same folder"));
+  EXPECT_TRUE(has(page, "<code>odeum material</code> with this folder"));
 }
 
 TEST(PageMaterial, ShowsStiffnessByStepAndIterations) {
@@ -155,4 +144,4 @@ TEST(PageMaterial, ShowsCostAgainstTheCheapestSize) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::study

@@ -6,28 +6,19 @@
 #include <limits>
 
 #include "odeum/record/csv_reader.hpp"
-#include "odeum/report/old_page.hpp"
+#include "odeum/report/html.hpp"
 #include "odeum/report/solver_groups.hpp"
-#include "odeum/studies/precision/speed_diagram.hpp"
+#include "odeum/studies/precision/section.hpp"
 #include "support/report_fixture.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-namespace fs = std::filesystem;
-using study::PrecisionRow;
+using test::count;
+using test::has;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-using tests::text_of;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
-    ++found;
-  return found;
-}
 
 PrecisionRow row(const std::string& case_id, const char* library, const char* solver,
                  double tolerance, double error, double ns) {
@@ -55,10 +46,9 @@ std::vector<PrecisionRow> rows_of(const std::string& case_id) {
           row(case_id, "gsl", "stepper", 1e-8, nan, nan)};
 }
 
-void measure(ReportData& data, std::vector<PrecisionRow> rows) {
-  study::mark_pareto(rows);
-  for (auto& line : study::summarise(rows, 1e-14)) data.precision.summary.push_back(line);
-  for (auto& each : rows) data.precision.rows.push_back(each);
+PrecisionResult measured(std::vector<PrecisionRow> rows) {
+  mark_pareto(rows);
+  return {.rows = rows, .tolerances = {}, .summary = summarise(rows, 1e-14)};
 }
 
 SolverInfo solver(const char* library, const char* method, const char* family) {
@@ -73,28 +63,23 @@ struct Pages {
   std::string index, of_case;
 };
 
-Pages pages_of(const ReportData& data) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  write_page(data, folder);
-  return {text_of(folder.path() / "index.html"),
-          text_of(folder.path() / "cases" / (data.cases[0].id + ".html"))};
+report::Facts small_facts() {
+  report::Facts facts = test::fabricate_small_report().facts;
+  facts.solvers.push_back(solver("gsl", "stepper", "explicit_rk"));
+  return facts;
 }
 
-ReportData small_data() {
-  ReportData data = test::fabricate_small_report();
-  data.convergence = {};  // its plots are another test's, and would take seconds
-  data.stability = {};
-  data.solvers.push_back(solver("gsl", "stepper", "explicit_rk"));
-  return data;
+Pages pages_of(const PrecisionResult& result, const report::Origin& origin = {}) {
+  test::Report report(small_facts());
+  return {report.add(result, origin).index(), report.case_page(0)};
 }
+
+std::string case_id(std::size_t index) { return small_facts().cases[index].id; }
 
 TEST(PagePrecision, ShowsDiagramsRatiosAndTolerances) {
-  ReportData data = small_data();
-  measure(data, rows_of(data.cases[0].id));
-  const Pages pages = pages_of(data);
+  const Pages pages = pages_of(measured(rows_of(case_id(0))));
   for (const std::string* html : {&pages.index, &pages.of_case}) {
-    EXPECT_EQ(count(*html, "<svg class=\"plot speed\""), 1U);
+    EXPECT_EQ(count(*html, "<svg class=\"plot\""), 1U);
     EXPECT_EQ(count(*html, "<title>odeum/explicit_method_1, tolerance"), 2U) << "a point a run";
     EXPECT_EQ(count(*html, "<title>gsl/stepper, tolerance"), 2U) << "none of the failed run";
     EXPECT_EQ(count(*html, "<path class=\"front\" d=\"M"), 2U) << "in the diagram and its key";
@@ -106,37 +91,31 @@ TEST(PagePrecision, ShowsDiagramsRatiosAndTolerances) {
   // At 1e-4, between two settings of each, the peer takes 4 / sqrt(2) times as long.
   EXPECT_NE(pages.of_case.find("<tr><th>1e-04</th><td>odeum/explicit_method_1</td>"),
             std::string::npos);
-  EXPECT_NE(pages.of_case.find("no solver reaches it"), std::string::npos) << "1e-6 and below";
+  EXPECT_NE(pages.of_case.find("nobody reaches it"), std::string::npos) << "1e-6 and below";
 }
 
 TEST(PagePrecision, MarksWhatTheMachineDisturbed) {
-  ReportData data = small_data();
-  std::vector<PrecisionRow> drifted = rows_of(data.cases[0].id), shared = rows_of(data.cases[1].id);
+  std::vector<PrecisionRow> drifted = rows_of(case_id(0)), shared = rows_of(case_id(1));
   for (PrecisionRow& each : drifted) each.drift = -0.12;
   for (PrecisionRow& each : shared) each.processor_share = 0.6;
-  measure(data, drifted);
-  measure(data, shared);
-  const Pages pages = pages_of(data);
+  drifted.insert(drifted.end(), shared.begin(), shared.end());
+  const Pages pages = pages_of(measured(drifted));
   EXPECT_NE(pages.index.find("⚠ disturbed: drift -12.0 %, processor 99 %"), std::string::npos);
   EXPECT_NE(pages.index.find("⚠ disturbed: drift +1.0 %, processor 60 %"), std::string::npos);
   EXPECT_NE(pages.of_case.find("⚠ disturbed:"), std::string::npos);
 }
 
 TEST(PagePrecision, SaysWhereNothingWasMeasured) {
-  ReportData data = small_data();
-  data.precision_problem = "the precision.csv that was there is <cut> off";
-  const Pages pages = pages_of(data);
-  EXPECT_NE(pages.index.find("Not measured in this run: a full"), std::string::npos);
+  const Pages pages = pages_of({}, {.problem = "the precision.csv that was there is <cut> off"});
+  EXPECT_NE(pages.index.find("Not measured in this run: "), std::string::npos);
   EXPECT_NE(pages.index.find("is &lt;cut&gt; off"), std::string::npos);
   EXPECT_EQ(pages.of_case.find("Speed against error"), std::string::npos);
 }
 
 TEST(PagePrecision, HostileNamesStayText) {
-  ReportData data = small_data();
-  std::vector<PrecisionRow> rows = rows_of(data.cases[0].id);
+  std::vector<PrecisionRow> rows = rows_of(case_id(0));
   for (PrecisionRow& each : rows) each.solver = each.measured = "<img src=x>\"'\x1b";
-  measure(data, rows);
-  const Pages pages = pages_of(data);
+  const Pages pages = pages_of(measured(rows));
   EXPECT_NE(pages.index.find("gsl/&lt;img src=x&gt;"), std::string::npos);
   for (const std::string* html : {&pages.index, &pages.of_case}) {
     EXPECT_EQ(html->find("<img src=x"), std::string::npos);
@@ -151,18 +130,18 @@ TEST(PagePrecision, ADiagramOfNothingIsNone) {
 }
 
 TEST(PagePrecision, TimesHaveTheUnitThatFits) {
-  EXPECT_EQ(show_time(850), "850 ns");
-  EXPECT_EQ(show_time(999.9), "1 µs");
-  EXPECT_EQ(show_time(12'340), "12.3 µs");
-  EXPECT_EQ(show_time(4.56e6), "4.56 ms");
-  EXPECT_EQ(show_time(2e9), "2 s");
-  EXPECT_EQ(show_time(nan), "–");
+  EXPECT_EQ(report::show_time(850), "850 ns");
+  EXPECT_EQ(report::show_time(999.9), "1 µs");
+  EXPECT_EQ(report::show_time(12'340), "12.3 µs");
+  EXPECT_EQ(report::show_time(4.56e6), "4.56 ms");
+  EXPECT_EQ(report::show_time(2e9), "2 s");
+  EXPECT_EQ(report::show_time(nan), "–");
 }
 
 TEST(SolverGroups, SmallFamiliesShareAGroupAndNobodyIsLost) {
-  const ReportData data = test::fabricate_report();
+  const report::Facts data = test::fabricate_report().facts;
   std::size_t solvers = 0;
-  for (const SolverGroup& group : make_groups(data.solvers)) {
+  for (const report::SolverGroup& group : report::make_groups(data.solvers)) {
     solvers += group.solvers.size();
     for (const SolverInfo* solver : group.solvers)
       EXPECT_EQ(group.own, solver->library == "odeum") << group.title;
@@ -171,11 +150,11 @@ TEST(SolverGroups, SmallFamiliesShareAGroupAndNobodyIsLost) {
   const std::vector<SolverInfo> few{solver("odeum", "a", "taylor"),
                                     solver("odeum", "b", "exponential"),
                                     solver("gsl", "c", "taylor")};
-  const std::vector<SolverGroup> groups = make_groups(few);
+  const std::vector<report::SolverGroup> groups = report::make_groups(few);
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].title, "other");
   EXPECT_EQ(groups[1].title, "gsl");
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::study

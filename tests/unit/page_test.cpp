@@ -1,38 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/old_page.hpp"
+#include "odeum/report/page.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <vector>
 
-#include "odeum/report/gnuplot.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::report {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
-    ++found;
-  return found;
-}
+using test::count;
+using test::has;
+using test::MadeUp;
+using test::Report;
 
 /// The first thing wrong with the nesting of a page's elements; empty where nothing is.
 std::string broken_nesting(const std::string& html) {
@@ -58,84 +44,67 @@ std::string broken_nesting(const std::string& html) {
   return open.empty() ? "" : "<" + open.back() + "> stays open";
 }
 
-class Page : public testing::Test {
- protected:
-  Page() {
-    std::string name = (fs::temp_directory_path() / "odeum_page_test_XXXXXX").string();
-    root_ = ::mkdtemp(name.data());
-  }
-  ~Page() override {
-    if (!path_.empty()) ::setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(root_);
-  }
-  /// Until the end of the test the PATH is `folder` only.
-  void search_only(const fs::path& folder) {
-    path_ = ::getenv("PATH");
-    ::setenv("PATH", folder.c_str(), 1);
-  }
-  std::string page_of(const ReportData& data) {
-    const record::OutputFolder folder(root_ / "out");
-    record::write(data.convergence, folder);
-    write_page(data, folder);
-    return read(folder.path() / "index.html");
-  }
-  /// The pages of the cases, one after the other.
-  std::vector<std::string> case_pages() const {
-    std::vector<std::string> pages;
-    for (const auto& entry : fs::directory_iterator(root_ / "out" / "cases"))
-      pages.push_back(read(entry.path()));
-    return pages;
-  }
-  nlohmann::json manifest() const {
-    return nlohmann::json::parse(read(root_ / "out" / "manifest.json"));
-  }
-  static bool gnuplot_is_there() {
-    return !render({{.width = 100, .height = 100, .commands = "plot sin(x)"}}, 1).version.empty();
-  }
-
-  fs::path root_;
-
- private:
-  std::string path_;
-};
-
-TEST_F(Page, TellsOfEveryCaseAndSolver) {
-  search_only(root_);  // plots are another test's, and would take seconds
-  const ReportData data = test::fabricate_report();
-  const std::string html = page_of(data);
-  EXPECT_EQ(broken_nesting(html), "");
-  ASSERT_EQ(data.cases.size(), 15U);
-  for (const CaseFacts& c : data.cases)
-    EXPECT_NE(html.find("<code>" + c.id + "</code>"), std::string::npos) << c.id;
-  for (const SolverInfo& solver : data.solvers)
-    EXPECT_NE(html.find(">" + solver.method + "</th>"), std::string::npos) << solver.id();
-  // Every pair is a cell with a title of the matrix: none is missing.
-  EXPECT_EQ(
-      count(html, "<td class=\"confirmed\" title=") + count(html, "<td class=\"higher\" title=") +
-          count(html, "<td class=\"lower\" title=") + count(html, "<td class=\"floors\" title=") +
-          count(html, "<td class=\"undetermined\" title=") +
-          count(html, "<td class=\"failed\" title=") +
-          count(html, "<td class=\"not_applicable\" title="),
-      data.convergence.orders.size());
-  EXPECT_NE(html.find("reference has a larger initial velocity field"), std::string::npos)
-      << "findings";
+nlohmann::json manifest_of(const Report& report) {
+  return nlohmann::json::parse(tests::text_of(report.folder().path() / "manifest.json"));
 }
 
-TEST_F(Page, StandsAlone) {
-  std::vector<std::string> pages{page_of(test::fabricate_small_report())};
-  for (std::string& page : case_pages()) pages.push_back(std::move(page));
-  ASSERT_EQ(pages.size(), 3U);
-  for (const std::string& html : pages) {
+/// index.html and the pages of all cases.
+std::vector<std::string> pages_of(Report& report, const MadeUp& data) {
+  std::vector<std::string> pages{report.index()};
+  for (std::size_t i = 0; i < data.facts.cases.size(); ++i) pages.push_back(report.case_page(i));
+  return pages;
+}
+
+TEST(Page, TellsOfEveryCaseAndSolver) {
+  const MadeUp data = test::fabricate_report();
+  const std::string html = Report(data).index();
+  EXPECT_EQ(broken_nesting(html), "");
+  ASSERT_EQ(data.facts.cases.size(), 15U);
+  for (const CaseFacts& c : data.facts.cases)
+    EXPECT_TRUE(has(html, "<code>" + c.id + "</code>")) << c.id;
+  for (const SolverInfo& solver : data.facts.solvers)
+    EXPECT_TRUE(has(html, ">" + solver.method + "</th>")) << solver.id();
+  // Every pair is a cell with a title of the matrix: none is silently absent.
+  std::size_t cells = 0;
+  for (const auto& style : verdict_styles)
+    cells += count(html, std::string("<td class=\"") + to_string(style.verdict) + "\" title=");
+  EXPECT_EQ(cells, data.convergence.orders.size());
+  EXPECT_TRUE(has(html, "<section id=\"findings\""));
+}
+
+TEST(Page, HasSectionsInTheOrderOfTheirPlaces) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path() / "out");
+  Page page(Facts(), folder);
+  page.section({.id = "late", .title = "Late <b>", .place = 20, .html = "<p>2</p>"});
+  page.section({.id = "early", .title = "Early", .place = 10, .html = "<p>1</p>"});
+  page.section({.id = "later", .title = "Later", .place = 20, .html = "", .short_title = "Short"});
+  page.write({});
+  const std::string html = tests::text_of(folder.path() / "index.html");
+  EXPECT_LT(html.find("<section id=\"early\">\n<h2>Early</h2>\n<p>1</p>"),
+            html.find("<section id=\"late\">\n<h2>Late &lt;b&gt;</h2>"));
+  EXPECT_LT(html.find("<section id=\"late\">"), html.find("<section id=\"later\">"));
+  EXPECT_TRUE(has(html,
+                  "<a href=\"#early\">Early</a><a href=\"#late\">Late &lt;b&gt;</a>"
+                  "<a href=\"#later\">Short</a>"));
+}
+
+TEST(Page, StandsAlone) {
+  const MadeUp data = test::fabricate_small_report();
+  Report report(data);
+  for (const std::string& html : pages_of(report, data)) {
     for (const char* external :
          {"<script", "<link", "<iframe", "src=\"http", "src=\"/", "url(http", "@import"})
-      EXPECT_EQ(html.find(external), std::string::npos) << external;
-    EXPECT_NE(html.find("prefers-color-scheme: dark"), std::string::npos);
+      EXPECT_FALSE(has(html, external)) << external;
+    EXPECT_TRUE(has(html, "prefers-color-scheme: dark"));
   }
 }
 
 // The folder is opened from a disk: an address that does not lead to a file is a dead link.
-TEST_F(Page, EveryAddressLeadsToAFile) {
-  const std::string index = page_of(test::fabricate_small_report());
+TEST(Page, EveryAddressLeadsToAFile) {
+  const MadeUp data = test::fabricate_small_report();
+  Report report(data);
+  record::write(data.convergence, report.folder());
   std::size_t checked = 0;
   const auto check = [&](const std::string& html, const fs::path& folder) {
     for (const std::string attribute : {" href=\"", " src=\""})
@@ -147,82 +116,46 @@ TEST_F(Page, EveryAddressLeadsToAFile) {
         ++checked;
       }
   };
-  check(index, root_ / "out");
-  for (const std::string& html : case_pages()) check(html, root_ / "out" / "cases");
+  const fs::path root = report.folder().path();
+  const std::string index = report.index();
+  check(index, root);
+  for (std::size_t i = 0; i < data.facts.cases.size(); ++i)
+    check(report.case_page(i), root / "cases");
   EXPECT_GT(checked, 10U);
-}
-
-TEST_F(Page, CasesThatWouldShareAFileDoNot) {
-  search_only(root_);
-  ReportData data = test::fabricate_small_report();
-  data.cases[0].id = "a/b";
-  data.cases[1].id = "a?b";
-  const std::string html = page_of(data);
-  EXPECT_NE(html.find("href=\"cases/a_b.html\""), std::string::npos);
-  EXPECT_NE(html.find("href=\"cases/a_b_2.html\""), std::string::npos);
-  EXPECT_EQ(case_pages().size(), 2U);
-}
-
-TEST_F(Page, LinksToTheDataBesideIt) {
-  const std::string html = page_of(test::fabricate_small_report());
   for (const char* name :
        {"convergence.csv", "convergence_times.csv", "orders.csv", "manifest.json"})
-    EXPECT_NE(html.find("href=\"./" + std::string(name) + "\""), std::string::npos) << name;
+    EXPECT_TRUE(has(index, "href=\"./" + std::string(name) + "\"")) << name;
 }
 
-TEST_F(Page, HasPlotsWhereGnuplotIsFound) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  const ReportData data = test::fabricate_small_report();
-  const std::string html = page_of(data);
-  EXPECT_EQ(broken_nesting(html), "");
-  ASSERT_EQ(case_pages().size(), 2U);
-  for (const std::string& page : case_pages()) {
+TEST(Page, CasesThatWouldShareAFileDoNot) {
+  MadeUp data = test::fabricate_small_report();
+  data.facts.cases[0].id = "a/b";
+  data.facts.cases[1].id = "a?b";
+  Report report(data);
+  const std::string html = report.index();
+  EXPECT_TRUE(has(html, "href=\"cases/a_b.html\""));
+  EXPECT_TRUE(has(html, "href=\"cases/a_b_2.html\""));
+  EXPECT_TRUE(has(report.case_page(1), "<code>a?b</code>"));
+}
+
+TEST(Page, HasChartsAndPictures) {
+  const MadeUp data = test::fabricate_small_report();
+  Report report(data);
+  const std::vector<std::string> pages = pages_of(report, data);
+  for (const std::string& page : pages) {
     EXPECT_EQ(broken_nesting(page), "");
-    EXPECT_GE(count(page, "<svg class=\"plot\""), 2U) << "by step and by cost at least";
-    EXPECT_EQ(page.find("class=\"missing\""), std::string::npos);
+    EXPECT_FALSE(has(page, "class=\"missing\"") && !has(page, "Not measured in this run"));
   }
-  EXPECT_EQ(count(html, " src=\"stability/"), data.stability.regions.size());
-  EXPECT_EQ(html.find("class=\"missing\""), std::string::npos);
-  EXPECT_TRUE(manifest()["plots"].get<std::string>().starts_with("drawn by gnuplot"));
+  for (std::size_t i = 1; i < pages.size(); ++i)
+    EXPECT_GE(count(pages[i], "<svg class=\"plot\""), 2U) << "by step and by cost at least";
+  EXPECT_EQ(count(pages[0], " src=\"stability/"), data.stability.regions.size());
 }
 
-TEST_F(Page, IsWrittenWithoutGnuplot) {
-  search_only(root_);
-  const std::string html = page_of(test::fabricate_small_report());
-  EXPECT_EQ(broken_nesting(html), "");
-  EXPECT_NE(html.find("no plots: gnuplot could not be run"), std::string::npos);
-  EXPECT_EQ(count(html, "<svg class=\"plot\""), 0U);
-  EXPECT_TRUE(manifest()["plots"].get<std::string>().starts_with("no plots: gnuplot could not"));
-}
-
-TEST_F(Page, SurvivesAGnuplotThatFails) {
-  const fs::path program = root_ / "gnuplot";
-  std::ofstream(program) << "#!/bin/sh\necho 'no \033[31mterminal' >&2\nexit 1\n";
-  fs::permissions(program, fs::perms::owner_all);
-  search_only(root_);
-  const std::string html = page_of(test::fabricate_small_report());
-  EXPECT_NE(html.find("gnuplot failed: no \xEF\xBF\xBD[31mterminal"), std::string::npos);
-}
-
-TEST_F(Page, PicturesBehindABadOneAreDrawn) {
-  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  Picture good{.width = 100, .height = 100, .commands = "plot sin(x)"};
-  Picture bad = good;
-  bad.commands = "plot no_such_function(x)";
-  const Rendering rendering = render({good, bad, good, bad, bad, good}, 2);
-  for (const std::size_t i : {0, 2, 5})
-    EXPECT_NE(rendering.images[i].find("</svg>"), std::string::npos);
-  for (const std::size_t i : {1, 3, 4}) EXPECT_EQ(rendering.images[i], "");
-  EXPECT_NE(rendering.problem, "");
-}
-
-TEST_F(Page, HostileTextStaysText) {
-  const fs::path trap = root_ / "trap";
+TEST(Page, HostileTextStaysText) {
   const std::string hostile =
       "</script><img src=x onerror=alert(1)>\"'\x1b[31m\n\x01"
-      "0\x02\xff`touch " +
-      trap.string() + "`@{}";
-  ReportData data = test::fabricate_small_report();
+      "0\x02\xff@{}";
+  MadeUp data = test::fabricate_small_report();
   const auto rename = [&](auto& rows) {
     for (auto& row : rows) row.library = row.solver = row.case_id = hostile;
   };
@@ -234,44 +167,68 @@ TEST_F(Page, HostileTextStaysText) {
   for (auto& limit : data.stability.limits)
     limit.library = limit.solver = limit.status = limit.detail = hostile;
   for (auto& region : data.stability.regions) region.library = region.solver = hostile;
-  for (CaseFacts& c : data.cases) c.id = c.title = c.equation = c.source = c.truth = hostile;
-  for (SolverInfo& s : data.solvers)
+  for (CaseFacts& c : data.facts.cases) c.id = c.title = c.equation = c.source = c.truth = hostile;
+  for (SolverInfo& s : data.facts.solvers)
     s.library = s.method = s.family = s.controller = s.needs = s.source = hostile;
-  for (LibraryInfo& info : data.libraries) info.name = info.option = info.version = hostile;
-  data.command_line = hostile;
+  for (LibraryInfo& info : data.facts.libraries) info.name = info.option = info.version = hostile;
 
-  const std::string html = page_of(data);
-  EXPECT_EQ(broken_nesting(html), "");
+  Report report(data);
+  const std::string html = report.index({.command_line = hostile});
   EXPECT_GT(count(html, "&lt;/script&gt;&lt;img"), 20U) << "the text itself is shown";
-  EXPECT_EQ(html.find("<img src=x"), std::string::npos);
-  EXPECT_EQ(html.find_first_of("\x1b\x01\x02\xff"), std::string::npos);
-  for (const std::string& page : case_pages()) {
+  for (const std::string& page : {html, report.case_page(0), report.case_page(1)}) {
     EXPECT_EQ(broken_nesting(page), "");
-    EXPECT_EQ(page.find("<img src=x"), std::string::npos);
+    EXPECT_FALSE(has(page, "<img src=x"));
     EXPECT_EQ(page.find_first_of("\x1b\x01\x02\xff"), std::string::npos);
   }
-  EXPECT_FALSE(fs::exists(trap)) << "gnuplot ran a command from a name";
-  EXPECT_EQ(manifest()["command_line"].get<std::string>().find("</script>"), 0U);
+  report.index({.command_line = hostile});
+  EXPECT_EQ(manifest_of(report)["command_line"].get<std::string>().find("</script>"), 0U);
 }
 
-TEST_F(Page, ToldOfNothingSaysSo) {
-  const std::string html = page_of({});
+TEST(Page, ToldOfNothingSaysSo) {
+  const std::string html = Report(MadeUp()).index();
   EXPECT_EQ(broken_nesting(html), "");
-  EXPECT_NE(html.find("Not measured in this run."), std::string::npos);
-  EXPECT_EQ(manifest()["plots"], "none to draw");
+  EXPECT_TRUE(has(html, "Not measured in this run"));
 }
 
-TEST_F(Page, RegionsWithoutResultsAreNotDrawn) {
-  ReportData data = test::fabricate_small_report();
+TEST(Page, RegionsWithoutResultsAreNotDrawn) {
+  MadeUp data = test::fabricate_small_report();
   ASSERT_GE(data.stability.regions.size(), 2U);
   std::fill(data.stability.regions[0].growth.begin(), data.stability.regions[0].growth.end(),
             std::numeric_limits<float>::quiet_NaN());
   data.stability.regions[0].detail = "every solve failed";
   data.stability.regions[1].growth.pop_back();
   data.stability.regions[1].detail = "the grid is not whole";
-  const std::string html = page_of(data);
-  EXPECT_NE(html.find("every solve failed"), std::string::npos);
-  EXPECT_NE(html.find("the grid is not whole"), std::string::npos);
+  const std::string html = Report(data).index();
+  EXPECT_TRUE(has(html, "every solve failed"));
+  EXPECT_TRUE(has(html, "the grid is not whole"));
+}
+
+TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
+  const MadeUp data = test::fabricate_report();
+  Report report(data);
+  report.index({.command_line = "odeum report", .seconds = 123.4});
+  const auto m = manifest_of(report);
+  EXPECT_EQ(m["schema"], 2);
+  EXPECT_EQ(m["odeum"]["version"], "0.1.0");
+  EXPECT_NE(m["build"]["compiler"], "");
+  EXPECT_NE(m["cpu"], "");
+  EXPECT_EQ(m["options"]["quick"], false);
+  EXPECT_EQ(m["seconds"], 123.4);
+  ASSERT_EQ(m["libraries"].size(), 4U);
+  EXPECT_EQ(m["libraries"][0]["version"], "6.4.1");
+  EXPECT_EQ(m["libraries"][3]["version"], nullptr);
+  EXPECT_EQ(m["libraries"][3]["option"], "ODEUM_WITH_BULLET");
+  const std::string date = m["date"];
+  EXPECT_EQ(date.size(), std::string("2025-01-01T00:00:00Z").size());
+  const auto unfit = [](const auto& row) { return row.status == "not_applicable"; };
+  const auto pairs =
+      std::count_if(data.convergence.rows.begin(), data.convergence.rows.end(), unfit);
+  const auto limits =
+      std::count_if(data.stability.limits.begin(), data.stability.limits.end(), unfit);
+  ASSERT_EQ(m["skipped"]["not_applicable"].size(), 1U);
+  EXPECT_EQ(m["skipped"]["not_applicable"][0]["pairs"], pairs);
+  EXPECT_EQ(m["skipped"]["rows_by_status"]["not_applicable"], pairs + limits);
+  EXPECT_EQ(m["verdicts"].back()["pairs"], data.convergence.orders.size());
 }
 
 }  // namespace

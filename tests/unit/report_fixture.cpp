@@ -10,8 +10,6 @@
 namespace odeum::test {
 namespace {
 
-using report::ReportData;
-
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Family {
@@ -96,8 +94,7 @@ Behaviour behaviour_of(double claimed, std::mt19937& random) {
   return behaviour;
 }
 
-void add_not_applicable(ReportData& data, const std::string& c, const SolverInfo& solver,
-                        Mode mode) {
+void add_not_applicable(MadeUp& data, const std::string& c, const SolverInfo& solver, Mode mode) {
   const std::string reason = "needs a second-order problem q'' = a(t, q, v)";
   study::ConvergenceRow row;
   row.case_id = c;
@@ -114,7 +111,7 @@ void add_not_applicable(ReportData& data, const std::string& c, const SolverInfo
   data.convergence.orders.push_back(order);
 }
 
-void add_pair(ReportData& data, const report::CaseFacts& c, const SolverInfo& solver, Mode mode,
+void add_pair(MadeUp& data, const report::CaseFacts& c, const SolverInfo& solver, Mode mode,
               std::mt19937& random) {
   const Behaviour behaviour = behaviour_of(solver.order, random);
   std::vector<judge::ErrorPoint> points;
@@ -158,7 +155,7 @@ double growth(int degree, std::complex<double> z) {
   return std::abs(sum);
 }
 
-void add_stability(ReportData& data, const SolverInfo& solver) {
+void add_stability(MadeUp& data, const SolverInfo& solver) {
   const bool implicit = solver.family == "implicit_rk";
   const int degree = implicit ? 0 : std::clamp(static_cast<int>(solver.order), 1, 6);
   const auto limit = [&](const char* axis, double measured, double theory) {
@@ -199,10 +196,8 @@ void add_stability(ReportData& data, const SolverInfo& solver) {
   data.stability.regions.push_back(region);
 }
 
-ReportData fabricate(std::size_t cases, std::size_t solvers_at_most) {
-  ReportData data;
-  data.command_line = "odeum report";
-  data.seconds = 123.4;
+MadeUp fabricate(std::size_t cases, std::size_t solvers_at_most) {
+  MadeUp data;
   for (std::size_t i = 0; i < cases; ++i) {
     report::CaseFacts c{.id = case_ids[i],
                         .title = "Made-up case",
@@ -218,12 +213,12 @@ ReportData fabricate(std::size_t cases, std::size_t solvers_at_most) {
       c.tags = {"cloth", "mechanical"};
       c.truth_floor = 1e-12;
     }
-    data.cases.push_back(c);
+    data.facts.cases.push_back(c);
   }
   for (const Family& family : families()) {
     int number = 0;
     for (const double order : family.orders) {
-      if (data.solvers.size() == solvers_at_most) break;
+      if (data.facts.solvers.size() == solvers_at_most) break;
       SolverInfo solver;
       solver.library = family.library;
       solver.method = family.prefix + std::string("_") + std::to_string(++number);
@@ -231,12 +226,12 @@ ReportData fabricate(std::size_t cases, std::size_t solvers_at_most) {
       solver.order = order;
       solver.fixed = family.fixed;
       solver.adaptive = family.adaptive;
-      data.solvers.push_back(solver);
+      data.facts.solvers.push_back(solver);
     }
   }
   std::mt19937 random(1);
-  for (const report::CaseFacts& c : data.cases)
-    for (const SolverInfo& solver : data.solvers)
+  for (const report::CaseFacts& c : data.facts.cases)
+    for (const SolverInfo& solver : data.facts.solvers)
       for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
         if (!(mode == Mode::fixed ? solver.fixed : solver.adaptive)) continue;
         const bool mechanical = solver.family == "symplectic" || solver.family == "physics_engine";
@@ -245,18 +240,29 @@ ReportData fabricate(std::size_t cases, std::size_t solvers_at_most) {
         else
           add_pair(data, c, solver, mode, random);
       }
-  for (const SolverInfo& solver : data.solvers)
+  for (const SolverInfo& solver : data.facts.solvers)
     if (solver.fixed) add_stability(data, solver);
-  data.libraries = {{"sundials", {"cvode", "arkode"}, "ODEUM_WITH_SUNDIALS", true, "6.4.1"},
-                    {"gsl", {"gsl"}, "ODEUM_WITH_GSL", true, "2.7.1"},
-                    {"odeint", {"odeint"}, "ODEUM_WITH_ODEINT", true, "1.74"},
-                    {"bullet", {"bullet"}, "ODEUM_WITH_BULLET", false, ""}};
+  data.facts.libraries = {{"sundials", {"cvode", "arkode"}, "ODEUM_WITH_SUNDIALS", true, "6.4.1"},
+                          {"gsl", {"gsl"}, "ODEUM_WITH_GSL", true, "2.7.1"},
+                          {"odeint", {"odeint"}, "ODEUM_WITH_ODEINT", true, "1.74"},
+                          {"bullet", {"bullet"}, "ODEUM_WITH_BULLET", false, ""}};
   return data;
 }
 
 }  // namespace
 
-ReportData fabricate_report() { return fabricate(std::size(case_ids), 1000); }
-ReportData fabricate_small_report() { return fabricate(2, 3); }
+MadeUp fabricate_report() { return fabricate(std::size(case_ids), 1000); }
+MadeUp fabricate_small_report() { return fabricate(2, 3); }
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string_view::npos; at += part.size())
+    ++found;
+  return found;
+}
 
 }  // namespace odeum::test

@@ -3,11 +3,14 @@
 
 #include <limits>
 #include <set>
+#include <stdexcept>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/markdown.hpp"
 #include "odeum/report/panels.hpp"
-#include "odeum/report/plots.hpp"
+#include "odeum/report/png.hpp"
+#include "odeum/report/table.hpp"
 #include "odeum/report/texts.hpp"
 
 namespace odeum::report {
@@ -138,39 +141,90 @@ TEST(Panels, SmallFamiliesShareOneAndLargeKindsAreNumbered) {
   EXPECT_EQ(two[1].solvers.size(), 5U);
 }
 
-TEST(Plots, RangesPassOverWhatNoLogarithmHas) {
-  LogRange range;
+TEST(Chart, AxesIgnoreWhatHasNoLogarithm) {
+  Axis axis;
   for (const double value : {0.0, -1.0, std::numeric_limits<double>::infinity(),
                              std::numeric_limits<double>::quiet_NaN()})
-    range.include(value);
-  EXPECT_TRUE(range.empty());
-  range.include(2);
-  range.include(0.5);
-  EXPECT_EQ(range.low, 0.5);
-  EXPECT_EQ(range.high, 2);
+    axis.include(value);
+  EXPECT_TRUE(axis.empty());
+  axis.include(2);
+  axis.include(0.5);
+  EXPECT_EQ(axis.low, 0.5);
+  EXPECT_EQ(axis.high, 2);
 }
 
-TEST(Plots, TidyingKeepsALonePointsMarkerAndDropsALines) {
-  const std::string line = "<path stroke='rgb(  1,   1,   3)'  d='M1.00,2.00 L3.00,4.00  '/>\n\t";
-  const std::string marker =
-      "<use xlink:href='#gpPt3' transform='translate(1.00,2.00) scale(2.06)' "
-      "color='rgb(  1,   1,   3)'/>\n";
-  const auto tidied = [](const std::string& body) {
-    return tidy_svg("<svg><g id=\"gnuplot_canvas\"><defs>x</defs><g>" + body + "</g></g></svg>",
-                    "d");
-  };
-  EXPECT_NE(tidied(line + marker + marker).find("class=\"c3\""), std::string::npos);
-  EXPECT_EQ(tidied(line + marker + marker).find("<use"), std::string::npos);
-  EXPECT_NE(tidied(marker).find("<use href=\"#m3\" x=\"1\" y=\"2\"/>"), std::string::npos);
-  EXPECT_EQ(tidy_svg("not an image", "d"), "");
+constexpr ChartSize hundred{100, 100, 0, 0, 0, 0};
+
+TEST(Chart, PutsPointsWhereTheyBelong) {
+  Chart logarithmic(hundred, {1, 100}, {1, 1e4}, {});
+  logarithmic.line({{1, 1}, {10, 1e4}, {100, 100}}, "a");
+  EXPECT_NE(logarithmic.svg().find("<path class=\"a\" d=\"M0 100L50 0L100 50\">"),
+            std::string::npos)
+      << logarithmic.svg();
+  Chart linear(hundred, {-1, 1, false}, {0, 4, false}, {});
+  linear.mark({0, 1}, 3);
+  EXPECT_NE(linear.svg().find("<use href=\"#m3\" x=\"50\" y=\"75\">"), std::string::npos);
 }
 
-TEST(Plots, TidyingShortensCoordinatesButNoLabel) {
-  const std::string tidied = tidy_svg(
-      "<svg><defs>x</defs><g><path d='M1.25,20.04 L.5,3'/><text>0.025</text></g></svg>", "d 1.25");
-  EXPECT_NE(tidied.find("M1.2,20 L.5,3"), std::string::npos) << tidied;
-  EXPECT_NE(tidied.find(">0.025<"), std::string::npos) << tidied;
-  EXPECT_NE(tidied.find("\"d 1.25\""), std::string::npos) << tidied;
+TEST(Chart, TicksAreRoundNumbers) {
+  const std::string linear = Chart(hundred, {-1, 1, false}, {0.3, 2.7, false}, {}).svg();
+  for (const char* label : {">-1<", ">0<", ">1<", ">2<"})
+    EXPECT_NE(linear.find(label), std::string::npos) << label;
+  const std::string decades = Chart(hundred, {1e-3, 1e3}, {0.9, 9}, {}).svg();
+  EXPECT_NE(decades.find(">10<tspan dy=\"-5\" font-size=\"9\">3</tspan>"), std::string::npos);
+  for (const char* label : {">1<", ">2<", ">5<"})
+    EXPECT_NE(decades.find(label), std::string::npos) << label;
+}
+
+TEST(Chart, ALonePointKeepsItsMarkerAndSlopesHaveTheirSlope) {
+  Chart chart(hundred, {1, 100}, {1e-8, 1}, {});
+  chart.slopes({2});
+  EXPECT_TRUE(chart.empty()) << "guides are not data";
+  chart.curve({{10, 1e-4}}, 2);
+  EXPECT_FALSE(chart.empty());
+  EXPECT_NE(chart.svg().find("<use href=\"#m2\" x=\"50\" y=\"50\">"), std::string::npos);
+  // From (91, 0.5), down by two decades for one to the left: to x = 1.1, 3.8 decades lower.
+  EXPECT_NE(chart.svg().find("d=\"M97.9 3.8L2.1 51.7\""), std::string::npos) << chart.svg();
+}
+
+TEST(Chart, TextsAreEscaped) {
+  Chart chart(hundred, {1, 2}, {1, 2}, {.x = "a<b", .y = "c&d", .description = "\"e\""});
+  chart.mark({1, 1}, 0, "", "<i>");
+  const std::string html = chart.svg() + legend({{.text = "<u>"}});
+  for (const char* escaped : {"a&lt;b", "c&amp;d", "&quot;e&quot;", "&lt;i&gt;", "&lt;u&gt;"})
+    EXPECT_NE(html.find(escaped), std::string::npos) << escaped;
+}
+
+TEST(Tables, AreEscapedAndEmptyWithoutRows) {
+  Table table("a b");
+  table.head({{"x<y"}, {.text = "z", .columns = 2}});
+  EXPECT_EQ(table.html(), "");
+  table.row({.text = "n&m", .title = "\"t\""},
+            {{.text = "1", .style = "c"}, {.markup = "<b>2</b>"}});
+  EXPECT_EQ(
+      table.html(),
+      "<div class=\"wide\"><table class=\"a b\"><thead><tr><th>x&lt;y</th><th colspan=\"2\">z"
+      "</th></tr>\n</thead><tbody>\n<tr><th title=\"&quot;t&quot;\">n&amp;m</th><td class=\"c\">"
+      "1</td><td><b>2</b></td></tr>\n</tbody></table></div>\n");
+}
+
+// Signature, and chunks whose lengths lead to one another, the first and the last as they must be.
+TEST(Png, IsMadeOfWholeChunks) {
+  const std::string png = png_of(3, {0, 1, 0, 1, 0, 1}, {{0, 0, 0, 255}, {255, 0, 0, 0}});
+  ASSERT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  std::vector<std::string> chunks;
+  for (std::size_t at = 8; at + 12 <= png.size();) {
+    std::size_t length = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      length = length << 8 | static_cast<unsigned char>(png[at + k]);
+    chunks.push_back(png.substr(at + 4, 4));
+    at += 12 + length;
+    EXPECT_EQ(chunks.back() == "IEND", at == png.size());
+  }
+  EXPECT_EQ(chunks, (std::vector<std::string>{"IHDR", "PLTE", "tRNS", "IDAT", "IEND"}));
+  // The checksum of an empty IEND, as every PNG has it.
+  EXPECT_EQ(png.substr(png.size() - 4), "\xAE\x42\x60\x82");
+  EXPECT_THROW(png_of(2, {0, 0, 0}, {{}}), std::logic_error);
 }
 
 }  // namespace

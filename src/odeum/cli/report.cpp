@@ -7,9 +7,8 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
-#include "odeum/report/old_page.hpp"
-#include "odeum/report/summary.hpp"
-#include "odeum/studies/material/material.hpp"
+#include "odeum/report/html.hpp"
+#include "odeum/studies/convergence/section.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -45,35 +44,6 @@ void run_studies(const study::Studies& studies, const Options& options,
   for (record::Journal& journal : journals) journal.finish();
 }
 
-const study::Study& named(const study::Studies& studies, const std::string& name) {
-  return **std::find_if(studies.begin(), studies.end(),
-                        [&](const auto& study) { return study->declaration().name == name; });
-}
-
-report::ReportData data_of(const study::Studies& studies, bool quick) {
-  report::ReportData data;
-  data.quick = quick;
-  data.command_line = quick ? "odeum report --quick" : "odeum report";
-  data.convergence = study::result_of<study::ConvergenceResult>(studies);
-  data.stability = study::result_of<study::StabilityResult>(studies);
-  data.proofs = study::result_of<study::ProofResult>(studies);
-  data.precision = study::result_of<study::PrecisionResult>(studies);
-  data.precision_problem = named(studies, "precision").problem();
-  if (named(studies, "precision").measured())
-    data.precision_seconds_limit = study::report_seconds_per_solve;
-  data.material = study::result_of<study::MaterialResult>(studies);
-  data.material.problem = named(studies, "material").problem();
-  data.hard_cases.drift = study::result_of<study::DriftResult>(studies);
-  data.hard_cases.largest_steps = study::result_of<study::LimitsResult>(studies).rows;
-  data.hard_cases.reduction = study::result_of<study::ReductionResult>(studies).rows;
-  for (const char* name : {"drift", "limits", "reduction"}) {
-    const std::string& problem = named(studies, name).problem();
-    data.hard_cases.problem += (data.hard_cases.problem.empty() ? "" : "; ") + problem;
-    data.hard_cases.measured = data.hard_cases.measured || named(studies, name).measured();
-  }
-  return data;
-}
-
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(options.out);
@@ -83,11 +53,15 @@ void run(const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped("the same command with --resume continues");
   }
-  report::ReportData data = data_of(studies, options.quick);
-  static_cast<report::Facts&>(data) = report::describe(all_cases(), all_libraries());
-  data.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report::write_page(data, folder);
-  print(report::summary_table(data, folder));
+  report::Page page(report::describe(all_cases(), all_libraries()), folder);
+  for (const auto& study : studies) study->section(page);
+  page.write(
+      {.command_line = options.quick ? "odeum report --quick" : "odeum report",
+       .quick = options.quick,
+       .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  print(study::summary_text(page.facts(),
+                            study::result_of<study::ConvergenceResult>(studies).orders) +
+        fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "odeum/core/machine.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum_build_info.hpp"

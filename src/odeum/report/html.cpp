@@ -93,6 +93,14 @@ std::string show_number(double value, int digits) {
   return fmt::format("{:.{}g}", value, digits);
 }
 
+std::string show_time(double ns) {
+  if (std::isnan(ns)) return "–";
+  if (ns < 999.5) return fmt::format("{:.3g} ns", ns);
+  if (ns < 999.5e3) return fmt::format("{:.3g} µs", ns / 1e3);
+  if (ns < 999.5e6) return fmt::format("{:.3g} ms", ns / 1e6);
+  return fmt::format("{:.3g} s", ns / 1e9);
+}
+
 std::string show_count(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

@@ -16,6 +16,9 @@ std::string escape(std::string_view text);
 /// A number for a reader, at most `digits` significant digits: 0.0125, 3.1e-12, ∞, and – for NaN.
 std::string show_number(double value, int digits = 3);
 
+/// Nanoseconds for a reader: "850 ns", "12.3 µs", "4.56 ms", "1.2 s".
+std::string show_time(double ns);
+
 /// `count` with its noun: "1 case", "3 cases".
 std::string show_count(std::size_t count, std::string_view noun);
 

@@ -79,10 +79,4 @@ class Page {
 /// A link from index.html to the page of a case, or to a section of it.
 std::string case_link(const CaseFacts& c, std::string_view section = {});
 
-/// The model of this machine's processor; "unknown" where the system does not tell.
-std::string cpu_model();
-
-/// A time as ISO 8601, UTC, to the second.
-std::string utc_text(std::chrono::system_clock::time_point time);
-
 }  // namespace odeum::report

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "odeum/contest/solver.hpp"
+#include "odeum/report/chart.hpp"
 
 namespace odeum::report {
 
 /// Most curves that one plot shows: as many as there are colours and markers.
-inline constexpr std::size_t curves_per_panel = 8;
+inline constexpr std::size_t curves_per_panel = chart_styles;
 
 /// Solvers of one library that are drawn together; the n-th has the n-th colour and marker.
 struct Panel {

@@ -44,6 +44,19 @@ std::string Table::html() const {
          "</thead><tbody>\n" + body_ + "</tbody></table></div>\n";
 }
 
+std::string html_of(const record::Table& table, std::string style) {
+  Table html(std::move(style));
+  std::vector<Cell> head;
+  for (const auto& column : table.columns) head.push_back({column.heading});
+  html.head(head);
+  for (const std::vector<std::string>& row : table.rows) {
+    std::vector<Cell> cells;
+    for (const std::string& text : row) cells.push_back({text});
+    html.row(cells.front(), {cells.begin() + 1, cells.end()});
+  }
+  return html.html();
+}
+
 std::string details(std::string_view summary, std::string_view body, bool open) {
   if (body.empty()) return {};
   return fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", open ? " open" : "",

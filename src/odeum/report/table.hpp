@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "odeum/record/table.hpp"
+
 namespace odeum::report {
 
 /// One cell of a table.
@@ -32,6 +34,9 @@ class Table {
   std::string style_, head_, body_;
   std::size_t rows_ = 0;
 };
+
+/// Rows that are text alone; the first column names the row.
+std::string html_of(const record::Table& table, std::string style = "numbers");
 
 /// A <details> element; `summary` and `body` are markup. Nothing where `body` is empty.
 std::string details(std::string_view summary, std::string_view body, bool open = false);

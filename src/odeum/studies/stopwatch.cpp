@@ -13,7 +13,7 @@
 #include <cstring>
 #include <limits>
 
-#include "odeum/report/manifest.hpp"
+#include "odeum/core/machine.hpp"
 
 namespace odeum::study {
 namespace {
@@ -55,7 +55,7 @@ Pinned::~Pinned() = default;
 Conditions ConditionsMeter::end() const {
   return {.drift = calibration_ns() / before_ - 1,
           .processor_share = 1e9 * (thread_seconds() - used_) / since(start_),
-          .measured = report::utc_text(std::chrono::system_clock::now())};
+          .measured = utc_text(std::chrono::system_clock::now())};
 }
 
 bool disturbed(double drift, double processor_share) {

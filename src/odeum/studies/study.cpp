@@ -20,6 +20,23 @@ std::string Options::word(const std::string& name) const {
 
 std::string Options::text() const { return fmt::format("{} {} {} {}", cases, solvers, quick, own); }
 
+report::Origin Study::origin() const {
+  std::string selection;
+  for (const Options& run : report_runs(false)) {
+    if (run.cases.empty() && run.solvers.empty()) continue;
+    selection += selection.empty() ? "" : "; ";
+    selection += run.solvers.empty() ? "every solver"
+                                     : fmt::format("solvers {}", fmt::join(run.solvers, ", "));
+    selection +=
+        run.cases.empty() ? " on every case" : fmt::format(" on {}", fmt::join(run.cases, ", "));
+  }
+  return {.command = declaration_.name,
+          .place = declaration_.place,
+          .problem = problem_,
+          .measured = measured_,
+          .selection = selection};
+}
+
 bool is_known(const std::string& case_id, const std::string& solver) {
   static const std::set<record::detail::Group> known = [] {
     std::set<record::detail::Group> all{{"", ""}};

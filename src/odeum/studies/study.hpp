@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "odeum/record/rows.hpp"
+#include "odeum/report/origin.hpp"
 #include "odeum/studies/runner.hpp"
 
 /// A study is a folder, studies/<name>/: its rows, their measurement, its section of the page, and
@@ -68,11 +69,13 @@ class Study {
   /// The result for a terminal.
   virtual std::string table() const = 0;
   /// Its part of the report's pages.
-  virtual void section(report::Page&) const {}
+  virtual void section(report::Page& page) const = 0;
   /// Why files of an earlier run could not be used; empty: they could.
   const std::string& problem() const { return problem_; }
   /// Whether this run measured rows, or only read them.
   bool measured() const { return measured_; }
+  /// What its section says of where the rows come from.
+  report::Origin origin() const;
 
  protected:
   std::string problem_;

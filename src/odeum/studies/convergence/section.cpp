@@ -1,97 +1,212 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/convergence/section.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "odeum/record/table.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/page_sections.hpp"
-#include "odeum/report/summary.hpp"
+#include "odeum/report/solver_tables.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-std::string cell_title(const study::OrderRow& row) {
-  const judge::OrderFit& fit = row.fit;
-  std::string text = to_string(fit.verdict);
-  if (!std::isnan(fit.order))
-    text +=
-        fmt::format(": measured {:.2f} [{:.2f}, {:.2f}] over {}, claimed {}", fit.order, fit.low,
-                    fit.high, show_count(fit.points, "point"), show_number(row.claimed_order));
-  if (!fit.reason.empty()) text += ". " + fit.reason;
-  return text;
+using judge::Verdict;
+using report::Cell;
+using report::show_number;
+
+std::string two_digits(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.2f}", value);
 }
 
-// A cell is a sign wide, so that every case has room on a screen: the order to the nearest whole
+// A cell is one sign wide, so that every case fits on a screen: the order to the nearest whole
 // number where it is confirmed, else the verdict's sign. The title holds the rest; why a solver
-// does not fit is told once, under "skipped", not in thousands of titles.
-std::string cell(const study::OrderRow* row) {
-  if (!row) return "<td></td>";
-  const judge::Verdict verdict = row->fit.verdict;
-  const bool confirmed = verdict == judge::Verdict::confirmed;
-  const std::string text = confirmed && !std::isnan(row->fit.order)
-                               ? fmt::format("{:.0f}", row->fit.order)
-                               : style_of(verdict).glyph;
-  const std::string title = verdict == judge::Verdict::not_applicable
-                                ? std::string("does not apply")
-                                : escape(cell_title(*row));
-  return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", to_string(verdict), title, text);
+// does not fit stands once, under "skipped", not in thousands of titles.
+Cell matrix_cell(const OrderRow& row) {
+  const judge::OrderFit& fit = row.fit;
+  const bool fitted = !std::isnan(fit.order);
+  std::string title = to_string(fit.verdict);
+  if (fitted)
+    title += fmt::format(": measured {:.2f} [{:.2f}, {:.2f}] over {}, claimed {}", fit.order,
+                         fit.low, fit.high, report::show_count(fit.points, "point"),
+                         show_number(row.claimed_order));
+  if (!fit.reason.empty()) title += ". " + fit.reason;
+  const bool confirmed = fit.verdict == Verdict::confirmed && fitted;
+  return {
+      .text = confirmed ? fmt::format("{:.0f}", fit.order) : report::style_of(fit.verdict).glyph,
+      .style = to_string(fit.verdict),
+      .title = fit.verdict == Verdict::not_applicable ? "does not apply" : title};
 }
 
-std::string heading(const PageContext& page) {
-  std::string html = "<thead><tr><th class=\"corner\">solver</th><th class=\"claim\">claimed</th>";
-  for (std::size_t i = 0; i < page.data.cases.size(); ++i)
-    html += fmt::format("<th class=\"turned\"><a href=\"{}\">{}</a></th>", page.case_address(i),
-                        escape(page.data.cases[i].id));
-  return html + "</tr></thead>\n";
+std::string matrix(const report::Facts& facts, const std::vector<OrderRow>& orders, Mode mode) {
+  const auto rows = by_pair(orders);
+  std::vector<Cell> head{{.text = "claimed", .style = "claim"}};
+  for (const report::CaseFacts& c : facts.cases) head.push_back(report::case_head(c));
+  const auto cells = [&](const SolverInfo& solver) {
+    std::vector<Cell> row;
+    if (!(mode == Mode::fixed ? solver.fixed : solver.adaptive)) return row;
+    row.push_back({.text = std::isnan(solver.order) ? "varies" : show_number(solver.order),
+                   .style = "claimed"});
+    for (const report::CaseFacts& c : facts.cases) {
+      const auto found = rows.find({c.id, solver.id(), mode});
+      row.push_back(found == rows.end() ? Cell() : matrix_cell(*found->second.front()));
+    }
+    return row;
+  };
+  return report::solver_tables(facts, "matrix", head, cells, mode == Mode::fixed);
 }
 
-std::string solver_row(const PageContext& page, const SolverInfo& solver, Mode mode) {
-  std::string title = solver.family;
-  for (const std::string* more : {&solver.controller, &solver.needs, &solver.source})
-    if (!more->empty()) title += (more == &solver.needs ? ". Needs " : ". ") + *more;
-  std::string html = fmt::format("<tr><th title=\"{}\">{}</th><td class=\"claimed\">{}</td>",
-                                 escape(title), escape(solver.method),
-                                 std::isnan(solver.order) ? "varies" : show_number(solver.order));
-  for (const CaseFacts& c : page.data.cases) html += cell(page.lookup.order(c.id, solver, mode));
-  return html + "</tr>\n";
-}
-
-std::string matrix(const PageContext& page, const std::string& library, Mode mode) {
-  std::string rows;
-  std::size_t count = 0;
-  for (const SolverInfo& solver : page.data.solvers) {
-    if (solver.library != library || !(mode == Mode::fixed ? solver.fixed : solver.adaptive))
-      continue;
-    rows += solver_row(page, solver, mode);
-    ++count;
+std::string orders_of_case(const std::vector<const OrderRow*>& rows) {
+  report::Table table("numbers orders");
+  table.head({{"solver"},
+              {"mode"},
+              {"claimed"},
+              {"measured"},
+              {"95 % interval"},
+              {"window, h"},
+              {"points"},
+              {"floor"},
+              {"verdict"},
+              {"reason"}});
+  for (const OrderRow* row : rows) {
+    const judge::OrderFit& fit = row->fit;
+    if (fit.verdict == Verdict::not_applicable && std::isnan(fit.order)) continue;
+    table.row({row->library + "/" + row->solver},
+              {{to_string(row->mode)},
+               {show_number(row->claimed_order)},
+               {two_digits(fit.order)},
+               {two_digits(fit.low) + " … " + two_digits(fit.high)},
+               {show_number(fit.step_coarsest) + " … " + show_number(fit.step_finest)},
+               {std::to_string(fit.points)},
+               {show_number(fit.floor)},
+               {.markup = report::verdict_chip(fit.verdict)},
+               {.text = fit.reason, .style = "reason"}});
   }
-  if (count == 0) return {};
-  return fmt::format(
-      "<details{}><summary><strong>{}</strong> {} <span class=\"dim\">{}</span></summary>\n"
-      "<div class=\"wide\"><table "
-      "class=\"matrix\">\n{}<tbody>\n{}</tbody></table></div></details>\n",
-      library == "odeum" && mode == Mode::fixed ? " open" : "", escape(library),
-      escape(library_version(page.data, library)), show_count(count, "solver"), heading(page),
-      rows);
+  return table.html();
 }
+
+void add_orders_of_cases(report::Page& page, const std::vector<OrderRow>& orders) {
+  std::map<std::string, std::vector<const OrderRow*>> by_case;
+  for (const OrderRow& row : orders) by_case[row.case_id].push_back(&row);
+  for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
+    const auto& rows = by_case[page.facts().cases[i].id];
+    VerdictCounts counts{};
+    for (const OrderRow* row : rows) ++of(counts, row->fit.verdict);
+    page.case_fact(i, "Orders", verdict_bar(counts) + " " + verdict_words(counts));
+    if (const std::string table = orders_of_case(rows); !table.empty())
+      page.case_part(i, {.id = "orders", .title = "Orders", .place = 40, .html = table});
+  }
+}
+
+std::string summary_html(const std::vector<LibrarySummary>& summary) {
+  report::Table table("numbers");
+  std::vector<Cell> head{{"library"}, {"solvers"}, {"pairs"}};
+  for (const auto& style : report::verdict_styles)
+    head.push_back({.markup = report::verdict_chip(style.verdict)});
+  table.head(head);
+  for (const LibrarySummary& entry : summary) {
+    std::vector<Cell> cells{{std::to_string(entry.solvers)}, {std::to_string(entry.pairs)}};
+    for (const std::size_t count : entry.verdicts)
+      cells.push_back({.text = std::to_string(count), .style = count == 0 ? "zero" : ""});
+    table.row({entry.library}, cells);
+  }
+  return table.html();
+}
+
+nlohmann::ordered_json summary_json(const std::vector<LibrarySummary>& summary) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LibrarySummary& entry : summary) {
+    list.push_back(
+        {{"library", entry.library}, {"solvers", entry.solvers}, {"pairs", entry.pairs}});
+    for (std::size_t i = 0; i < entry.verdicts.size(); ++i)
+      list.back()[to_string(report::verdict_styles[i].verdict)] = entry.verdicts[i];
+  }
+  return list;
+}
+
+std::string guide() {
+  std::string html =
+      "<p>A solver is run on a case with smaller and smaller steps. Where its error falls as a "
+      "power of the step, the power is its measured order: the slope of a line through the points "
+      "of the asymptotic window, with a 95 % interval. A claimed order and a measured one give a "
+      "verdict; a pair is a solver on a case in one mode (fixed step, or the solver's own choice "
+      "of it).</p>\n<ul class=\"key\">\n";
+  for (const auto& style : report::verdict_styles)
+    html += fmt::format("<li>{} {}</li>\n", report::verdict_chip(style.verdict), style.meaning);
+  return html + "</ul>\n";
+}
+
+constexpr const char* matrix_text =
+    "<p>The measured order of every solver on every case. A number, the order to the nearest whole "
+    "one, confirms the claim; any other sign is the verdict. The tooltip of a cell gives the order "
+    "in full, its interval and the reason; the page of a case has them as a table.</p>\n"
+    "<h3>At a fixed step</h3>\n";
+constexpr const char* adaptive_text =
+    "<h3>At a step of the solver's own choice</h3>\n<p>The order here is the slope against the "
+    "mean step as the tolerance falls, a less strict measure.</p>\n";
 
 }  // namespace
 
-std::string orders_section(const PageContext& page) {
-  std::string html =
-      "<section id=\"orders\">\n<h2>Orders, solver by solver</h2>\n<p>The measured order of every "
-      "solver on every case. A number, the order to the nearest whole one, confirms the claim; any "
-      "other sign says what became of it. Resting on a cell gives the order in full, its interval "
-      "and the reason; the page of a case has them as a table.</p>\n";
-  for (const Mode mode : {Mode::fixed, Mode::adaptive}) {
-    html += mode == Mode::fixed
-                ? "<h3>At a fixed step</h3>\n"
-                : "<h3>At a step of the solver's own choice</h3>\n<p>The order here is the slope "
-                  "against the mean step as the tolerance falls: a looser yardstick.</p>\n";
-    for (const std::string& library : library_names(page.data)) html += matrix(page, library, mode);
-  }
-  return html + "</section>\n";
+std::vector<LibrarySummary> summarise(const report::Facts& facts,
+                                      const std::vector<OrderRow>& orders) {
+  std::vector<LibrarySummary> list;
+  for (const std::string& name : facts.library_names()) list.push_back({.library = name});
+  LibrarySummary all{.library = "all"};
+  const auto count = [&](const std::string& library, auto&& add) {
+    for (LibrarySummary& entry : list)
+      if (entry.library == library) add(entry);
+    add(all);
+  };
+  for (const SolverInfo& solver : facts.solvers)
+    count(solver.library, [](LibrarySummary& entry) { ++entry.solvers; });
+  for (const OrderRow& row : orders)
+    count(row.library, [&](LibrarySummary& entry) {
+      ++entry.pairs;
+      ++of(entry.verdicts, row.fit.verdict);
+    });
+  list.push_back(all);
+  return list;
 }
 
-}  // namespace odeum::report
+std::string summary_text(const report::Facts& facts, const std::vector<OrderRow>& orders) {
+  record::Table table{{{"library"}, {"solvers", true}, {"pairs", true}}, {}};
+  for (const auto& style : report::verdict_styles)
+    table.columns.push_back({to_string(style.verdict), true});
+  for (const LibrarySummary& entry : summarise(facts, orders)) {
+    std::vector<std::string> row{report::plain(entry.library), std::to_string(entry.solvers),
+                                 std::to_string(entry.pairs)};
+    for (const std::size_t count : entry.verdicts) row.push_back(std::to_string(count));
+    table.rows.push_back(std::move(row));
+  }
+  return table.text();
+}
+
+void add_section(report::Page& page, const ConvergenceResult& result,
+                 const report::Origin& origin) {
+  const report::Facts& facts = page.facts();
+  const std::vector<LibrarySummary> summary = summarise(facts, result.orders);
+  page.headline(summary_html(summary));
+  page.guide(guide());
+  page.manifest("verdicts", summary_json(summary));
+  for (const ConvergenceRow& row : result.rows)
+    page.count_row(row.status, row.status == "not_applicable" ? row.detail : "");
+  page.section({.id = "overview",
+                .title = "Overview",
+                .place = 0,
+                .html = overview(facts, result.orders),
+                .short_title = "Overview and cases"});
+  page.section({.id = "orders",
+                .title = "Orders, solver by solver",
+                .place = origin.place,
+                .html = matrix_text + matrix(facts, result.orders, Mode::fixed) + adaptive_text +
+                        matrix(facts, result.orders, Mode::adaptive),
+                .short_title = "Orders"});
+  add_verdicts(page, result);
+  add_plots(page, result);
+  add_orders_of_cases(page, result.orders);
+}
+
+}  // namespace odeum::study

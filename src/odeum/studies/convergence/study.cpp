@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/convergence/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -24,6 +25,8 @@ class Convergence final : public StudyOf<ConvergenceResult> {
                                               {"verdict", "{verdict}: {reason}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   ConvergenceResult run(const Options& options, const Runner& runner) const override {

@@ -1,51 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/drift/section.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "odeum/report/html.hpp"
-#include "odeum/studies/hard_cases/section.hpp"
+#include "odeum/report/solver_tables.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::DriftRow;
+using report::Cell;
+using report::show_number;
 using Series = std::vector<const DriftRow*>;
-
-constexpr const char* not_applicable = "not_applicable";
 
 /// Errors up to it are the rounding of ten thousand steps.
 constexpr double rounding = 1e-11;
 
+/// The cases on which peers are run in a report too: an orbit and an oscillator.
+constexpr const char* drawn_cases[] = {"kepler_e06", "osc_undamped"};
+
+/// A column of the table: a case, and its energy where that is an invariant, else the first one.
 struct Column {
-  std::size_t case_index;
+  const report::CaseFacts* c;
   std::string quantity;
 };
 
-/// A column a case: its energy where that is kept, else the first that is.
-std::vector<Column> columns_of(const ReportData& data) {
+std::vector<Column> columns_of(const report::Facts& facts, const std::vector<DriftRow>& rows) {
   std::map<std::string, std::string> quantity_of;
-  for (const DriftRow& row : data.hard_cases.drift.rows)
-    if (row.status != not_applicable)
+  for (const DriftRow& row : rows)
+    if (row.status != "not_applicable")
       if (const auto [place, is_new] = quantity_of.try_emplace(row.case_id, row.invariant);
           !is_new && row.invariant == "energy")
         place->second = row.invariant;
   std::vector<Column> columns;
-  for (std::size_t i = 0; i < data.cases.size(); ++i)
-    if (const auto found = quantity_of.find(data.cases[i].id); found != quantity_of.end())
-      columns.push_back({i, found->second});
+  for (const report::CaseFacts& c : facts.cases)
+    if (const auto found = quantity_of.find(c.id); found != quantity_of.end())
+      columns.push_back({&c, found->second});
   return columns;
-}
-
-Series series_of(const RowsByPair<DriftRow>& pairs, const std::string& case_id,
-                 const std::string& solver, const std::string& quantity) {
-  Series series;
-  if (const auto found = pairs.find({case_id, solver}); found != pairs.end())
-    for (const DriftRow* row : found->second)
-      if (row->invariant == quantity) series.push_back(row);
-  return series;
 }
 
 // Blue: rounding; white; orange: the quantity is gone.
@@ -62,8 +57,8 @@ const char* sign_of(double worst, double power) {
   return power <= 0.75 ? "~" : power <= 1.5 ? "↗" : "⇑";
 }
 
-std::string cell(const Series& series) {
-  if (series.empty()) return "<td class=\"not_applicable\">·</td>";
+Cell cell_of(const Series& series) {
+  if (series.empty()) return {.text = "·", .style = "not_applicable"};
   const DriftRow& last = *series.back();
   double worst = 0;
   for (const DriftRow* row : series) worst = std::fmax(worst, row->relative_error);
@@ -72,24 +67,50 @@ std::string cell(const Series& series) {
       fmt::format("step {}, to t = {}: at most {}, at the end {}", show_number(last.step),
                   show_number(last.time), show_number(worst, 2), show_number(last.relative_error));
   if (worst > rounding && !std::isnan(power)) title += fmt::format("; grows as t^{:.1f}", power);
-  if (last.status != to_string(Status::ok)) {
-    title += fmt::format("; {} {}", last.status, last.detail);
-    return fmt::format("<td class=\"failed\" title=\"{}\">✗</td>", escape(title));
-  }
-  const std::string text =
+  if (last.status != to_string(Status::ok))
+    return {.text = "✗",
+            .style = "failed",
+            .title = title + fmt::format("; {} {}", last.status, last.detail)};
+  const std::string exponent =
       worst == 0 ? "0" : fmt::format("{:.0f}", std::floor(std::log10(worst) + 0.5));
-  return fmt::format("<td class=\"{}\" title=\"{}\">{}{}</td>", colour_of(worst), escape(title),
-                     text, sign_of(worst, power));
+  return {.text = exponent + sign_of(worst, power), .style = colour_of(worst), .title = title};
 }
 
 constexpr const char* text =
-    "<p>What is left of a quantity that the exact solution keeps, after ten thousand steps (a "
-    "thousand of large systems), each half of that at which the study of orders begins. A cell "
-    "is the power of ten of the largest relative error on the way: blue is near rounding, orange "
-    "lost. A sign tells how it grows in the last two tenfolds of time: none, it is bounded; ~ as a "
-    "root of time, as rounding at random does; ↗ in proportion to time; ⇑ faster. ✗: the run "
-    "ended early. In free fall kinetic and potential energy grow without end, and their rounding "
-    "with them. Resting on a cell gives the numbers.</p>\n";
+    "<p>The error of a quantity that the exact solution conserves, after ten thousand steps (a "
+    "thousand of large systems), each half of the largest step of the study of orders. A cell is "
+    "the power of ten of the largest relative error on the way: blue is near rounding, orange "
+    "large. A sign gives the growth over the last two decades of time: none, it is bounded; ~ like "
+    "the square root of time, as random rounding does; ↗ in proportion to time; ⇑ faster. ✗: the "
+    "run ended early. In free fall kinetic and potential energy grow without bound, and their "
+    "rounding with them. The tooltip of a cell gives the numbers.</p>\n";
+
+std::string drift_html(const report::Facts& facts, const std::vector<DriftRow>& rows) {
+  const std::vector<Column> columns = columns_of(facts, rows);
+  std::map<std::pair<std::string, std::string>, Series> series_of;
+  for (const DriftRow& row : rows)
+    for (const Column& column : columns)
+      if (row.case_id == column.c->id && row.invariant == column.quantity)
+        series_of[{row.case_id, row.library + "/" + row.solver}].push_back(&row);
+  std::vector<Cell> head;
+  for (const Column& column : columns)
+    head.push_back(
+        report::case_head(*column.c, column.quantity == "energy" ? "" : ": " + column.quantity));
+  const auto cells = [&](const SolverInfo& solver) {
+    std::vector<Cell> row;
+    bool any = false;
+    for (const Column& column : columns) {
+      const Series& series = series_of[{column.c->id, solver.id()}];
+      row.push_back(cell_of(series));
+      any |= !series.empty();
+    }
+    return any ? row : std::vector<Cell>();
+  };
+  std::string diagrams;
+  for (const char* id : drawn_cases) diagrams += drift_diagram(facts, rows, id);
+  if (!diagrams.empty()) diagrams = "<div class=\"speeds\">\n" + diagrams + "</div>\n";
+  return text + diagrams + report::solver_tables(facts, "matrix drifts", head, cells);
+}
 
 }  // namespace
 
@@ -107,33 +128,16 @@ double growth_power(const std::vector<const DriftRow*>& series) {
   return std::log10(now / before);
 }
 
-std::string drift_part(const PageContext& page) {
-  const std::vector<Column> columns = columns_of(page.data);
-  if (columns.empty()) return {};
-  const RowsByPair<DriftRow> pairs = by_pair(page.data.hard_cases.drift.rows);
-  std::string head;
-  for (const Column& column : columns) {
-    const CaseFacts& c = page.data.cases[column.case_index];
-    head += fmt::format("<th class=\"turned\"><a href=\"{}\" title=\"{}\">{}{}</a></th>",
-                        page.case_address(column.case_index), escape(column.quantity), escape(c.id),
-                        column.quantity == "energy" ? "" : ": " + escape(column.quantity));
-  }
-  std::string diagrams;
-  for (const char* id : study::drift_cases_of_peers) diagrams += drift_diagram(page, id, "energy");
-  const std::string tables =
-      solver_tables(page, "matrix drifts", head, [&](const SolverInfo& solver) {
-        std::string html;
-        bool any = false;
-        for (const Column& column : columns) {
-          const Series series =
-              series_of(pairs, page.data.cases[column.case_index].id, solver.id(), column.quantity);
-          html += cell(series);
-          any |= !series.empty();
-        }
-        return any ? html : std::string();
-      });
-  return std::string("<h3 id=\"drift\">Drift of energy and invariants</h3>\n") + text +
-         (diagrams.empty() ? "" : "<div class=\"speeds\">\n" + diagrams + "</div>\n") + tables;
+void add_section(report::Page& page, const DriftResult& result, const report::Origin& origin) {
+  const bool empty = result.rows.empty() && result.horizons.empty();
+  std::string html = report::origin_text(origin, empty);
+  if (!result.rows.empty()) html += drift_html(page.facts(), result.rows);
+  html += oscillator_part(page.facts(), result.rows) + horizons_part(page.facts(), result.horizons);
+  page.section({.id = "drift",
+                .title = "Drift of energy and invariants",
+                .place = origin.place,
+                .html = html,
+                .short_title = "Drift"});
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

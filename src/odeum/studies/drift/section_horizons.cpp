@@ -6,13 +6,14 @@
 #include <set>
 
 #include "odeum/report/html.hpp"
-#include "odeum/studies/hard_cases/section.hpp"
+#include "odeum/report/solver_tables.hpp"
+#include "odeum/studies/drift/section.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::DriftRow;
-using study::HorizonRow;
+using report::Cell;
+using report::show_number;
 
 constexpr const char* oscillator = "osc_undamped";
 
@@ -39,23 +40,21 @@ std::string colour_of(double error) {
   return error <= 1e-2 ? "" : error <= 0.5 ? "t1" : error <= 1 ? "t2" : "t3";
 }
 
-std::string number_cell(double error, double shown, const char* format) {
-  return fmt::format("<td class=\"{}\">{}</td>", colour_of(std::abs(error)),
-                     fmt::format(fmt::runtime(format), shown));
+Cell number_cell(double error, const char* format) {
+  return {.text = fmt::format(fmt::runtime(format), error), .style = colour_of(std::abs(error))};
 }
 
-std::string oscillator_cells(const std::vector<const DriftRow*>& rows) {
+std::vector<Cell> oscillator_cells(const std::vector<const DriftRow*>& rows) {
   const Ends energy = ends_of(rows, "energy"), amplitude = ends_of(rows, "amplitude"),
              phase = ends_of(rows, "phase");
   if (!energy.last || !amplitude.last || !phase.last)
-    return fmt::format("<td colspan=\"4\" class=\"dim\">{}</td>", escape(rows.back()->status));
-  // The row has the size of the change; which way it went shows from the first value to the last.
+    return {{.text = rows.back()->status, .style = "dim", .columns = 4}};
+  // The row has the magnitude of the change; its sign follows from the first and the last value.
   const double change =
       std::copysign(amplitude.last->relative_error, amplitude.last->value - amplitude.first->value);
-  return number_cell(change, change, "{:+.1e}") +
-         number_cell(phase.last->value, phase.last->value, "{:+.1e}") +
-         number_cell(phase.last->relative_error, phase.last->relative_error, "{:.1e}") +
-         number_cell(energy.last->relative_error, energy.last->relative_error, "{:.1e}");
+  return {number_cell(change, "{:+.1e}"), number_cell(phase.last->value, "{:+.1e}"),
+          number_cell(phase.last->relative_error, "{:.1e}"),
+          number_cell(energy.last->relative_error, "{:.1e}")};
 }
 
 /// A setting of the study, those at a fixed step first, from coarse to fine.
@@ -67,89 +66,84 @@ struct Setting {
   }
 };
 
-std::string horizon_cell(const HorizonRow& row, double longest) {
+Cell horizon_cell(const HorizonRow& row, double longest) {
+  const bool ok = row.status == to_string(Status::ok);
   if (std::isnan(row.horizon))
-    return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>",
-                       row.status == to_string(Status::ok) ? "confirmed" : "dim",
-                       escape(row.status + (row.detail.empty() ? "" : ": " + row.detail)),
-                       row.status == to_string(Status::ok) ? "beyond" : "✗");
+    return {.text = ok ? "beyond" : "✗",
+            .style = ok ? "confirmed" : "dim",
+            .title = row.status + (row.detail.empty() ? "" : ": " + row.detail)};
   const double share = row.horizon / longest;
-  const char* colour = share > 0.8    ? "t-3"
-                       : share > 0.6  ? "t-2"
-                       : share > 0.4  ? "t-1"
-                       : share > 0.2  ? ""
-                       : share > 0.05 ? "t1"
-                                      : "t2";
-  return fmt::format("<td class=\"{}\">{:.1f}</td>", colour, row.horizon);
+  return {.text = fmt::format("{:.1f}", row.horizon),
+          .style = share > 0.8    ? "t-3"
+                   : share > 0.6  ? "t-2"
+                   : share > 0.4  ? "t-1"
+                   : share > 0.2  ? ""
+                   : share > 0.05 ? "t1"
+                                  : "t2"};
 }
 
 }  // namespace
 
-std::string oscillator_part(const PageContext& page) {
-  const auto solvers = by_solver(page.data.hard_cases.drift.rows, [](const DriftRow& row) {
+std::string oscillator_part(const report::Facts& facts, const std::vector<DriftRow>& rows) {
+  const auto solvers = report::by_solver(rows, [](const DriftRow& row) {
     return row.case_id == oscillator && row.status != "not_applicable";
   });
   if (solvers.empty()) return {};
-  const std::string tables = solver_tables(
-      page, "numbers drifts",
-      "<th>amplitude</th><th>phase, rad</th><th>frequency</th><th>energy</th>",
-      [&](const SolverInfo& solver) {
-        const auto found = solvers.find(solver.id());
-        return found == solvers.end() ? std::string() : oscillator_cells(found->second);
-      });
-  const DriftRow& any = *solvers.begin()->second.front();
+  const auto cells = [&](const SolverInfo& solver) {
+    const auto found = solvers.find(solver.id());
+    return found == solvers.end() ? std::vector<Cell>() : oscillator_cells(found->second);
+  };
   return fmt::format(
-             "<h3 id=\"oscillator\">Amplitude, phase and energy</h3>\n<p>What ten thousand steps "
-             "of "
-             "{} do to <code>{}</code>, taken apart: the amplitude as a change from the exact one "
-             "(+ grows, − dies away), how far the solution lags behind in radians (− runs ahead), "
-             "the relative error of the frequency that this comes to, and that of the energy. A "
-             "method can keep the energy and be out of phase by turns. Errors of the last "
-             "step.</p>\n",
-             show_number(any.step), oscillator) +
-         tables;
+             "<h3 id=\"oscillator\">Amplitude, phase and energy</h3>\n<p>Errors of <code>{}</code> "
+             "after ten thousand steps of {}: the relative change of the amplitude (+ grows, − "
+             "decays), the lag of the phase in radians (− is ahead), the relative error of the "
+             "frequency that follows from it, and that of the energy. A method can conserve the "
+             "energy and be several turns out of phase.</p>\n",
+             oscillator, show_number(solvers.begin()->second.front()->step)) +
+         report::solver_tables(facts, "numbers drifts",
+                               {{"amplitude"}, {"phase, rad"}, {"frequency"}, {"energy"}}, cells);
 }
 
-std::string horizons_part(const PageContext& page) {
-  std::set<Setting> settings;
-  const auto solvers = by_solver(page.data.hard_cases.drift.horizons, [](const HorizonRow& row) {
-    return row.case_id == study::horizon_case && row.status != "not_applicable";
-  });
+std::string horizons_part(const report::Facts& facts, const std::vector<HorizonRow>& rows) {
+  const auto solvers =
+      report::by_solver(rows, [](const HorizonRow& row) { return row.status != "not_applicable"; });
   if (solvers.empty()) return {};
+  std::set<Setting> settings;
   double longest = 0;
-  for (const auto& [solver, rows] : solvers)
-    for (const HorizonRow* row : rows) {
+  for (const auto& [solver, own] : solvers)
+    for (const HorizonRow* row : own) {
       settings.insert({row->mode, row->setting});
       longest = std::fmax(longest, row->horizon);
     }
-  std::string head;
+  std::vector<Cell> head;
   for (const Setting& setting : settings)
-    head += fmt::format("<th>{} {}</th>", setting.mode == Mode::fixed ? "h =" : "tol",
-                        show_number(setting.value, 3));
-  const std::string tables =
-      solver_tables(page, "numbers drifts", head, [&](const SolverInfo& solver) {
-        const auto found = solvers.find(solver.id());
-        if (found == solvers.end()) return std::string();
-        std::string html;
-        for (const Setting& setting : settings) {
-          const auto row =
-              std::find_if(found->second.begin(), found->second.end(), [&](const auto* each) {
-                return each->mode == setting.mode && each->setting == setting.value;
-              });
-          html += row == found->second.end() ? "<td class=\"zero\">·</td>"
-                                             : horizon_cell(**row, longest);
-        }
-        return html;
-      });
+    head.push_back({fmt::format("{} {}", setting.mode == Mode::fixed ? "h =" : "tol",
+                                show_number(setting.value, 3))});
+  const auto cells = [&](const SolverInfo& solver) {
+    std::vector<Cell> row;
+    const auto found = solvers.find(solver.id());
+    if (found == solvers.end()) return row;
+    for (const Setting& setting : settings) {
+      const auto at =
+          std::find_if(found->second.begin(), found->second.end(), [&](const auto* each) {
+            return each->mode == setting.mode && each->setting == setting.value;
+          });
+      row.push_back(at == found->second.end() ? Cell{.text = "·", .style = "zero"}
+                                              : horizon_cell(**at, longest));
+    }
+    return row;
+  };
   return fmt::format(
-             "<h3 id=\"horizons\">How far chaos can be followed</h3>\n<p>When the largest error on "
-             "<code>{}</code> reaches 10<sup>−3</sup>, at three steps and three tolerances. Errors "
-             "grow by a factor of e each 1.1 units of time whatever the method, so that ten times "
-             "the accuracy buys a fixed number of units more: a column is worth comparing, a small "
-             "difference in it is not. ✗: the run ended before; 0.5 is the first time at which the "
-             "truth is compared.</p>\n",
-             study::horizon_case) +
-         tables;
+             "<h3 id=\"horizons\">How long a chaotic solution can be followed</h3>\n<p>The time at "
+             "which the largest error on <code>{}</code> reaches 10<sup>−3</sup>, at three steps "
+             "and "
+             "three tolerances. Errors grow by a factor of e each 1.1 units of time whatever the "
+             "method, so that ten times the accuracy adds a fixed number of units: compare "
+             "columns, "
+             "not small differences. ✗: the run ended before; 0.5 is the first time at which the "
+             "reference is compared.</p>\n",
+             report::escape(solvers.begin()->second.front()->case_id)) +
+         report::solver_tables(facts, "numbers drifts", head, cells);
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

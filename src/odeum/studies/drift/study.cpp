@@ -3,6 +3,7 @@
 
 #include "odeum/record/table.hpp"
 #include "odeum/studies/drift/drift.hpp"
+#include "odeum/studies/drift/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -70,6 +71,8 @@ class Drift final : public StudyOf<DriftResult> {
                          .text();
     return text;
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   DriftResult run(const Options& options, const Runner& runner) const override {

@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/limits/section.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/log_diagram.hpp"
-#include "odeum/studies/hard_cases/section.hpp"
+#include "odeum/report/solver_tables.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::LargestStep;
+using report::Cell;
+using report::show_number;
 
 /// How what was measured lies to what the spectrum predicts.
 enum class Agreement { near, above, below, no_theory, none_bounded };
@@ -52,132 +55,132 @@ std::string complex_number(const std::complex<double>& z) {
   return fmt::format("{} ± {}i", show_number(z.real()), show_number(std::abs(z.imag())));
 }
 
-std::string cell(const LargestStep& row) {
+Cell cell_of(const LargestStep& row) {
   const Agreement agreement = agreement_of(row);
-  std::string title = agreement == Agreement::none_bounded
-                          ? row.status
-                          : fmt::format("measured {}{}", at_any_step(row) ? "at least " : "",
-                                        show_number(row.largest_stable_step, 4));
+  const bool bounded = agreement != Agreement::none_bounded;
+  std::string title = !bounded ? row.status
+                               : fmt::format("measured {}{}", at_any_step(row) ? "at least " : "",
+                                             show_number(row.largest_stable_step, 4));
   if (!std::isnan(row.predicted_step))
     title += fmt::format(", predicted {} from {}", show_number(row.predicted_step, 4),
                          complex_number(row.eigenvalue));
   if (!row.detail.empty()) title += "; " + row.detail;
-  const std::string text = agreement == Agreement::none_bounded ? "✗"
-                           : at_any_step(row)                   ? "any"
-                                              : show_number(row.largest_stable_step, 2);
-  return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", style_of(agreement), escape(title),
-                     text);
+  return {.text = !bounded           ? "✗"
+                  : at_any_step(row) ? "any"
+                                     : show_number(row.largest_stable_step, 2),
+          .style = style_of(agreement),
+          .title = title};
 }
+
+using RowsByCase = std::map<std::string, std::map<std::string, const LargestStep*>>;
 
 // The stiffness of each case, and how often theory and running code agree.
-std::string cases_table(const PageContext& page, const std::vector<std::size_t>& measured) {
-  std::string rows;
-  for (const std::size_t i : measured) {
+std::string cases_table(const std::vector<const report::CaseFacts*>& cases,
+                        const RowsByCase& rows) {
+  report::Table table("numbers");
+  table.head({{"case"},
+              {"largest eigenvalue"},
+              {"window"},
+              {"as predicted"},
+              {"larger"},
+              {"smaller"},
+              {"no theory"},
+              {"none bounded"}});
+  for (const report::CaseFacts* c : cases) {
     std::array<std::size_t, agreements> counts{};
     const LargestStep* stiffest = nullptr;
-    for (const LargestStep& row : page.data.hard_cases.largest_steps) {
-      if (row.case_id != page.data.cases[i].id || !is_run(row)) continue;
-      ++counts[static_cast<std::size_t>(agreement_of(row))];
-      if (!stiffest || std::abs(row.eigenvalue) > std::abs(stiffest->eigenvalue)) stiffest = &row;
+    for (const auto& [solver, row] : rows.at(c->id)) {
+      ++counts[static_cast<std::size_t>(agreement_of(*row))];
+      if (!stiffest || std::abs(row->eigenvalue) > std::abs(stiffest->eigenvalue)) stiffest = row;
     }
-    rows += fmt::format("<tr><th><a href=\"{}\"><code>{}</code></a></th><td>{}</td><td>{}</td>",
-                        page.case_address(i), escape(page.data.cases[i].id),
-                        complex_number(stiffest->eigenvalue), show_number(stiffest->window));
+    std::vector<Cell> cells{{complex_number(stiffest->eigenvalue)},
+                            {show_number(stiffest->window)}};
     for (std::size_t k = 0; k < agreements; ++k)
-      rows += fmt::format("<td class=\"{}\">{}</td>",
-                          counts[k] == 0 ? "zero" : style_of(static_cast<Agreement>(k)), counts[k]);
-    rows += "</tr>\n";
+      cells.push_back({.text = std::to_string(counts[k]),
+                       .style = counts[k] == 0 ? "zero" : style_of(static_cast<Agreement>(k))});
+    table.row({.markup = report::case_link(*c)}, cells);
   }
-  return "<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>case</th><th>largest "
-         "eigenvalue</th><th>window</th><th>as predicted</th><th>larger</th><th>smaller</th><th>no "
-         "theory</th><th>none bounded</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+  return table.html();
 }
 
-// Steps in units of the eigenvalue: all cases fall on one line where the spectrum tells all.
+// Steps in units of the eigenvalue: all cases fall on one line where the spectrum explains them.
 std::string diagram(const std::vector<LargestStep>& rows) {
-  LogAxes axes;
+  report::Axis predicted, measured;
   std::vector<const LargestStep*> drawn;
   for (const LargestStep& row : rows) {
     const bool finite = std::isfinite(row.predicted_step) && row.predicted_step > 0;
     if (!finite || !(row.largest_stable_step > 0) || at_any_step(row)) continue;
     drawn.push_back(&row);
-    axes.across.include(row.predicted_step * std::abs(row.eigenvalue));
-    axes.up.include(row.largest_stable_step * std::abs(row.eigenvalue));
+    predicted.include(row.predicted_step * std::abs(row.eigenvalue));
+    measured.include(row.largest_stable_step * std::abs(row.eigenvalue));
   }
   if (drawn.empty()) return {};
-  axes.across = axes.across.widened(1.5);
-  axes.up = axes.up.widened(1.5);
-  const double low = std::max(axes.across.low, axes.up.low),
-               high = std::min(axes.across.high, axes.up.high);
-  std::string html = open_diagram(axes, "largest stable step, measured against predicted",
-                                  [](double value) { return show_number(value); });
-  if (low < high)
-    html += fmt::format("<path class=\"guide\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", axes.x(low),
-                        axes.y(low), axes.x(high), axes.y(high));
-  html += "<g class=\"cloud\">";
+  predicted = predicted.widened(1.5);
+  measured = measured.widened(1.5);
+  report::Chart chart(report::large_chart, predicted, measured,
+                      {.x = "predicted step times |λ|",
+                       .y = "measured step times |λ|",
+                       .description = "largest stable step, measured against predicted"});
+  const double low = std::max(predicted.low, measured.low),
+               high = std::min(predicted.high, measured.high);
+  if (low < high) chart.line({{low, low}, {high, high}}, "guide");
   for (const LargestStep* row : drawn) {
     const double size = std::abs(row->eigenvalue);
-    html += fmt::format(
-        "<use href=\"#m{}\" x=\"{:.1f}\" y=\"{:.1f}\" class=\"best\"><title>{}</title></use>",
-        row->eigenvalue.imag() == 0 ? 0 : 1, axes.x(row->predicted_step * size),
-        axes.y(row->largest_stable_step * size),
-        escape(fmt::format("{}/{} on {}: measured {}, predicted {}", row->library, row->solver,
+    chart.mark({row->predicted_step * size, row->largest_stable_step * size},
+               row->eigenvalue.imag() == 0 ? 0 : 1, "faint",
+               fmt::format("{}/{} on {}: measured {}, predicted {}", row->library, row->solver,
                            row->case_id, show_number(row->largest_stable_step, 4),
-                           show_number(row->predicted_step, 4))));
+                           show_number(row->predicted_step, 4)));
   }
-  html += "</g>" + close_diagram("predicted step times |λ|, log", "measured step times |λ|, log");
-  return "<figure class=\"speed\">" + html +
-         "<ul class=\"legend\"><li><svg viewBox=\"-9 -5 18 10\" aria-hidden=\"true\"><use "
-         "href=\"#m0\"/></svg>bound by a real eigenvalue</li><li><svg viewBox=\"-9 -5 18 10\" "
-         "aria-hidden=\"true\"><use href=\"#m1\"/></svg>by a complex pair</li></ul></figure>\n";
+  return "<figure class=\"speed\">" + chart.svg() +
+         report::legend({{.text = "limited by a real eigenvalue", .style = 0},
+                         {.text = "by a complex pair", .style = 1}}) +
+         "</figure>\n";
 }
 
 constexpr const char* text =
     "<p>The largest step with which a run stays bounded over the window (the case's horizon, "
     "halved until the stiffness allows it), beside what the method's stability function allows for "
     "the eigenvalues along the solution: <span class=\"chip confirmed\">as predicted</span> to 5 "
-    "%, "
-    "<span class=\"chip higher\">larger</span> or <span class=\"chip lower\">smaller</span>; "
+    "%, <span class=\"chip higher\">larger</span> or <span class=\"chip lower\">smaller</span>; "
     "uncoloured where no stability function is known, as for every peer. \"any\": bounded with "
     "four steps in the window, the fewest that are tried. Larger is to be expected where an "
-    "eigenvalue is imaginary, since growth by a hair a step does not show in the window, and on "
-    "nonlinear problems, where what grows changes the spectrum. Smaller: the run was ended by what "
-    "a linear theory "
-    "does not know, such as Newton's iteration or an overshoot; resting on a cell tells "
-    "what.</p>\n";
+    "eigenvalue is imaginary, since slow growth does not show in the window, and on nonlinear "
+    "problems, where growth changes the spectrum. Smaller: the run was ended by what a linear "
+    "theory does not cover, such as Newton's iteration or an overshoot; the tooltip of a cell "
+    "gives "
+    "the reason.</p>\n";
 
 }  // namespace
 
-std::string largest_steps_part(const PageContext& page) {
-  const std::vector<LargestStep>& rows = page.data.hard_cases.largest_steps;
-  std::set<std::string> run;
-  for (const LargestStep& row : rows)
-    if (is_run(row)) run.insert(row.case_id);
-  std::vector<std::size_t> measured;
-  std::string head;
-  for (std::size_t i = 0; i < page.data.cases.size(); ++i)
-    if (run.contains(page.data.cases[i].id)) {
-      measured.push_back(i);
-      head += fmt::format("<th class=\"turned\"><a href=\"{}\">{}</a></th>", page.case_address(i),
-                          escape(page.data.cases[i].id));
+void add_section(report::Page& page, const LimitsResult& result, const report::Origin& origin) {
+  RowsByCase by_case;
+  for (const LargestStep& row : result.rows)
+    if (is_run(row)) by_case[row.case_id][row.library + "/" + row.solver] = &row;
+  std::vector<const report::CaseFacts*> cases;
+  std::vector<Cell> head;
+  for (const report::CaseFacts& c : page.facts().cases)
+    if (by_case.contains(c.id)) {
+      cases.push_back(&c);
+      head.push_back(report::case_head(c));
     }
-  if (measured.empty()) return {};
-  const RowsByPair<LargestStep> pairs = by_pair(rows);
-  const std::string tables =
-      solver_tables(page, "matrix steps", head, [&](const SolverInfo& solver) {
-        std::string html;
-        bool any = false;
-        for (const std::size_t i : measured) {
-          const auto found = pairs.find({page.data.cases[i].id, solver.id()});
-          const bool is = found != pairs.end() && is_run(*found->second.front());
-          html += is ? cell(*found->second.front()) : "<td class=\"not_applicable\">·</td>";
-          any |= is;
-        }
-        return any ? html : std::string();
-      });
-  return std::string("<h3 id=\"largest-steps\">Largest stable step</h3>\n") + text +
-         cases_table(page, measured) + diagram(rows) + tables;
+  const auto cells = [&](const SolverInfo& solver) {
+    std::vector<Cell> row;
+    bool any = false;
+    for (const report::CaseFacts* c : cases) {
+      const auto found = by_case[c->id].find(solver.id());
+      const bool is = found != by_case[c->id].end();
+      row.push_back(is ? cell_of(*found->second) : Cell{.text = "·", .style = "not_applicable"});
+      any |= is;
+    }
+    return any ? row : std::vector<Cell>();
+  };
+  std::string html = report::origin_text(origin, cases.empty());
+  if (!cases.empty())
+    html += text + cases_table(cases, by_case) + diagram(result.rows) +
+            report::solver_tables(page.facts(), "matrix steps", head, cells);
+  page.section(
+      {.id = "largest-steps", .title = "Largest stable step", .place = origin.place, .html = html});
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

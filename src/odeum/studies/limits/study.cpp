@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
 #include "odeum/studies/limits/limits.hpp"
+#include "odeum/studies/limits/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -32,6 +33,8 @@ class Limits final : public StudyOf<LimitsResult> {
                              {"remark", "{status}: {detail}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   LimitsResult run(const Options& options, const Runner& runner) const override {

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "odeum/report/html.hpp"
-#include "odeum/report/page_sections.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::ErrorPartsRow;
-using study::MaterialRow;
+using report::Cell;
+using report::show_number;
 
 template <class Row, class Of>
 auto in_order(const std::vector<Row>& rows, Of&& of) {
@@ -42,60 +41,57 @@ constexpr Quantity quantities[] = {
      [](const MaterialRow& row) { return row.added_damping_ratio; },
      [](double value) { return value; }, 0.005, 0.05, 0.2, ""}};
 
-std::string response_cell(const MaterialRow& row, const Quantity& quantity) {
+Cell response_cell(const MaterialRow& row, const Quantity& quantity) {
   const double value = quantity.of(row);
   const std::string title =
       fmt::format("{}, h = {}, phase {:.2g} a step{}{}", competitor(row), show_step(row.step),
                   row.phase, row.detail.empty() ? "" : ": ", row.detail);
   if (std::isnan(value))
-    return fmt::format(R"(<td class="dim" title="{}">{}</td>)", escape(title),
-                       row.status == "unstable" ? "unstable" : "–");
-  const std::string text = !quantity.unit[0]         ? fmt::format("{:+.2g}", value)
-                           : std::abs(value) >= 1000 ? fmt::format("{:.0f}{}", value, quantity.unit)
-                                                     : show_number(value) + quantity.unit;
-  return fmt::format(
-      R"(<td class="{}" title="{}">{}</td>)",
-      shade(quantity.size(value), quantity.slight, quantity.strong, quantity.extreme),
-      escape(title), text);
+    return {.text = row.status == "unstable" ? "unstable" : "–", .style = "dim", .title = title};
+  return {.text = !quantity.unit[0]         ? fmt::format("{:+.2g}", value)
+                  : std::abs(value) >= 1000 ? fmt::format("{:.0f}{}", value, quantity.unit)
+                                            : show_number(value) + quantity.unit,
+          .style = shade(quantity.size(value), quantity.slight, quantity.strong, quantity.extreme),
+          .title = title};
 }
 
 std::string response_table(const std::vector<MaterialRow>& rows, const Quantity& quantity) {
-  std::string html = fmt::format(
-      "<h5>{}</h5>\n<div class=\"wide\"><table class=\"numbers tolerances\"><thead><tr><th>"
-      "solver</th>",
-      quantity.title);
+  report::Table table("numbers tolerances");
   const auto steps = in_order(rows, [](const MaterialRow& row) { return row.step; });
-  for (const double step : steps) html += "<th>" + show_step(step) + "</th>";
-  html += "</tr></thead><tbody>\n";
+  std::vector<Cell> head{{"solver"}};
+  for (const double step : steps) head.push_back({show_step(step)});
+  table.head(head);
   for (const std::string& who : in_order(rows, competitor<MaterialRow>)) {
-    html += "<tr><th>" + escape(who) + "</th>";
+    std::vector<Cell> cells;
     for (const double step : steps)
       for (const MaterialRow& row : rows)
-        if (row.step == step && competitor(row) == who) html += response_cell(row, quantity);
-    html += "</tr>\n";
+        if (row.step == step && competitor(row) == who)
+          cells.push_back(response_cell(row, quantity));
+    table.row({who}, cells);
   }
-  return html + "</tbody></table></div>\n";
+  return fmt::format("<h5>{}</h5>\n", quantity.title) + table.html();
 }
 
-std::string part_cell(double value, double left, bool largest) {
-  if (std::isnan(value)) return "<td class=\"dim\">–</td>";
+Cell part_cell(double value, double left, bool largest) {
+  if (std::isnan(value)) return {.text = "–", .style = "dim"};
   const bool known = !(left > value / 2);
-  return fmt::format(R"(<td class="{}" title="{}">{}{}</td>)", largest ? "t2" : "",
-                     std::isnan(left) ? "" : fmt::format("its limit is known to {:.1g} m", left),
-                     known ? "" : "≲ ", show_number(known ? value : std::max(value, left), 2));
+  return {.text = (known ? "" : "≲ ") + show_number(known ? value : std::max(value, left), 2),
+          .style = largest ? "t2" : "",
+          .title = std::isnan(left) ? "" : fmt::format("its limit is known to {:.1g} m", left)};
 }
 
-std::string parts_cells(const ErrorPartsRow& row) {
-  if (row.status != "ok")
-    return fmt::format(R"(<td colspan="4" class="dim" title="{}">{}</td>)", escape(row.detail),
-                       escape(row.status));
+void add_parts(std::vector<Cell>& cells, const ErrorPartsRow& row) {
+  if (row.status != "ok") {
+    cells.push_back({.text = row.status, .style = "dim", .title = row.detail, .columns = 4});
+    return;
+  }
   const double most = std::max({row.iteration, row.time_step, row.model});
-  return fmt::format("<td><b>{}</b></td>", show_number(row.total, 2)) +
-         (row.iteration == 0
-              ? "<td class=\"dim\">–</td>"
-              : part_cell(row.iteration, row.iteration_left, row.iteration == most)) +
-         part_cell(row.time_step, row.step_left, row.time_step == most) +
-         part_cell(row.model, row.step_left, row.model == most);
+  cells.push_back({.markup = "<b>" + show_number(row.total, 2) + "</b>"});
+  cells.push_back(row.iteration == 0
+                      ? Cell{.text = "–", .style = "dim"}
+                      : part_cell(row.iteration, row.iteration_left, row.iteration == most));
+  cells.push_back(part_cell(row.time_step, row.step_left, row.time_step == most));
+  cells.push_back(part_cell(row.model, row.step_left, row.model == most));
 }
 
 }  // namespace
@@ -116,17 +112,18 @@ std::string show_step(double seconds) {
 std::string response_tables(const std::vector<MaterialRow>& rows) {
   if (rows.empty()) return {};
   std::string html =
-      "<h3>Stiffness and damping that come out</h3>\n"
+      "<h3>Effective stiffness and damping</h3>\n"
       "<p>Springs of known stiffness (1000 N/m) and damping (1 N s/m) carry masses of 0.1 kg, hung "
-      "by their own weight; then they swing a little. From where they rest and how they swing "
-      "follow the stiffness and the damping that a solver <em>shows</em> at each step, whatever it "
-      "was told. An engine's iterations are sweeps over its links, or iterations of conjugate "
-      "gradients at most (deformable bodies), or of Newton's method; without a number: as it "
-      "comes, "
-      "which is one sweep, or one Newton iteration and enough conjugate gradients.</p>\n"
+      "by their own weight, which then oscillate with a small amplitude. From the static "
+      "deflection "
+      "and the oscillation follow the stiffness and the damping that a solver shows at each step, "
+      "whatever it was given. An engine's iterations are sweeps over its links, or at most so many "
+      "iterations of conjugate gradients (deformable bodies) or of Newton's method; without a "
+      "number, the engine's default: one sweep, or one Newton iteration and enough conjugate "
+      "gradients.</p>\n"
       "<p>1× and +0 are right. Blue is too soft, orange too stiff or too damped; \"unstable\" "
-      "grows without bound, – could not be measured: pointing at a cell says why. A negative "
-      "stiffness at rest is a mass that hangs above where it is without gravity.</p>\n";
+      "grows without bound, – could not be measured: the tooltip of a cell gives the reason. A "
+      "negative static stiffness is a mass that hangs above its place without gravity.</p>\n";
   const std::pair<const char*, const char*> scenes[] = {
       {"one_mass", "One mass on one spring (100 rad/s, damping ratio 0.05)"},
       {"hanging_chain", "A hanging chain of ten (slowest mode 14.9 rad/s, damping ratio 0.0075)"}};
@@ -138,10 +135,10 @@ std::string response_tables(const std::vector<MaterialRow>& rows) {
           (row.scene != "one_mass" || row.sweeps + row.newton == 0))
         chosen.push_back(row);
     if (chosen.empty()) continue;
-    html += fmt::format("<details{}><summary><strong>{}</strong></summary>\n",
-                        chosen.front().scene == "hanging_chain" ? " open" : "", title);
-    for (const Quantity& quantity : quantities) html += response_table(chosen, quantity);
-    html += "</details>\n";
+    std::string tables;
+    for (const Quantity& quantity : quantities) tables += response_table(chosen, quantity);
+    html += report::details(fmt::format("<strong>{}</strong>", title), tables,
+                            chosen.front().scene == "hanging_chain");
   }
   return html;
 }
@@ -149,48 +146,46 @@ std::string response_tables(const std::vector<MaterialRow>& rows) {
 std::string error_parts_table(const std::vector<ErrorPartsRow>& rows) {
   if (rows.empty()) return {};
   constexpr double shown[] = {0.0125, 0.003125, 0.00078125};
-  std::string html = fmt::format(
-      "<h3>Where the error of a cloth comes from</h3>\n<p>The cloth of 11 x 11 particles at t = {} "
-      "s: RMS distance of a particle, in m. <strong>Iterations</strong>: to the same run with many "
-      "more of them; <strong>step</strong>: from there to the limit h → 0, extrapolated from the "
-      "three finest runs; <strong>model</strong>: from that limit to the truth, which no step and "
-      "no iteration will mend. Errors may cancel: the total is at most the sum. The largest part "
-      "is "
-      "coloured; \"≲\" marks a part that is smaller than its limit is known.</p>\n"
-      "<p>The model of Bullet's links is another law of springs, and has no damping between free "
-      "particles; with kLST = 1 it has no stiffness at all.</p>\n",
-      show_number(rows.front().time));
-  html +=
-      "<div class=\"wide\"><table class=\"numbers tolerances parts\"><thead><tr><th "
-      "rowspan=\"2\">solver</th>";
-  for (const double step : shown)
-    html += fmt::format("<th colspan=\"4\">h = {}</th>", show_step(step));
-  html += "</tr><tr>";
-  for (std::size_t i = 0; i < std::size(shown); ++i)
-    html += "<th>total</th><th>iterations</th><th>step</th><th>model</th>";
-  html += "</tr></thead><tbody>\n";
+  report::Table table("numbers tolerances parts");
+  std::vector<Cell> steps{{.text = "solver", .rows = 2}}, parts;
+  for (const double step : shown) {
+    steps.push_back({.text = "h = " + show_step(step), .columns = 4});
+    parts.insert(parts.end(), {{"total"}, {"iterations"}, {"step"}, {"model"}});
+  }
+  table.head(steps);
+  table.head(parts);
   for (const std::string& who : in_order(rows, competitor<ErrorPartsRow>)) {
-    std::string cells;
+    std::vector<Cell> cells;
     for (const double step : shown)
       for (const ErrorPartsRow& row : rows)
-        if (std::abs(row.step - step) < 1e-9 && competitor(row) == who) cells += parts_cells(row);
-    if (!cells.empty()) html += "<tr><th>" + escape(who) + "</th>" + cells + "</tr>\n";
+        if (std::abs(row.step - step) < 1e-9 && competitor(row) == who) add_parts(cells, row);
+    if (!cells.empty()) table.row({who}, cells);
   }
-  return html + "</tbody></table></div>\n";
+  return fmt::format(
+             "<h3>Where the error of a cloth comes from</h3>\n<p>The cloth of 11 x 11 particles at "
+             "t = {} s: RMS distance of a particle, in m. <strong>Iterations</strong>: to the same "
+             "run with many more of them; <strong>step</strong>: from there to the limit h → 0, "
+             "extrapolated from the three finest runs; <strong>model</strong>: from that limit to "
+             "the truth, which no step and no iteration reduces. Errors may cancel: the total is "
+             "at "
+             "most the sum. The largest part is coloured; \"≲\" marks a part that is smaller than "
+             "the uncertainty of its limit.</p>\n<p>The model of Bullet's links is another spring "
+             "law, and has no damping between free particles; with kLST = 1 it has no stiffness at "
+             "all.</p>\n",
+             show_number(rows.front().time)) +
+         table.html();
 }
 
-std::string material_section(const PageContext& page) {
-  const study::MaterialResult& found = page.data.material;
-  std::string html = "<section id=\"material\">\n<h2>What an engine does to the material</h2>\n";
-  if (!found.problem.empty())
-    html += fmt::format("<p class=\"missing\">{}</p>\n", escape(found.problem));
-  if (found.empty())
-    return html +
-           "<p>Not measured in this run: a full <code>odeum report</code> measures it, or "
-           "<code>odeum material</code> into the same folder.</p>\n</section>\n";
-  return html + response_tables(found.material) + error_parts_table(found.errors) +
-         long_run_table(found.long_run) + cloth_cost_table(found.cost) +
-         implicit_wins_table(found.implicit_wins) + "</section>\n";
+void add_section(report::Page& page, const MaterialResult& result, const report::Origin& origin) {
+  const bool empty = result.material.empty() && result.errors.empty() && result.long_run.empty() &&
+                     result.cost.empty() && result.implicit_wins.empty();
+  page.section({.id = "material",
+                .title = "What an engine does to the material",
+                .place = origin.place,
+                .html = report::origin_text(origin, empty) + response_tables(result.material) +
+                        error_parts_table(result.errors) + long_run_table(result.long_run) +
+                        cloth_cost_table(result.cost) + implicit_wins_table(result.implicit_wins),
+                .short_title = "Material"});
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

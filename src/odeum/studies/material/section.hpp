@@ -3,17 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "odeum/report/origin.hpp"
+#include "odeum/report/page.hpp"
 #include "odeum/studies/material/rows.hpp"
 
-/// The parts of the section on engines and cloths, each a piece of HTML; empty where nothing was
-/// measured.
-namespace odeum::report {
+namespace odeum::study {
 
-std::string response_tables(const std::vector<study::MaterialRow>& rows);
-std::string error_parts_table(const std::vector<study::ErrorPartsRow>& rows);
-std::string long_run_table(const std::vector<study::LongRunRow>& rows);
-std::string cloth_cost_table(const std::vector<study::ClothCostRow>& rows);
-std::string implicit_wins_table(const std::vector<study::ImplicitWinsRow>& rows);
+/// What the page shows of a result.
+void add_section(report::Page& page, const MaterialResult& result, const report::Origin& origin);
+
+/// Its parts, each empty without rows.
+std::string response_tables(const std::vector<MaterialRow>& rows);
+std::string error_parts_table(const std::vector<ErrorPartsRow>& rows);
+std::string long_run_table(const std::vector<LongRunRow>& rows);
+std::string cloth_cost_table(const std::vector<ClothCostRow>& rows);
+std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows);
 
 /// A solver and what its step was given: "bullet/soft_body_links, 4 iterations".
 template <class Row>
@@ -32,4 +36,4 @@ std::string shade(double signed_size, double slight, double strong, double extre
 /// "1/60 s" for a step that is a whole part of a second, else "0.0125 s".
 std::string show_step(double seconds);
 
-}  // namespace odeum::report
+}  // namespace odeum::study

@@ -8,15 +8,14 @@
 
 #include "odeum/report/html.hpp"
 #include "odeum/studies/material/section.hpp"
-#include "odeum/studies/precision/speed_diagram.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::ClothCostRow;
-using study::ImplicitWinsRow;
-using study::LongRunRow;
+using report::Cell;
+using report::escape;
+using report::show_number;
 
 /// What is known of one solver at one setting in the long run.
 struct Course {
@@ -26,30 +25,39 @@ struct Course {
 
 constexpr double watched[] = {0.5, 2, 5, 10};  // s
 
-std::string energy_cell(const Course& course, double time) {
+const Cell nothing{.text = "–", .style = "dim"};
+
+Cell energy_cell(const Course& course, double time) {
   const auto at = course.found.find({"energy", time});
-  if (at == course.found.end()) return "<td class=\"dim\">–</td>";
+  if (at == course.found.end()) return nothing;
   const LongRunRow& row = *at->second;
-  const double off = row.value / row.reference - 1;
-  return fmt::format(R"(<td class="{}">{}</td>)", shade(off, 0.01, 0.1, 0.5),
-                     show_number(row.value, 4));
+  return {.text = show_number(row.value, 4),
+          .style = shade(row.value / row.reference - 1, 0.01, 0.1, 0.5)};
 }
 
-std::string ended_or(const Course& course, const char* scene) {
-  const auto found = course.ended.find(scene);
-  return found == course.ended.end()
-             ? "<td class=\"dim\">–</td>"
-             : fmt::format(R"(<td class="dim" title="{}">ended</td>)", escape(found->second));
-}
+/// A quantity at the end of a scene, and the differences at which its cell is shaded.
+struct EndQuantity {
+  const char *name, *scene;
+  double slight, strong, extreme;
+  int digits;
+};
+constexpr EndQuantity end_quantities[] = {{"drape", "hanging", 1e-3, 1e-2, 0.1, 2},
+                                          {"lowest", "hanging", 1e-3, 1e-2, 0.1, 4},
+                                          {"linear_momentum", "free", 1e-10, 1e-4, 1e-2, 2},
+                                          {"angular_momentum", "free", 1e-10, 1e-4, 1e-2, 2}};
 
-std::string number_cell(const Course& course, const char* quantity, const char* scene,
-                        double slight, double strong, double extreme, int digits) {
-  const auto at = course.found.find({quantity, 10.0});
-  if (at == course.found.end()) return ended_or(course, scene);
-  const LongRunRow& row = *at->second;
-  return fmt::format(R"(<td class="{}">{}</td>)",
-                     shade(row.value - row.reference, slight, strong, extreme),
-                     show_number(row.value, digits));
+Cell end_cell(const Course& course, const EndQuantity& quantity) {
+  if (const auto at = course.found.find({quantity.name, watched[std::size(watched) - 1]});
+      at != course.found.end()) {
+    const LongRunRow& row = *at->second;
+    return {.text = show_number(row.value, quantity.digits),
+            .style = shade(row.value - row.reference, quantity.slight, quantity.strong,
+                           quantity.extreme)};
+  }
+  const auto ended = course.ended.find(quantity.scene);
+  return ended == course.ended.end()
+             ? nothing
+             : Cell{.text = "ended", .style = "dim", .title = ended->second};
 }
 
 /// A mark where times were taken on a machine that was disturbed.
@@ -57,7 +65,7 @@ template <class Row>
 std::string conditions_note(const std::vector<Row>& rows) {
   std::size_t count = 0;
   for (const Row& row : rows)
-    if (study::disturbed(row.conditions.drift, row.conditions.processor_share)) ++count;
+    count += disturbed(row.conditions.drift, row.conditions.processor_share);
   const std::string when = escape(rows.front().conditions.measured);
   if (count == 0) return fmt::format("<p class=\"dim\">Timed {}, undisturbed.</p>\n", when);
   return fmt::format(
@@ -68,6 +76,19 @@ std::string conditions_note(const std::vector<Row>& rows) {
 }
 
 std::string milliseconds(double ns) { return show_number(ns / 1e6, 3) + " ms"; }
+
+Cell wins_cell(const ImplicitWinsRow& ours, const ImplicitWinsRow& row) {
+  const double low = ours.wall_ns_min / row.wall_ns_median,
+               high = ours.wall_ns_median / row.wall_ns_min;
+  return {.text = fmt::format("{:.2g}×, {} m", ours.wall_ns_min / row.wall_ns_min,
+                              show_number(row.rk4_distance, 2)),
+          .style = low > 1    ? "confirmed"
+                   : high < 1 ? "lower"
+                              : "undetermined",
+          .title = fmt::format("{} against {}, {:.2g} to {:.2g} times; RK4 converged to {:.0e} m",
+                               milliseconds(ours.wall_ns_min), milliseconds(row.wall_ns_min), low,
+                               high, row.rk4_left)};
+}
 
 }  // namespace
 
@@ -102,26 +123,28 @@ std::string long_run_table(const std::vector<LongRunRow>& rows) {
       "change of linear and angular momentum over what they were. The exact solution keeps "
       "both.</p>\n";
   if (!problem.empty()) html += "<p class=\"missing\">" + escape(problem) + "</p>\n";
-  html += R"(<div class="wide"><table class="numbers tolerances"><thead><tr><th>solver</th>)";
-  for (const double time : watched) html += fmt::format("<th>E, t = {} s</th>", show_number(time));
-  html +=
-      "<th>drape</th><th>lowest</th><th>linear momentum</th><th>angular "
-      "momentum</th></tr></thead><tbody>\n<tr><th><strong>reference</strong></th>";
-  for (const double time : watched) html += fmt::format("<td>{}</td>", show_number(truth[time], 4));
-  double lowest = study::not_measured;
-  for (const LongRunRow& row : rows)
-    if (row.quantity == "lowest" && row.time == 10) lowest = row.reference;
-  html += fmt::format("<td>0</td><td>{}</td><td>0</td><td>0</td></tr>\n", show_number(lowest, 4));
-  for (const std::string& who : order) {
-    const Course& course = courses[who];
-    html += "<tr><th>" + escape(who) + "</th>";
-    for (const double time : watched) html += energy_cell(course, time);
-    html += number_cell(course, "drape", "hanging", 1e-3, 1e-2, 0.1, 2) +
-            number_cell(course, "lowest", "hanging", 1e-3, 1e-2, 0.1, 4) +
-            number_cell(course, "linear_momentum", "free", 1e-10, 1e-4, 1e-2, 2) +
-            number_cell(course, "angular_momentum", "free", 1e-10, 1e-4, 1e-2, 2) + "</tr>\n";
+  report::Table table("numbers tolerances");
+  std::vector<Cell> head{{"solver"}}, reference;
+  for (const double time : watched) {
+    head.push_back({fmt::format("E, t = {} s", show_number(time))});
+    reference.push_back({show_number(truth[time], 4)});
   }
-  return html + "</tbody></table></div>\n";
+  head.insert(head.end(), {{"drape"}, {"lowest"}, {"linear momentum"}, {"angular momentum"}});
+  table.head(head);
+  double lowest = not_measured;
+  for (const LongRunRow& row : rows)
+    if (row.quantity == "lowest" && row.time == watched[std::size(watched) - 1])
+      lowest = row.reference;
+  reference.insert(reference.end(), {{"0"}, {show_number(lowest, 4)}, {"0"}, {"0"}});
+  table.row({.markup = "<strong>reference</strong>"}, reference);
+  for (const std::string& who : order) {
+    std::vector<Cell> cells;
+    for (const double time : watched) cells.push_back(energy_cell(courses[who], time));
+    for (const EndQuantity& quantity : end_quantities)
+      cells.push_back(end_cell(courses[who], quantity));
+    table.row({who}, cells);
+  }
+  return html + table.html();
 }
 
 std::string cloth_cost_table(const std::vector<ClothCostRow>& rows) {
@@ -133,31 +156,30 @@ std::string cloth_cost_table(const std::vector<ClothCostRow>& rows) {
     double& best = least.try_emplace(row.precision, row.wall_ns_min).first->second;
     best = std::min(best, row.wall_ns_min);
   }
-  std::string html =
-      "<h3>Cost a particle</h3>\n<p>A step of velocity Verlet on <code>scene::GridCloth</code> on "
-      "one processor, in ns a particle: least time, median in brackets, and how many times the "
-      "cheapest size it is. Linear cost, the goal, is a column of 1×; what a large cloth costs "
-      "more "
-      "is memory.</p>\n" +
-      conditions_note(rows) +
-      "<div class=\"wide\"><table class=\"numbers tolerances\"><thead><tr><th>cloth</th><th>"
-      "particles</th><th>f64</th><th></th><th>f32</th><th></th></tr></thead><tbody>\n";
+  report::Table table("numbers tolerances");
+  table.head({{"cloth"}, {"particles"}, {"f64"}, {}, {"f32"}, {}});
   for (const auto& [side, columns] : by_side) {
-    html += fmt::format("<tr><th>{0} x {0}</th><td>{1}</td>", side, side * side);
+    std::vector<Cell> cells{{std::to_string(side * side)}};
     for (const char* precision : {"f64", "f32"}) {
       const auto at = columns.find(precision);
       if (at == columns.end()) {
-        html += "<td class=\"dim\">–</td><td></td>";
+        cells.insert(cells.end(), {nothing, {}});
         continue;
       }
       const ClothCostRow& row = *at->second;
       const double more = row.wall_ns_min / least[precision];
-      html += fmt::format("<td>{:.1f} ns ({:.1f})</td><td class=\"{}\">{:.2f}×</td>",
-                          row.wall_ns_min, row.wall_ns_median, shade(more - 1, 0.1, 0.5, 1), more);
+      cells.push_back({fmt::format("{:.1f} ns ({:.1f})", row.wall_ns_min, row.wall_ns_median)});
+      cells.push_back(
+          {.text = fmt::format("{:.2f}×", more), .style = shade(more - 1, 0.1, 0.5, 1)});
     }
-    html += "</tr>\n";
+    table.row({fmt::format("{0} x {0}", side)}, cells);
   }
-  return html + "</tbody></table></div>\n";
+  return "<h3>Cost per particle</h3>\n<p>A step of velocity Verlet in "
+         "<code>scene::GridCloth</code> on one processor, in ns per particle: minimum, median in "
+         "brackets, and the ratio to the cheapest size. Linear cost is a column of 1×; large "
+         "cloths "
+         "cost more because of memory access.</p>\n" +
+         conditions_note(rows) + table.html();
 }
 
 std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
@@ -176,48 +198,35 @@ std::string implicit_wins_table(const std::vector<ImplicitWinsRow>& rows) {
         best = &row;
     return best;
   };
-  std::string html =
-      "<h3>Where implicit wins</h3>\n<p>A cloth of 32 x 32 by its stiffness: the time that one "
-      "simulated second takes the fastest explicit method (velocity Verlet or IMEX in f32, each at "
-      "the largest step that is stable, less a tenth) over the time that backward Euler "
-      "(predicted_implicit_euler, f64, each system solved to 1 %) takes at a fixed step: "
-      "green, above 1, where implicit is faster, orange where it is slower.</p>\n"
-      "<p>Beside it, the RMS distance of a particle at t = 0.27 s from a run of RK4 in f64 at half "
-      "the stable step, in m: there is no independent truth at this size. "
-      "The cloth is 1 m wide: an implicit step that is stable may be far off, and 0.1 m is a "
-      "cloth of another shape.</p>\n" +
-      conditions_note(rows) +
-      "<div class=\"wide\"><table class=\"numbers tolerances\"><thead><tr><th>stiffness</th><th>"
-      "explicit</th><th>a second takes</th><th>distance</th>";
-  for (const double frame : frames) html += "<th>implicit, h = " + show_step(frame) + "</th>";
-  html += "</tr></thead><tbody>\n";
+  report::Table table("numbers tolerances");
+  std::vector<Cell> head{{"stiffness"}, {"explicit"}, {"a second takes"}, {"distance"}};
+  for (const double frame : frames) head.push_back({"implicit, h = " + show_step(frame)});
+  table.head(head);
   for (const double stiffness : stiffnesses) {
-    html += fmt::format("<tr><th>{:g} N/m</th>", stiffness);
-    const ImplicitWinsRow* ours = find(stiffness, study::not_measured);
-    html += ours ? fmt::format("<td>{}, h = {}</td><td>{}</td><td>{} m</td>", escape(ours->engine),
-                               show_step(ours->step), milliseconds(ours->wall_ns_min),
-                               show_number(ours->rk4_distance, 2))
-                 : R"(<td class="dim" colspan="3">none is stable</td>)";
+    const ImplicitWinsRow* ours = find(stiffness, not_measured);
+    std::vector<Cell> cells;
+    if (ours)
+      cells = {{fmt::format("{}, h = {}", ours->engine, show_step(ours->step))},
+               {milliseconds(ours->wall_ns_min)},
+               {show_number(ours->rk4_distance, 2) + " m"}};
+    else
+      cells = {{.text = "none is stable", .style = "dim", .columns = 3}};
     for (const double frame : frames) {
       const ImplicitWinsRow* row = find(stiffness, frame);
-      if (!row || !ours) {
-        html += "<td class=\"dim\">–</td>";
-        continue;
-      }
-      const double low = ours->wall_ns_min / row->wall_ns_median,
-                   high = ours->wall_ns_median / row->wall_ns_min;
-      html += fmt::format(
-          "<td class=\"{}\" title=\"{} against {}, {:.2g} to {:.2g} times; RK4 converged to {:.0e} "
-          "m\">{:.2g}×, {} m</td>",
-          low > 1    ? "confirmed"
-          : high < 1 ? "lower"
-                     : "undetermined",
-          milliseconds(ours->wall_ns_min), milliseconds(row->wall_ns_min), low, high, row->rk4_left,
-          ours->wall_ns_min / row->wall_ns_min, show_number(row->rk4_distance, 2));
+      cells.push_back(row && ours ? wins_cell(*ours, *row) : nothing);
     }
-    html += "</tr>\n";
+    table.row({fmt::format("{:g} N/m", stiffness)}, cells);
   }
-  return html + "</tbody></table></div>\n";
+  return "<h3>Where implicit is faster</h3>\n<p>A cloth of 32 x 32 by its stiffness: the time that "
+         "one simulated second takes the fastest explicit method (velocity Verlet or IMEX in f32, "
+         "each at the largest stable step less a tenth) over the time that backward Euler "
+         "(predicted_implicit_euler, f64, each system solved to 1 %) takes at a fixed "
+         "step: green, above 1, where implicit is faster, orange where it is slower.</p>\n"
+         "<p>Beside it, the RMS distance of a particle at t = 0.27 s from a run of RK4 in f64 at "
+         "half the stable step, in m: there is no independent truth at this size. The cloth is 1 m "
+         "wide: an implicit step that is stable may be inaccurate; at 0.1 m the shape is no longer "
+         "that of the cloth.</p>\n" +
+         conditions_note(rows) + table.html();
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

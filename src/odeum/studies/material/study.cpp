@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
 #include "odeum/studies/material/material.hpp"
+#include "odeum/studies/material/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -42,6 +43,8 @@ class Material final : public StudyOf<MaterialResult> {
                                               {"status", "{status}: {detail}"}})
                .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   MaterialResult run(const Options& options, const Runner& runner) const override {

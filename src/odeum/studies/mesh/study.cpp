@@ -34,8 +34,8 @@ std::string factor_chart(const std::vector<MeshRow>& rows) {
   }
   if (curves.empty()) return {};
   report::Chart chart(report::large_chart, across.widened(1.1), up.widened(1.3),
-                      {.x = "particles along an edge, log",
-                       .y = "factor, log",
+                      {.x = "particles along an edge",
+                       .y = "factor",
                        .description = "factor against the number of particles"});
   std::vector<report::Key> keys;
   for (const auto& [scaling, points] : curves) {
@@ -66,15 +66,6 @@ class Mesh final : public StudyOf<MeshResult> {
   void section(report::Page& page) const override {
     const record::Table rows = record::table_of(result().rows, columns());
     if (rows.rows.empty()) return;
-    report::Table table("numbers");
-    std::vector<report::Cell> cells;
-    for (const auto& column : rows.columns) cells.push_back({.text = column.heading});
-    table.head(cells);
-    for (const auto& row : rows.rows) {
-      cells.clear();
-      for (const std::string& text : row) cells.push_back({.text = text});
-      table.row(cells.front(), {cells.begin() + 1, cells.end()});
-    }
     page.section(
         {.id = "mesh",
          .title = "Mesh influence",
@@ -90,7 +81,7 @@ class Mesh final : public StudyOf<MeshResult> {
                  "further with "
                  "every refinement: a membrane does not carry a load in a point, and no stiffness "
                  "makes up for it.</p>\n" +
-                 factor_chart(result().rows) + table.html()});
+                 factor_chart(result().rows) + report::html_of(rows)});
   }
 
  protected:

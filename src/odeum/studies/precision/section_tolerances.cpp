@@ -6,16 +6,16 @@
 #include <map>
 #include <set>
 
-#include "odeum/report/html.hpp"
-#include "odeum/report/page_sections.hpp"
 #include "odeum/report/solver_groups.hpp"
+#include "odeum/studies/precision/section.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::PrecisionRow;
+using report::Cell;
 /// log10 of achieved over requested, by what was requested.
-using Misses = std::map<double, std::vector<double>, std::greater<>>;
+using Misses = std::map<double, std::vector<double>>;
+using Tolerances = std::set<double, std::greater<>>;
 
 // A colour for each factor of ten that an error is off; both ends are open.
 std::string colour_of(double decades) {
@@ -23,8 +23,8 @@ std::string colour_of(double decades) {
   return level < 0 ? fmt::format("t-{}", -level) : fmt::format("t{}", level);
 }
 
-std::string cell(std::vector<double> decades) {
-  if (decades.empty()) return "<td class=\"zero\">·</td>";
+Cell cell_of(std::vector<double> decades) {
+  if (decades.empty()) return {.text = "·", .style = "zero"};
   std::sort(decades.begin(), decades.end());
   const double median = decades[decades.size() / 2];
   const double shown = std::abs(median) < 0.05 ? 0 : median;  // no "-0.0"
@@ -34,20 +34,34 @@ std::string cell(std::vector<double> decades) {
           : fmt::format("achieved / requested: median {:.2g} of {} solvers, from {:.2g} to {:.2g}",
                         std::pow(10, median), decades.size(), std::pow(10, decades.front()),
                         std::pow(10, decades.back()));
-  return fmt::format("<td class=\"{}\" title=\"{}\">{:+.1f}</td>", colour_of(median), title, shown);
+  return {.text = fmt::format("{:+.1f}", shown), .style = colour_of(median), .title = title};
 }
 
-std::string row_html(const std::string& name, Misses& misses, const std::set<double>& tolerances) {
-  std::string html = "<tr><th>" + escape(name) + "</th>";
-  for (auto t = tolerances.rbegin(); t != tolerances.rend(); ++t) html += cell(misses[*t]);
-  return html + "</tr>\n";
-}
+/// A table of a row for each name, a column for each tolerance.
+class ToleranceTable {
+ public:
+  explicit ToleranceTable(const Tolerances& tolerances) : tolerances_(tolerances) {
+    std::vector<Cell> head{{"requested"}};
+    for (const double tolerance : tolerances) head.push_back({fmt::format("{:.0e}", tolerance)});
+    table_.head(head);
+  }
+  void row(const std::string& name, Misses misses) {
+    std::vector<Cell> cells;
+    for (const double tolerance : tolerances_) cells.push_back(cell_of(misses[tolerance]));
+    table_.row({name}, cells);
+  }
+  std::string html() const { return table_.html(); }
+
+ private:
+  const Tolerances& tolerances_;
+  report::Table table_{"numbers tolerances"};
+};
 
 }  // namespace
 
-std::string tolerance_table(const PageContext& page, const std::vector<PrecisionRow>& rows,
+std::string tolerance_table(const report::Facts& facts, const std::vector<PrecisionRow>& rows,
                             bool each_solver) {
-  std::set<double> tolerances;
+  Tolerances tolerances;
   std::map<std::string, Misses> by_solver;
   for (const PrecisionRow& row : rows) {
     if (row.mode != Mode::adaptive || row.status != to_string(Status::ok)) continue;
@@ -56,32 +70,19 @@ std::string tolerance_table(const PageContext& page, const std::vector<Precision
     by_solver[row.library + "/" + row.solver][row.setting].push_back(
         std::log10(row.error / row.setting));
   }
-  if (by_solver.empty()) return {};
-  std::string groups, solvers;
-  for (const SolverGroup& group : make_groups(page.data.solvers)) {
+  ToleranceTable groups(tolerances), solvers(tolerances);
+  for (const report::SolverGroup& group : report::make_groups(facts.solvers)) {
     Misses all;
     for (const SolverInfo* solver : group.solvers) {
       const auto found = by_solver.find(solver->id());
       if (found == by_solver.end()) continue;
       for (const auto& [tolerance, decades] : found->second)
         all[tolerance].insert(all[tolerance].end(), decades.begin(), decades.end());
-      if (each_solver) solvers += row_html(solver->id(), found->second, tolerances);
+      if (each_solver) solvers.row(solver->id(), found->second);
     }
-    if (!all.empty())
-      groups += row_html(group.own ? "odeum: " + group.title : group.title, all, tolerances);
+    if (!all.empty()) groups.row(group.own ? "odeum: " + group.title : group.title, all);
   }
-  std::string head = "<thead><tr><th>requested</th>";
-  for (auto t = tolerances.rbegin(); t != tolerances.rend(); ++t)
-    head += fmt::format("<th>{:.0e}</th>", *t);
-  head += "</tr></thead>";
-  const auto table = [&](const std::string& body) {
-    return "<div class=\"wide\"><table class=\"numbers tolerances\">" + head + "<tbody>\n" + body +
-           "</tbody></table></div>\n";
-  };
-  std::string html = table(groups);
-  if (!solvers.empty())
-    html += "<details><summary>Each solver</summary>" + table(solvers) + "</details>\n";
-  return html;
+  return groups.html() + report::details("Each solver", solvers.html());
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

@@ -3,6 +3,7 @@
 
 #include "odeum/record/table.hpp"
 #include "odeum/studies/precision/precision.hpp"
+#include "odeum/studies/precision/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -50,6 +51,8 @@ class Precision final : public StudyOf<PrecisionResult> {
                                                {"reason", "{reason}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   PrecisionResult run(const Options& options, const Runner& runner) const override {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
 #include "odeum/studies/proof/proof.hpp"
+#include "odeum/studies/proof/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -25,6 +26,8 @@ class Proof final : public StudyOf<ProofResult> {
                                             {"of mutants", "{mutants:d}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   ProofResult run(const Options& options, const Runner& runner) const override {

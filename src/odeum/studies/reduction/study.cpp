@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
 #include "odeum/studies/reduction/reduction.hpp"
+#include "odeum/studies/reduction/section.hpp"
 
 namespace odeum::study {
 namespace {
@@ -25,6 +26,8 @@ class Reduction final : public StudyOf<ReductionResult> {
                                             {"verdict", "{verdict}: {reason}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   ReductionResult run(const Options& options, const Runner& runner) const override {

@@ -1,78 +1,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
+#include "odeum/studies/stability/region_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/report/plots.hpp"
+#include "odeum/report/png.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-constexpr int most_points = 129;  // along an axis; finer grids would only cost time at this size
+constexpr int width = 400;  // pixels: twice what is shown
 
-constexpr float no_result = -1, largest_growth = 1e6F;
+// Growths are compared with these; what a solver rounds is no growth.
+constexpr double levels[] = {0.25, 0.5, 0.75, 1.0000001, 1.25, 2};
+constexpr std::size_t edge_level = 3;  // index of the boundary
+// Beyond it growths are alike to every level; poles would else bend the lines beside them.
+constexpr float largest = 4;
 
-// Indices of about `most_points` of `count` grid lines, evenly spread, both ends among them.
-std::vector<int> thinned(int count) {
-  const int kept = std::min(count, most_points);
-  std::vector<int> indices;
-  for (int i = 0; i < kept; ++i)
-    indices.push_back(kept == 1 ? 0
-                                : static_cast<int>(std::lround(static_cast<double>(i) *
-                                                               (count - 1) / (kept - 1))));
-  return indices;
-}
+enum Pixel : std::uint8_t { shade = 0, outside = 4, boundary = 5, line = 6, no_result = 7 };
+const std::vector<report::Colour> palette{{0x21, 0x66, 0xac, 255},
+                                          {0x4d, 0x88, 0xbf, 255},
+                                          {0x7a, 0xaa, 0xd3, 255},
+                                          {0xa6, 0xcb, 0xe6, 255},
+                                          {0, 0, 0, 0},
+                                          {0xd5, 0x5e, 0x00, 255},
+                                          {0x90, 0x90, 0x90, 255},
+                                          {0xb5, 0xa5, 0x8c, 255}};
 
-float coordinate(double low, double high, int index, int count) {
-  return static_cast<float>(count > 1 ? low + (high - low) * index / (count - 1) : low);
-}
+/// Number of levels that the growth is above; `no_result` where it is not known.
+using Class = std::uint8_t;
 
-// gnuplot's binary matrix: the number of columns and their coordinates, then each row behind its
-// own coordinate.
-std::vector<float> binary_matrix(const study::StabilityRegion& region) {
-  const std::vector<int> columns = thinned(region.columns), rows = thinned(region.rows);
-  std::vector<float> matrix{static_cast<float>(columns.size())};
-  for (const int i : columns)
-    matrix.push_back(coordinate(region.first_low, region.first_high, i, region.columns));
-  for (const int j : rows) {
-    matrix.push_back(coordinate(region.second_low, region.second_high, j, region.rows));
-    for (const int i : columns) {
-      const float growth = region.growth[static_cast<std::size_t>(j) * region.columns + i];
-      matrix.push_back(std::isnan(growth) ? no_result : std::min(growth, largest_growth));
-    }
+class Raster {
+ public:
+  explicit Raster(const StabilityRegion& region)
+      : region_(region), height_(static_cast<int>(std::lround(width / aspect_of(region)))) {
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width; ++x) classes_.push_back(class_at(x, y));
   }
-  return matrix;
-}
+  std::vector<std::uint8_t> pixels() const {
+    std::vector<std::uint8_t> pixels;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width; ++x) pixels.push_back(pixel_at(x, y));
+    return pixels;
+  }
+
+ private:
+  Class at(int x, int y) const { return classes_[static_cast<std::size_t>(y * width + x)]; }
+  float growth(int column, int row) const {
+    return std::min(region_.growth[static_cast<std::size_t>(row * region_.columns + column)],
+                    largest);
+  }
+  // Bilinear between the points of the grid; the first row of pixels is the upper edge.
+  Class class_at(int x, int y) const {
+    const double u = static_cast<double>(x) / (width - 1) * (region_.columns - 1),
+                 v = static_cast<double>(height_ - 1 - y) / (height_ - 1) * (region_.rows - 1);
+    const int i = std::min(static_cast<int>(u), region_.columns - 2),
+              j = std::min(static_cast<int>(v), region_.rows - 2);
+    const double p = u - i, q = v - j;
+    const double value = (1 - q) * ((1 - p) * growth(i, j) + p * growth(i + 1, j)) +
+                         q * ((1 - p) * growth(i, j + 1) + p * growth(i + 1, j + 1));
+    if (std::isnan(value)) return no_result;
+    return static_cast<Class>(std::upper_bound(std::begin(levels), std::end(levels), value) -
+                              std::begin(levels));
+  }
+  static bool is_stable(Class c) { return c <= edge_level; }
+
+  // A line where a pixel to the right or below is of another class; the boundary is thicker.
+  std::uint8_t pixel_at(int x, int y) const {
+    const Class here = at(x, y);
+    if (here == no_result) return no_result;
+    bool on_line = false;
+    constexpr int reach = 2;
+    for (int dy = 0; dy <= reach && y + dy < height_; ++dy)
+      for (int dx = 0; dx <= reach && x + dx < width; ++dx) {
+        const Class there = at(x + dx, y + dy);
+        if (there == no_result || there == here) continue;
+        if (is_stable(there) != is_stable(here)) return boundary;
+        on_line |= dx + dy == 1 && !is_stable(here);
+      }
+    if (on_line) return line;
+    return is_stable(here) ? here : Class{outside};
+  }
+
+  const StabilityRegion& region_;
+  int height_;
+  std::vector<Class> classes_;
+};
 
 }  // namespace
 
-Picture draw(const study::StabilityRegion& region) {
-  Picture picture{.kind = Picture::Kind::png, .width = 230};
-  const double aspect =
-      (region.second_high - region.second_low) / (region.first_high - region.first_low);
-  const bool lambda = region.plane == "lambda";
-  picture.height = lambda ? static_cast<int>(std::clamp(206 * aspect + 24, 80.0, 400.0)) : 190;
-  picture.matrix = binary_matrix(region);
-  const double tick = lambda ? 2 : 1;
-  // Greys that can be read on a light and on a dark page. Above 1 on the colour axis: no result.
-  picture.commands = fmt::format(
-      "unset key\nunset colorbox\nset border lc rgb '#808080'\n"
-      "set tics textcolor rgb '#808080' out nomirror scale 0.5\n"
-      "set xtics {4} offset 0,0.4\nset ytics {4} offset 0.6,0\n"
-      "set lmargin 3.4\nset rmargin 0.6\nset tmargin 0.5\nset bmargin 1.6\n"
-      "set xrange [{0}:{1}]\nset yrange [{2}:{3}]\nset cbrange [0:1.25]\n"
-      "set palette maxcolors 5 defined (0 '#2166ac', 1 '#a6cbe6', 1.001 '#b5a58c', 1.25 "
-      "'#b5a58c')\n"
-      "unset surface\nset contour base\nset cntrparam levels discrete 1\n"
-      "set table $edge\nsplot matrix binary matrix using 1:2:($3 < 0 ? NaN : $3)\nunset table\n"
-      "set cntrparam levels discrete 1.25, 2\n"
-      "set table $levels\nsplot matrix binary matrix using 1:2:($3 < 0 ? NaN : $3)\nunset table\n"
-      "unset contour\n"
-      "plot matrix binary matrix using 1:2:($3 < 0 ? 1.2 : $3 <= 1.0000001 ? $3 : NaN) with image, "
-      "$levels with lines lc rgb '#909090' lw 0.6, $edge with lines lc rgb '#d55e00' lw 1.6\n",
-      region.first_low, region.first_high, region.second_low, region.second_high, tick);
-  return picture;
+bool can_be_drawn(const StabilityRegion& region) {
+  return region.columns > 1 && region.rows > 1 && region.first_low < region.first_high &&
+         region.second_low < region.second_high &&
+         region.growth.size() == static_cast<std::size_t>(region.columns) * region.rows &&
+         std::any_of(region.growth.begin(), region.growth.end(),
+                     [](float growth) { return std::isfinite(growth); });
 }
 
-}  // namespace odeum::report
+double aspect_of(const StabilityRegion& region) {
+  if (region.plane != "lambda") return 1.25;
+  const double aspect =
+      (region.first_high - region.first_low) / (region.second_high - region.second_low);
+  return std::clamp(aspect, 0.5, 3.0);
+}
+
+std::string region_png(const StabilityRegion& region) {
+  return report::png_of(width, Raster(region).pixels(), palette);
+}
+
+}  // namespace odeum::study

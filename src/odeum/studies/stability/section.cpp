@@ -1,123 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/stability/section.hpp"
+
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <map>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/page_sections.hpp"
+#include "odeum/report/solver_tables.hpp"
+#include "odeum/studies/stability/region_picture.hpp"
 
-namespace odeum::report {
+namespace odeum::study {
 namespace {
 
-using study::StabilityLimit;
-using study::StabilityRegion;
+using report::Cell;
+using report::escape;
+using report::show_number;
 
 constexpr const char* axes[] = {"real", "imaginary", "oscillator"};
 
-std::string limit_cells(const StabilityLimit* limit) {
-  if (!limit) return "<td></td><td></td><td></td>";
-  const bool differs = limit->status == "differs";
-  if (limit->status != "ok" && !differs)
-    return fmt::format("<td colspan=\"3\" class=\"dim\" title=\"{}\">{}</td>",
-                       escape(limit->detail), escape(limit->status));
-  return fmt::format("<td title=\"{}\">{}</td><td class=\"dim\">{}</td><td class=\"dim\">{}{}</td>",
-                     escape(limit->detail), show_number(limit->limit, 8),
-                     show_number(limit->theory, 8), differs ? "differs: " : "",
-                     show_number(limit->difference, 2));
+void add_limit(std::vector<Cell>& cells, const StabilityLimit* limit) {
+  const bool differs = limit && limit->status == "differs";
+  if (!limit)
+    cells.insert(cells.end(), 3, Cell());
+  else if (limit->status != "ok" && !differs)
+    cells.push_back({.text = limit->status, .style = "dim", .title = limit->detail, .columns = 3});
+  else
+    cells.insert(cells.end(),
+                 {{.text = show_number(limit->limit, 8), .title = limit->detail},
+                  {.text = show_number(limit->theory, 8), .style = "dim"},
+                  {.text = (differs ? "differs: " : "") + show_number(limit->difference, 2),
+                   .style = "dim"}});
 }
 
-std::string limits_table(const ReportData& data, const std::string& library) {
+std::string limits_table(const std::vector<StabilityLimit>& limits, const std::string& library) {
   std::map<std::string, std::map<std::string, const StabilityLimit*>> by_solver;
   std::vector<std::string> order;
-  for (const StabilityLimit& limit : data.stability.limits) {
+  for (const StabilityLimit& limit : limits) {
     if (limit.library != library) continue;
     if (!by_solver.contains(limit.solver)) order.push_back(limit.solver);
     by_solver[limit.solver][limit.axis] = &limit;
   }
-  if (order.empty()) return {};
-  std::string rows;
+  report::Table table("numbers limits");
+  table.head({{.text = "solver", .rows = 2},
+              {.text = "real axis", .columns = 3},
+              {.text = "imaginary axis", .columns = 3},
+              {.text = "oscillator, ωh", .columns = 3}});
+  std::vector<Cell> head;
+  for (std::size_t i = 0; i < std::size(axes); ++i)
+    head.insert(head.end(), {{"measured"}, {"theory"}, {"difference"}});
+  table.head(head);
   for (const std::string& solver : order) {
-    rows += fmt::format("<tr><th>{}</th>", escape(solver));
-    for (const char* axis : axes) {
-      const auto found = by_solver[solver].find(axis);
-      rows += limit_cells(found == by_solver[solver].end() ? nullptr : found->second);
-    }
-    rows += "</tr>\n";
+    std::vector<Cell> cells;
+    for (const char* axis : axes) add_limit(cells, by_solver[solver][axis]);
+    table.row({solver}, cells);
   }
-  return fmt::format(
-      "<details{}><summary><strong>{}</strong> <span class=\"dim\">{}</span></summary><div "
-      "class=\"wide\">"
-      "<table class=\"numbers limits\"><thead><tr><th rowspan=\"2\">solver</th>"
-      "<th colspan=\"3\">real axis</th><th colspan=\"3\">imaginary axis</th>"
-      "<th colspan=\"3\">oscillator, ωh</th></tr><tr>{}</tr></thead><tbody>\n{}</tbody></table>"
-      "</div></details>\n",
-      order.size() <= 20 ? " open" : "", escape(library), show_count(order.size(), "solver"),
-      "<th>measured</th><th>theory</th><th>difference</th><th>measured</th><th>theory</th>"
-      "<th>difference</th><th>measured</th><th>theory</th><th>difference</th>",
-      rows);
+  return report::details(fmt::format("<strong>{}</strong> <span class=\"dim\">{}</span>",
+                                     escape(library), report::show_count(order.size(), "solver")),
+                         table.html(), order.size() <= 20);
 }
 
-bool can_be_drawn(const StabilityRegion& region) {
-  return region.columns > 1 && region.rows > 1 && region.first_low < region.first_high &&
-         region.second_low < region.second_high &&
-         region.growth.size() == static_cast<std::size_t>(region.columns) * region.rows &&
-         std::any_of(region.growth.begin(), region.growth.end(),
-                     [](float growth) { return std::isfinite(growth); });
+// Axes drawn over the picture, which fills their field.
+std::string picture(report::Page& page, const StabilityRegion& region) {
+  const std::string name = fmt::format("{}/{}", region.library, region.solver);
+  constexpr report::ChartSize margins{0, 0, 25, 5, 4, 17};
+  report::ChartSize size = margins;
+  size.width = 230;
+  const double field = size.width - size.left - size.right;
+  size.height = size.top + field / aspect_of(region) + size.bottom;
+  const auto percent = [](double part, double whole) { return 100 * part / whole; };
+  const std::string image = page.picture(
+      fmt::format("stability/{}_{}_{}", report::file_stem(region.library),
+                  report::file_stem(region.solver), region.plane),
+      region_png(region), fmt::format("Stability region of {}, {} plane", name, region.plane),
+      fmt::format(" style=\"left:{:.1f}%;top:{:.1f}%;width:{:.1f}%;height:{:.1f}%\"",
+                  percent(size.left, size.width), percent(size.top, size.height),
+                  percent(field, size.width), percent(field / aspect_of(region), size.height)));
+  const report::Chart chart(size, {region.first_low, region.first_high, false},
+                            {region.second_low, region.second_high, false}, {});
+  return image + chart.svg();
 }
 
-std::string thumbnails(PageContext& page, const std::string& library, const std::string& plane) {
+std::string thumbnails(report::Page& page, const std::vector<StabilityRegion>& regions,
+                       const std::string& library, const std::string& plane) {
   std::string html;
-  for (const StabilityRegion& region : page.data.stability.regions) {
+  for (const StabilityRegion& region : regions) {
     if (region.library != library || region.plane != plane) continue;
-    const std::string picture =
+    html += fmt::format(
+        "<figure class=\"region\"><div>{}</div><figcaption>{}</figcaption>"
+        "</figure>\n",
         can_be_drawn(region)
-            ? page.pictures.add(
-                  draw(region),
-                  fmt::format("Stability region of {}/{}, {} plane", library, region.solver, plane),
-                  fmt::format("stability/{}_{}_{}", file_stem(library), file_stem(region.solver),
-                              plane))
+            ? picture(page, region)
             : fmt::format("<p class=\"missing\">{}</p>",
-                          escape(region.detail.empty() ? region.status : region.detail));
-    html += fmt::format("<figure class=\"region\">{}<figcaption>{}</figcaption></figure>\n",
-                        picture, escape(region.solver));
+                          escape(region.detail.empty() ? region.status : region.detail)),
+        escape(region.solver));
   }
   if (html.empty()) return {};
   return fmt::format("<h4>{}</h4>\n<div class=\"regions\">{}</div>\n", escape(library), html);
 }
 
+constexpr const char* limits_text =
+    "<p>Measured on the running code: the largest x with no growth on [−x, 0], the largest y with "
+    "none on [0, iy], and the largest ωh for which an undamped oscillator stays bounded; ∞ where "
+    "there is none. Theory comes from the method's own stability function, where it has one.</p>\n";
+
+constexpr const char* regions_text =
+    "<p>Shaded: no growth from step to step, the darker the stronger the damping (steps of a "
+    "quarter). Orange: the boundary. Grey lines: growth by 1.25 and by 2 a step. Brown: no "
+    "result.</p>\n";
+
+constexpr std::pair<const char*, const char*> planes[] = {
+    {"lambda", "Regions in the plane of z = λh (real part across, imaginary part up)"},
+    {"oscillator", "Regions of the damped oscillator (ωh across, damping ratio ζ up)"}};
+
 }  // namespace
 
-std::string stability_section(PageContext& page) {
-  std::string html =
-      "<section id=\"stability\">\n<h2>Stability</h2>\n<p>Measured on the running code: the "
-      "largest "
-      "x with no growth on [−x, 0], the largest y with none on [0, iy], and the largest ωh for "
-      "which "
-      "an undamped oscillator stays bounded; ∞ where there is none. Theory comes from the "
-      "method's own stability function, where it has one.</p>\n";
-  if (page.data.stability.limits.empty() && page.data.stability.regions.empty())
-    return html + "<p>Not measured in this run.</p>\n</section>\n";
-  for (const std::string& library : library_names(page.data))
-    html += limits_table(page.data, library);
-  struct Plane {
-    const char *id, *title;
-  };
-  for (const auto& [plane, title] :
-       {Plane{"lambda", "Regions in the plane of z = λh (real part across, imaginary part up)"},
-        Plane{"oscillator", "Regions of the damped oscillator (ωh across, damping ratio ζ up)"}}) {
+void add_section(report::Page& page, const StabilityResult& result, const report::Origin& origin) {
+  const std::vector<std::string> libraries = page.facts().library_names();
+  const bool empty = result.limits.empty() && result.regions.empty();
+  std::string html = report::origin_text(origin, empty);
+  if (!empty) html += limits_text;
+  for (const StabilityLimit& limit : result.limits) page.count_row(limit.status);
+  for (const std::string& library : libraries) html += limits_table(result.limits, library);
+  for (const auto& [plane, title] : planes) {
     std::string regions;
-    for (const std::string& library : library_names(page.data))
-      regions += thumbnails(page, library, plane);
-    if (!regions.empty())
-      html += fmt::format(
-          "<h3>{}</h3>\n<p>Shaded: no growth from step to step, the darker the stronger the "
-          "damping "
-          "(steps of a quarter). Orange: the boundary. Grey lines: growth by 1.25 and by 2 a step. "
-          "Brown: no result.</p>\n{}",
-          title, regions);
+    for (const std::string& library : libraries)
+      regions += thumbnails(page, result.regions, library, plane);
+    if (!regions.empty()) html += fmt::format("<h3>{}</h3>\n{}{}", title, regions_text, regions);
   }
-  return html + "</section>\n";
+  page.section({.id = "stability", .title = "Stability", .place = origin.place, .html = html});
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::study

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/table.hpp"
+#include "odeum/studies/stability/section.hpp"
 #include "odeum/studies/stability/stability.hpp"
 
 namespace odeum::study {
@@ -41,6 +42,8 @@ class Stability final : public StudyOf<StabilityResult> {
                                               {"status", "{status}: {detail}"}})
         .text();
   }
+
+  void section(report::Page& page) const override { add_section(page, result(), origin()); }
 
  protected:
   StabilityResult run(const Options& options, const Runner& runner) const override {

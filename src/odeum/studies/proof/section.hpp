@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/report/origin.hpp"
+#include "odeum/report/page.hpp"
+#include "odeum/studies/proof/proof.hpp"
+
+namespace odeum::study {
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const ProofResult& result, const report::Origin& origin);
+
+}  // namespace odeum::study
