@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bullet/enroll.hpp"
+#include "odeum/scene/model/scene.hpp"
 
 namespace odeum::bullet_tests {
 

@@ -90,7 +90,8 @@ std::string without_literals(std::string_view text) {
       i = blank(i, after("*/", i + 2));
     } else if (text.substr(i).starts_with("R\"")) {
       const std::size_t open = text.find('(', i);
-      const std::string close = ")" + std::string(text.substr(i + 2, open - i - 2)) + "\"";
+      std::string close = ")";
+      close.append(text, i + 2, open - i - 2).append("\"");
       i = blank(i, after(close, open));
     } else if (c == '"' ||
                (c == '\'' && (i == 0 || !std::isalnum(static_cast<unsigned char>(text[i - 1]))))) {
@@ -172,7 +173,8 @@ std::vector<Violation> long_files(const fs::path& root) {
     // A reason at the head of a file, not inside of a function.
     if (lines > limit && text.substr(0, text.find('{')).find(reason_mark) == std::string::npos)
       found.push_back(
-          {file, lines, file, "a file of more than " + std::to_string(limit) + " lines"});
+          {file, lines, file,
+           std::string("a file of more than ").append(std::to_string(limit)).append(" lines")});
   }
   return found;
 }
@@ -207,7 +209,9 @@ std::vector<Violation> long_functions_of(const std::string& file, std::string_vi
         std::smatch name;
         std::regex_search(function_head, name, std::regex(R"(([~\w]+)(\s*=\s*\[[^\]]*\])?\s*\()"));
         found.push_back({file, function_line, file + " " + name[1].str(),
-                         "a function of " + std::to_string(line - function_line + 1) + " lines"});
+                         std::string("a function of ")
+                             .append(std::to_string(line - function_line + 1))
+                             .append(" lines")});
       }
       if (!scopes.empty()) scopes.pop_back();
       head = i + 1;
