@@ -83,6 +83,7 @@ const Exception exceptions[] = {
     {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"sdirk4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"radau_iia5", "duffing_free", Mode::adaptive, {undetermined}, 5.5, 7.5, mean_step},
+    {"radau_iia5", "damped_oscillator_critical", Mode::adaptive, {lower}, 3.5, 4.25, mean_step},
     {"radau_iia5",
      "henon_heiles_regular",
      Mode::adaptive,

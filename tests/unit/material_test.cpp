@@ -144,7 +144,8 @@ TEST(ClothSpeed, ExplicitEnginesAreStableAtTheirSteps) {
     }
     EXPECT_LT(row.rk4_left, 1e-3);
   }
-  EXPECT_GT(rows[3].rk4_distance, rows[2].rk4_distance) << "implicit, order 1, at four times the step";
+  EXPECT_GT(rows[3].rk4_distance, rows[2].rk4_distance)
+      << "implicit, order 1, at four times the step";
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(PagePrecision, ShowsDiagramsRatiosAndTolerances) {
   // At 1e-4, between two settings of each, the peer takes 4 / sqrt(2) times as long.
   EXPECT_NE(pages.of_case.find("<tr><th>1e-04</th><td>odeum/explicit_method_1</td>"),
             std::string::npos);
-  EXPECT_NE(pages.of_case.find("nobody reaches it"), std::string::npos) << "1e-6 and below";
+  EXPECT_NE(pages.of_case.find("no solver reaches it"), std::string::npos) << "1e-6 and below";
 }
 
 TEST(PagePrecision, MarksWhatTheMachineDisturbed) {

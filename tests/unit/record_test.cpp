@@ -125,15 +125,14 @@ TEST(Rows, MissingFilesAreNoProblemAndBrokenOnesAreNotUsed) {
     EXPECT_FALSE(read_back.other.empty()) << "the other file is as good as before";
     return why;
   };
-  EXPECT_EQ(problem_of(whole.substr(0, whole.size() - 7)), "the any.csv that was there is cut off");
+  EXPECT_EQ(problem_of(whole.substr(0, whole.size() - 7)), "the earlier any.csv is truncated");
   for (const std::string& text : {std::string(), std::string("schema,case\n1,a\n"), "x" + whole})
-    EXPECT_EQ(problem_of(text),
-              "the any.csv that was there has other columns: of another version?");
+    EXPECT_EQ(problem_of(text), "the earlier any.csv has other columns (another version?)");
   for (const std::string& text :
        {with(",0.1,", ",slow,"), with(",green,", ",blue,"), with(",yes,", ",maybe,"),
         with(",7,", ",-7,"), with("\n1,", "\n2,")})
     EXPECT_EQ(problem_of(text),
-              "the any.csv that was there holds what is no number, or another schema");
+              "the earlier any.csv has a field that is not a number, or another schema");
 }
 
 TEST(Rows, WhatIsMeasuredNowReplacesWhatWas) {

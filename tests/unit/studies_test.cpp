@@ -21,6 +21,7 @@ Options little_of(const std::string& name) {
   if (name == "drift") options.cases = {"osc_undamped", "lorenz_kehlet_logg"};
   if (name == "stability") options.own = {{"grid", "8"}};
   if (name == "precision") options.own = {{"seconds", "0.01"}};
+  if (name == "mesh") options.own = {{"most", "6"}};
   return options;
 }
 

@@ -46,9 +46,10 @@ class Newton {
       for (std::size_t i = 0; i < y.size(); ++i)
         correction_[i] = gamma_h * correction_[i] - increment_[i];
       if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
+      // Not y = base + increment: at a stiff step base is far larger than y, whose digits were lost.
       for (std::size_t i = 0; i < y.size(); ++i) {
         increment_[i] += correction_[i];
-        y[i] = base[i] + increment_[i];
+        y[i] += correction_[i];
       }
       const double size = measure(base, y);
       const bool rate_known = since_renewal > 0;

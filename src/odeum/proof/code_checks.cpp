@@ -115,6 +115,11 @@ double moving_frame_defect(const Code& code) {
     FunctionMechanics<false> p;
     p.unknowns = 2;
     p.a = [](double s, const double* q, const double*, double* a) { a[0] = -w2 * (q[0] - s); };
+    p.f_y = [](double, const double*, double* j) {
+      j[0] = j[3] = 0;
+      j[1] = 1;
+      j[2] = -w2;
+    };
     stray(*code.on_separable(p), {t, 1}, {t + h, 1});
   }
   return worst;

@@ -72,9 +72,9 @@ class PairRuns {
  public:
   PairRuns(const Pair& pair, double gain)
       : pair_(pair), judge_(*pair.c, pair.c->stops), rounding_unit_(gain * half_unit) {
-    // Extrapolation weighs its columns with coefficients of alternating sign, 236 in sum at order
-    // 5 of SEULEX, and the rounding in them likewise.
-    if (pair.entrant->info.family == "extrapolation") rounding_unit_ *= 100;
+    // SEULEX extrapolates in powers of h: its columns have weights of alternating sign, 236 in sum
+    // at order 5, and their rounding is weighed likewise. In powers of h^2 it is 6 at order 8.
+    if (pair.entrant->info.method == "seulex") rounding_unit_ *= 100;
   }
 
   /// Runs from coarse to fine, until errors are rounding.

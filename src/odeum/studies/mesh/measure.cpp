@@ -161,6 +161,7 @@ MeshResult measure(const Family& family, std::size_t most) {
     std::vector<Sheet> sheets;
     bool settled = true;
     for (const Hold hold : {Hold::upper_edge, Hold::two_edges, Hold::two_corners}) {
+      if (hold == Hold::two_corners && !family.shear) continue;
       Sheet& now = sheets.emplace_back(family, n, hold);
       if (!coarser.empty()) now.start_from(coarser[sheets.size() - 1]);
       settled = now.relax() && settled;
@@ -171,10 +172,15 @@ MeshResult measure(const Family& family, std::size_t most) {
     row.extension = -hanging;
     row.period = Sheet(family, n, Hold::upper_edge).period_about(hanging);
     row.sag = -(sheets[1].at((n - 1) / 2, n / 2, 2) + sheets[1].at(n / 2, n / 2, 2)) / 2;
-    double lowest = 0;
-    for (std::size_t i = 1; i < sheets[2].positions().size(); i += 3)
-      lowest = std::min(lowest, sheets[2].positions()[i]);
-    row.drape = 1 - lowest;
+    if (family.shear) {
+      double lowest = 0;
+      for (std::size_t i = 1; i < sheets[2].positions().size(); i += 3)
+        lowest = std::min(lowest, sheets[2].positions()[i]);
+      row.drape = 1 - lowest;
+    } else {
+      row.detail += std::string(row.detail.empty() ? "" : "; ") +
+                    "no drape: without shear springs the sheet held by two corners is a mechanism";
+    }
     row.factor = row.extension / result.rows.front().extension;
     coarser = std::move(sheets);
   }

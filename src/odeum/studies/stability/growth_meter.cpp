@@ -80,6 +80,8 @@ judge::Growth GrowthMeter::measure(double first, double second) {
     growth = judge::dominant_growth(
         all.last(std::min<std::size_t>(window + 1, all.size())),
         oscillator_ ? judge::Coefficients::real : judge::Coefficients::complex);
+    // An implicit stage solves with a matrix of condition |z|, which amplifies rounding as much.
+    growth.noise = std::max(growth.noise, judge::growth_rounding * std::hypot(first, second));
     if (growth.noise <= clear_noise || std::abs(growth.log_per_step) > 10 * growth.noise)
       return growth;
     if (steps * 4 > length_.last_steps) {
