@@ -46,7 +46,8 @@ class Newton {
       for (std::size_t i = 0; i < y.size(); ++i)
         correction_[i] = gamma_h * correction_[i] - increment_[i];
       if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
-      // Not y = base + increment: at a stiff step base is far larger than y, whose digits were lost.
+      // Not y = base + increment: at a stiff step base is far larger than y, whose digits would be
+      // lost.
       for (std::size_t i = 0; i < y.size(); ++i) {
         increment_[i] += correction_[i];
         y[i] += correction_[i];
