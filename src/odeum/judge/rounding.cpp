@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/judge/rounding.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -53,7 +54,8 @@ Outcome run(const Case& c, const Request& request, double size, unsigned seed) {
   for (std::uint64_t i = 0; i < grid.steps(); ++i) {
     method.step(grid.t(i), grid.h(), y);
     for (double& x : y) x *= 1 + size * (2 * static_cast<double>(random()) / range - 1);
-    if (i + 1 == grid.index_of(stop)) outcome.record(request.stops[stop++], y.data(), y.size());
+    if (stop < request.stops.size() && i + 1 == grid.index_of(stop))
+      outcome.record(request.stops[stop++], y.data(), y.size());
   }
   return outcome;
 }
@@ -65,10 +67,12 @@ double perturbation_gain(const Case& c) {
   const double scale = judge.scale();
   Request request;
   request.stops = c.stops;
-  request.steps = std::max(most_steps / c.settings.steps_multiple, std::uint64_t{1}) *
-                  c.settings.steps_multiple;
-  request.steps =
-      std::max(c.settings.coarsest_steps, std::min(request.steps, c.settings.finest_steps));
+  const std::uint64_t multiple = c.settings.steps_multiple;
+  const std::uint64_t wanted =
+      std::clamp(most_steps, c.settings.coarsest_steps,
+                 std::max(c.settings.coarsest_steps, c.settings.finest_steps));
+  request.steps = std::max(wanted / multiple, std::uint64_t{1}) * multiple;
+  if (!FixedGrid(c.t0, request).fits()) return scale;  // no fixed steps meet its stops
   const Outcome plain = run(c, request, 0, 0);
   for (const StopError& error : judge.errors(plain))
     if (!(error.error_rms <= 0.01 * scale)) return scale;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/judge/rounding.hpp"
+
+namespace odeum::judge {
+namespace {
+
+// Of some cases no number of steps within the bounds of the study meets every stop.
+TEST(Rounding, HasAGainForEveryCase) {
+  for (const Case& c : all_cases()) {
+    const double gain = perturbation_gain(c);
+    EXPECT_TRUE(std::isfinite(gain) && gain > 0) << c.id << ": " << gain;
+  }
+}
+
+}  // namespace
+}  // namespace odeum::judge
