@@ -43,7 +43,9 @@ Case make_variant(const Variant& variant) {
   c.settings.finest_steps = (c.has_tag("smooth") ? 16 : 8) * variant.coarsest_steps;
   // Half a second per solve or less; on all but the tension-only one, whose force has kinks, enough
   // for explicit methods to show their order.
-  c.settings.evaluation_budget = variant.tension_only ? 16'000 : 100'000;
+  c.settings.evaluation_budget = variant.tension_only      ? 16'000
+                                 : variant.stiffness > 100 ? 30'000
+                                                           : 100'000;
   c.truth = reference_truth(variant.reference, variant.floor);
   if (c.has_tag("smooth")) {
     // A spring of the moving middle is shortest at t = 0.005 s, where its length has branch points

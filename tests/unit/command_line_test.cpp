@@ -138,6 +138,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misuse{"odeum run damped_oscillator_undamped --solver leapfrog --tol 1e-3",
                "fixed step only"},
         Misuse{"odeum converge --case nothing --out /dev/null/x", "no case matches"},
+        Misuse{"odeum converge --case '!*' --out /dev/null/x", "no case is left by '!*'"},
+        Misuse{"odeum mesh --most 7.5 --out /dev/null/x", "expected a whole number from 6 to 192"},
         Misuse{"odeum converge --solver odeum/rk9 --out /dev/null/x", "no solver matches"},
         Misuse{"odeum drift --case keplr_e06 --out /dev/null/x", "did you mean kepler_e06"},
         Misuse{"odeum precision --resume --out /dev/null/x", "do not compare"},

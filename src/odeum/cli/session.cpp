@@ -2,7 +2,9 @@
 #include "odeum/cli/session.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -49,6 +51,9 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
       throw UsageError(missing);
     throw UsageError(fmt::format("no {} matches '{}'{}", what, glob, did_you_mean(glob, ids)));
   }
+  if (std::none_of(ids.begin(), ids.end(),
+                   [&](const std::string& id) { return any_glob_matches(globs, id); }))
+    throw UsageError(fmt::format("no {} is left by '{}'", what, fmt::join(globs, " ")));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -31,10 +32,11 @@ void add_own_option(CLI::App& command, const study::Option& option, study::Optio
   else
     added->type_name("N")->check([option](const std::string& text) {
       double value = 0;
-      if (CLI::detail::lexical_cast(text, value) && value >= option.least && value <= option.most)
+      if (CLI::detail::lexical_cast(text, value) && value >= option.least && value <= option.most &&
+          (!option.whole || value == std::floor(value)))
         return std::string();
-      return fmt::format("got {}, expected a number from {:g} to {:g}", text, option.least,
-                         option.most);
+      return fmt::format("got {}, expected a{} number from {:g} to {:g}", text,
+                         option.whole ? " whole" : "", option.least, option.most);
     });
 }
 

@@ -38,6 +38,7 @@ struct Option {
   std::string name, help;               ///< the name without its dashes
   std::vector<std::string> words = {};  ///< empty: a number
   double least = 0, most = 1e9;
+  bool whole = false;  ///< the number has to be an integer
 };
 
 /// A study as the command line needs it.

@@ -11,7 +11,7 @@ namespace {
 // solvers cannot solve the hard ones at all: with this budget a full study spends five minutes on
 // them.
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
-constexpr std::uint64_t hard_budget = 100'000, quick_hard_budget = 10'000;
+constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
 
 // Step counts from coarse to fine. A factor of two between steps suits low orders; a high order
 // reaches rounding within a few halvings, so that its steps are closer together and start coarser.

@@ -55,7 +55,8 @@ class Mesh final : public StudyOf<MeshResult> {
                  .options = {{.name = "most",
                               .help = "particles along an edge of the finest; default: 96",
                               .least = 6,
-                              .most = 192}}}) {}
+                              .most = 192,
+                              .whole = true}}}) {}
 
   std::vector<Options> report_runs(bool quick) const override {
     return quick ? std::vector<Options>() : std::vector<Options>{{.own = {{"most", "24"}}}};

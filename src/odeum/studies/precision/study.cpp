@@ -25,7 +25,8 @@ class Precision final : public StudyOf<PrecisionResult> {
                               .help = "how often a case that other programs disturbed is timed; "
                                       "default: 2",
                               .least = 1,
-                              .most = 100}}}) {}
+                              .most = 100,
+                              .whole = true}}}) {}
 
   /// One case of each kind (linear, orbits, many bodies, and three stiff ones), with short limits.
   std::vector<Options> report_runs(bool quick) const override {

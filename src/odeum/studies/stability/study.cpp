@@ -9,19 +9,23 @@ namespace {
 class Stability final : public StudyOf<StabilityResult> {
  public:
   Stability()
-      : StudyOf(
-            {.name = "stability",
-             .help = "stability regions and limits, measured on the running code",
-             .place = 30,
-             .cases_help = "",
-             .options = {{.name = "plane",
-                          .help = "lambda or oscillator; default: both",
-                          .words = {"lambda", "oscillator"}},
-                         {.name = "grid", .help = "points along an axis", .least = 8, .most = 4096},
-                         {.name = "peer-grid",
-                          .help = "the same for the solvers of other libraries",
-                          .least = 8,
-                          .most = 4096}}}) {}
+      : StudyOf({.name = "stability",
+                 .help = "stability regions and limits, measured on the running code",
+                 .place = 30,
+                 .cases_help = "",
+                 .options = {{.name = "plane",
+                              .help = "lambda or oscillator; default: both",
+                              .words = {"lambda", "oscillator"}},
+                             {.name = "grid",
+                              .help = "points along an axis",
+                              .least = 8,
+                              .most = 4096,
+                              .whole = true},
+                             {.name = "peer-grid",
+                              .help = "the same for the solvers of other libraries",
+                              .least = 8,
+                              .most = 4096,
+                              .whole = true}}}) {}
 
   std::vector<Options> report_runs(bool quick) const override {
     if (!quick) return {{}};
