@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cmath>
 #include <complex>
 
 #include "odeum/scene/model/scene.hpp"
+#include "support/parameters.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -47,6 +50,29 @@ scene::Scene as_scene(std::complex<double> lambda, bool complex) {
   return scene;
 }
 
+// y_n = R(h lambda)^n for the schemes whose R is written down here.
+bool scheme_of(std::complex<double> lambda, const std::string& solver, double h, double n,
+               double* y) {
+  const std::complex<double> z = lambda * h;
+  std::complex<double> r;
+  if (solver == "odeum/explicit_euler")
+    r = 1.0 + z;
+  else if (solver == "odeum/implicit_euler")
+    r = 1.0 / (1.0 - z);
+  else if (solver == "odeum/trapezoidal" || solver == "odeum/implicit_midpoint")
+    r = (1.0 + z / 2.0) / (1.0 - z / 2.0);
+  else if (solver == "odeum/midpoint" || solver == "odeum/heun")
+    r = 1.0 + z + z * z / 2.0;
+  else if (solver == "odeum/rk4")
+    r = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
+  else
+    return false;
+  const std::complex<double> exact = n == 0 ? 1.0 : std::pow(r, n);
+  y[0] = exact.real();
+  if (lambda.imag() != 0) y[1] = exact.imag();
+  return true;
+}
+
 Case describe(const char* id, const char* title, const char* equation,
               std::complex<double> lambda) {
   Case c;
@@ -58,6 +84,9 @@ Case describe(const char* id, const char* title, const char* equation,
   c.stops = {4};
   c.settings.coarsest_steps = 16;
   c.settings.finest_steps = 16384;
+  c.scheme = [lambda](const std::string& solver, double h, double steps, double* y) {
+    return scheme_of(lambda, solver, h, steps, y);
+  };
   c.truth.source = "closed form";
   c.truth.at = [lambda](double t, double* y) {
     const std::complex<double> exact = std::exp(lambda * t);
@@ -68,17 +97,26 @@ Case describe(const char* id, const char* title, const char* equation,
   return c;
 }
 
-Case real_case(const char* id, const char* title, const char* equation, double lambda) {
-  Case c = describe(id, title, equation, lambda);
+Case real_case_of(const char* id, const char* title, double lambda) {
+  const std::string equation =
+      lambda == -1 ? "y' = -y, y(0) = 1" : fmt::format("y' = {} y, y(0) = 1", lambda);
+  Case c = describe(id, title, equation.c_str(), lambda);
   c.y0 = {1};
+  c.components = {"y"};
   set_stage(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
   return c;
+}
+
+Case real_case(const char* id, const char* title, double lambda) {
+  return with_parameters({{"lambda", lambda, "1/s"}},
+                         [=](const Values& values) { return real_case_of(id, title, values[0]); });
 }
 
 Case complex_case(const char* id, const char* title, const char* equation,
                   std::complex<double> lambda) {
   Case c = describe(id, title, equation, lambda);
   c.y0 = {1, 0};
+  c.components = {"re", "im"};
   set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
             std::make_shared<scene::Scene>(as_scene(lambda, true)));
   return c;
@@ -102,7 +140,7 @@ std::vector<Case> dahlquist() {
   complex.plane = "lambda";
   complex.probe = lambda_probe;
   return {
-      real_case("real", "Dahlquist's equation, decay", "y' = -y, y(0) = 1", -1), complex,
+      real_case("real", "Dahlquist's equation, decay", -1), complex,
       complex_case("imaginary", "Dahlquist's equation, rotation", "y' = 2i y, y(0) = 1", {0, 2})};
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -10,7 +13,7 @@ namespace {
 /// x' = s (y - x), y' = x (r - z) - y, z' = x y - b z.
 struct Lorenz {
   static constexpr std::size_t dimension = 3;
-  static constexpr double s = 10, r = 28, b = 8.0 / 3;
+  double s = 10, r = 28, b = 8.0 / 3;
 
   void rhs(double, const double* y, double* f) const {
     f[0] = s * (y[1] - y[0]);
@@ -45,11 +48,8 @@ struct Lorenz {
   }
 };
 
-}  // namespace
-
-/// Chaotic: errors grow as exp(0.9 t). Double precision resolves the solution to t = 10; by t = 50
-/// the rounding of the parameters alone has decorrelated it.
-std::vector<Case> lorenz() {
+Case make_case(const Values& values) {
+  const Lorenz problem{values[0], values[1], values[2]};
   Case c;
   c.id = "lorenz_kehlet_logg";
   c.title = "Lorenz's attractor";
@@ -66,8 +66,31 @@ std::vector<Case> lorenz() {
   // the published one.
   c.truth.at = [sparse = c.truth.at, dense = reference_truth("lorenz_dense", 6.9e-15).at](
                    double t, double* y) { return sparse(t, y) || dense(t, y); };
-  set_stage(c, Lorenz{});
-  return {c};
+  c.components = {"x", "y", "z"};
+  const Lorenz usual;
+  if (problem.s != usual.s || problem.r != usual.r || problem.b != usual.b || values[3] != 1 ||
+      values[4] != 0 || values[5] != 0) {
+    c.y0 = {values[3], values[4], values[5]};
+    c.equation = fmt::format("x' = {} (y - x), y' = x ({} - z) - y, z' = x y - {} z, ({}, {}, {})",
+                             problem.s, problem.r, problem.b, c.y0[0], c.y0[1], c.y0[2]);
+    c.truth = unknown_truth();
+  }
+  set_stage(c, problem);
+  return c;
+}
+
+}  // namespace
+
+/// Chaotic: errors grow as exp(0.9 t). Double precision resolves the solution to t = 10; by t = 50
+/// the rounding of the parameters alone has decorrelated it.
+std::vector<Case> lorenz() {
+  return {with_parameters({{"s", 10, "Prandtl number"},
+                           {"r", 28, "Rayleigh number over its critical value"},
+                           {"b", 8.0 / 3, "shape of the cell"},
+                           {"x0", 1, "x at the start"},
+                           {"y0", 0, "y at the start"},
+                           {"z0", 0, "z at the start"}},
+                          make_case)};
 }
 
 }  // namespace odeum::cases

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "support/parameters.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -80,31 +83,52 @@ void exact(const SumAndDifference& p, const double* y0, double t, double* y) {
   y[0] = x1 + x2, y[1] = x1 - x2, y[2] = v1 + v2, y[3] = v1 - v2;
 }
 
-}  // namespace
-
-/// Two masses on springs in coordinates whose mass matrix is not diagonal.
-std::vector<Case> mass_matrix() {
-  const SumAndDifference problem;
+Case make_case(const Values& values) {
+  const SumAndDifference p{values[0], values[1], values[2], values[3], values[4]};
+  require_positive("m1", p.m1);
+  require_positive("m2", p.m2);
+  for (const auto& [name, k] : {std::pair{"k1", p.k1}, {"k2", p.k2}, {"k12", p.k12}})
+    require_positive(name, k);
   Case c;
   c.id = "mass_matrix";
   c.title = "Two masses in sum and difference coordinates";
-  c.equation = "M (s, d)'' = -K (s, d), M = 1/4 [4 -2; -2 4], K = 1/4 [9 -1; -1 17]";
+  c.equation = fmt::format(
+      "M (s, d)'' = -K (s, d), M = 1/4 [{0} {1}; {1} {0}], K = 1/4 [{2} {3}; "
+      "{3} {4}]",
+      p.m1 + p.m2, p.m1 - p.m2, p.k1 + p.k2, p.k1 - p.k2, p.k1 + p.k2 + 4 * p.k12);
   c.source =
       "two coupled oscillators, Goldstein, Classical Mechanics, chapter 6: M is not diagonal";
   c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
-  c.y0 = {1, 0.5, 0, -0.3};
+  c.y0 = {values[5], values[6], values[7], values[8]};
+  c.components = {"s", "d", "s_rate", "d_rate"};
   c.stops = {2.5, 5, 7.5, 10};
   c.settings.steps_multiple = 4;
   c.settings.coarsest_steps = 32;
   c.settings.finest_steps = 65536;
-  c.truth.at = [problem, y0 = c.y0](double t, double* y) {
-    exact(problem, y0.data(), t, y);
+  c.truth.at = [p, y0 = c.y0](double t, double* y) {
+    exact(p, y0.data(), t, y);
     return true;
   };
   c.truth.floor = 1e-14;  // rounding of numbers of size 1 with omega t up to 30
   c.truth.source = "closed form: normal modes in x1 and x2";
-  set_stage(c, problem);
-  return {c};
+  set_stage(c, p);
+  return c;
+}
+
+}  // namespace
+
+/// Two masses on springs in coordinates whose mass matrix is not diagonal.
+std::vector<Case> mass_matrix() {
+  return {with_parameters({{"m1", 1, "mass, kg"},
+                           {"m2", 3, "mass, kg"},
+                           {"k1", 4, "stiffness to the wall, N/m"},
+                           {"k2", 5, "stiffness to the wall, N/m"},
+                           {"k12", 2, "stiffness between the masses, N/m"},
+                           {"s0", 1, "x1 + x2 at the start, m"},
+                           {"d0", 0.5, "x1 - x2 at the start, m"},
+                           {"s_rate0", 0, "its rate, m/s"},
+                           {"d_rate0", -0.3, "its rate, m/s"}},
+                          make_case)};
 }
 
 }  // namespace odeum::cases

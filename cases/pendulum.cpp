@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -26,14 +29,16 @@ struct Pendulum {
   double energy(const double* y) const { return y[1] * y[1] / 2 - std::cos(y[0]); }
 };
 
-Case make_variant(const char* id, const char* title, const char* equation, double angle) {
+Case make_case(const char* id, const char* title, double usual, const Values& values) {
+  const double angle = values[0], rate = values[1];
   Case c;
   c.id = id;
   c.title = title;
-  c.equation = equation;
+  c.equation = fmt::format("theta'' = -sin theta, theta(0) = {}", angle);
   c.source = "Huygens 1673; closed form in Jacobi's elliptic functions";
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
-  c.y0 = {angle, 0};
+  c.y0 = {angle, rate};
+  c.components = {"theta", "rate"};
   c.stops = {1, 5, 10};
   c.settings.steps_multiple = 10;
   c.settings.coarsest_steps = 40;
@@ -42,17 +47,24 @@ Case make_variant(const char* id, const char* title, const char* equation, doubl
   c.settings.timed_stops = {100};
   c.settings.timed_floor = 1e-25;
   c.truth = reference_truth(id, 1e-25);
+  if (values != Values{usual, 0}) c.truth = unknown_truth();
+  if (rate != 0) c.equation += fmt::format(", theta'(0) = {}", rate);
   set_stage(c, Pendulum{});
   return c;
+}
+
+Case make_variant(const char* id, const char* title, double angle) {
+  return with_parameters({{"theta0", angle, "angle at the start, rad"},
+                          {"rate0", 0, "angular velocity at the start, rad/s, times sqrt(l/g)"}},
+                         [=](const Values& values) { return make_case(id, title, angle, values); });
 }
 
 }  // namespace
 
 /// A pendulum with amplitudes of 1 and 3 rad, the latter close to the separatrix.
 std::vector<Case> pendulum() {
-  return {make_variant("pendulum_small", "Pendulum", "theta'' = -sin theta, theta(0) = 1", 1),
-          make_variant("pendulum_large", "Pendulum that nearly turns over",
-                       "theta'' = -sin theta, theta(0) = 3", 3)};
+  return {make_variant("pendulum_small", "Pendulum", 1),
+          make_variant("pendulum_large", "Pendulum that nearly turns over", 3)};
 }
 
 }  // namespace odeum::cases

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "problems/hires.hpp"
+#include "support/inlined_for.hpp"
 
 namespace odeum::cases::inlined {
 using hires = Hires;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "problems/kepler.hpp"
+#include "support/inlined_for.hpp"
 
 namespace odeum::cases::inlined {
 using kepler = Kepler;
-}
+template <>
+inline constexpr bool has_stiff_cases<kepler> = false;
+}  // namespace odeum::cases::inlined

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "problems/pleiades.hpp"
+#include "support/inlined_for.hpp"
 
 namespace odeum::cases::inlined {
 using pleiades = Pleiades;
-}
+template <>
+inline constexpr bool has_stiff_cases<pleiades> = false;
+}  // namespace odeum::cases::inlined

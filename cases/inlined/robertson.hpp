@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "problems/robertson.hpp"
+#include "support/inlined_for.hpp"
 
 namespace odeum::cases::inlined {
 using robertson = Robertson;
-}
+template <>
+inline constexpr bool has_nonstiff_cases<robertson> = false;
+}  // namespace odeum::cases::inlined

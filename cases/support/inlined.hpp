@@ -5,6 +5,7 @@
 
 #include "odeum/contest/case.hpp"
 #include "odeum/contest/enroll_method.hpp"
+#include "support/inlined_for.hpp"
 
 /// Solvers for timed runs only, with the right-hand side inlined and no guard. They compile slowly.
 /// CMake generates a unit for each method whose file says `inlined`, with all problems of
@@ -26,7 +27,7 @@ Contest<Bare<P>> bare_contest(const Case& c) {
 
 template <class M, Ode P>
 void add_if(const Case& c, std::vector<Entrant>& all) {
-  if constexpr (M::template fits<Bare<P>>) {
+  if constexpr (suits<P>(M::inlined) && M::template fits<Bare<P>>) {
     const Contest<Bare<P>> contest = bare_contest<P>(c);
     if (!contest.problem) return;
     Entrant entrant;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/stage.hpp"
 
+#include "odeum/contest/late.hpp"
 #include "odeum/contest/own_methods.hpp"
 #include "odeum/contest/shared_contest.hpp"
 #include "odeum_adapters.hpp"  // generated: odeum::enroll_adapters, every library that is built in
@@ -11,6 +12,8 @@ std::vector<Entrant> enroll(const ErasedContest& contest) {
   std::vector<Entrant> entrants = enroll_own(contest);
   with_shared_type(contest.view,
                    [&]<Shared P>() { enroll_adapters(shared_contest<P>(contest), entrants); });
+  for (const LateLibrary& library : late_libraries())
+    if (library.enroll) library.enroll(contest, entrants);
   for (Entrant& entrant : entrants) {
     if (!entrant.solve) continue;
     entrant.solve = [t0 = contest.t0, solve = std::move(entrant.solve)](const Request& request) {

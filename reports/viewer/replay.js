@@ -9,7 +9,10 @@
 // part: webgl
 // part: camera
 // part: still
+// part: sprites
 // part: moment
+// part: curves
 // part: energy
 // part: controls
+// part: together
 })();

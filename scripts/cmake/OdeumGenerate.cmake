@@ -103,6 +103,7 @@ function(odeum_generate_cases)
 #include <utility>
 
 #include \"odeum/contest/case.hpp\"
+#include \"support/late_cases.hpp\"
 
 namespace odeum {
 namespace cases {
@@ -113,7 +114,8 @@ const std::vector<Case>& all_cases() {
     const auto add = [&](std::vector<Case> more) {
       std::move(more.begin(), more.end(), std::back_inserter(list));
     };
-${calls}    return list;
+${calls}    add(cases::late_cases());
+    return list;
   }();
   return all;
 }
@@ -153,7 +155,7 @@ ${calls}  std::stable_sort(studies.begin(), studies.end(), [](const auto& a, con
 endfunction()
 
 # inlined_solvers() of contest/inlined.hpp, see cases/support/inlined.hpp: a unit for each method with
-# `inlined = true` in its file, and one for odeint on each problem of cases/inlined, whose stem names
+# `inlined` in its file, and one for odeint on each problem of cases/inlined, whose stem names
 # the problem's type. Their names are left in ODEUM_INLINED_FILES.
 function(odeum_generate_inlined)
   file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.hpp)
@@ -170,7 +172,9 @@ function(odeum_generate_inlined)
     get_filename_component(stem ${problem} NAME_WE)
     string(APPEND includes "#include \"inlined/${stem}.hpp\"\n")
     string(APPEND types ", ${stem}")
-    if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT)
+    # All that odeint inlines is explicit.
+    file(STRINGS ${problem} stiff_only REGEX "has_nonstiff_cases<.*> = false")
+    if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT AND NOT stiff_only)
       odeum_write(${ODEUM_GENERATED}/inlined/odeint_${stem}.cpp
 "#include \"inlined/${stem}.hpp\"
 #include \"support/inlined_odeint.hpp\"
@@ -182,9 +186,9 @@ void add_odeint_${stem}(const Case& c, std::vector<Entrant>& all) { add_odeint<$
       list(APPEND names odeint_${stem})
     endif()
   endforeach()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${methods})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${methods} ${problems})
   foreach(method IN LISTS methods)
-    file(STRINGS ${method} inlined REGEX "bool inlined = true;")
+    file(STRINGS ${method} inlined REGEX "inlined = Inlined::")
     if(inlined)
       get_filename_component(stem ${method} NAME_WE)
       odeum_write(${ODEUM_GENERATED}/inlined/${stem}.cpp
@@ -289,47 +293,52 @@ function(odeum_write_verbatim path text)
   endif()
 endfunction()
 
-# Replaces each line "// part: NAME" of a script by reports/viewer/replay/NAME.js. Every part must be
-# named.
-function(odeum_join_script variable)
+# Replaces each line "// part: NAME" of a script reports/viewer/STEM.js, whose text is in VARIABLE, by
+# reports/viewer/STEM/NAME.js, or by reports/viewer/shared/NAME.js, which several scripts use. Every part
+# of STEM must be named.
+function(odeum_join_script stem variable)
   set(script "${${variable}}")
-  file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/replay/*.js)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${parts})
-  foreach(part IN LISTS parts)
+  file(GLOB own CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/${stem}/*.js)
+  file(GLOB shared CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/shared/*.js)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${own} ${shared})
+  foreach(part IN LISTS own shared)
     get_filename_component(name ${part} NAME_WE)
     file(READ ${part} text)
     string(FIND "${script}" "// part: ${name}\n" place)
-    if(place EQUAL -1)
-      message(FATAL_ERROR "replay.js has no place for replay/${name}.js")
+    if(place EQUAL -1 AND part IN_LIST own)
+      message(FATAL_ERROR "${stem}.js has no place for ${stem}/${name}.js")
     endif()
     string(REPLACE "// part: ${name}\n" "${text}" script "${script}")
   endforeach()
   if(script MATCHES "// part: [a-z]+\n")
-    message(FATAL_ERROR "replay.js names a part that is not there: ${CMAKE_MATCH_0}")
+    message(FATAL_ERROR "${stem}.js names a part that is not there: ${CMAKE_MATCH_0}")
   endif()
   set(${variable} "${script}" PARENT_SCOPE)
 endfunction()
 
-# odeum_texts.cpp: the static texts of the report page (its style sheet, the findings:
-# reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
+# odeum_texts.cpp: the static texts of the report page (its style sheet, its scripts, the trade-offs, the
+# findings: reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
 function(odeum_generate_texts)
   file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/findings/*.md)
   list(PREPEND findings ${PROJECT_SOURCE_DIR}/reports/findings.md)
   set(style ${PROJECT_SOURCE_DIR}/reports/viewer/page.css)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${findings} ${style})
+  set(trade_offs ${PROJECT_SOURCE_DIR}/reports/trade-offs.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${findings} ${style} ${trade_offs})
   set(body "#include \"odeum/report/texts.hpp\"\n\nnamespace odeum::report {\n")
   file(READ ${style} text)
   string(APPEND body "std::string_view page_style() { return R\"odeum-text(${text})odeum-text\"; }\n")
+  file(READ ${trade_offs} text)
+  string(APPEND body "std::string_view trade_offs() { return R\"odeum-text(${text})odeum-text\"; }\n")
   set(all "")
   foreach(file IN LISTS findings)
     file(READ ${file} text)
     string(APPEND all "${text}\n")
   endforeach()
-  foreach(part IN ITEMS replay.html replay.css replay.js)
+  foreach(part IN ITEMS page.js replay.html replay.css replay.js)
     file(READ ${PROJECT_SOURCE_DIR}/reports/viewer/${part} text)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/viewer/${part})
-    if(part STREQUAL "replay.js")
-      odeum_join_script(text)
+    if(part MATCHES "^(.*)\\.js$")
+      odeum_join_script(${CMAKE_MATCH_1} text)
     endif()
     string(REPLACE "." "_" name ${part})
     string(APPEND body "std::string_view ${name}() { return R\"odeum-text(${text})odeum-text\"; }\n")
@@ -351,6 +360,16 @@ function(odeum_generate_build_info)
   get_directory_property(options COMPILE_OPTIONS)
   list(JOIN options " " options)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
+  # What references are computed by: those that other code computed are not taken from the cache.
+  file(GLOB truth_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/truth/* ${PROJECT_SOURCE_DIR}/src/odeum/formula/*
+       ${PROJECT_SOURCE_DIR}/cases/support/text_truth.cpp ${PROJECT_SOURCE_DIR}/src/odeum/methods/verner98.hpp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${truth_files})
+  set(hashes "")
+  foreach(file IN LISTS truth_files)
+    file(SHA256 ${file} hash)
+    string(APPEND hashes ${hash})
+  endforeach()
+  string(SHA256 truth_code "${hashes}")
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_build_info.hpp
 "#pragma once
 #include <string_view>
@@ -358,6 +377,7 @@ namespace odeum::build {
 inline constexpr std::string_view version = \"${PROJECT_VERSION}\";
 inline constexpr std::string_view revision = \"${revision}\";  // empty: not known
 inline constexpr std::string_view compiler = \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";
+inline constexpr std::string_view truth_code = \"${truth_code}\";  // of the files that compute references
 inline constexpr std::string_view type = \"${CMAKE_BUILD_TYPE}\";
 inline constexpr std::string_view flags = R\"(${flags})\";
 }
@@ -397,9 +417,10 @@ ${odeum_calls}}
 ")
   odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
 "#include \"odeum/contest/case.hpp\"
+#include \"odeum/contest/late.hpp\"
 
 namespace odeum {
-const std::vector<LibraryInfo>& all_libraries() {
+const std::vector<LibraryInfo>& built_in_libraries() {
   static const std::vector<LibraryInfo> all{
 ${ODEUM_LIBRARY_ROWS}  };
   return all;
@@ -410,11 +431,12 @@ endmacro()
 
 # odeum_adapter(NAME <folder> OPTION <ODEUM_WITH_X> FOUND <bool> VERSION <text>
 #               LIBRARIES <solver id prefixes>... SOURCES <files>... LINK <targets>...
-#               INCLUDE <folders>... DEFINE <definitions>...)
+#               INCLUDE <folders>... DEFINE <definitions>... PACKAGE <arguments of find_package>)
+# PACKAGE: what a project that uses the installed libraries has to find, where LINK names its targets.
 # Declares the option (on where the library was found) and, where it is on, the library target
 # odeum_adapter_<folder>.
 function(odeum_adapter)
-  cmake_parse_arguments(A "" "NAME;OPTION;FOUND;VERSION" "LIBRARIES;SOURCES;LINK;INCLUDE;DEFINE" ${ARGN})
+  cmake_parse_arguments(A "" "NAME;OPTION;FOUND;VERSION;PACKAGE" "LIBRARIES;SOURCES;LINK;INCLUDE;DEFINE" ${ARGN})
   if(A_FOUND)
     set(default ON)
   else()
@@ -428,14 +450,17 @@ function(odeum_adapter)
   list(JOIN quoted ", " quoted)
   if(${A_OPTION})
     add_library(odeum_adapter_${A_NAME} STATIC ${A_SOURCES})
-    target_link_libraries(odeum_adapter_${A_NAME} PUBLIC odeum_core PRIVATE odeum_options)
+    target_link_libraries(odeum_adapter_${A_NAME} PUBLIC odeum_core PRIVATE $<BUILD_INTERFACE:odeum_options>)
     # No warnings from a peer's headers.
     target_link_libraries(odeum_adapter_${A_NAME} PUBLIC ${A_LINK})
-    target_include_directories(odeum_adapter_${A_NAME} SYSTEM PUBLIC ${A_INCLUDE})
-    target_include_directories(odeum_adapter_${A_NAME} PUBLIC ${PROJECT_SOURCE_DIR}/adapters)
+    target_include_directories(odeum_adapter_${A_NAME} SYSTEM PUBLIC $<BUILD_INTERFACE:${A_INCLUDE}>)
+    target_include_directories(odeum_adapter_${A_NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/adapters>)
     target_compile_definitions(odeum_adapter_${A_NAME} PUBLIC ${A_DEFINE})
     set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", true, \"${A_VERSION}\"},\n")
     set_property(GLOBAL APPEND PROPERTY ODEUM_ADAPTERS_BUILT ${A_NAME})
+    if(A_PACKAGE)
+      set_property(GLOBAL APPEND_STRING PROPERTY ODEUM_PACKAGES " \"${A_PACKAGE}\"")
+    endif()
   else()
     set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", false, \"\"},\n")
   endif()

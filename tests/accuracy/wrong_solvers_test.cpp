@@ -78,7 +78,7 @@ TEST_P(Wrong, IsNotConfirmedWhereItCanBeSeen) {
     ++tried;
     const Entrant wrong = entrant_of(solver.name, solver.claimed, solver.wrong, c);
     const Entrant right = entrant_of(solver.name, solver.claimed, solver.right, c);
-    const auto result = study::converge_pair({&c, &wrong, Mode::fixed}, gain, false);
+    const auto result = study::converge_pair({&c, &wrong, Mode::fixed}, {.gain = gain}, false);
     const judge::OrderFit& fit = result.orders.front().fit;
     const std::vector<Point> points = side_by_side(c, gain, right, result);
     if (points.empty() || !visible(points)) continue;
@@ -106,7 +106,7 @@ TEST_P(Wrong, WithoutItsFaultIsConfirmed) {
   for (const WrongSolver& solver : solvers) {
     if (solver.second_order && c.id != "second_order") continue;
     const Entrant right = entrant_of(solver.name, solver.claimed, solver.right, c);
-    const auto result = study::converge_pair({&c, &right, Mode::fixed}, gain, false);
+    const auto result = study::converge_pair({&c, &right, Mode::fixed}, {.gain = gain}, false);
     const judge::OrderFit& fit = result.orders.front().fit;
     EXPECT_EQ(fit.verdict, judge::Verdict::confirmed)
         << solver.name << " without its fault: " << fit.order << ' ' << fit.reason;

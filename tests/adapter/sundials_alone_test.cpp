@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 #include "adapter/alone.hpp"
+#include "support/sundials_parts.hpp"
 
 namespace odeum::test {
 namespace {
@@ -31,39 +28,15 @@ int jacobian(double t, N_Vector y, N_Vector, SUNMatrix matrix, void* view, N_Vec
 
 void silent(int, const char*, const char*, char*, void*) {}
 
-/// What both libraries are given: a dense matrix and the exact Jacobian, nothing else.
-struct Parts {
-  Parts(const Case& c, std::vector<double>& state) : view(c.problem.view) {
-    SUNContext_Create(nullptr, &context);
-    const auto n = static_cast<sunindextype>(state.size());
-    y = N_VMake_Serial(n, state.data(), context);
-    matrix = SUNDenseMatrix(n, n, context);
-    solver = SUNLinSol_Dense(y, matrix, context);
-  }
-  ~Parts() {
-    SUNLinSolFree(solver);
-    SUNMatDestroy(matrix);
-    N_VDestroy(y);
-    SUNContext_Free(&context);
-  }
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
-
-  OdeView view;
-  SUNContext context = nullptr;
-  N_Vector y;
-  SUNMatrix matrix;
-  SUNLinearSolver solver;
-};
-
 constexpr long most_steps = 5'000;
 
 bool cvode_bdf(const Case& c, double tolerance, std::vector<double>& state) {
-  Parts parts(c, state);
+  tests::SundialsParts parts(state);
+  OdeView view = c.problem.view;
   void* memory = CVodeCreate(CV_BDF, parts.context);
   CVodeInit(memory, rhs, c.t0, parts.y);
   CVodeSetErrHandlerFn(memory, silent, nullptr);
-  CVodeSetUserData(memory, &parts.view);
+  CVodeSetUserData(memory, &view);
   CVodeSStolerances(memory, tolerance, tolerance);
   CVodeSetLinearSolver(memory, parts.solver, parts.matrix);
   CVodeSetJacFn(memory, jacobian);
@@ -79,10 +52,11 @@ bool cvode_bdf(const Case& c, double tolerance, std::vector<double>& state) {
 
 /// With the settings that the adapter uses, written again here: the defaults solve little.
 bool arkode_kvaerno(const Case& c, double tolerance, std::vector<double>& state) {
-  Parts parts(c, state);
+  tests::SundialsParts parts(state);
+  OdeView view = c.problem.view;
   void* memory = ARKStepCreate(nullptr, rhs, c.t0, parts.y, parts.context);
   ARKStepSetErrHandlerFn(memory, silent, nullptr);
-  ARKStepSetUserData(memory, &parts.view);
+  ARKStepSetUserData(memory, &view);
   ARKStepSetTableNum(memory, ARKODE_KVAERNO_5_3_4, ARKODE_ERK_NONE);
   ARKStepSStolerances(memory, tolerance, tolerance);
   ARKStepSetLinearSolver(memory, parts.solver, parts.matrix);

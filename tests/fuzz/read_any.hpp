@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fuzz/has_place.hpp"
 #include "odeum/scene/read/reader.hpp"
 
 namespace odeum::fuzz {
@@ -23,14 +24,7 @@ inline bool read_any(const std::string& text) {
         return false;
     return true;
   } catch (const InputError& error) {
-    const std::string what = error.what();
-    std::size_t at = 2;
-    for (int part = 0; part < 2; ++part) {
-      const std::size_t digits = what.find_first_not_of("0123456789", at);
-      if (digits == at || digits == std::string::npos || what[digits] != ':') return false;
-      at = digits + 1;
-    }
-    return what.starts_with("f:") && what.find_first_of("\n\r\x1b") == std::string::npos;
+    return has_place(error.what());
   }
 }
 

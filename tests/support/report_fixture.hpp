@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -39,11 +41,17 @@ class Report {
     add_section(page_, result, origin);
     return *this;
   }
-  /// Writes all and returns index.html, or the page of a case.
+  /// Writes all and returns index.html and the pages of the sections, one after the other.
   std::string index(const report::RunFacts& run = {}) {
     page_.write(run);
-    return tests::text_of(folder_.path() / "index.html");
+    std::set<std::filesystem::path> pages;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      if (entry.path().extension() == ".html") pages.insert(entry.path());
+    std::string text;
+    for (const auto& page : pages) text += tests::text_of(page);
+    return text;
   }
+  /// The page of a case.
   std::string case_page(std::size_t index) {
     page_.write({});
     return tests::text_of(folder_.path() / page_.facts().cases.at(index).file);

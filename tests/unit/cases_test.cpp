@@ -22,7 +22,7 @@ std::vector<std::pair<double, std::vector<double>>> along(const Case& c) {
   times.insert(times.end(), c.settings.timed_stops.begin(), c.settings.timed_stops.end());
   for (const double t : times) {
     std::vector<double> y(c.y0.size());
-    if (c.truth.at(t, y.data())) points.emplace_back(t, y);
+    if (c.truth.at(t, y.data()) && is_finite(y.data(), y.size())) points.emplace_back(t, y);
   }
   return points;
 }

@@ -1,49 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program: exit codes, messages, files.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "odeum/record/output_folder.hpp"
+#include "support/program.hpp"
 
 namespace odeum {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Result {
-  int code = -1;
-  std::string output;  ///< stdout and stderr together
-};
-
-/// Runs a shell command in which `odeum` stands for the built program.
-Result shell(const std::string& command) {
-  const std::string script = "odeum() { '" ODEUM_BINARY "' \"$@\"; }; { " + command + "; } 2>&1";
-  FILE* const pipe = ::popen(("bash -c '" +
-                              [&] {
-                                std::string quoted;
-                                for (const char c : script)
-                                  quoted += c == '\'' ? "'\\''" : std::string(1, c);
-                                return quoted;
-                              }() +
-                              "'")
-                                 .c_str(),
-                             "r");
-  Result result;
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    result.output.append(buffer.data(), n);
-  const int status = ::pclose(pipe);
-  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return result;
-}
+using tests::Result;
+using tests::shell;
 
 std::string read(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -165,6 +139,16 @@ TEST_F(CommandLine, MeasuresTheMaterial) {
   for (const char* name : {"material.csv", "material_error.csv", "cloth_long.csv"})
     EXPECT_TRUE(fs::exists(fs::path(in("out")) / name)) << name;
   EXPECT_FALSE(fs::exists(fs::path(in("out")) / "cloth_cost.csv")) << "no engine was chosen";
+  EXPECT_EQ(result.output.find("cloth_cost.csv"), std::string::npos) << "named, but not written";
+}
+
+TEST_F(CommandLine, AStudyTakesTheNamesOfSolversThatRunTakes) {
+  const Result result =
+      shell("odeum converge --quick --case free_fall --solver rk4 --out " + in("out"));
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("odeum/rk4"), std::string::npos) << result.output;
+  EXPECT_NE(shell("odeum run free_fall --solver closed_form --tol 1e-3").output.find("runs scenes"),
+            std::string::npos);
 }
 
 TEST_F(CommandLine, ListsInThreeFormats) {
@@ -202,7 +186,7 @@ constexpr const char* study =
 TEST_F(CommandLine, ResultsDoNotDependOnTheNumberOfJobs) {
   ASSERT_EQ(shell(study + ("--quick --jobs 1 --out " + in("one"))).code, 0);
   ASSERT_EQ(shell(study + ("--quick --jobs 3 --out " + in("three"))).code, 0);
-  for (const char* file : {"convergence.csv", "convergence_times.csv", "orders.csv"}) {
+  for (const char* file : {"convergence.csv", "convergence_times.csv.gz", "orders.csv"}) {
     EXPECT_FALSE(read(folder_ / "one" / file).empty());
     EXPECT_EQ(read(folder_ / "one" / file), read(folder_ / "three" / file)) << file;
   }
@@ -221,7 +205,7 @@ TEST_F(CommandLine, GoesOnAfterAKillToTheSameBytes) {
   const std::string kept = read(folder_ / "killed" / ".converge.journal");
   ASSERT_GE(std::count(kept.begin(), kept.end(), '\n'), 2) << "killed too early or too late";
   ASSERT_EQ(shell(study + ("--quick --resume --out " + in("killed"))).code, 0);
-  for (const char* file : {"convergence.csv", "convergence_times.csv", "orders.csv"})
+  for (const char* file : {"convergence.csv", "convergence_times.csv.gz", "orders.csv"})
     EXPECT_EQ(read(folder_ / "whole" / file), read(folder_ / "killed" / file)) << file;
 }
 

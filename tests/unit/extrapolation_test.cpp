@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "odeum/control/run_method.hpp"
 #include "odeum/linear/matrix_exponential.hpp"
 #include "odeum/methods/exponential_propagator.hpp"
 #include "odeum/methods/gragg_bulirsch_stoer.hpp"
@@ -62,7 +63,7 @@ Outcome integrate(double tolerance, std::vector<double> stops, Budget budget = {
   request.budget = budget;
   Guard guard(P::dimension, request.budget);
   const Guarded<P> guarded(problem, guard);
-  Outcome outcome = M::integrate(guarded, 0, P::exact(0), request);
+  Outcome outcome = run_method<M>(guarded, 0, P::exact(0), request);
   guard.conclude(request, outcome);
   return outcome;
 }

@@ -29,6 +29,24 @@ struct Square {
   }
 };
 
+/// Robertson's reactions.
+struct Robertson {
+  static constexpr std::size_t dimension = 3;
+  void rhs(double, const double* y, double* f) const {
+    f[0] = -0.04 * y[0] + 1e4 * y[1] * y[2];
+    f[2] = 3e7 * y[1] * y[1];
+    f[1] = -f[0] - f[2];
+  }
+  void jacobian(double, const double* y, double* j) const {
+    const double first[] = {-0.04, 1e4 * y[2], 1e4 * y[1]}, third[] = {0, 6e7 * y[1], 0};
+    for (int k = 0; k < 3; ++k) {
+      j[k] = first[k];
+      j[3 + k] = -first[k] - third[k];
+      j[6 + k] = third[k];
+    }
+  }
+};
+
 TEST(Newton, SolvesAQuadraticEquationToRounding) {
   const Square problem;
   Newton<Square> newton(problem);
@@ -75,6 +93,47 @@ TEST(Newton, ReportsASingularMatrix) {
   Newton<Square> newton(problem);
   std::array<double, 1> y{0.5};  // 1 - gamma_h 2 y = 0 at the guess
   EXPECT_EQ(newton.solve(0, 1, {0.5}, y), Status::newton_failed);
+}
+
+/// y' = -atan(k y): full corrections from afar lead further away.
+struct Saturating {
+  static constexpr std::size_t dimension = 1;
+  static constexpr double k = 1e4;
+  mutable int evaluations = 0;
+  void rhs(double, const double* y, double* f) const {
+    ++evaluations;
+    f[0] = -std::atan(k * y[0]);
+  }
+  void jacobian(double, const double* y, double* j) const { j[0] = -k / (1 + k * k * y[0] * y[0]); }
+};
+
+TEST(Newton, TakesLessOfACorrectionThatLeadsAway) {
+  for (const double start : {1.0, 1.5, -2.0}) {
+    const Saturating problem;
+    Newton<Saturating> newton(problem);
+    const std::array<double, 1> base{start};
+    std::array<double, 1> y = base;
+    ASSERT_EQ(newton.solve(0, 1, base, y), Status::ok) << start;
+    EXPECT_NEAR(y[0] + std::atan(problem.k * y[0]), start, 1e-12 * (1 + std::abs(start))) << start;
+    EXPECT_NEAR(newton.increment()[0], y[0] - base[0], 1e-12 * (1 + std::abs(start))) << start;
+    EXPECT_LE(problem.evaluations, 50) << start;
+  }
+}
+
+// In the first step from (1, 0, 0) the quadratic reaction overtakes a correction by the Jacobian at
+// the start a thousand times. Without halving Newton diverged at every one of these steps.
+TEST(Newton, SolvesRobertsonsFirstStepWithoutStepControl) {
+  Robertson problem;
+  for (const double h : {0.01, 0.1, 1.0, 10.0}) {
+    methods::implicit_euler::Stepper<Robertson> stepper(problem);
+    std::array<double, 3> y{1, 0, 0};
+    ASSERT_EQ(stepper.step(0, h, y), Status::ok) << h;
+    EXPECT_GT(y[1], 0) << h;
+    EXPECT_NEAR(y[0] + y[1] + y[2], 1, 1e-14) << h;
+    std::array<double, 3> f;
+    problem.rhs(0, y.data(), f.data());
+    EXPECT_NEAR(y[0], 1 + h * f[0], 1e-12) << h;
+  }
 }
 
 TEST(Newton, MaxNormShowsANaNWhereverItStands) {

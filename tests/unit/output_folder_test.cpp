@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "odeum/record/gzip.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::tests {
@@ -68,6 +69,25 @@ TEST(OutputFolder, MakesItselfAndWritesWholeFiles) {
   EXPECT_EQ(text_of(folder.path() / "a.csv"), "two\n");
   EXPECT_EQ(text_of(folder.path() / "sub/folder/b.csv"), "");
   EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{".lock", "a.csv", "sub"}));
+}
+
+TEST(OutputFolder, CompressesWhatEndsInGzToTheSameBytesEachTime) {
+  const TemporaryFolder root;
+  const OutputFolder folder(root.path() / "out");
+  // Longer than a piece of the stream, and nothing that repeats.
+  std::string text;
+  for (unsigned k = 0, x = 1; k < 300'000; ++k)
+    text += static_cast<char>((x = x * 1664525U + 1013904223U) >> 24U);
+  for (const std::string& each : {text, std::string(), std::string("a,b\n")}) {
+    folder.write("x.csv.gz", each);
+    const std::string bytes = text_of(folder.path() / "x.csv.gz");
+    EXPECT_EQ(record::text_of_gzip(bytes), each);
+    folder.write("x.csv.gz", each);
+    EXPECT_EQ(text_of(folder.path() / "x.csv.gz"), bytes);
+    EXPECT_EQ(record::text_of_gzip(bytes.substr(0, bytes.size() - 9)), std::nullopt) << "cut off";
+  }
+  EXPECT_EQ(record::text_of_gzip("no gzip"), std::nullopt);
+  EXPECT_EQ(record::text_of_gzip(""), std::nullopt);
 }
 
 TEST(OutputFolder, RefusesASecondHolderAndNamesTheFirst) {

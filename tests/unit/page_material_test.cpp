@@ -30,7 +30,7 @@ TEST(PageMaterial, SaysWhereNothingWasMeasured) {
                {.command = "material", .problem = "the material.csv that was there is <cut> off"})
           .index();
   EXPECT_TRUE(has(page, "<section id=\"material\">"));
-  EXPECT_TRUE(has(page, "href=\"#material\""));
+  EXPECT_TRUE(has(page, "href=\"material.html\""));
   EXPECT_TRUE(has(page, "is &lt;cut&gt; off"));
   EXPECT_TRUE(has(page, "<code>odeum material</code> with this folder"));
 }

@@ -7,6 +7,7 @@
 #include "odeum/scene/read/reader.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace odeum {
 namespace {
@@ -87,6 +88,72 @@ forces:
 )")
                      .scene;
   EXPECT_EQ(d.forces.size(), 2U);
+}
+
+// A file as a course hands it out: no duration, a plot, merge keys, keys that only a viewer needs.
+constexpr const char* course_file = R"(
+solver:
+  type: explicit_euler   # symplectic_euler
+  timestep: 0.0005
+camera: {position: [0, -3, 1]}
+plot:
+  particle_id: 1
+  dof: 2
+  y_range: [0.7, 1.2]
+particles:
+  - &ball
+    pos: [0, 0, 2.]
+    vel: &rest [0, 0, 0]
+    fixed: true
+    mass: .1
+  - <<: *ball
+    pos: [0, 0, 1]
+    fixed: false
+    radius: 0.2
+    color: [1, 0, 0]
+  - {<<: [{mass: 3}, *ball], pos: [0, 1, 1], fixed: false}
+springs:
+  - particle_ids: [0, 1]
+    stiffness: 20.
+)";
+
+TEST(SceneReader, TakesCourseFilesUnchanged) {
+  const auto read = read_scene("s.yaml", course_file);
+  const scene::Scene& d = read.scene;
+  EXPECT_FALSE(read.duration_given);
+  EXPECT_EQ(d.duration, 10);
+  ASSERT_TRUE(d.plot);
+  EXPECT_EQ(d.plot->particle, 1U);
+  EXPECT_EQ(d.plot->coordinate, 2U);
+  EXPECT_EQ(d.plot->y_range, (std::array<double, 2>{0.7, 1.2}));
+  ASSERT_EQ(d.particles.size(), 3U);
+  EXPECT_EQ(d.particles[1].position, (scene::Vec3{0, 0, 1})) << "an own key comes first";
+  EXPECT_FALSE(d.particles[1].fixed);
+  EXPECT_EQ(d.particles[1].mass, 0.1) << "merged";
+  EXPECT_EQ(d.particles[2].mass, 3) << "the first of several mappings comes first";
+  ASSERT_EQ(read.warnings.size(), 2U);
+  EXPECT_EQ(read.warnings[0], "s.yaml:5:1: camera: only a viewer needs it; it is not used");
+  EXPECT_EQ(read.warnings[1],
+            "s.yaml:20:5: particles[1].color: only a viewer needs it; it is not used");
+  EXPECT_TRUE(read_scene("s.yaml", tests::two_particles).duration_given);
+}
+
+TEST(SceneReader, TakesTheLookOfEmittedParticles) {
+  const tests::TemporaryFolder folder;
+  const std::string png = "\x89PNG\r\n\x1a\n and the rest";
+  tests::write_text(folder.path() / "puff.png", png);
+  tests::write_text(folder.path() / "s.yaml",
+                    "solver: {type: rk4, timestep: 0.1}\nemitters:\n- {position: [0, 0, 0], "
+                    "velocity: [0, 0, 1], rate: 10, mass: 1, look: {colour: [[1, 0.5, 0], [1, 0, "
+                    "0]], size: [0.1, 0.2], opacity: [1, 0], blend: add, texture: puff.png}}\n");
+  const auto d = scene::read_scene_file((folder.path() / "s.yaml").string()).scene;
+  ASSERT_EQ(d.emitters.size(), 1U);
+  ASSERT_TRUE(d.emitters[0].look);
+  const scene::Look& look = *d.emitters[0].look;
+  EXPECT_EQ(look.colour[0], (scene::Vec3{1, 0.5, 0}));
+  EXPECT_EQ(look.size, (std::array<double, 2>{0.1, 0.2}));
+  EXPECT_TRUE(look.additive);
+  EXPECT_EQ(look.texture, png) << "beside the scene's file";
 }
 
 TEST(SceneReader, ReadsEveryBuiltInScene) {

@@ -51,6 +51,13 @@ std::string springs(const std::string& entry) {
   return std::string(two) + "springs:\n  - {" + entry + "}\n";
 }
 
+// An emitter with one key more.
+std::string emitter(const std::string& entry) {
+  return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nemitters: [{position: [0, 0, 0], "
+         "velocity: [0, 0, 1], rate: 10, mass: 1, " +
+         entry + "}]\n";
+}
+
 std::string bomb() {
   std::string text = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
   for (int k = 1; k < 12; ++k) {
@@ -64,6 +71,34 @@ std::string bomb() {
 INSTANTIATE_TEST_SUITE_P(
     SceneReader, SceneFault,
     testing::Values(
+        Fault{"look_of_two_numbers", emitter("look: {colour: [[1, 1, 1], [1, 1]]}"),
+              "emitters[0].look.colour[1]: a wrong number of entries"},
+        Fault{"look_too_bright", emitter("look: {colour: [[1, 1, 2], [1, 1, 1]]}"),
+              "emitters[0].look.colour[0]: no colour; got 2"},
+        Fault{"look_too_opaque", emitter("look: {opacity: [1.5, 0]}"),
+              "emitters[0].look.opacity[0]: too large; got 1.5, expected a number from 0 to 1"},
+        Fault{"look_of_no_size", emitter("look: {size: [-1, 0]}"), "look.size[0]: negative"},
+        Fault{"look_of_no_blend", emitter("look: {blend: multiply}"),
+              "look.blend: an unknown blend; got multiply, expected over or add"},
+        Fault{"look_without_texture", emitter("look: {texture: /nonexistent.png}"),
+              "look.texture: a texture that cannot be read"},
+        Fault{"look_with_a_text", emitter("look: {texture: /proc/self/status}"), "look.texture: "},
+        Fault{"merge_of_a_number", particle("{<<: 3, pos: [0, 0, 0], mass: 1}"),
+              "s.yaml:3:18: scene: a merge key; got 3, expected a mapping"},
+        Fault{"merge_of_a_list_of_numbers", particle("{<<: [3], pos: [0, 0, 0], mass: 1}"),
+              "a merge key; got 3"},
+        Fault{"merged_typo", particle("&a {pos: [0, 0, 0], mas: 1}, {<<: *a, mass: 1}"),
+              "particles[0].mas: an unknown key; did you mean mass?"},
+        Fault{"plot_of_no_particle", std::string(two) + "plot: {particle_id: 2, dof: 0}\n",
+              "s.yaml:7:21: plot.particle_id: no such particle; got 2, expected an id from 0 to 1"},
+        Fault{"plot_of_no_axis", std::string(two) + "plot: {particle_id: 0, dof: 3}\n",
+              "plot.dof: out of range; got 3, expected a whole number from 0 to 2"},
+        Fault{"plot_upside_down",
+              std::string(two) + "plot: {particle_id: 0, dof: 0, y_range: [1, 0.5]}\n",
+              "plot.y_range: an empty range; got [1, 0.5]"},
+        Fault{"typo_beside_viewer_keys",
+              particle("{pos: [0, 0, 0], mass: 1, color: red, raduis: 1}"),
+              "particles[0].raduis: an unknown key; did you mean radius?"},
         Fault{"nan", particle("{pos: [.nan, 0, 0], mass: 1}"),
               "s.yaml:3:20: particles[0].pos[0]: not finite; got .nan, expected a finite number"},
         Fault{"inf", particle("{pos: [0, 0, 0], vel: [0, -.inf, 0], mass: 1}"),
@@ -123,8 +158,10 @@ INSTANTIATE_TEST_SUITE_P(
               "solver: missing"},
         Fault{"no_setting", "duration: 1\nsolver: {type: rk4}\nparticles: []\n",
               "s.yaml:2:9: solver: no setting"},
-        Fault{"no_duration", "solver: {type: rk4, timestep: 1}\nparticles: []\n",
-              "duration: missing"},
+        Fault{"zero_duration",
+              "duration: 0\nsolver: {type: rk4, timestep: 1}\nparticles: [{pos: [0, 0, 0], mass: "
+              "1}]\n",
+              "s.yaml:1:11: duration: zero; got 0, expected a positive number"},
         Fault{"axis", "up: w\n" + particle("{pos: [0, 0, 0], mass: 1}"),
               "s.yaml:1:5: up: an unknown axis; got w, expected x, y or z"},
         Fault{"force", std::string(two) + "forces: [{drog: {coefficient: 1}}]\n",
@@ -189,7 +226,7 @@ TEST(SceneReader, NegativeDampingMayBeMeant) {
 
 TEST(SceneReader, WhoReadsMayBringTheSolver) {
   scene::ReadOptions options;
-  options.need_solver = options.need_duration = false;
+  options.need_solver = false;
   EXPECT_EQ(error_of("particles: [{pos: [0, 0, 0], mass: 1}]\n", options), "");
 }
 

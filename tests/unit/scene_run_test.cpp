@@ -220,7 +220,7 @@ TEST(SceneFiles, HaveTheColumnsOfTheFormat) {
 TEST(SceneFiles, ParaViewFindsItsSeries) {
   const tests::TemporaryFolder folder;
   const Scene d = built_in_scene("spinning_pair");
-  report::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), 5);
+  report::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), "", 5);
   const auto series =
       nlohmann::json::parse(tests::text_of(folder.path() / "trajectory.vtk.series"));
   ASSERT_EQ(series["files"].size(), 5U);

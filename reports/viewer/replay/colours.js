@@ -8,7 +8,7 @@ const speedStops = [[72, 60, 150], [50, 110, 180], [40, 165, 150], [130, 205, 85
 const strainStops = [[70, 130, 255], [170, 185, 205], [255, 95, 70]];
 const speedColour = ramp(speedStops), strainColour = ramp(strainStops);
 const gradient = (stops) => `linear-gradient(to right, ${stops.map((s) => `rgb(${s})`).join(', ')})`;
-const shown = (x) => (Math.abs(x) >= 0.01 && Math.abs(x) < 1e4 ? x.toPrecision(3) : x.toExponential(1));
+const shown = (x) => (x === 0 ? '0' : Math.abs(x) >= 0.01 && Math.abs(x) < 1e4 ? x.toPrecision(3) : x.toExponential(1));
 byId('speed-bar').style.background = gradient(speedStops);
 byId('strain-bar').style.background = gradient(strainStops);
 byId('speed-max').textContent = `${shown(fastest)} m/s`;

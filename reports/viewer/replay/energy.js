@@ -1,48 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Energy: the whole curve in a faint colour, the part up to the present time in full colour.
+// Energy over time. Where the potential is zero is a convention: here at its least value in the
+// run, so that an offset does not flatten the curves.
 const plot = byId('energy');
-const curves = [
+const leastPotential = scene.potential.reduce((least, e) => (e < least ? e : least), Infinity);
+const offset = Number.isFinite(leastPotential) ? leastPotential : 0;
+const energies = [
   { name: 'kinetic', colour: '#5aa9ff', at: (k) => scene.kinetic[k] },
-  { name: 'potential', colour: '#ffb454', at: (k) => scene.potential[k] },
-  { name: 'total', colour: '#f2f2f2', at: (k) => scene.kinetic[k] + scene.potential[k] }];
-const drawEnergy = (t) => {
-  const pen = plot.getContext('2d'), w = plot.width, h = plot.height, ratio = w / plot.clientWidth || 1;
-  const left = 64 * ratio, right = 8 * ratio, pad = 8 * ratio;
-  let least = Infinity, most = -Infinity;
-  for (const curve of curves)
-    for (let k = 0; k <= last; ++k) { const e = curve.at(k); if (Number.isFinite(e)) { least = Math.min(least, e); most = Math.max(most, e); } }
-  if (!(most > least)) { least -= 1; most += 1; }
-  const x = (time) => left + (w - left - right) * time / duration;
-  const y = (e) => h - pad - (h - 2 * pad) * (e - least) / (most - least);
-  pen.clearRect(0, 0, w, h);
-  pen.lineWidth = 1.5 * ratio;
-  for (const full of [false, true]) {
-    pen.save();
-    pen.beginPath();
-    pen.rect(0, 0, full ? x(t) : w, h);
-    pen.clip();
-    pen.globalAlpha = full ? 1 : 0.3;
-    for (const curve of curves) {
-      pen.strokeStyle = curve.colour;
-      pen.beginPath();
-      for (let k = 0; k <= last; ++k) pen.lineTo(x(times[k]), y(curve.at(k)));
-      pen.stroke();
-    }
-    pen.restore();
-  }
-  pen.strokeStyle = '#888';
-  pen.beginPath();
-  pen.moveTo(x(t), 0);
-  pen.lineTo(x(t), h);
-  pen.stroke();
-  pen.font = `${11 * ratio}px system-ui, sans-serif`;
-  pen.fillStyle = '#bbb';
-  pen.textAlign = 'right';
-  pen.fillText(`${shown(most)} J`, left - 4 * ratio, pad + 8 * ratio);
-  pen.fillText(`${shown(least)} J`, left - 4 * ratio, h - pad);
-  pen.textAlign = 'left';
-  curves.forEach((curve, c) => {
-    pen.fillStyle = curve.colour;
-    pen.fillText(curve.name, left + (6 + 66 * c) * ratio, pad + 8 * ratio);
-  });
-};
+  { name: 'potential, from its least', colour: '#ffb454', at: (k) => scene.potential[k] - offset },
+  { name: 'total', colour: '#f2f2f2', at: (k) => scene.kinetic[k] + scene.potential[k] - offset }];
+const drawEnergy = (t) => drawCurves(plot, energies, 'J', null, t);
+
+// The coordinate that the scene asks to see (`plot`).
+const coordinatePlot = byId('coordinate');
+coordinatePlot.hidden = !scene.plot;
+const coordinates = scene.plot ? [{ name: `particle ${scene.plot.particle}, ${'xyz'[scene.plot.coordinate]}`, colour: '#7fd38a',
+  at: (k) => position(k, scene.plot.particle, scene.plot.coordinate) }] : [];
+const drawCoordinate = (t) => { if (scene.plot) drawCurves(coordinatePlot, coordinates, 'm', scene.plot.range || null, t); };

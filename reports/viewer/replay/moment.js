@@ -14,7 +14,7 @@ const moment = (t) => {
 const radiusOf = (id) => Math.max(id < scene.listed ? radii[id] : 0, extent / 400);
 
 const drawTrails = (now) => {
-  const step = Math.max(1, Math.round(times.length / 600)), length = 40, places = [], colours = [];
+  const step = Math.max(1, Math.round(times.length / 600)), length = Number(byId('trail-length').value), places = [], colours = [];
   const every = Math.max(1, Math.ceil(now.n / 150));
   for (let i = 0; i < now.n; i += every) {
     const id = idOf(now.k, i);
@@ -31,6 +31,21 @@ const drawTrails = (now) => {
       colours.push(0.6, 0.75, 1, fade, 0.6, 0.75, 1, fade * (1 - 1 / length));
       from = to;
     }
+  }
+  draw(flat, gl.LINES, places, colours);
+};
+// An arrow a particle: the fastest is an eighth of the scene's size long.
+const drawVelocities = (now) => {
+  const places = [], colours = [], q = now.state, half = 3 * now.n, scale = extent / (8 * fastest);
+  for (let i = 0; i < now.n; ++i) {
+    const from = [0, 1, 2].map((d) => q[3 * i + d]), arrow = [0, 1, 2].map((d) => scale * q[half + 3 * i + d]);
+    const length = Math.hypot(...arrow);
+    if (!(length > extent / 1000)) continue;
+    const tip = from.map((x, d) => x + arrow[d]);
+    const side = unit(cross(arrow, Math.abs(arrow[up]) < 0.9 * length ? [0, 1, 2].map((d) => +(d === up)) : [0, 1, 2].map((d) => +(d === ahead))));
+    places.push(...from, ...tip);
+    for (const turn of [1, -1]) places.push(...tip, ...tip.map((x, d) => x - 0.25 * arrow[d] + turn * 0.12 * length * side[d]));
+    for (let corner = 0; corner < 6; ++corner) colours.push(1, 0.85, 0.4, 0.9);
   }
   draw(flat, gl.LINES, places, colours);
 };
@@ -62,13 +77,15 @@ const drawCloths = (now) => {
   draw(flat, gl.TRIANGLES, places, colours);
 };
 const drawParticles = (now) => {
-  const colours = [], sizesOfPoints = [], q = now.state, half = 3 * now.n;
+  const places = [], colours = [], sizesOfPoints = [], q = now.state, half = 3 * now.n;
   for (let i = 0; i < now.n; ++i) {
     const id = idOf(now.k, i), v = half + 3 * i;
+    if (lookOf(id)) continue;
+    places.push(q[3 * i], q[3 * i + 1], q[3 * i + 2]);
     const colour = id < scene.listed && fixed[id] ? [0.75, 0.75, 0.75]
       : speedColour(Math.hypot(q[v], q[v + 1], q[v + 2]) / fastest);
     colours.push(...colour, 1);
     sizesOfPoints.push(radiusOf(id));
   }
-  draw(sprite, gl.POINTS, q.subarray(0, half), colours, sizesOfPoints);
+  draw(sprite, gl.POINTS, places, colours, sizesOfPoints);
 };

@@ -28,6 +28,15 @@ Listing list_cases() {
   return listing;
 }
 
+Listing list_parameters() {
+  Listing listing{{"case", "parameter", "value", "meaning"}, {}};
+  for (const Case& c : all_cases())
+    for (const Parameter& parameter : c.parameters)
+      listing.rows.push_back(
+          {c.id, parameter.name, record::format_number(parameter.value), parameter.meaning});
+  return listing;
+}
+
 std::string modes(const SolverInfo& info) {
   std::string text = info.fixed ? "step" : "";
   if (info.adaptive)
@@ -116,6 +125,7 @@ void add_list(CLI::App& app, int&) {
   struct Options {
     std::string what = "cases";
     std::string format = "table";
+    bool parameters = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("list", "the cases, the solvers, or the scenes");
@@ -123,17 +133,24 @@ void add_list(CLI::App& app, int&) {
       ->check(CLI::IsMember({"cases", "solvers", "scenes"}));
   command->add_option("--format", options->format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}));
+  command->add_flag("--parameters", options->parameters,
+                    "the parameters of cases, which odeum run --set changes");
   command->callback([options] {
-    const std::string& what = options->what;
-    const Listing listing = what == "cases"    ? list_cases()
-                            : what == "scenes" ? list_scenes()
-                                               : list_solvers();
+    const std::string what = options->parameters ? "parameters" : options->what;
+    if (options->parameters && options->what != "cases")
+      throw UsageError(
+          "--parameters: only cases have parameters; use odeum list cases --parameters");
+    const Listing listing = what == "cases"        ? list_cases()
+                            : what == "parameters" ? list_parameters()
+                            : what == "scenes"     ? list_scenes()
+                                                   : list_solvers();
     // The table omits the long columns of the other formats.
     print(options->format == "csv"    ? as_csv(listing)
           : options->format == "json" ? as_json(listing)
-                                      : as_table(listing, what == "cases"    ? 3
-                                                          : what == "scenes" ? 6
-                                                                             : 5));
+                                      : as_table(listing, what == "cases"        ? 3
+                                                          : what == "parameters" ? 4
+                                                          : what == "scenes"     ? 6
+                                                                                 : 5));
   });
 }
 

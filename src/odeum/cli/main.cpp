@@ -6,6 +6,7 @@
 #include <new>
 #include <string_view>
 
+#include "odeum/cli/plugins.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
 #include "odeum/core/parallel.hpp"
@@ -45,6 +46,7 @@ int run(int argc, char** argv) {
   add_report(app, result);
   add_verify(app, result);
   add_doctor(app, result);
+  add_plugin_option(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
@@ -68,6 +70,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);
+  } catch (const odeum::LateError& error) {
+    fmt::print(stderr, "odeum: --plugin {}\n", error.what());
+    return usage;
   } catch (const UsageError& error) {
     fmt::print(stderr, "odeum: {}\n", error.what());
     return usage;

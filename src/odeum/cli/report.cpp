@@ -1,21 +1,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <list>
 
+#include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
+#include "odeum/core/glob.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/studies/convergence/section.hpp"
+#include "odeum/studies/runner.hpp"
 
 namespace odeum::cli {
 namespace {
 
 struct Options : StudyOptions {
   bool quick = false;
+  std::vector<std::string> cases;  ///< globs of --case
+  ProblemOptions problems;
+  std::vector<std::string> given;  ///< globs, from the problems; empty: none were given
 };
+
+/// The ids that globs of a study and globs of the user both match; `own` where none are given.
+std::vector<std::string> both(const std::vector<std::string>& own,
+                              const std::vector<std::string>& given,
+                              const std::vector<std::string>& ids) {
+  if (given.empty()) return own;
+  std::vector<std::string> left;
+  for (const std::string& id : ids)
+    if (any_glob_matches(own, id) && any_glob_matches(given, id)) left.push_back(id);
+  return left;
+}
+
+/// What is left of the runs of a study by --case and --solver.
+std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Options& options,
+                                     bool takes_cases) {
+  std::vector<std::string> cases, solvers;
+  for (const Case& c : all_cases()) cases.push_back(c.id);
+  for (const Entrant& entrant : all_cases().front().entrants) solvers.push_back(entrant.info.id());
+  std::vector<study::Options> left;
+  for (study::Options& run : runs) {
+    run.cases = both(run.cases, takes_cases ? options.cases : std::vector<std::string>(), cases);
+    run.solvers = both(run.solvers, options.solvers, solvers);
+    const bool empty = (run.cases.empty() && takes_cases && !options.cases.empty()) ||
+                       (run.solvers.empty() && !options.solvers.empty());
+    if (!empty) left.push_back(std::move(run));
+  }
+  return left;
+}
+
+/// Of a study on the cases that were named, or what it has of its own for a report.
+std::vector<study::Options> runs_of(const study::Study& study, const Options& options) {
+  const bool takes_cases = !study.declaration().cases_help.empty();
+  if (options.given.empty())
+    return narrowed(study.report_runs(options.quick), options, takes_cases);
+  if (!takes_cases) return {};
+  return {
+      study::Options{.cases = options.given, .solvers = options.solvers, .quick = options.quick}};
+}
+
+/// The cases of the page.
+std::vector<Case> cases_of(const Options& options) {
+  if (options.given.empty()) return all_cases();
+  std::vector<Case> cases;
+  for (const Case* c : study::select_cases(options.given)) cases.push_back(*c);
+  return cases;
+}
 
 /// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
 /// writes the files of what was measured.
@@ -24,7 +77,7 @@ void run_studies(const study::Studies& studies, const Options& options,
   std::list<record::Journal> journals;
   for (const auto& study : studies) {
     const study::Declaration& declaration = study->declaration();
-    const std::vector<study::Options> runs = study->report_runs(options.quick);
+    const std::vector<study::Options> runs = runs_of(*study, options);
     record::Journal* journal = nullptr;
     if (!runs.empty() && declaration.no_resume.empty()) {
       study::Options mark{.quick = options.quick};
@@ -37,7 +90,7 @@ void run_studies(const study::Studies& studies, const Options& options,
       study->measure(run, study::Runner(options.jobs_or_cores(), journal));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
     }
-    if (partial) study->add_earlier(folder.path());
+    if (partial && options.given.empty()) study->add_earlier(folder.path());
   }
   for (const auto& study : studies)
     if (study->measured()) study->write(folder);
@@ -45,6 +98,8 @@ void run_studies(const study::Studies& studies, const Options& options,
 }
 
 void run(const Options& options) {
+  check_case_globs(options.cases);
+  check_solver_globs(options.solvers);
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(options.out);
   const study::Studies studies = study::make_studies();
@@ -53,10 +108,16 @@ void run(const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped("the same command with --resume continues");
   }
-  report::Page page(report::describe(all_cases(), all_libraries()), folder);
-  for (const auto& study : studies) study->section(page);
+  report::Page page(report::describe(cases_of(options), all_libraries()), folder);
+  for (const auto& study : studies)
+    if (options.given.empty() || study->measured()) study->section(page);
+  std::string command = "odeum report";
+  for (const std::string& word : options.problems.words) command += " " + word;
+  if (options.quick) command += " --quick";
+  for (const std::string& glob : options.cases) command += " --case '" + glob + "'";
+  for (const std::string& glob : options.solvers) command += " --solver '" + glob + "'";
   page.write(
-      {.command_line = options.quick ? "odeum report --quick" : "odeum report",
+      {.command_line = command,
        .quick = options.quick,
        .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
   print(study::summary_text(page.facts(),
@@ -70,9 +131,17 @@ void add_report(CLI::App& app, int& result) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("report", "the whole comparison: tables, plots and a page");
-  command->add_flag("--quick", options->quick, "fewer step sizes, coarser regions");
-  add_study_options(*command, *options, false);
+  command->add_flag("--quick", options->quick,
+                    "nine cases, each in full but for the orders on the cloth; coarser regions");
+  command
+      ->add_option("--case", options->cases,
+                   "only these of the cases that a report measures, with * and ?; !GLOB excludes")
+      ->type_name("GLOB");
+  add_study_options(*command, *options);
+  add_problem_options(*command, options->problems);
   command->callback([options, &result] {
+    options->given = load_problems(options->problems, {});
+    check_case_globs(options->given);
     run(*options);
     result = success;
   });

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "odeum/cli/session.hpp"
@@ -60,6 +61,33 @@ Request make_request(const RunSettings& settings, double t0, double horizon,
   request.budget.evaluations = 10'000'000'000;
   request.budget.seconds = 600;
   return request;
+}
+
+void ask_for_output(Request& request, const RunSettings& settings, double t0, std::size_t numbers) {
+  constexpr double usual_outputs = 500, most_numbers = 2e8;  // of 8 bytes each
+  const double end = request.stops.back(), length = end - t0;
+  const double every = settings.every.value_or(length / usual_outputs);
+  if (!std::isfinite(every) || !(every > 0))
+    throw UsageError(fmt::format("--every: got {}, expected a positive number", every));
+  if (!(length / every * static_cast<double>(numbers) < most_numbers))
+    throw UsageError(
+        fmt::format("--every: got {}, which keeps more than {:g} numbers", every, most_numbers));
+  request.over_stops = request.record_steps = true;
+  request.stops.clear();
+  if (request.mode == Mode::fixed) {
+    const double h = length / static_cast<double>(request.steps);
+    const auto apart =
+        std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(every / h)));
+    const double used = static_cast<double>(apart) * h;
+    if (settings.every && std::abs(used - every) > 1e-9 * every)
+      remark(fmt::format("output is {} apart instead of {}, a whole number of steps", used, every));
+    for (std::uint64_t i = apart; i < request.steps; i += apart)
+      request.stops.push_back(t0 + static_cast<double>(i) * h);
+  } else {
+    for (std::uint64_t k = 1; static_cast<double>(k) * every < length * (1 - 1e-9); ++k)
+      request.stops.push_back(t0 + static_cast<double>(k) * every);
+  }
+  request.stops.push_back(end);
 }
 
 }  // namespace odeum::cli

@@ -2,7 +2,9 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "odeum/cli/problems.hpp"
 #include "odeum/cli/request.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -11,8 +13,12 @@ namespace odeum::cli {
 
 struct RunOptions {
   std::string what;  ///< a case or a scene
-  std::string solver, out;
+  std::vector<std::string> solvers;
+  std::string out;
+  bool verbose = false;
+  bool code = false;  ///< print a program instead of running
   RunSettings settings;
+  ProblemOptions problems;  ///< values of parameters, of a case or a problem file
   scene::ReadOptions limits;
   std::size_t megabytes = 64;
 };
@@ -27,7 +33,18 @@ struct SceneSource {
 /// case has its name, else an existing file; nothing otherwise.
 std::optional<SceneSource> find_scene(const std::string& what);
 
-/// Runs a scene, prints the model and the result, writes the files. Returns the exit code.
+/// The number of solvers that fit, by library and family, and of the others by reason, in lines;
+/// `verbose` adds their ids.
+std::vector<std::string> describe_fits(const std::vector<Entrant>& entrants, bool verbose);
+
+/// Runs a scene with each solver, prints the model and the results, writes the files. Returns the
+/// exit code.
 int run_scene(const SceneSource& source, const RunOptions& options);
+
+/// The same for a case.
+int run_case(const RunOptions& options);
+
+/// Prints what was found in a problem file; the same for its case where a solver is given.
+int run_problem(const RunOptions& options);
 
 }  // namespace odeum::cli

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "odeum/cli/run.hpp"
+#include "odeum/cli/scene_runs.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/html.hpp"
@@ -22,9 +23,6 @@ namespace {
 using scene::Scene;
 using scene::SceneProblem;
 using Lines = std::vector<std::string>;
-
-// Limit of the numbers kept in memory, at 8 bytes each.
-constexpr double most_numbers = 2e8;
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   const scene::Structure& s = problem.structure();
@@ -45,19 +43,6 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   lines.push_back("kernel     " + s.kernel);
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
-  return lines;
-}
-
-// The number of fitting solvers, and the others by reason.
-Lines describe_fits(const std::vector<Entrant>& entrants) {
-  std::map<std::string, Lines> reasons;
-  Lines fitting;
-  for (const Entrant& entrant : entrants)
-    (entrant.unfit.empty() ? fitting : reasons[entrant.unfit]).push_back(entrant.info.id());
-  Lines lines{fmt::format("fits       {} of {} solvers: {}", fitting.size(), entrants.size(),
-                          fmt::join(fitting, " "))};
-  for (const auto& [reason, ids] : reasons)
-    lines.push_back(fmt::format("unfit      {}: {}", fmt::join(ids, " "), reason));
   return lines;
 }
 
@@ -97,9 +82,9 @@ RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   return settings;
 }
 
-const Entrant& choose(const std::vector<Entrant>& entrants, const RunOptions& options,
+const Entrant& choose(const std::vector<Entrant>& entrants, const std::string& solver,
                       const Scene& scene) {
-  if (!options.solver.empty()) return find_entrant(entrants, "this scene", options.solver);
+  if (!solver.empty()) return find_entrant(entrants, "this scene", solver);
   try {
     return find_entrant(entrants, "this scene", scene.solver->type);
   } catch (const UsageError& error) {
@@ -108,55 +93,140 @@ const Entrant& choose(const std::vector<Entrant>& entrants, const RunOptions& op
   }
 }
 
-void write_files(const record::OutputFolder& folder, const Scene& scene,
-                 const scene::RunResult& run, const Lines& facts) {
-  if (run.status == Status::ok) folder.write("final.csv", report::final_csv(run));
-  folder.write("trajectory.csv", report::trajectory_csv(run));
-  folder.write("energy.csv", report::energy_csv(run));
-  folder.write("replay.html", report::replay_page(scene, run, facts));
-  report::write_vtk_series(folder, scene, run);
+// The stem of a file's name, for a scene without a name.
+std::string name_of(const Scene& scene, const std::string& file) {
+  const std::string name = report::plain(scene.name);
+  return name.empty() ? report::plain(std::filesystem::path(file).stem().string()) : name;
 }
 
-int run_read(const scene::ReadScene& read, const RunOptions& options) {
-  const Scene& scene = read.scene;
-  for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-  const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
-  const auto entrants = cases::enroll_scene(whole);
-  const Entrant& entrant = choose(entrants, options, scene);
-  const Request request =
-      make_request(settings_of(options, scene), 0, scene.duration.value_or(0), entrant.info);
+SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& settings) {
+  SceneRun one{&entrant, make_request(settings, 0, *scene.duration, entrant.info), {}, ""};
   scene::RunSetting setting;
-  setting.mode = request.mode;
-  setting.steps = request.steps;
-  setting.tolerance = request.tolerance;
-  setting.until = request.stops.back();
-  setting.budget = request.budget;
+  setting.mode = one.request.mode;
+  setting.steps = one.request.steps;
+  setting.tolerance = one.request.tolerance;
+  setting.until = one.request.stops.back();
+  setting.budget = one.request.budget;
   setting.frame_interval = scene::frame_interval(scene, setting.until);
-
-  std::optional<record::OutputFolder> folder;
-  if (!options.out.empty()) folder.emplace(options.out);
-  const std::string name = scene.name.empty() ? "" : report::plain(scene.name);
-  Lines model = describe_model(scene, *whole);
-  model.insert(model.begin(), "scene      " + name);
-  print(text_of(model) + text_of(describe_fits(entrants)));
-
-  const scene::RunResult run = scene::run_scene(
+  one.result = scene::run_scene(
       scene, setting, [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
         return cases::enroll_scene(problem, entrant.info.id()).solve(part);
       });
-  if (interrupted) return interrupted_code;
-  const Lines result = describe_result(entrant, request, run);
-  print(text_of(result));
-  if (folder) {
+  return one;
+}
+
+void write_files(const record::OutputFolder& folder, const std::string& in, const Scene& scene,
+                 const scene::RunResult& run, const Lines& facts) {
+  if (run.status == Status::ok) folder.write(in + "final.csv", report::final_csv(run));
+  folder.write(in + "trajectory.csv", report::trajectory_csv(run));
+  folder.write(in + "energy.csv", report::energy_csv(run));
+  folder.write(in + "replay.html", report::replay_page(scene, run, facts));
+  report::write_vtk_series(folder, scene, run, in);
+}
+
+void write_comparison(const record::OutputFolder& folder, const Scene& scene,
+                      const SceneProblem& problem, const std::vector<SceneRun>& runs,
+                      const Lines& model) {
+  report::Comparison page;
+  page.title = scene.name;
+  for (const std::string& line : model) page.facts.emplace_back("", line);
+  page.table = scene_table(runs);
+  page.figures = scene_figures(scene, problem, runs);
+  for (const SceneRun& run : runs)
+    page.replays.push_back({run.entrant->info.id(), run.folder + "replay.html"});
+  folder.write("comparison.html", report::comparison_page(page));
+  if (scene.plot && !page.figures.empty())
+    folder.write("plot.svg", report::figure_file(page.figures.front()));
+}
+
+int run_read(const scene::ReadScene& read, const SceneSource& source, const RunOptions& options) {
+  Scene scene = read.scene;
+  for (const std::string& warning : read.warnings) remark(warning + " (warning)");
+  scene.name = name_of(scene, source.file);
+  if (options.settings.every) scene.frame_interval = options.settings.every;
+  const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
+  const auto entrants = cases::enroll_scene(whole);
+  const RunSettings settings = settings_of(options, scene);
+  std::vector<const Entrant*> chosen;
+  for (const std::string& solver : options.solvers)
+    chosen.push_back(&choose(entrants, solver, scene));
+  if (chosen.empty()) chosen.push_back(&choose(entrants, "", scene));
+  for (const Entrant* entrant : chosen) make_request(settings, 0, *scene.duration, entrant->info);
+
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
+  Lines model = describe_model(scene, *whole);
+  model.insert(model.begin(), "scene      " + scene.name);
+  if (!read.duration_given && !settings.until)
+    model.push_back(fmt::format("duration   {} s: the scene gives none; --until sets another",
+                                scene::default_duration));
+  print(text_of(model) + text_of(describe_fits(entrants, options.verbose)));
+
+  std::vector<SceneRun> runs;
+  bool any_ok = false;
+  for (const Entrant* entrant : chosen) {
+    runs.push_back(run_one(scene, *entrant, settings));
+    if (interrupted) return interrupted_code;
+    SceneRun& one = runs.back();
+    const Lines result = describe_result(*entrant, one.request, one.result);
+    print(text_of(result));
+    any_ok = any_ok || one.result.status == Status::ok;
+    if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
-    write_files(*folder, scene, run, facts);
-    print(fmt::format("files      {}\n", (folder->path() / "replay.html").string()));
+    if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
+    write_files(*folder, one.folder, scene, one.result, facts);
+    print(fmt::format("files      {}\n", (folder->path() / (one.folder + "replay.html")).string()));
   }
-  return run.status == Status::ok ? success : solver_failed;
+  if (folder) {
+    write_comparison(*folder, scene, *whole, runs, model);
+    print(fmt::format("files      {}\n", (folder->path() / "comparison.html").string()));
+  }
+  return any_ok ? success : solver_failed;
 }
 
 }  // namespace
+
+Lines describe_fits(const std::vector<Entrant>& entrants, bool verbose) {
+  using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
+  const auto count = [](Counts& counts, const std::string& name) {
+    for (auto& [known, number] : counts)
+      if (known == name) return void(++number);
+    counts.emplace_back(name, 1);
+  };
+  const auto text_of_counts = [](const Counts& counts) {
+    std::string text;
+    for (const auto& [name, number] : counts)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);
+    return text;
+  };
+  Counts libraries;
+  std::map<std::string, Counts> families, reasons;
+  std::map<std::string, Lines> unfit_ids;
+  Lines fitting;
+  for (const Entrant& entrant : entrants) {
+    if (!entrant.unfit.empty()) {
+      count(reasons[entrant.unfit], "of " + entrant.info.library);
+      unfit_ids[entrant.unfit].push_back(entrant.info.id());
+      continue;
+    }
+    count(libraries, entrant.info.library);
+    count(families[entrant.info.library], entrant.info.family);
+    fitting.push_back(entrant.info.id());
+  }
+  Lines lines{fmt::format("fits       {} of {} solvers{}", fitting.size(), entrants.size(),
+                          verbose ? "" : ", which --verbose lists")};
+  for (const auto& [library, number] : libraries)
+    lines.push_back(
+        fmt::format("  {:<8} {}: {}", library, number, text_of_counts(families[library])));
+  if (verbose) lines.push_back(fmt::format("  {}", fmt::join(fitting, " ")));
+  for (const auto& [reason, counts] : reasons)
+    lines.push_back(fmt::format(
+        "unfit      {}: {}",
+        verbose ? fmt::format("{}", fmt::join(unfit_ids[reason], " ")) : text_of_counts(counts),
+        reason));
+  return lines;
+}
 
 std::optional<SceneSource> find_scene(const std::string& what) {
   std::error_code ignored;
@@ -173,12 +243,17 @@ std::optional<SceneSource> find_scene(const std::string& what) {
 int run_scene(const SceneSource& source, const RunOptions& options) {
   scene::ReadOptions read_options = options.limits;
   const bool has_setting = options.settings.step || options.settings.tolerance;
-  read_options.need_solver = options.solver.empty() || !has_setting;
-  read_options.need_duration = !options.settings.until;
+  read_options.need_solver = options.solvers.empty() || !has_setting;
+  if (!options.problems.sets.empty())
+    throw UsageError("--set: a scene has no parameters; change its file");
+  if (options.settings.every &&
+      !(*options.settings.every > 0 && std::isfinite(*options.settings.every)))
+    throw UsageError(
+        fmt::format("--every: got {}, expected a positive number", *options.settings.every));
   try {
     return run_read(source.text ? scene::read_scene(source.file, *source.text, read_options)
                                 : scene::read_scene_file(source.file, read_options),
-                    options);
+                    source, options);
   } catch (const std::length_error& error) {
     throw UsageError(error.what());
   } catch (const InputError& error) {

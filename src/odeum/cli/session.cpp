@@ -11,6 +11,7 @@
 #include <cstring>
 #include <thread>
 
+#include "odeum/contest/given_cases.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "support/scene_stage.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 std::vector<std::string> case_ids() {
   std::vector<std::string> ids;
-  for (const Case& c : all_cases()) ids.push_back(c.id);
+  for (const Case* c : known_cases()) ids.push_back(c->id);
   return ids;
 }
 
@@ -56,6 +57,13 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
     throw UsageError(fmt::format("no {} is left by '{}'", what, fmt::join(globs, " ")));
 }
 
+// A name without a library and without * or ? is that of an own solver, as in odeum run.
+std::string with_library(const std::string& glob) {
+  const std::size_t name = glob.starts_with('!') ? 1 : 0;
+  if (glob.size() == name || glob.find_first_of("/*?") != std::string::npos) return glob;
+  return glob.substr(0, name) + "odeum/" + glob.substr(name);
+}
+
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
@@ -82,8 +90,8 @@ void check_solver_globs(const std::vector<std::string>& globs) {
 }
 
 const Case& find_case(const std::string& id) {
-  for (const Case& c : all_cases())
-    if (c.id == id) return c;
+  for (const Case* c : known_cases())
+    if (c->id == id) return *c;
   std::vector<std::string> names = case_ids();
   for (const auto& scene : cases::all_scenes()) names.emplace_back(scene.name);
   throw UsageError(fmt::format("unknown case '{}'{}", id, did_you_mean(id, names)));
@@ -104,6 +112,9 @@ const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::str
   }
   if (const std::string missing = missing_library(full); !missing.empty())
     throw UsageError(missing);
+  if (full == "odeum/closed_form")
+    throw UsageError(
+        "odeum/closed_form runs scenes; the exact solution of a case is drawn beside its solvers");
   throw UsageError(fmt::format("unknown solver '{}'{}", id, did_you_mean(full, solver_ids())));
 }
 
@@ -115,8 +126,10 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
   if (with_solvers)
     command
         .add_option("--solver", options.solvers,
-                    "solvers, as library/method with * and ?; !GLOB excludes")
-        ->type_name("GLOB");
+                    "solvers, as library/method with * and ? (a method alone: Odeum's own); !GLOB "
+                    "excludes")
+        ->type_name("GLOB")
+        ->transform(with_library);
   command.add_option("--out", options.out, "folder for the files")
       ->type_name("DIR")
       ->capture_default_str();

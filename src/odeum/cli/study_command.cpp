@@ -5,13 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <memory>
 #include <optional>
 
+#include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
+#include "odeum/contest/late.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -21,8 +24,10 @@ namespace {
 std::string program_mark() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  return fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
-                     std::hash<std::string>()(bytes));
+  std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
+                                 std::hash<std::string>()(bytes));
+  for (const LateLibrary& library : late_libraries()) mark += " " + library.mark;
+  return mark;
 }
 
 void add_own_option(CLI::App& command, const study::Option& option, study::Options& into) {
@@ -60,33 +65,45 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   study.write(folder);
   if (journal) journal->finish();
   print(study.table());
-  remark(fmt::format("{} {} in {}", fmt::join(study.files(), ", "),
-                     study.files().size() == 1 ? "is" : "are", common.out));
+  std::vector<std::string> files = study.files();
+  // Without rows a file is not written.
+  std::erase_if(files, [&](const std::string& file) {
+    return !std::filesystem::exists(folder.path() / file);
+  });
+  if (files.empty())
+    remark(fmt::format("no file is in {}: there are no rows", common.out));
+  else
+    remark(fmt::format("{} {} in {}", fmt::join(files, ", "), files.size() == 1 ? "is" : "are",
+                       common.out));
 }
 
 }  // namespace
 
 std::string journal_mark(const study::Options& options) {
   static const std::string program = program_mark();
-  return program + ' ' + options.text();
+  return program + ' ' + options.text() + given_mark();
 }
 
 void add_study(CLI::App& app, study::Study& study, int& result) {
   struct Given {
     StudyOptions common;
     study::Options study;
+    ProblemOptions problems;
   };
   const auto given = std::make_shared<Given>();
   const study::Declaration& declaration = study.declaration();
   CLI::App* command = app.add_subcommand(declaration.name, declaration.help);
-  if (!declaration.cases_help.empty())
+  if (!declaration.cases_help.empty()) {
     command->add_option("--case", given->study.cases, declaration.cases_help)->type_name("GLOB");
+    add_problem_options(*command, given->problems);
+  }
   if (!declaration.quick_help.empty())
     command->add_flag("--quick", given->study.quick, declaration.quick_help);
   for (const study::Option& option : declaration.options)
     add_own_option(*command, option, given->study);
   add_study_options(*command, given->common);
   command->callback([given, &study, &result] {
+    given->study.cases = load_problems(given->problems, given->study.cases);
     run_study(study, given->study, given->common);
     result = success;
   });

@@ -13,7 +13,7 @@ namespace odeum {
 
 /// The independent reference: the exact state at a time.
 struct Truth {
-  /// Fills the whole state at time t; false where it is not known at that time.
+  /// Fills the state at t, infinite past the end of the solution (a pole); false: not known.
   std::function<bool(double t, double* y)> at;
   double floor = 0;    ///< absolute error of the truth itself
   std::string source;  ///< closed form, or the reference file
@@ -32,6 +32,13 @@ struct Probe {
 struct Invariant {
   std::string name;  ///< angular_momentum, mass, ...
   std::function<double(const double* y)> value;
+};
+
+/// A number of a case that a user may change.
+struct Parameter {
+  std::string name;
+  double value = 0;
+  std::string meaning;  ///< with its unit
 };
 
 /// How studies choose the settings of their solves on a case.
@@ -61,13 +68,26 @@ struct Case {
 
   double t0 = 0;
   std::vector<double> y0;
+  /// Names of the components, as columns of files have them; empty: see component_names.
+  std::vector<std::string> components;
   /// Where the error is measured; the last is the horizon. On the grid of every fixed-step run.
   std::vector<double> stops;
   Truth truth;
   /// The components whose error is reported; empty: all of them.
   std::vector<std::size_t> measured;
+  /// By component: its errors and its size are divided by this number; empty: by 1. The truth's
+  /// floor is in the same units.
+  std::vector<double> scale;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
+  /// What a scheme gives after `steps` steps of h by a closed form of its own, for a few solvers of
+  /// a few cases; false where none is known.
+  std::function<bool(const std::string& solver, double h, double steps, double* y)> scheme;
+  /// What a user may change, and the same case with other values of all of them (in this order),
+  /// truth included: a closed form follows, a reference file no longer holds. Throws
+  /// std::invalid_argument for values that make no problem.
+  std::vector<Parameter> parameters;
+  std::function<Case(const std::vector<double>& values)> with_values;
   ErasedContest problem;                            ///< on which the entrants are enrolled
   std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 
@@ -86,10 +106,15 @@ struct Case {
   double timed_floor() const {
     return settings.timed_stops.empty() ? truth.floor : settings.timed_floor;
   }
+  double scale_of(std::size_t component) const { return scale.empty() ? 1 : scale[component]; }
   bool has_tag(const std::string& tag) const {
     return std::find(tags.begin(), tags.end(), tag) != tags.end();
   }
 };
+
+/// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,
+/// ...
+std::vector<std::string> component_names(const Case& c);
 
 /// Every case of the project, in the order of the files in cases/. Built once.
 const std::vector<Case>& all_cases();

@@ -32,6 +32,7 @@ SolverInfo info_of_own() {
     info.controller = "step doubling";
   info.needs = M::needs;
   info.source = M::info.source;
+  if constexpr (requires { M::rounding(); }) info.rounding = M::rounding();
   if constexpr (requires { M::amplification(0.0, 0.0); }) {
     info.amplification = M::amplification;
     info.oscillator_amplification = [](double w) { return M::amplification(0, w); };

@@ -38,6 +38,8 @@ struct SolverInfo {
   std::string source;  ///< paper and table, or the library's documentation
   /// Options of its own that a Request may give values for: name, and what the value means.
   std::map<std::string, std::string> options;
+  /// Rounding of one step over that of the state: more than 1 where large weights cancel.
+  double rounding = 1;
   StabilityFunction amplification;  ///< own one-step methods: |R(z)|; empty otherwise
   /// Own second-order methods: spectral radius of one step on q'' = -w^2 q, by w*h; else empty.
   std::function<double(double omega_h)> oscillator_amplification;

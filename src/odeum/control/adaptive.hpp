@@ -2,12 +2,14 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
-
-#include <fmt/format.h>
+#include <type_traits>
+#include <utility>
 
 #include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/core/text_of.hpp"
 
 /// The adaptive loop, and the interface of what chooses its steps. A `Trial` makes one trial step
 /// of length h from (t, y), and accepts it, with the new state in y_new, or rejects it:
@@ -18,9 +20,14 @@
 ///
 ///     double longest_step(double t, const State<P>& y);   // known before the trial: replaces the
 ///                                                         // step that was decided on before
-///     void interpolate(double t, State<P>& y) const;      // in the last accepted step: the loop
-///                                                         // then steps over all stops but the
-///                                                         last
+///     Status between(const StepMade<State<P>>& step, double t, State<P>& y);
+///                                                         // the state inside the step accepted
+///                                                         // last, at the order of the method
+///
+/// The loop then steps over all stops but the last where the request asks for it (over_stops), and
+/// always under a trial that says so (`static constexpr bool always_over_stops`). Without an
+/// interpolant of its order a method makes a step aside, from the start of the step made to the
+/// stop: more evaluations, but the same steps and values whatever the stops are.
 ///
 /// One-step methods (one_step.hpp) leave the decision to a controller of step_control.hpp; methods
 /// that choose their order as well (extrapolation, BDF) decide themselves.
@@ -30,6 +37,15 @@ namespace odeum {
 struct Decision {
   bool accept;
   double next_step;
+};
+
+/// The step accepted last: from t to t + h, and the states at its ends.
+template <class S>
+struct StepMade {
+  double t, h;
+  const S &before, &after;
+  /// Where a time lies in it, 0 to 1.
+  double share(double time) const { return (time - t) / h; }
 };
 
 /// sqrt(mean over components of (e_i / (tol + tol max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
@@ -64,44 +80,119 @@ double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, do
   return std::min({100 * h0, h1, horizon - t0});
 }
 
+/// The trial steps of a run and the length of the first.
+template <class Trial>
+struct TrialSteps {
+  double first_step;
+  Trial trial;
+};
+template <class Trial>
+TrialSteps(double, Trial) -> TrialSteps<Trial>;
+
+/// How one trial step of an AdaptiveWalk ended.
+enum class Trialled { accepted, rejected, tripped, too_small };
+
+/// The adaptive loop, one trial step at a time: t, the state and the step to come. `P` is what the
+/// solver sees, with `tripped()` where it may end a run.
+template <class P, class Trial>
+class AdaptiveWalk {
+ public:
+  AdaptiveWalk(const P& problem, double t0, const State<P>& y0, double first_step, Trial& trial)
+      : problem_(problem), trial_(trial), t_(t0), y_(y0), y_new_(y0) {
+    // The first step is a guess, and no failure where it is shorter than t resolves.
+    h_ = std::max(first_step, 2 * rounding * std::abs(t0));
+  }
+
+  /// One trial step, shortened where it would end beyond `target`. Where it is accepted, t() and
+  /// y() have moved and before() is the state before; `tripped` leaves all as it was.
+  Trialled attempt(double target) {
+    if constexpr (requires { trial_.longest_step(t_, y_); }) h_ = trial_.longest_step(t_, y_);
+    // Relative to t, not to the horizon: near t = 0 a first step may be very short.
+    if (!(h_ >= std::max(rounding * std::abs(t_), std::numeric_limits<double>::min())))
+      return Trialled::too_small;
+    const bool last = t_ + h_ >= target - rounding * std::abs(target);
+    const double h_used = last ? target - t_ : h_;
+    const Decision decision = trial_(t_, h_used, y_, y_new_);
+    if constexpr (requires { problem_.tripped(); })
+      if (problem_.tripped()) return Trialled::tripped;
+    if (!decision.accept) {
+      h_ = decision.next_step;
+      return Trialled::rejected;
+    }
+    t_made_ = t_;
+    h_made_ = h_used;
+    t_ = last ? target : t_ + h_used;
+    std::swap(y_, y_new_);
+    // A step shortened to meet a stop does not limit the next one.
+    h_ = last ? std::max(h_, decision.next_step) : decision.next_step;
+    return Trialled::accepted;
+  }
+
+  double t() const { return t_; }
+  double h() const { return h_; }  ///< the step to come
+  const State<P>& y() const { return y_; }
+  const State<P>& before() const { return y_new_; }  ///< the last accepted step began here
+  StepMade<State<P>> made() const { return {t_made_, h_made_, y_new_, y_}; }
+
+ private:
+  static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  const P& problem_;
+  Trial& trial_;
+  double t_, h_ = 0, t_made_ = t_, h_made_ = 0;
+  State<P> y_, y_new_;
+};
+
+template <class Trial, class S>
+concept LooksBetween = requires(Trial trial, const StepMade<S>& step, double t, S& y) {
+  { trial.between(step, t, y) } -> std::same_as<Status>;
+};
+
+template <class Trial>
+constexpr bool always_over_stops(const Trial&) {
+  if constexpr (requires { Trial::always_over_stops; }) return Trial::always_over_stops;
+  return false;
+}
+
 /// Steps from t0 to the last stop; they are shortened only to end on a stop.
 template <Ode P, class Trial>
 Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
                      const Request& request, double first_step, Trial&& trial) {
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  constexpr bool interpolates = requires(State<P> & y) { trial.interpolate(t0, y); };
+  constexpr bool looks_between = LooksBetween<std::remove_cvref_t<Trial>, State<P>>;
+  const bool over = looks_between && (request.over_stops || always_over_stops(trial));
   Outcome outcome;
-  State<P> y = y0, y_new = y0;
-  double t = t0, h = first_step;
+  AdaptiveWalk<Guarded<P>, std::remove_reference_t<Trial>> walk(problem, t0, y0, first_step, trial);
+  State<P> y_between = y0;
   for (const double stop : request.stops) {
-    const double target = interpolates ? request.stops.back() : stop;
-    while (t < stop) {
-      outcome.t = t;
-      if constexpr (requires { trial.longest_step(t, y); }) h = trial.longest_step(t, y);
-      // Relative to t, not to the horizon: near t = 0 a first step may be very short.
-      if (!(h >= std::max(rounding * std::abs(t), std::numeric_limits<double>::min()))) {
-        outcome.status = Status::step_too_small;
-        outcome.detail = fmt::format("step {} at t = {} is at the rounding of t", h, t);
-        return outcome;
-      }
-      const bool last = t + h >= target - rounding * std::abs(target);
-      const double h_used = last ? target - t : h;
-      const Decision decision = trial(t, h_used, y, y_new);
-      if (problem.tripped()) return outcome;  // the guard has the reason
-      if (decision.accept) {
-        t = last ? target : t + h_used;
-        std::swap(y, y_new);
-        ++outcome.counters.steps;
-        // A step shortened to meet a stop does not limit the next one.
-        h = last ? std::max(h, decision.next_step) : decision.next_step;
-      } else {
-        ++outcome.counters.rejected_steps;
-        h = decision.next_step;
+    while (walk.t() < stop) {
+      outcome.t = walk.t();
+      switch (walk.attempt(over ? request.stops.back() : stop)) {
+        case Trialled::too_small:
+          outcome.status = Status::step_too_small;
+          outcome.detail = "step " + text_of(walk.h()) + " at t = " + text_of(walk.t()) +
+                           " is at the rounding of t";
+          return outcome;
+        case Trialled::tripped:
+          return outcome;  // the guard has the reason
+        case Trialled::accepted:
+          ++outcome.counters.steps;
+          if (request.record_steps) outcome.step_ends.push_back(walk.t());
+          break;
+        case Trialled::rejected:
+          ++outcome.counters.rejected_steps;
       }
     }
-    if constexpr (interpolates)
-      if (t > stop) trial.interpolate(stop, y_new);
-    const State<P>& at_stop = t > stop ? y_new : y;
+    const bool beyond = walk.t() > stop;
+    if constexpr (looks_between)
+      if (beyond) {
+        outcome.status = trial.between(walk.made(), stop, y_between);
+        if (problem.tripped()) return outcome;
+        if (outcome.status != Status::ok) {
+          outcome.detail =
+              to_string(outcome.status) + (" between the steps, at t = " + text_of(stop));
+          return outcome;
+        }
+      }
+    const State<P>& at_stop = beyond ? y_between : walk.y();
     outcome.record(stop, at_stop.data(), at_stop.size());
   }
   return outcome;

@@ -31,7 +31,11 @@ class BdfTrial {
     if (++equal_steps_ > order_) choose_order(error, safety);
     return {true, stepper_.h()};
   }
-  void interpolate(double time, State<P>& y) const { stepper_.interpolate(time, t_, order_, y); }
+  static constexpr bool always_over_stops = true;
+  Status between(const StepMade<State<P>>&, double time, State<P>& y) const {
+    stepper_.interpolate(time, t_, order_, y);
+    return Status::ok;
+  }
 
  private:
   using Stepper = BdfStepper<P>;

@@ -59,6 +59,17 @@ class ExtrapolatedEulerControl {
     return error <= 1 ? accept(h) : reject(h);
   }
 
+  /// A step aside by the column of the step made.
+  Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
+    table_.linearise(step.t, step.before);
+    double contraction = 0;
+    for (std::size_t j = 0; j <= used_; ++j)
+      if (!table_.add_row(j, step.t, time - step.t, step.before, contraction))
+        return Status::newton_failed;
+    y = table_.column(used_);
+    return Status::ok;
+  }
+
  private:
   static constexpr std::size_t columns = ExtrapolatedEulerTable<P>::max_columns, last = columns - 1;
 

@@ -130,6 +130,13 @@ class ExtrapolationTrial {
     repeated_ = !decision.accept;
     return decision;
   }
+  /// A step aside with as many lines as the step made.
+  Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
+    table_.begin(step.t, time - step.t, step.before, control_.line() + 1);
+    for (int line = 0; line <= control_.line(); ++line) table_.add_line(line);
+    table_.result(control_.line(), y);
+    return Status::ok;
+  }
 
  private:
   static constexpr int lines = 10;  // up to order 20

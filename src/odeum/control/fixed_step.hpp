@@ -4,15 +4,16 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/core/text_of.hpp"
 
 namespace odeum {
 
 /// Runs a stepper over t_i = t0 + i h, recording the state at every stop; refused where a stop is
-/// not on that grid. A state that is not finite ends the run.
+/// not on that grid. A state that is not finite ends the run. A stepper that tells where its steps
+/// are too long for what grows (`oversteps_growth`) has the first such time in `detail` of
+/// a run that ends `ok`.
 template <class Stepper, Ode P>
 Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
                   const Request& request) {
@@ -27,10 +28,10 @@ Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
     return outcome;
   };
   if (!grid.fits())
-    return stopped(Status::refused,
-                   fmt::format("a stop is not on the grid of steps of {}", grid.h()));
+    return stopped(Status::refused, "a stop is not on the grid of steps of " + text_of(grid.h()));
   Stepper stepper(problem);
   State<P> y = y0;
+  std::string remark;
   if constexpr (requires { stepper.start(t0, grid.h(), y); }) stepper.start(t0, grid.h(), y);
   for (std::size_t stop = 0; stop < grid.stop_count(); ++stop) {
     for (const std::uint64_t end = grid.index_of(stop); i < end; ++i) {
@@ -39,13 +40,20 @@ Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
       const bool check = grid.checks(i) || i + 1 == end || status != Status::ok;
       if (check && !is_finite(y.data(), y.size()))
         return stopped(Status::non_finite,
-                       fmt::format("the state is not finite after t = {}", grid.t(i)));
+                       "the state is not finite after t = " + text_of(grid.t(i)));
       if (status != Status::ok || problem.tripped())
-        return stopped(status, fmt::format("{} at t = {}", to_string(status), grid.t(i)));
+        return stopped(status, to_string(status) + (" at t = " + text_of(grid.t(i))));
+      if constexpr (requires { stepper.oversteps_growth(); })
+        if (remark.empty() && stepper.oversteps_growth())
+          remark =
+              "from t = " + text_of(grid.t(i)) +
+              " on a step is too long for what grows: det(I - gamma h J) < 0, where the method "
+              "may step over the end of a solution";
     }
     outcome.record(request.stops[stop], y.data(), y.size());
   }
   outcome.counters.steps = i;
+  outcome.detail = std::move(remark);
   return outcome;
 }
 

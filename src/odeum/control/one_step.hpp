@@ -5,6 +5,7 @@
 
 #include "odeum/control/adaptive.hpp"
 #include "odeum/control/step_control.hpp"
+#include "odeum/kernel/dense_output.hpp"
 
 /// Adaptive runs of one-step methods.
 namespace odeum {
@@ -12,11 +13,19 @@ namespace odeum {
 /// Trial steps of a method with an embedded estimate of the given order. A stepper that reuses its
 /// stages (`advance`, `repeat`) is told the decision, one that solves equations (`solve_to`) the
 /// tolerance.
-template <class Stepper, class StepControl, Ode P>
+///
+/// Between the ends of a step: by the interpolant of a first-same-as-last tableau, which has its
+/// slopes at both ends, where its order suffices (local error h^4 of Hermite's cubic up to order 4,
+/// h^5 with the method's own row at order 5); else by a step aside.
+template <class Stepper, class StepControl, Ode P, class M = void>
 class EmbeddedPair {
  public:
   EmbeddedPair(const Guarded<P>& problem, double tolerance, int order)
-      : stepper_(problem), control_(order), error_(make_state(problem)), tolerance_(tolerance) {
+      : problem_(problem),
+        stepper_(problem),
+        control_(order),
+        error_(make_state(problem)),
+        tolerance_(tolerance) {
     if constexpr (requires { stepper_.solve_to(tolerance); }) stepper_.solve_to(tolerance);
   }
 
@@ -34,25 +43,51 @@ class EmbeddedPair {
     return decision;
   }
 
+  Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
+    if constexpr (interpolant_suffices) {
+      stepper_.advance();  // exchanges the first and the last stage: back for the sum over stages
+      interpolate<M>(stepper_, step.share(time), step.h, step.before, step.after,
+                     stepper_.last_stage(), y);
+      stepper_.advance();
+      return Status::ok;
+    } else {
+      Stepper aside(problem_);
+      if constexpr (requires { aside.solve_to(tolerance_); }) aside.solve_to(tolerance_);
+      y = step.before;
+      return aside.step(step.t, time - step.t, y);
+    }
+  }
+
  private:
+  static constexpr bool interpolant_suffices = [] {
+    if constexpr (
+        requires { M::tableau.first_same_as_last(); } &&
+        requires(Stepper & stepper) { stepper.last_stage(); })
+      return M::tableau.first_same_as_last() &&
+             (M::info.order <= 4 || (M::info.order == 5 && requires { M::dense_row; }));
+    return false;
+  }();
+
+  const Guarded<P>& problem_;
   Stepper stepper_;
   StepControl control_;
   State<P> error_;
   double tolerance_;
 };
 
-template <class Stepper, class StepControl = IntegralControl, Ode P>
+template <class Stepper, class StepControl = IntegralControl, class M = void, Ode P>
 Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
                           const Request& request, int order) {
   const double first =
       initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
   return run_adaptive(problem, t0, y0, request, first,
-                      EmbeddedPair<Stepper, StepControl, P>(problem, request.tolerance, order));
+                      EmbeddedPair<Stepper, StepControl, P, M>(problem, request.tolerance, order));
 }
 
 /// Step doubling over any one-step method: one step of h against two of h/2. Above the upper bound
 /// the step is repeated with h/2; below the lower bound the next one is 2h. The two half steps are
-/// kept, without extrapolation, so the order stays the method's own.
+/// kept, without extrapolation, so the order stays the method's own. A stepper that makes an effort
+/// where a failure would end the run (`will_be_retried`) is told that it does not.
 ///
 /// The upper bound is a scaled difference of one. Doubling h multiplies the difference by about
 /// 2^(p+1), so the lower bound is half of 2^-(p+1): a doubled step still lands below the upper one.
@@ -60,15 +95,19 @@ template <class Stepper, Ode P>
 class StepDoubling {
  public:
   StepDoubling(const Guarded<P>& problem, double tolerance, int order)
-      : stepper_(problem),
+      : problem_(problem),
+        stepper_(problem),
         whole_(make_state(problem)),
         tolerance_(tolerance),
-        lower_(std::ldexp(0.5, -(order + 1))) {}
+        lower_(std::ldexp(0.5, -(order + 1))) {
+    if constexpr (requires { stepper_.will_be_retried(); }) stepper_.will_be_retried();
+  }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     whole_ = y;
     y_new = y;
-    const bool made = step(t, h, whole_) && step(t, h / 2, y_new) && step(t + h / 2, h / 2, y_new);
+    const bool made = step(stepper_, t, h, whole_) && step(stepper_, t, h / 2, y_new) &&
+                      step(stepper_, t + h / 2, h / 2, y_new);
     for (std::size_t i = 0; i < y.size(); ++i) whole_[i] -= y_new[i];
     const double difference = scaled_error_norm(whole_, y, y_new, tolerance_);
     if (!made || !std::isfinite(difference)) return {false, h / 4};
@@ -76,12 +115,22 @@ class StepDoubling {
     return {true, difference < lower_ ? 2 * h : h};
   }
 
- private:
-  bool step(double t, double h, State<P>& y) {
-    if constexpr (requires { stepper_.start(t, h, y); }) stepper_.start(t, h, y);
-    return stepper_.step(t, h, y) == Status::ok;
+  /// Two half steps aside, as in the step made.
+  Status between(const StepMade<State<P>>& made, double time, State<P>& y) const {
+    Stepper aside(problem_);
+    const double half = (time - made.t) / 2;
+    y = made.before;
+    const bool done = step(aside, made.t, half, y) && step(aside, made.t + half, half, y);
+    return done ? Status::ok : Status::newton_failed;
   }
 
+ private:
+  static bool step(Stepper& stepper, double t, double h, State<P>& y) {
+    if constexpr (requires { stepper.start(t, h, y); }) stepper.start(t, h, y);
+    return stepper.step(t, h, y) == Status::ok;
+  }
+
+  const Guarded<P>& problem_;
   Stepper stepper_;
   State<P> whole_;
   double tolerance_, lower_;

@@ -19,10 +19,13 @@ class RadauTrial {
   static constexpr int order = T.stages;  ///< of the estimate
 
   RadauTrial(const P& problem, double tolerance)
-      : tolerance_(0.03 * std::pow(tolerance, (order + 1.0) / (2.0 * order))),
+      : problem_(problem),
+        tolerance_(held_tolerance(tolerance)),
         stepper_(problem, tolerance_, newton_fraction()),
         control_(order, 8) {}
-  double tolerance() const { return tolerance_; }
+  static double held_tolerance(double tolerance) {
+    return 0.03 * std::pow(tolerance, (order + 1.0) / (2.0 * order));
+  }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     double error = 0;
@@ -41,6 +44,13 @@ class RadauTrial {
     return {false, std::min(decision.next_step, 0.9 * h)};
   }
 
+  /// A step aside. The collocation polynomial has order S only.
+  Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
+    RadauStepper<T, P> aside(problem_, tolerance_, newton_fraction());
+    double error = 0;
+    return aside.step(step.t, time - step.t, step.before, y, error);
+  }
+
  private:
   double newton_fraction() const {
     constexpr double exponent = 2.0 * order / (order + 1.0) - 1;
@@ -48,6 +58,7 @@ class RadauTrial {
                     std::min(0.03, std::pow(tolerance_, exponent)));
   }
 
+  const P& problem_;
   double tolerance_;
   RadauStepper<T, P> stepper_;
   PredictiveControl control_;
@@ -57,12 +68,12 @@ class RadauTrial {
 template <const auto& T>
 struct RadauMethod : FullyImplicitMethod<T> {
   template <Ode P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    RadauTrial<T, Guarded<P>> trial(problem, request.tolerance);
-    const double first =
-        initial_step(problem, t0, y0, request.stops.back(), trial.order, trial.tolerance());
-    return run_adaptive(problem, t0, y0, request, first, trial);
+  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                          double tolerance) {
+    using Trial = RadauTrial<T, Guarded<P>>;
+    const double held = Trial::held_tolerance(tolerance);
+    return TrialSteps<Trial>{initial_step(problem, t0, y0, end, Trial::order, held),
+                             {problem, tolerance}};
   }
 };
 

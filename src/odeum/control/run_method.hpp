@@ -17,12 +17,49 @@ struct AnyProblem {
 };
 }  // namespace detail
 
-/// A method with an adaptive run of its own, see kernel/method.hpp.
+/// A method with trial steps of its own, see kernel/method.hpp.
 template <class M>
-concept ChoosesItsOwnSteps = requires(const Guarded<detail::AnyProblem>& problem,
-                                      const State<detail::AnyProblem>& y, const Request& request) {
+concept OwnTrialSteps = requires(const Guarded<detail::AnyProblem>& problem,
+                                 const State<detail::AnyProblem>& y) {
+  M::trial_steps(problem, 0.0, y, 1.0, 1e-3);
+};
+
+/// A method with an adaptive run of its own, or trial steps for one.
+template <class M>
+concept ChoosesItsOwnSteps = OwnTrialSteps<M> ||
+    requires(const Guarded<detail::AnyProblem>& problem, const State<detail::AnyProblem>& y,
+             const Request& request) {
   { M::integrate(problem, 0.0, y, request) } -> std::same_as<Outcome>;
 };
+
+/// Whether trial_steps_of has some of method M.
+template <class M>
+inline constexpr bool has_trial_steps = OwnTrialSteps<M> ||
+                                        (!ChoosesItsOwnSteps<M> &&
+                                         (M::info.order_embedded != 0 || M::info.one_step));
+
+/// The trial steps of an adaptive run of method M from t0 to `end`: its own, those of an embedded
+/// pair, else step doubling.
+template <class M, Ode P>
+auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                    double tolerance) {
+  using Stepper = typename M::template Stepper<Guarded<P>>;
+  if constexpr (M::info.order_embedded != 0) {
+    using Trial = EmbeddedPair<Stepper, typename ControlFor<M::info.control>::type, P, M>;
+    constexpr int order = std::min(M::info.order, M::info.order_embedded);
+    return TrialSteps<Trial>{initial_step(problem, t0, y0, end, order, tolerance),
+                             {problem, tolerance, order}};
+  } else {
+    constexpr int order = M::info.order;
+    return TrialSteps<StepDoubling<Stepper, P>>{
+        initial_step(problem, t0, y0, end, order, tolerance), {problem, tolerance, order}};
+  }
+}
+template <OwnTrialSteps M, Ode P>
+auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                    double tolerance) {
+  return M::trial_steps(problem, t0, y0, end, tolerance);
+}
 
 inline Outcome refusal(const char* why) {
   Outcome outcome;
@@ -40,15 +77,11 @@ Outcome run_method(const Guarded<P>& problem, double t0, const State<P>& y0,
       return run_fixed<typename M::template Stepper<Guarded<P>>>(problem, t0, y0, request);
     else
       return refusal("chooses its own steps only");
+  } else if constexpr (has_trial_steps<M>) {
+    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerance);
+    return run_adaptive(problem, t0, y0, request, steps.first_step, steps.trial);
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     return M::integrate(problem, t0, y0, request);
-  } else if constexpr (M::info.order_embedded != 0) {
-    return run_embedded_pair<typename M::template Stepper<Guarded<P>>,
-                             typename ControlFor<M::info.control>::type>(
-        problem, t0, y0, request, std::min(M::info.order, M::info.order_embedded));
-  } else if constexpr (M::info.one_step) {
-    return run_step_doubling<typename M::template Stepper<Guarded<P>>>(problem, t0, y0, request,
-                                                                       M::info.order);
   } else {
     return refusal("runs at a fixed step only");
   }

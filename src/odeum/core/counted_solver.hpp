@@ -24,6 +24,7 @@ class CountedSolver final : public ShiftedSolver {
     return solved;
   }
   void solve_once_a_step() override { solver_->solve_once_a_step(); }
+  bool bound() override { return solver_->bound(); }
   std::uint64_t products() const override { return solver_->products(); }
 
  private:

@@ -31,9 +31,10 @@ inline bool is_finite(const double* y, std::size_t n) {
 /// The result of a solve. `states` holds the state at each stop reached, one after the other.
 struct Outcome {
   Status status = Status::ok;
-  std::string detail;                                   ///< a sentence where the status is not ok
+  std::string detail;                                   ///< a sentence where not ok, or a remark
   double t = std::numeric_limits<double>::quiet_NaN();  ///< time reached
   std::vector<double> states;
+  std::vector<double> step_ends;  ///< where Request::record_steps asks for them
   Counters counters;
 
   /// Record the state at a stop; y has n doubles.

@@ -30,6 +30,12 @@ struct Request {
   std::uint64_t steps = 0;    ///< fixed: the number of equal steps from t0 to the last stop
   double tolerance = 0;       ///< adaptive: relative and absolute tolerance, the same number
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
+  /// Adaptive, own solvers: stops before the last do not limit the steps; the states there come
+  /// from inside the steps, at the order of the method (see control/adaptive.hpp). For output;
+  /// where errors are measured, steps end on the stops.
+  bool over_stops = false;
+  /// Adaptive, own solvers: the ends of the accepted steps go to Outcome::step_ends.
+  bool record_steps = false;
   Budget budget = {};
   /// Values for options that the solver has of its own, see SolverInfo::options. Without a value an
   /// option has the default of the solver's library; other names are ignored.

@@ -97,7 +97,40 @@ class Builder final : public YAML::EventHandler {
   void close() {
     const Open done = std::move(open_.back());
     open_.pop_back();
+    if (done.node->kind == YamlNode::Kind::mapping && format_.aliases) merge(*done.node);
     add(done.node, done.anchor);
+  }
+  // Writes `<<: *a` and `<<: [*a, *b]` out: keys of the mapping itself come first, then those of
+  // the mappings named, in their order; a key that is there already is not taken again.
+  void merge(YamlNode& mapping) const {
+    const auto is_merge = [](const YamlNode& key) { return key.text == "<<" && !key.quoted; };
+    std::vector<std::shared_ptr<const YamlNode>> items;
+    const auto take = [&](const YamlNode& from, bool over) {
+      for (std::size_t i = 0; i + 1 < from.items.size(); i += 2) {
+        const YamlNode& key = *from.items[i];
+        if (is_merge(key)) continue;
+        bool there = false;
+        for (std::size_t k = 0; over && k < items.size(); k += 2)
+          there = there || (key.kind == YamlNode::Kind::scalar && items[k]->text == key.text);
+        if (!there) items.insert(items.end(), {from.items[i], from.items[i + 1]});
+      }
+    };
+    take(mapping, false);
+    if (items.size() == mapping.items.size()) return;
+    const auto take_other = [&](const YamlNode& other) {
+      if (other.kind != YamlNode::Kind::mapping)
+        fail(other.place, "a merge key; got " + other.kind_name() +
+                              ", expected a mapping, or a list of mappings");
+      take(other, true);
+    };
+    for (std::size_t i = 0; i + 1 < mapping.items.size(); i += 2) {
+      if (!is_merge(*mapping.items[i])) continue;
+      const YamlNode& others = *mapping.items[i + 1];
+      if (others.kind != YamlNode::Kind::sequence) take_other(others);
+      for (const auto& other : others.items)
+        if (others.kind == YamlNode::Kind::sequence) take_other(*other);
+    }
+    mapping.items = std::move(items);
   }
   void add(std::shared_ptr<YamlNode> node, YAML::anchor_t anchor) {
     check_anchor(node->place, anchor);

@@ -20,6 +20,8 @@ class InputError : public std::runtime_error {
  public:
   /// `rest` is all after the place.
   InputError(const std::string& file, Place place, const std::string& rest);
+  /// The whole text.
+  explicit InputError(const std::string& text) : std::runtime_error(text) {}
 };
 
 /// What was found, for an error: `text` on one line, without control characters, not too long.
@@ -50,7 +52,8 @@ struct YamlFormat {
 
 /// Parses one document. Throws InputError (with `file` for its text) for a text that is not YAML,
 /// not UTF-8, binary, empty, more than one document, or deeper or larger (aliases expanded) than
-/// the format allows; for an alias within its own anchor; for tags.
+/// the format allows; for an alias within its own anchor; for tags. Merge keys (<<) are written
+/// out.
 std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::string& text,
                                            const YamlFormat& format);
 

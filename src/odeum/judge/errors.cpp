@@ -21,13 +21,21 @@ Judge::Judge(const Case& c, std::vector<double> stops)
     : case_(c), stops_(std::move(stops)), truth_(stops_.size()), measured_(measured_components(c)) {
   const auto see = [&](const double* y) {
     double squares = 0;
-    for (const std::size_t i : measured_) squares += y[i] * y[i];
+    for (const std::size_t i : measured_) {
+      const double size = y[i] / c.scale_of(i);
+      squares += size * size;
+    }
     scale_ = std::max(scale_, std::sqrt(squares / static_cast<double>(measured_.size())));
   };
   see(c.y0.data());
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     std::vector<double> exact(c.y0.size());
     if (!c.truth.at(stops_[k], exact.data())) continue;
+    if (!is_finite(exact.data(), exact.size())) {
+      ends_ = true;
+      truth_[k] = std::move(exact);
+      continue;
+    }
     see(exact.data());
     if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
     truth_[k] = std::move(exact);
@@ -42,10 +50,13 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
     StopError error{.time = stops_[k], .energy = case_.energy ? case_.energy(y) : nan};
     if (truth_[k].empty()) {
       error.error_max = error.error_rms = error.energy_error = nan;
+    } else if (!is_finite(truth_[k].data(), truth_[k].size())) {
+      error.error_max = error.error_rms = std::numeric_limits<double>::infinity();
+      error.energy_error = nan;
     } else {
       double squares = 0;
       for (const std::size_t i : measured_) {
-        const double difference = std::abs(y[i] - truth_[k][i]);
+        const double difference = std::abs(y[i] - truth_[k][i]) / case_.scale_of(i);
         error.error_max = std::max(error.error_max, difference);
         squares += difference * difference;
       }

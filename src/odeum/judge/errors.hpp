@@ -21,7 +21,8 @@ std::vector<std::size_t> measured_components(const Case& c);
 /// Compares solves of one case with its truth, which is evaluated once.
 class Judge {
  public:
-  /// `stops`: as given to the solver. Stops at which the truth is not known give NaN errors.
+  /// `stops`: as given to the solver. Stops at which the truth is not known give NaN errors; those
+  /// past the end of the solution (its truth is infinite) infinite ones, whatever the state.
   Judge(const Case& c, std::vector<double> stops);
 
   /// One entry a stop; the outcome must have reached all of them.
@@ -29,6 +30,8 @@ class Judge {
 
   /// Root mean square of the components measured where that is largest: at the start or at a stop.
   double scale() const { return scale_; }
+  /// Whether the solution ends before the last stop, so that no state there is right.
+  bool solution_ends() const { return ends_; }
   /// How many components are measured.
   std::size_t components() const { return measured_.size(); }
 
@@ -39,6 +42,7 @@ class Judge {
   std::vector<std::size_t> measured_;
   double scale_ = 0;
   double energy_scale_ = 0;
+  bool ends_ = false;
 };
 
 }  // namespace odeum::judge

@@ -84,7 +84,7 @@ double perturbation_gain(const Case& c) {
     for (std::size_t stop = 0; stop < c.stops.size(); ++stop)
       for (const std::size_t i : measured) {
         const std::size_t at = stop * c.y0.size() + i;
-        squares += std::pow(moved.states[at] - plain.states[at], 2);
+        squares += std::pow((moved.states[at] - plain.states[at]) / c.scale_of(i), 2);
       }
   }
   const double errors = static_cast<double>(runs * c.stops.size() * measured.size());

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/difference_history.hpp"
 #include "odeum/kernel/quick_power.hpp"
+#include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/linear/shifted_solver.hpp"
+#include "odeum/tableau/ndf_coefficients.hpp"
 
 namespace odeum {
 
@@ -19,7 +20,7 @@ namespace odeum {
 template <Ode P>
 class BdfStepper {
  public:
-  static constexpr int max_order = 5, max_iterations = 4;
+  static constexpr int max_order = ndf::max_order, max_iterations = 4;
 
   BdfStepper(const P& problem, double t0, const State<P>& y0, double h, double tolerance)
       : problem_(problem), tolerance_(tolerance), system_(problem), h_(h), difference_(problem) {
@@ -35,12 +36,12 @@ class BdfStepper {
   /// Nothing has moved before advance().
   Status solve(double t_new, int k) {
     const auto order = static_cast<std::size_t>(k);
-    const double alpha = (1 - kappa[order]) * gamma[order];
+    const double alpha = (1 - ndf::kappa[order]) * ndf::gamma[order];
     for (std::size_t n = 0; n < y_.size(); ++n) {
       double predicted = difference_[0][n], psi = 0;
       for (std::size_t j = 1; j <= order; ++j) {
         predicted += difference_[j][n];
-        psi += gamma[j] * difference_[j][n];
+        psi += ndf::gamma[j] * difference_[j][n];
       }
       y_[n] = predicted;
       d_[n] = 0;
@@ -51,7 +52,7 @@ class BdfStepper {
   }
   /// Newton iterations of the last solve(), and its scaled error.
   int iterations() const { return iterations_; }
-  double error(int k) const { return std::abs(error_constant(k)) * norm(d_); }
+  double error(int k) const { return std::abs(ndf::error_constant(k)) * norm(d_); }
 
   /// Makes the step by order k that was solved for.
   void advance(int k) {
@@ -60,10 +61,11 @@ class BdfStepper {
   }
   /// After a step by order k: what order k - 1 (> 0) or k + 1 would have as its scaled error.
   double error_of_lower(int k) const {
-    return std::abs(error_constant(k - 1)) * norm(difference_[static_cast<std::size_t>(k)]);
+    return std::abs(ndf::error_constant(k - 1)) * norm(difference_[static_cast<std::size_t>(k)]);
   }
   double error_of_higher(int k) const {
-    return std::abs(error_constant(k + 1)) * norm(difference_[static_cast<std::size_t>(k) + 2]);
+    return std::abs(ndf::error_constant(k + 1)) *
+           norm(difference_[static_cast<std::size_t>(k) + 2]);
   }
 
   double h() const { return h_; }
@@ -79,19 +81,6 @@ class BdfStepper {
   }
 
  private:
-  static constexpr std::array<double, max_order + 1> kappa{0,       -0.1850, -1. / 9,
-                                                           -0.0823, -0.0415, 0};
-  /// gamma_k = 1 + 1/2 + ... + 1/k.
-  static constexpr std::array<double, max_order + 1> gamma = [] {
-    std::array<double, max_order + 1> g{};
-    for (std::size_t k = 1; k <= max_order; ++k) g[k] = g[k - 1] + 1 / static_cast<double>(k);
-    return g;
-  }();
-  static constexpr double error_constant(int k) {
-    const auto i = static_cast<std::size_t>(k);
-    return k == 0 ? 1 : kappa[i] * gamma[i] + 1 / static_cast<double>(k + 1);
-  }
-
   /// Newton on d = y - predicted: d = c f(t, y) - psi, psi the weighted differences.
   bool converge(double t_new, double c) {
     while (true) {
@@ -146,11 +135,7 @@ class BdfStepper {
     }
   }
 
-  double norm(const State<P>& x) const {
-    double sum = 0;
-    for (std::size_t n = 0; n < x.size(); ++n) sum += (x[n] * scale_[n]) * (x[n] * scale_[n]);
-    return std::sqrt(sum / static_cast<double>(x.size()));
-  }
+  double norm(const State<P>& x) const { return scaled_norm(x, scale_); }
 
   const P& problem_;
   double tolerance_;

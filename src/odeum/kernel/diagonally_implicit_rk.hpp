@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -32,11 +33,16 @@ class DiagonallyImplicitRungeKutta {
   static constexpr std::size_t stages = T.stages;
 
   explicit DiagonallyImplicitRungeKutta(const P& problem)
-      : problem_(problem), newton_(problem), base_(make_state(problem)), stage_(base_) {
+      : problem_(problem),
+        newton_(problem, newton_weight),
+        base_(make_state(problem)),
+        stage_(base_),
+        before_(base_) {
     k_.fill(base_);
   }
 
   static constexpr bool keeps_factors = true;  ///< as long as h is the same
+  void will_be_retried() { newton_.will_be_retried(); }
   /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
   void solve_to(double tolerance) { newton_.solve_to(tolerance, 0.02); }
 
@@ -62,6 +68,13 @@ class DiagonallyImplicitRungeKutta {
  private:
   /// The last stage is the new state.
   static constexpr bool stiffly_accurate = T.a[stages - 1] == T.b;
+  /// k_i = (Y_i - base) / (h a_ii): the new state has the remainder of Y_i times b_i / a_ii.
+  static constexpr double newton_weight = [] {
+    double weight = 1;
+    for (std::size_t i = 0; i < stages; ++i)
+      if (T.a[i][i] != 0) weight = std::max({weight, T.b[i] / T.a[i][i], -T.b[i] / T.a[i][i]});
+    return weight;
+  }();
 
   Status solve_stages(double t, double h, const State<P>& y) {
     for (std::size_t i = 0; i < stages; ++i) {
@@ -76,11 +89,13 @@ class DiagonallyImplicitRungeKutta {
         stage_ = base_;
         continue;
       }
-      // Initial guess: the slope of the previous stage.
+      // Initial guess: the slope of the previous stage; otherwise its state, which is closer where
+      // stiff components follow the others.
+      before_ = i > 0 ? stage_ : base_;
       stage_ = base_;
       if (i > 0)
         for (std::size_t n = 0; n < y.size(); ++n) stage_[n] += gamma_h * k_[i - 1][n];
-      const Status status = newton_.solve(stage_time, gamma_h, base_, stage_);
+      const Status status = newton_.solve(stage_time, gamma_h, base_, stage_, before_);
       if (status != Status::ok) return status;
       for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = newton_.increment()[n] / gamma_h;
     }
@@ -102,7 +117,7 @@ class DiagonallyImplicitRungeKutta {
   const P& problem_;
   Newton<P> newton_;
   std::array<State<P>, stages> k_;
-  State<P> base_, stage_;
+  State<P> base_, stage_, before_;
 };
 
 /// Base of a method that is a diagonally implicit tableau and nothing else.

@@ -42,9 +42,9 @@ class ExplicitRungeKutta {
     finish(t, h, y);
     if constexpr (T.first_same_as_last())
       problem_.rhs(t + T.c(stages - 1) * h, y.data(), k_.back().data());
-    const auto weights = weights_times<Row::difference>(h);
+    const auto weights = times<estimate_row>(h);
     for (std::size_t n = 0; n < y.size(); ++n)
-      error[n] = increment<Row::difference>(weights, n, std::make_index_sequence<stages>{});
+      error[n] = increment<estimate_row>(weights, n, std::make_index_sequence<stages>{});
     return Status::ok;
   }
   /// The last step was accepted: the next one, of any length, starts at its end. The last stage of
@@ -72,7 +72,7 @@ class ExplicitRungeKutta {
   const State<P>& last_stage() const { return k_.back(); }
 
  private:
-  enum class Row { main, difference };
+  static constexpr auto main_row = T.b, estimate_row = T.difference();
 
   /// The stages after the first and the new state, at which the last stage of a first-same-as-last
   /// tableau is evaluated: only an estimate of the error or the next step has a use for that one.
@@ -82,9 +82,9 @@ class ExplicitRungeKutta {
       (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
     }
     (std::make_index_sequence<inner>{});
-    const auto weights = weights_times<Row::main>(h);
+    const auto weights = times<main_row>(h);
     for (std::size_t n = 0; n < y.size(); ++n)
-      y[n] = (y[n] + increment<Row::main>(weights, n, std::make_index_sequence<newest>{})) +
+      y[n] = (y[n] + increment<main_row>(weights, n, std::make_index_sequence<newest>{})) +
              weights[newest] * k_[newest][n];
   }
 
@@ -99,15 +99,10 @@ class ExplicitRungeKutta {
     problem_.rhs(static_cast<Real>(t + T.c(I) * h), argument_.data(), k_[I].data());
   }
 
-  template <Row row>
-  static constexpr auto weight(std::size_t i) {
-    return row == Row::main ? T.b[i] : T.b[i] - T.b_hat[i];
-  }
-
-  template <Row row>
-  static constexpr std::array<Real, stages> weights_times(Real h) {
+  template <const auto& row>
+  static constexpr std::array<Real, stages> times(Real h) {
     std::array<Real, stages> weights{};
-    for (std::size_t i = 0; i < stages; ++i) weights[i] = static_cast<Real>(h * weight<row>(i));
+    for (std::size_t i = 0; i < stages; ++i) weights[i] = static_cast<Real>(h * row[i]);
     return weights;
   }
 
@@ -120,11 +115,11 @@ class ExplicitRungeKutta {
 
   // Sums the stages I. The increment is summed before it is added to y, so that y is rounded once
   // per sum and not once per stage.
-  template <Row row, std::size_t... I>
+  template <const auto& row, std::size_t... I>
   Real increment([[maybe_unused]] const std::array<Real, stages>& weights,
                  [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {
     Real sum = 0;
-    ((weight<row>(I) != 0 ? void(sum += weights[I] * k_[I][n]) : void()), ...);
+    ((row[I] != 0 ? void(sum += weights[I] * k_[I][n]) : void()), ...);
     return sum;
   }
 
@@ -137,7 +132,6 @@ class ExplicitRungeKutta {
 /// Base of a method that is an explicit tableau and nothing else.
 template <const auto& T>
 struct ExplicitRungeKuttaMethod {
-  static_assert(T.is_explicit());
   static constexpr const auto& tableau = T;
   template <class P>
   using Stepper = ExplicitRungeKutta<T, P>;

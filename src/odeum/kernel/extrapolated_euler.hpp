@@ -95,7 +95,10 @@ class ExtrapolatedEuler {
     double contraction = 0;
     table_.linearise(t, y);
     for (std::size_t j = 0; j < Column; ++j)
-      if (!table_.add_row(j, t, h, y, contraction)) return Status::newton_failed;
+      // As in an adaptive run, which rejects such a step. Past it the state grows without bound,
+      // and rounding with it.
+      if (!table_.add_row(j, t, h, y, contraction) || !(contraction <= 1))
+        return Status::newton_failed;
     y = table_.column(Column - 1);
     return Status::ok;
   }
@@ -120,6 +123,21 @@ double extrapolated_euler_amplification(std::complex<double> z) {
     table[j] = carried;
   }
   return std::abs(table[Column - 1]);
+}
+
+/// What random rounding of the first column comes to in that step: the root of the sum of squares
+/// of the weights with which extrapolation in powers of h combines it.
+template <std::size_t Column>
+double extrapolated_euler_rounding() {
+  double squares = 0;
+  for (std::size_t j = 0; j < Column; ++j) {
+    double weight = 1;
+    for (std::size_t k = 0; k < Column; ++k)
+      if (k != j)
+        weight *= static_cast<double>(j + 2) / (static_cast<double>(j) - static_cast<double>(k));
+    squares += weight * weight;
+  }
+  return std::sqrt(squares);
 }
 
 }  // namespace odeum

@@ -20,10 +20,12 @@ inline constexpr double correction_accuracy = 1e-8;
 
 /// Whether an iteration has reached rounding. `size`: of the last correction, in units of
 /// iteration_tolerance; `rate`: its contraction, where that is known. What later corrections would
-/// add must lie below 2^-53, since stages with large weights multiply it and remainders of equal
-/// sign add up over the steps; a small correction that contracts no more is rounding.
-inline bool at_rounding(double size, double rate, bool rate_known) {
-  constexpr double unseen = 1e-3, contracts = 0.05;
+/// add must lie below 2^-53, since remainders of equal sign add up over the steps, divided by the
+/// `weight` with which the method multiplies it; a small correction that contracts no more is
+/// rounding.
+inline bool at_rounding(double size, double rate, bool rate_known, double weight = 1) {
+  constexpr double contracts = 0.05;
+  const double unseen = 1e-3 / weight;
   return size <= unseen || (size <= 1 && rate_known && (rate > contracts || size * rate <= unseen));
 }
 

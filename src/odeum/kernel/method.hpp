@@ -26,7 +26,13 @@
 /// Adaptive runs then follow (control/one_step.hpp): by the embedded row, else by step doubling.
 ///
 /// A method that chooses its own steps (and possibly order) has in addition, or instead
-/// (`fixed_step = false`), a complete adaptive run from t0 through every stop of the request:
+/// (`fixed_step = false`), the trial steps of a run from t0 to `end` (control/adaptive.hpp),
+///
+///     template <class P> static auto trial_steps(const Guarded<P>& problem, double t0,
+///                                                const State<P>& y0, double end,
+///                                                double tolerance);   // a TrialSteps
+///
+/// or, where its steps are no trials, a complete adaptive run through every stop of the request:
 ///
 ///     template <class P> static Outcome integrate(const Guarded<P>& problem, double t0,
 ///                                                 const State<P>& y0, const Request& request);
@@ -47,9 +53,13 @@ struct MethodInfo {
   /// An adaptive run varies the order too, so that none is claimed for it.
   bool adaptive_order = false;
   Control control = Control::integral;  ///< of an embedded pair
-  std::string_view controller{};        ///< of a method with `integrate`: its step control in words
+  std::string_view controller{};  ///< of a method with steps of its own: their control in words
   std::string_view source;
 };
+
+/// On which problems of cases/inlined a method is compiled with the right-hand side inlined, as
+/// `static constexpr auto inlined` of it: those that have no stiff case, or those that have one.
+enum class Inlined { nonstiff, stiff };
 
 /// Fits any problem.
 struct ForAnyProblem {

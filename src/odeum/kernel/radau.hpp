@@ -7,6 +7,7 @@
 #include "odeum/kernel/collocation_guess.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
 #include "odeum/kernel/quick_power.hpp"
+#include "odeum/kernel/scaled_norm.hpp"
 
 namespace odeum {
 
@@ -102,10 +103,7 @@ class RadauStepper {
     for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
       double sum = 0;
       system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
-        for (std::size_t n = 0; n < correction.size(); ++n) {
-          const double scaled = correction[n] * inverse_scale_[n];
-          sum += scaled * scaled;
-        }
+        sum += scaled_squares(correction, inverse_scale_);
       });
       const double size = std::sqrt(sum / static_cast<double>(stages * y.size()));
       if (!std::isfinite(size)) return false;
@@ -135,12 +133,7 @@ class RadauStepper {
       error_[n] = sum;
     }
     system_.solve_real(error_);
-    double sum = 0;
-    for (std::size_t n = 0; n < f.size(); ++n) {
-      const double scaled = error_[n] * inverse_scale_[n];
-      sum += scaled * scaled;
-    }
-    return std::sqrt(sum / static_cast<double>(f.size()));
+    return scaled_norm(error_, inverse_scale_);
   }
 
   const P& problem_;
@@ -148,8 +141,7 @@ class RadauStepper {
   StageSystem<T, P> system_;
   State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
   CollocationGuess<stages, P> guess_;
-  double factored_for_ = 0;
-  double contraction_ = 1, rate_ = 0;
+  double factored_for_ = 0, contraction_ = 1, rate_ = 0;
   int iterations_ = 0;
   bool moved_ = true, first_ = true, rejected_ = false;
   bool jacobian_wanted_ = true, jacobian_fresh_ = false;

@@ -42,6 +42,11 @@ class Rosenbrock {
     return Status::ok;
   }
 
+  /// Whether the last step was longer than 1 / (gamma lambda) for a growing mode e^(lambda t): it
+  /// then decays or changes sign, and a solution that grows to a pole comes out beyond. An even
+  /// number of such modes is not seen.
+  bool oversteps_growth() const { return system_.negative_determinant(); }
+
  private:
   static constexpr auto alpha = T.row_sums(T.alpha_matrix());
   static constexpr auto gamma = T.row_sums(T.gamma_matrix());

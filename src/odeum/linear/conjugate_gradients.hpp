@@ -10,14 +10,25 @@ namespace odeum::linear {
 /// Preconditioned conjugate gradients for a symmetric positive definite A (Saad, Iterative Methods
 /// for Sparse Linear Systems, algorithm 9.1). `apply(x, ax)` and `precondition(r, z)` take arrays
 /// of n doubles. On entry x is the guess, on return the solution. False where a direction of
-/// negative curvature shows that A is indefinite, or after n + 50 iterations.
+/// negative curvature shows that A is indefinite, after n + 50 iterations, or where `watch`, which
+/// sees each iteration, returns false.
 class ConjugateGradients {
  public:
+  /// What one iteration did, for those who watch.
+  struct Iteration {
+    const double* x;          ///< after it
+    double residual_squared;  ///< of the recurrence, after it
+    double alpha, rz;         ///< the length along the direction, and r.z before it
+  };
+  struct Unwatched {
+    bool operator()(const Iteration&) const { return true; }
+  };
+
   explicit ConjugateGradients(std::size_t n) : n_(n), r_(n), z_(n), p_(n), ap_(n) {}
 
-  template <class Apply, class Precondition>
+  template <class Apply, class Precondition, class Watch = Unwatched>
   bool solve(Apply&& apply, Precondition&& precondition, const double* b, double* x,
-             double relative_tolerance) {
+             double relative_tolerance, Watch&& watch = {}) {
     if (dot(x, x) == 0) {
       r_.assign(b, b + n_);
     } else {
@@ -40,7 +51,10 @@ class ConjugateGradients {
         x[i] += alpha * p_[i];
         r_[i] -= alpha * ap_[i];
       }
-      if (dot(r_.data(), r_.data()) <= target) return true;
+      const double residual_squared = dot(r_.data(), r_.data());
+      const bool goes_on = watch(Iteration{x, residual_squared, alpha, rz});
+      if (residual_squared <= target) return true;
+      if (!goes_on) return false;
       precondition(r_.data(), z_.data());
       const double rz_next = dot(r_.data(), z_.data());
       const double beta = rz_next / rz;

@@ -45,6 +45,13 @@ class DenseShiftedSolver final : public ShiftedSolver {
     return true;
   }
 
+  /// Whether det(I - gamma_h J) is known to be negative.
+  bool negative_determinant() const {
+    if constexpr (requires { solver_.negative_determinant(); })
+      return solver_.negative_determinant();
+    return false;
+  }
+
   /// Row-major, as of the last linearise().
   const linear::Square<P::dimension>& jacobian() const { return j_; }
 
@@ -81,6 +88,7 @@ class ShiftedSystem {
   void linearise(double t, const State<P>& y) { dense_.linearise(t, y.data()); }
   bool factorise(double gamma_h) { return dense_.factorise(gamma_h); }
   bool solve(double* x, double = ShiftedSolver::exact) { return dense_.solve(x); }
+  bool negative_determinant() const { return dense_.negative_determinant(); }
 
  private:
   DenseShiftedSolver<P> dense_;
@@ -104,6 +112,7 @@ class ShiftedSystem<P> {
   bool solve(double* x, double relative = ShiftedSolver::exact) {
     return dense_ ? dense_->solve(x) : own_->solve(x, relative);
   }
+  bool negative_determinant() const { return dense_ && dense_->negative_determinant(); }
 
  private:
   std::unique_ptr<ShiftedSolver> own_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/kernel/adams.hpp"
 #include "odeum/kernel/method.hpp"
-#include "odeum/kernel/multistep.hpp"
 #include "odeum/methods/cash_karp54.hpp"
 
 namespace odeum::methods {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/kernel/backward_differences.hpp"
 #include "odeum/kernel/method.hpp"
-#include "odeum/kernel/multistep.hpp"
 #include "odeum/methods/rodas5p.hpp"
 
 namespace odeum::methods {

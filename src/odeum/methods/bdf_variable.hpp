@@ -17,16 +17,15 @@ struct bdf_variable : ForAnyProblem {
       .adaptive_order = true,
       .controller = "step and order, from backward differences",
       .source = "Shampine, Reichelt, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
   template <Ode P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
+  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                          double requested) {
     // Local errors of many small steps of low order accumulate: the local tolerance is a fraction
     // of the one requested, so that the error at the end meets it.
-    const double tolerance = request.tolerance / 20;
-    const double first = initial_step(problem, t0, y0, request.stops.back(), 1, tolerance);
-    BdfTrial<Guarded<P>> trial(problem, t0, y0, first, tolerance);
-    return run_adaptive(problem, t0, y0, request, first, trial);
+    const double tolerance = requested / 20;
+    const double first = initial_step(problem, t0, y0, end, 1, tolerance);
+    return TrialSteps<BdfTrial<Guarded<P>>>{first, {problem, t0, y0, first, tolerance}};
   }
 };
 

@@ -24,7 +24,7 @@ struct blanes_moan6 : SplittingMethod<blanes_moan6_splitting> {
       .family = "symplectic",
       .order = blanes_moan6_splitting.order,
       .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313-330, table 3, SRKN_11^b"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 };
 
 }  // namespace odeum::methods

@@ -32,7 +32,7 @@ struct dormand_nystroem64 : NystroemMethod<dormand_nystroem64_tableau> {
       .order = dormand_nystroem64_tableau.order,
       .order_embedded = dormand_nystroem64_tableau.order_hat,
       .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 235-250, RKN6(4)6FM"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 };
 
 }  // namespace odeum::methods

@@ -43,7 +43,7 @@ struct dormand_nystroem86 : NystroemMethod<dormand_nystroem86_tableau> {
       .order = dormand_nystroem86_tableau.order,
       .order_embedded = dormand_nystroem86_tableau.order_hat,
       .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 423-430, RKN8(6)9FM"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 };
 
 }  // namespace odeum::methods

@@ -40,7 +40,7 @@ struct dormand_prince54 : ForAnyProblem, ExplicitRungeKuttaMethod<dormand_prince
       .order = dormand_prince54_tableau.order,
       .order_embedded = dormand_prince54_tableau.order_hat,
       .source = "Dormand, Prince, J. Comput. Appl. Math. 6 (1980) 19-26, table 2 (RK5(4)7M)"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
   static constexpr const auto& dense_row = dormand_prince54_dense_row;
 };
 

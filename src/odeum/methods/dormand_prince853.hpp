@@ -58,7 +58,7 @@ struct dormand_prince853 : ForAnyProblem {
       .order = dormand_prince853_tableau.order,
       .order_embedded = 7,
       .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.5 (DOP853) and II.10, (10.17)"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
   static constexpr const auto& tableau = dormand_prince853_tableau;
 
   template <class P>

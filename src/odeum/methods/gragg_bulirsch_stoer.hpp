@@ -21,7 +21,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
       .source =
           "Bulirsch, Stoer, Numer. Math. 8 (1966) 1-13; Hairer, Norsett, Wanner, Solving "
           "ODEs I, II.9, (9.10), (9.13)"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 
   template <class P>
   class Stepper {
@@ -40,12 +40,11 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
   };
 
   template <class P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    ExtrapolationTrial<P> trial(problem, request.tolerance);
-    const double first =
-        initial_step(problem, t0, y0, request.stops.back(), trial.order(), request.tolerance);
-    return run_adaptive(problem, t0, y0, request, first, trial);
+  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                          double tolerance) {
+    ExtrapolationTrial<P> trial(problem, tolerance);
+    const double first = initial_step(problem, t0, y0, end, trial.order(), tolerance);
+    return TrialSteps{first, std::move(trial)};
   }
 
   static double amplification(double re, double im) {

@@ -19,7 +19,7 @@ struct radau_iia5 : RadauMethod<radau_iia5_tableau> {
       .order = radau_iia5_tableau.order,
       .controller = "embedded estimate of order 3, predictive",
       .source = "Ehle 1969; Hairer, Wanner, Solving ODEs II, table IV.5.6 and section IV.8"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
 };
 
 }  // namespace odeum::methods

@@ -18,7 +18,7 @@ struct radau_iia9 : RadauMethod<radau_iia9_tableau> {
       .order = radau_iia9_tableau.order,
       .controller = "embedded estimate of order 5, predictive",
       .source = "Hairer, Wanner, J. Comput. Appl. Math. 111 (1999) 93-111; Solving ODEs II, IV.8"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
 };
 
 }  // namespace odeum::methods

@@ -20,7 +20,7 @@ struct rk4 : ForAnyProblem, ExplicitRungeKuttaMethod<rk4_tableau> {
       .family = "explicit_rk",
       .order = rk4_tableau.order,
       .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 };
 
 }  // namespace odeum::methods

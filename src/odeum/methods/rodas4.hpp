@@ -37,7 +37,7 @@ struct rodas4 : ForAnyProblem, RosenbrockMethod<rodas4_tableau> {
       .order_embedded = rodas4_tableau.order_hat,
       .control = Control::predictive,
       .source = "Hairer, Wanner, Solving ODEs II, VI.4; coefficients of their code RODAS, set 1"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
 };
 
 }  // namespace odeum::methods

@@ -48,7 +48,7 @@ struct rodas5p : ForAnyProblem, RosenbrockMethod<rodas5p_tableau> {
                                    .order_embedded = rodas5p_tableau.order_hat,
                                    .control = Control::predictive,
                                    .source = "Steinebach, BIT 63 (2023) 27, table 4"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
 };
 
 }  // namespace odeum::methods

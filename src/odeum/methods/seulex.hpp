@@ -17,18 +17,18 @@ struct seulex : ForAnyProblem {
       .adaptive_order = true,
       .controller = "step and column, by work per unit step",
       .source = "Deuflhard, Hairer, Zugck, Numer. Math. 51 (1987) 501-516; Solving ODEs II, IV.9"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::stiff;
   template <class P>
   using Stepper = ExtrapolatedEuler<fixed_column, P>;
 
   template <Ode P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    const double first = initial_step(problem, t0, y0, request.stops.back(), 2, request.tolerance);
-    return run_adaptive(problem, t0, y0, request, first,
-                        ExtrapolatedEulerControl<Guarded<P>>(problem, request.tolerance));
+  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+                          double tolerance) {
+    return TrialSteps<ExtrapolatedEulerControl<Guarded<P>>>{
+        initial_step(problem, t0, y0, end, 2, tolerance), {problem, tolerance}};
   }
 
+  static double rounding() { return extrapolated_euler_rounding<fixed_column>(); }
   static double amplification(double re, double im) {
     return extrapolated_euler_amplification<fixed_column>({re, im});
   }

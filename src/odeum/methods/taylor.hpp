@@ -26,7 +26,7 @@ struct taylor {
       .source =
           "Jorba, Zou, Experimental Mathematics 14 (2005) 99-117, sections 3.1, 3.2; Hairer, "
           "Norsett, Wanner, Solving ODEs I, I.8"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
   static constexpr std::string_view needs = "a problem that offers its Taylor series";
   template <class P>
   static constexpr bool fits = WithTaylorSeries<P>;
@@ -100,6 +100,10 @@ struct taylor {
       sum(c_, order_, h, y_new);
       return {true, h};
     }
+    Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
+      sum(c_, order_, time - step.t, y);
+      return Status::ok;
+    }
 
    private:
     const Guarded<P>& problem_;
@@ -108,9 +112,9 @@ struct taylor {
   };
 
   template <class P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
-                           const Request& request) {
-    return run_adaptive(problem, t0, y0, request, 0, Trial<P>(problem, request.tolerance));
+  static auto trial_steps(const Guarded<P>& problem, double, const State<P>&, double,
+                          double tolerance) {
+    return TrialSteps<Trial<P>>{0, {problem, tolerance}};
   }
 
   static double amplification(double re, double im) {

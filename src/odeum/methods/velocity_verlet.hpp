@@ -18,7 +18,7 @@ struct velocity_verlet : ForSecondOrder {
       .family = "symplectic",
       .order = 2,
       .source = "Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637, (4)-(6)"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 
   template <class P>
   class Stepper {

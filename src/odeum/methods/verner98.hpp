@@ -62,7 +62,7 @@ struct verner98 : ForAnyProblem, ExplicitRungeKuttaMethod<verner98_tableau> {
                                    .source =
                                        "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "
                                        "pairs, RKV98.IIa.Efficient.000000349"};
-  static constexpr bool inlined = true;
+  static constexpr auto inlined = Inlined::nonstiff;
 };
 
 }  // namespace odeum::methods

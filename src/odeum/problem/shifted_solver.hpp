@@ -19,6 +19,10 @@ class ShiftedSolver {
   /// may be replaced by one that keeps the matrix positive definite at any step, and each solution
   /// is the guess for the next. A direct solver does nothing.
   virtual void solve_once_a_step() {}
+  /// From now on J is replaced by a bound of it, with which the matrix is positive definite and
+  /// which no state exceeds as far as a step reaches, for steps towards a solution from afar.
+  /// False: there is none, and J stays.
+  virtual bool bound() { return false; }
   /// Products with a matrix of J's sparsity by all solves so far; 0 for a direct solver.
   virtual std::uint64_t products() const { return 0; }
 };

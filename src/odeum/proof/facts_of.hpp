@@ -2,7 +2,8 @@
 #pragma once
 #include "odeum/proof/facts.hpp"
 
-#include "odeum/kernel/multistep.hpp"
+#include "odeum/kernel/adams.hpp"
+#include "odeum/kernel/backward_differences.hpp"
 
 namespace odeum::proof {
 namespace detail {

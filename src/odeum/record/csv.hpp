@@ -42,7 +42,7 @@ class CsvRow {
 class CsvTable {
  public:
   /// `columns` without `schema`, separated by commas.
-  explicit CsvTable(std::string_view columns) : text_("schema," + std::string(columns) + "\n") {}
+  explicit CsvTable(std::string_view columns) : text_("schema,") { text_.append(columns) += '\n'; }
   void add(const CsvRow& row) { add_line(row.line()); }
   void add_line(std::string_view line) {
     text_ += line;

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <utility>
 
+#include "odeum/record/gzip.hpp"
+
 namespace odeum::record {
 namespace {
 
@@ -104,7 +106,10 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
   const auto temporary = temporary_of(target);
   OpenFile file(create(temporary));
   try {
-    write_all(file.get(), text, temporary);
+    if (name.ends_with(".gz"))
+      write_all(file.get(), gzip_of(text), temporary);
+    else
+      write_all(file.get(), text, temporary);
     if (::fsync(file.get()) != 0 && errno != EINVAL) fail("cannot write", temporary);
     if (!file.close()) fail("cannot write", temporary);
     replace(target);

@@ -49,7 +49,7 @@ class OutputFolder {
 
   /// Writes `text` to a file of that name (which may have folders of its own, never `..` and
   /// never a link): to a temporary first, flushed and checked, then renamed. A link of that name is
-  /// replaced, not followed.
+  /// replaced, not followed. Where the name ends in .gz, the file is the text compressed.
   void write(std::string_view name, std::string_view text) const;
 
  private:

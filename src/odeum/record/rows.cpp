@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
 #include "odeum/record/csv_reader.hpp"
+#include "odeum/record/gzip.hpp"
 
 namespace odeum::record::detail {
 namespace {
@@ -39,10 +41,15 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
                      const Fields& blank, const std::function<void(FieldSource&)>& read) {
   std::ifstream in(folder / name, std::ios::binary);
   if (!in) return {};
-  const std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string subject = "the earlier " + name + " ";
+  if (name.ends_with(".gz")) {
+    std::optional<std::string> unpacked = text_of_gzip(text);
+    if (!unpacked) return subject + "is damaged or cut off";
+    text = std::move(*unpacked);
+  }
   CsvReader csv(text);
   CsvSource source(csv);
-  const std::string subject = "the earlier " + name + " ";
   if (!csv.has("schema") || !std::all_of(blank.begin(), blank.end(),
                                          [&](const Field& field) { return csv.has(field.column); }))
     return subject + "has other columns (another version?)";

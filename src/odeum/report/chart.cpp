@@ -34,7 +34,8 @@ std::vector<double> linear_ticks(const Axis& axis, int most) {
   for (const int m : {5, 2, 1})
     if (m * power >= least) step = m * power;
   std::vector<double> ticks;
-  for (double k = std::ceil(axis.low / step); k * step <= axis.high; ++k) ticks.push_back(k * step);
+  for (double k = std::ceil(axis.low / step); k * step <= axis.high; ++k)
+    ticks.push_back(k * step + 0.0);  // no -0
   return ticks;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "odeum/report/spectrum.hpp"
+
 namespace odeum::report {
 
 bool CaseFacts::has_tag(const std::string& tag) const {
@@ -32,6 +34,7 @@ Facts describe(const std::vector<Case>& cases, const std::vector<LibraryInfo>& l
   for (const Case& c : cases) {
     double scale = 0;
     for (const double value : c.y0) scale = std::max(scale, std::abs(value));
+    Spectrum spectrum = spectrum_of(c);
     facts.cases.push_back({.id = c.id,
                            .title = c.title,
                            .equation = c.equation,
@@ -41,7 +44,9 @@ Facts describe(const std::vector<Case>& cases, const std::vector<LibraryInfo>& l
                            .timed_floor = c.timed_floor(),
                            .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
                            .scale = scale > 0 ? scale : 1,
-                           .tags = c.tags});
+                           .tags = c.tags,
+                           .eigenvalues = std::move(spectrum.eigenvalues),
+                           .eigenvalues_time = spectrum.time});
     for (const Entrant& entrant : c.entrants)
       if (known.insert(entrant.info.id()).second) facts.solvers.push_back(entrant.info);
   }

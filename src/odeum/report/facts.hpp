@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct CaseFacts {
   double timed_end = 0;    ///< the time t at which these do
   double scale = 1;  ///< largest component of the initial state, in magnitude; 1 where all are 0
   std::vector<std::string> tags;
+  std::vector<std::complex<double>> eigenvalues = {};  ///< see report/spectrum.hpp
+  double eigenvalues_time = 0;
   std::string file = {};  ///< of its own page, relative to index.html; named by the Page
 
   bool has_tag(const std::string& tag) const;

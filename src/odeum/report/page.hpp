@@ -31,10 +31,11 @@ struct RunFacts {
   std::chrono::system_clock::time_point finished = std::chrono::system_clock::now();
 };
 
-/// The report: index.html, a page for each case in cases/, and manifest.json, beside the CSV files
-/// that are there already. Studies hand in their parts, in any order; `write` puts them together.
-/// The folder stands alone: no scripts, nothing from elsewhere, addresses relative, so that it may
-/// be moved and opened from a disk.
+/// The report: index.html with the interactive views (reports/viewer/page), a page for each
+/// section, a page for each case in cases/, data for the views in data/, and manifest.json, beside
+/// the CSV files that are there already. Studies hand in their parts, in any order; `write` puts
+/// them together. The folder stands alone: nothing from elsewhere, addresses relative, so that it
+/// may be moved and opened from a disk.
 class Page {
  public:
   Page(Facts facts, const record::OutputFolder& folder);
@@ -45,7 +46,14 @@ class Page {
   void case_part(std::size_t index, Section part);
   /// A line among the facts that begin the page of a case.
   void case_fact(std::size_t index, std::string_view name, std::string_view markup);
-  /// Markup under the title of index.html, and under "How to read it".
+  /// Data for the views under a name, as JSON (report/columns.hpp): in data/<file>.js, of which
+  /// `index` is loaded with index.html and others when a view asks for them; or of case number
+  /// `index`, loaded when the case is looked at.
+  void data(const std::string& file, const std::string& name, std::string json) {
+    data_[file][name] = std::move(json);
+  }
+  void case_data(std::size_t index, const std::string& name, std::string json);
+  /// Markup under the title of data.html, and under "How to read it".
   void headline(std::string_view markup) { headline_ += markup; }
   void guide(std::string_view markup) { guide_ += markup; }
   /// Writes a picture that lies in a file, `stem` and a number where that is taken; its <img>.
@@ -60,9 +68,13 @@ class Page {
   void write(const RunFacts& run);
 
  private:
+  using Data = std::map<std::string, std::string>;  // JSON by name
   std::string case_page(std::size_t index) const;
   std::string index_page(const RunFacts& run) const;
-  std::string header(const RunFacts& run, const std::string& navigation) const;
+  std::string data_page(const RunFacts& run) const;
+  std::string navigation(const std::string& root, const std::string& here) const;
+  void write_all_data(const RunFacts& run) const;
+  void write_data(const std::string& file, const Data& data) const;
   std::string manifest_text(const RunFacts& run) const;
 
   Facts facts_;
@@ -73,7 +85,9 @@ class Page {
   std::string headline_, guide_;
   std::map<std::string, std::size_t> statuses_, reasons_;
   std::map<std::string, std::string> manifest_;  // JSON by key
-  std::set<std::string> pictures_;               // names of their files
+  std::map<std::string, Data> data_;             // by file
+  std::vector<Data> case_data_;
+  std::set<std::string> pictures_;  // names of their files
 };
 
 /// A link from index.html to the page of a case, or to a section of it.

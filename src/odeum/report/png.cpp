@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "odeum/report/compress.hpp"
+
 namespace odeum::report {
 namespace {
 
@@ -19,16 +21,6 @@ std::string chunk(const std::string& type, const std::string& data) {
   const auto checksum =
       ::crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
   return big_endian(data.size()) + body + big_endian(checksum);
-}
-
-std::string compressed(const std::string& data) {
-  uLongf size = ::compressBound(data.size());
-  std::string bytes(size, '\0');
-  if (::compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                  reinterpret_cast<const Bytef*>(data.data()), data.size(), 9) != Z_OK)
-    throw std::bad_alloc();
-  bytes.resize(size);
-  return bytes;
 }
 
 }  // namespace
@@ -53,7 +45,7 @@ std::string png_of(std::size_t width, const std::vector<std::uint8_t>& pixels,
   // Four bits a pixel, indices into a palette, neither filters nor interlacing of their own.
   const std::string format = {4, 3, 0, 0, 0};
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", big_endian(width) + big_endian(height) + format) +
-         chunk("PLTE", colours) + chunk("tRNS", opacities) + chunk("IDAT", compressed(rows)) +
+         chunk("PLTE", colours) + chunk("tRNS", opacities) + chunk("IDAT", zlib_of(rows)) +
          chunk("IEND", "");
 }
 

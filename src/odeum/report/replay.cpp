@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 #include "odeum/report/html.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/report/texts.hpp"
+#include "odeum/scene/run/emission.hpp"
 
 namespace odeum::report {
 namespace {
@@ -40,6 +42,38 @@ Json surfaces_of(const scene::Scene& scene) {
           {{"kind", "sphere"}, {"center", numbers_of(sphere->center)}, {"radius", sphere->radius}});
   }
   return surfaces;
+}
+
+// How emitted particles look, by emitter; null where they are drawn as balls.
+Json looks_of(const scene::Scene& scene) {
+  Json looks = Json::array();
+  for (const scene::Emitter& emitter : scene.emitters) {
+    if (!emitter.look) {
+      looks.push_back(nullptr);
+      continue;
+    }
+    const scene::Look& look = *emitter.look;
+    Json one = {{"colour", {numbers_of(look.colour[0]), numbers_of(look.colour[1])}},
+                {"size", look.size},
+                {"opacity", look.opacity},
+                {"additive", look.additive}};
+    if (!look.texture.empty()) one["texture"] = "data:image/png;base64," + base64(look.texture);
+    looks.push_back(std::move(one));
+  }
+  return looks;
+}
+
+// Birth, lifetime (0: endless) and emitter of each emitted particle, by its id less the number of
+// particles that the scene lists: three numbers each.
+std::vector<float> lives_of(const scene::Scene& scene, double until) {
+  std::vector<float> lives;
+  for (const scene::EmittedParticle& one : scene::emitted_particles(scene.emitters, until)) {
+    const double lifetime = one.death - one.birth;
+    lives.push_back(static_cast<float>(one.birth));
+    lives.push_back(std::isfinite(lifetime) ? static_cast<float>(lifetime) : 0);
+    lives.push_back(static_cast<float>(one.emitter));
+  }
+  return lives;
 }
 
 // As many frames as keep the page under some 30 MB.
@@ -77,6 +111,11 @@ Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
   Json cloths = Json::array();
   for (const auto& cloth : scene.cloths)
     cloths.push_back({{"first", cloth.first}, {"rows", cloth.rows}, {"columns", cloth.columns}});
+  Json plot = nullptr;
+  if (scene.plot) {
+    plot = {{"particle", scene.plot->particle}, {"coordinate", scene.plot->coordinate}};
+    if (scene.plot->y_range) plot["range"] = *scene.plot->y_range;
+  }
   return {{"name", plain(scene.name)},
           {"up", std::string(1, scene.up)},
           {"listed", scene.particles.size()},
@@ -91,6 +130,9 @@ Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
           {"springs", packed(ends)},
           {"rest", packed(rest)},
           {"cloths", cloths},
+          {"plot", plot},
+          {"looks", looks_of(scene)},
+          {"lives", packed(lives_of(scene, run.t > 0 ? run.t : 1e-300))},
           {"surfaces", surfaces_of(scene)}};
 }
 

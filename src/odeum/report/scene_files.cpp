@@ -90,17 +90,17 @@ std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t 
 }
 
 void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& scene,
-                      const scene::RunResult& run, std::size_t most) {
+                      const scene::RunResult& run, const std::string& in, std::size_t most) {
   std::string title = "Odeum: " + plain(scene.name);
   title.resize(std::min<std::size_t>(title.size(), 200));
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const std::size_t k : chosen_frames(run, most)) {
     const std::string name = fmt::format("vtk/frame_{:06}.vtk", k);
-    folder.write(name, vtk_file(scene, run.frames[k], title));
+    folder.write(in + name, vtk_file(scene, run.frames[k], title));
     files.push_back({{"name", name}, {"time", run.frames[k].t}});
   }
   const nlohmann::ordered_json series = {{"file-series-version", "1.0"}, {"files", files}};
-  folder.write("trajectory.vtk.series", series.dump(1) + "\n");
+  folder.write(in + "trajectory.vtk.series", series.dump(1) + "\n");
 }
 
 }  // namespace odeum::report

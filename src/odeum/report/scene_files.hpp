@@ -15,9 +15,11 @@ std::string trajectory_csv(const scene::RunResult& run);
 std::string energy_csv(const scene::RunResult& run);
 
 /// A series that ParaView opens: trajectory.vtk.series, and one legacy VTK file a frame (at most
-/// `most` of them, evenly chosen) under vtk/. Throws FileError.
+/// `most` of them, evenly chosen) under vtk/; all in the subfolder `in`, which ends with a slash.
+/// Throws FileError.
 void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& scene,
-                      const scene::RunResult& run, std::size_t most = 200);
+                      const scene::RunResult& run, const std::string& in = "",
+                      std::size_t most = 200);
 
 /// The frames, at most `most` of them, evenly chosen, the first and the last among them.
 std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t most);

@@ -3,14 +3,15 @@
 
 #include <stdexcept>
 
+#include "odeum/contest/given_cases.hpp"
 #include "odeum/core/glob.hpp"
 
 namespace odeum::study {
 
 std::vector<const Case*> select_cases(const std::vector<std::string>& globs) {
   std::vector<const Case*> cases;
-  for (const Case& c : all_cases())
-    if (any_glob_matches(globs, c.id)) cases.push_back(&c);
+  for (const Case* c : known_cases())
+    if (any_glob_matches(globs, c->id)) cases.push_back(c);
   return cases;
 }
 
@@ -24,8 +25,8 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
 }
 
 const Case& find_case(const std::string& id) {
-  for (const Case& c : all_cases())
-    if (c.id == id) return c;
+  for (const Case* c : known_cases())
+    if (c->id == id) return *c;
   throw std::out_of_range("no case " + id);
 }
 

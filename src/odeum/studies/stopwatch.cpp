@@ -13,6 +13,7 @@
 #include <cstring>
 #include <limits>
 
+#include "odeum/core/apart_times.hpp"
 #include "odeum/core/machine.hpp"
 
 namespace odeum::study {
@@ -81,7 +82,8 @@ double calibration_ns() {
 double thread_seconds() {
   timespec used{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec) +
+         apart_times.processor_s;
 }
 
 double Times::min() const { return ns.empty() ? nan : *std::min_element(ns.begin(), ns.end()); }
@@ -98,9 +100,10 @@ double time_call(const std::function<void()>& work, double guess_ns) {
   constexpr double shortest_ns = 20'000;
   const auto calls =
       static_cast<int>(std::clamp(std::ceil(shortest_ns / std::max(guess_ns, 1.0)), 1.0, 1000.0));
+  const double isolation = apart_times.isolation_ns;
   const auto start = Clock::now();
   for (int i = 0; i < calls; ++i) work();
-  return since(start) / calls;
+  return (since(start) - (apart_times.isolation_ns - isolation)) / calls;
 }
 
 }  // namespace odeum::study

@@ -29,7 +29,8 @@ class Pinned {
 /// machine's present speed.
 double calibration_ns();
 
-/// Seconds of processor time that the calling thread has used so far. Its quotient with wall time
+/// Seconds of processor time that the calling thread, and processes that it waited for (see
+/// core/apart_times.hpp), have used so far. Its quotient with wall time
 /// shows whether another program had the processor in between, which calibrations before and after
 /// do not.
 double thread_seconds();
@@ -65,8 +66,8 @@ struct Times {
   double median() const;  ///< NaN where there is none
 };
 
-/// Wall time of one call of work, in nanoseconds; short work is repeated to fill 20 microseconds,
-/// with `guess_ns` the estimated time of a call.
+/// Wall time of one call of work, in nanoseconds, without that of making processes; short work is
+/// repeated to fill 20 microseconds, with `guess_ns` the estimated time of a call.
 double time_call(const std::function<void()>& work, double guess_ns);
 
 }  // namespace odeum::study

@@ -6,6 +6,8 @@
 
 #include <set>
 
+#include "odeum/contest/given_cases.hpp"
+
 namespace odeum::study {
 
 double Options::number(const std::string& name, double otherwise) const {
@@ -22,7 +24,7 @@ std::string Options::text() const { return fmt::format("{} {} {} {}", cases, sol
 
 report::Origin Study::origin() const {
   std::string selection;
-  for (const Options& run : report_runs(false)) {
+  for (const Options& run : ran_) {
     if (run.cases.empty() && run.solvers.empty()) continue;
     selection += selection.empty() ? "" : "; ";
     selection += run.solvers.empty() ? "every solver"
@@ -40,10 +42,10 @@ report::Origin Study::origin() const {
 bool is_known(const std::string& case_id, const std::string& solver) {
   static const std::set<record::detail::Group> known = [] {
     std::set<record::detail::Group> all{{"", ""}};
-    for (const Case& c : all_cases()) {
-      all.insert({c.id, ""});
-      for (const Entrant& entrant : c.entrants) {
-        all.insert({c.id, entrant.info.id()});
+    for (const Case* c : known_cases()) {
+      all.insert({c->id, ""});
+      for (const Entrant& entrant : c->entrants) {
+        all.insert({c->id, entrant.info.id()});
         all.insert({"", entrant.info.id()});
       }
     }

@@ -81,6 +81,7 @@ class Study {
  protected:
   std::string problem_;
   bool measured_ = false;
+  std::vector<Options> ran_;  ///< what was measured
 
  private:
   Declaration declaration_;
@@ -96,6 +97,7 @@ class StudyOf : public Study {
   using Study::Study;
   void measure(const Options& options, const Runner& runner) final {
     record::append(result_, run(options, runner));
+    ran_.push_back(options);
     measured_ = true;
   }
   void add_earlier(const std::filesystem::path& folder) override {

@@ -149,15 +149,18 @@ constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<dou
   return order_fault(tableau, row, order).order == 0;
 }
 
-/// The first fault of the rows of a tableau; order 0 where there is none.
-template <std::size_t S>
-constexpr OrderFault first_fault(const Tableau<S>& tableau) {
-  OrderFault fault = order_fault(tableau, tableau.b, tableau.order);
+/// The first fault of two rows; order 0 where there is none. A row that is not there is zero and
+/// has exactly order 0.
+constexpr OrderFault first_fault(const auto& tableau, const auto& row, const auto& row_hat) {
+  OrderFault fault = order_fault(tableau, row, tableau.order);
   if (fault.order != 0) return fault;
-  // A row that is not there is zero and has exactly order 0.
-  fault = order_fault(tableau, tableau.b_hat, tableau.order_hat);
+  fault = order_fault(tableau, row_hat, tableau.order_hat);
   fault.row = WeightRow::b_hat;
   return fault;
+}
+template <std::size_t S>
+constexpr OrderFault first_fault(const Tableau<S>& tableau) {
+  return first_fault(tableau, tableau.b, tableau.b_hat);
 }
 
 /// The tree of a fault of that order, as a type.

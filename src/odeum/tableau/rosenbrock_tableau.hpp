@@ -170,14 +170,9 @@ constexpr OrderFault order_fault(const RosenbrockTableau<S>& tableau,
   return fault;
 }
 
-/// The first fault of the rows; order 0 where there is none.
 template <std::size_t S>
 constexpr OrderFault first_fault(const RosenbrockTableau<S>& tableau) {
-  OrderFault fault = order_fault(tableau, tableau.m, tableau.order);
-  if (fault.order != 0) return fault;
-  fault = order_fault(tableau, tableau.m_hat, tableau.order_hat);
-  fault.row = WeightRow::b_hat;
-  return fault;
+  return first_fault(tableau, tableau.m, tableau.m_hat);
 }
 
 template <int Order, std::size_t Index, std::size_t S>

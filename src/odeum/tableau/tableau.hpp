@@ -27,6 +27,12 @@ struct Tableau {
     return sum;
   }
   constexpr bool embedded() const { return order_hat != 0; }
+  /// b - b_hat, the weights of the error estimate.
+  constexpr std::array<Real, S> difference() const {
+    std::array<Real, S> weights = b;
+    for (std::size_t i = 0; i < S; ++i) weights[i] -= b_hat[i];
+    return weights;
+  }
   constexpr bool is_explicit() const {
     for (std::size_t i = 0; i < S; ++i)
       for (std::size_t j = i; j < S; ++j)

@@ -2,12 +2,9 @@
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 #include "bench/peers/peers.hpp"
+#include "support/sundials_parts.hpp"
 
 namespace odeum::peers {
 namespace {
@@ -29,36 +26,12 @@ int jacobian(double t, N_Vector y, N_Vector, SUNMatrix matrix, void* data, N_Vec
 
 void silent(int, const char*, const char*, char*, void*) {}
 
-/// What both libraries are given.
-struct Parts {
-  explicit Parts(Run& run) {
-    SUNContext_Create(nullptr, &context);
-    const auto n = static_cast<sunindextype>(run.y.size());
-    y = N_VMake_Serial(n, run.y.data(), context);
-    matrix = SUNDenseMatrix(n, n, context);
-    solver = SUNLinSol_Dense(y, matrix, context);
-  }
-  ~Parts() {
-    SUNLinSolFree(solver);
-    SUNMatDestroy(matrix);
-    N_VDestroy(y);
-    SUNContext_Free(&context);
-  }
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
-
-  SUNContext context = nullptr;
-  N_Vector y;
-  SUNMatrix matrix;
-  SUNLinearSolver solver;
-};
-
 using Set = std::function<void(void* integrator)>;
 
 Alternative cvode(const char* setting, const Set& set, bool taken = false) {
   return {setting, taken, [set](const Case& c, double tolerance, Counted& counted) {
             Run run{.y = c.y0};
-            Parts parts(run);
+            tests::SundialsParts parts(run.y);
             void* memory = CVodeCreate(CV_BDF, parts.context);
             CVodeInit(memory, rhs, c.t0, parts.y);
             CVodeSetErrHandlerFn(memory, silent, nullptr);
@@ -84,7 +57,7 @@ Alternative arkstep(ARKODE_DIRKTableID table, const char* setting, const Set& se
                     bool taken = false) {
   return {setting, taken, [table, set](const Case& c, double tolerance, Counted& counted) {
             Run run{.y = c.y0};
-            Parts parts(run);
+            tests::SundialsParts parts(run.y);
             void* memory = ARKStepCreate(nullptr, rhs, c.t0, parts.y, parts.context);
             ARKStepSetErrHandlerFn(memory, silent, nullptr);
             ARKStepSetUserData(memory, &counted);

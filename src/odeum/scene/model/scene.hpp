@@ -74,6 +74,15 @@ struct SphereContact : Penalty {
 struct ParticleContact : Penalty {};
 using Contact = std::variant<PlaneContact, SphereContact, ParticleContact>;
 
+/// How a viewer draws emitted particles: soft sprites, between two looks from birth to death.
+struct Look {
+  std::array<Vec3, 2> colour{Vec3{1, 1, 1}, Vec3{1, 1, 1}};  ///< red, green, blue, 0 to 1
+  std::array<double, 2> size{0.05, 0.05};                    ///< radius, m
+  std::array<double, 2> opacity{1, 1};                       ///< 0 to 1
+  bool additive = false;  ///< light is added, as of sparks; else the nearer covers the farther
+  std::string texture;    ///< a PNG file's bytes; empty: a soft disc
+};
+
 /// Particles that appear during the run: number k at time k / rate.
 struct Emitter {
   Vec3 position{};
@@ -83,12 +92,20 @@ struct Emitter {
   double lifetime = std::numeric_limits<double>::infinity();  ///< s
   double mass = 1;
   std::uint64_t seed = 1;
+  std::optional<Look> look = {};
 };
 
 struct SolverChoice {
   std::string type;   ///< a solver's id
   std::string where;  ///< `file:line:column: solver.type`, for messages
   std::optional<double> step, tolerance;
+};
+
+/// A coordinate that is drawn over time.
+struct Plot {
+  std::size_t particle = 0;
+  std::size_t coordinate = 0;                    ///< 0, 1, 2: x, y, z
+  std::optional<std::array<double, 2>> y_range;  ///< m; empty: what the curve takes
 };
 
 struct Scene {
@@ -104,6 +121,7 @@ struct Scene {
   std::vector<Contact> contacts;
   std::vector<Emitter> emitters;
   std::optional<double> frame_interval;  ///< s
+  std::optional<Plot> plot;
 
   /// A force m * B v on every free particle, B row-major 3 x 3 (1/s). It expresses y' = lambda y as
   /// the motion of a particle for physics engines; a SceneProblem has no such term.

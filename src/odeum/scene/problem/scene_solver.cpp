@@ -8,6 +8,7 @@
 //     A x_v = M r_v + g K r_q,   A = M - g D - g^2 K.
 //
 // Fixed particles have x_v = r_v; their columns are on the right side.
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -25,11 +26,25 @@ bool finite(const double* y, std::size_t n) {
   return Eigen::Map<const Eigen::VectorXd>(y, static_cast<Eigen::Index>(n)).allFinite();
 }
 
+/// A multiple of the identity above the derivative of an elastic force; on the diagonal, where that
+/// is negative, below it. With such a bound of all its derivatives, k I instead of k u u^T + ...,
+/// the energy of a spring lies below the quadratic that touches it at the present state.
+Mat3 bound_of(const Mat3& x, bool diagonal) {
+  const Eigen::Matrix3d m = Eigen::Map<const Eigen::Matrix3d>(x.data());
+  const Eigen::Vector3d values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(m + m.transpose(), Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  const double bound =
+      (diagonal ? std::min(values.minCoeff(), 0.0) : std::max(values.maxCoeff(), 0.0)) / 2;
+  return {bound, 0, 0, 0, bound, 0, 0, 0, bound};
+}
+
 class EntrySink final : public BlockSink {
  public:
-  EntrySink(Entries& by_position, Entries& by_velocity)
-      : by_position_(by_position), by_velocity_(by_velocity) {}
-  void add(std::size_t i, std::size_t j, const Mat3& x, const Mat3& v) override {
+  EntrySink(Entries& by_position, Entries& by_velocity, bool bounded)
+      : by_position_(by_position), by_velocity_(by_velocity), bounded_(bounded) {}
+  void add(std::size_t i, std::size_t j, const Mat3& exact, const Mat3& v) override {
+    const Mat3 x = bounded_ ? bound_of(exact, i == j) : exact;
     for (std::size_t r = 0; r < 3; ++r)
       for (std::size_t c = 0; c < 3; ++c) {
         const int row = static_cast<int>(3 * i + r), column = static_cast<int>(3 * j + c);
@@ -40,6 +55,7 @@ class EntrySink final : public BlockSink {
 
  private:
   Entries &by_position_, &by_velocity_;
+  bool bounded_;
 };
 
 /// A sparse L D L^T where the terms are symmetric, else a sparse LU.
@@ -56,7 +72,7 @@ class SparseShiftedSolver final : public ShiftedSolver {
     g_ = gamma_h;
     if (!finite(y, problem_.size())) return false;
     Entries position, velocity, all, known;
-    EntrySink sink(position, velocity);
+    EntrySink sink(position, velocity, bounded_);
     problem_.blocks(y, y + n_, sink);
     for (int i = 0; i < n_; ++i) all.emplace_back(i, i, moves(i) ? mass(i) : 1);
     const auto add = [&](const Entries& entries, double factor) {
@@ -74,6 +90,8 @@ class SparseShiftedSolver final : public ShiftedSolver {
     lu_.compute(matrix);
     return lu_.info() == Eigen::Success;
   }
+
+  bool bound() override { return bounded_ = true; }
 
   bool solve(double* x, double) override {
     Eigen::Map<Eigen::VectorXd> xq(x, n_), xv(x + n_, n_);
@@ -102,6 +120,7 @@ class SparseShiftedSolver final : public ShiftedSolver {
   Eigen::SimplicialLDLT<Matrix> ldlt_;
   Eigen::SparseLU<Matrix> lu_;
   double g_ = 0;
+  bool bounded_ = false;
 };
 
 /// On a regular grid, by conjugate gradients in the grid's layout; where compressed springs make A
@@ -116,6 +135,7 @@ class SceneGridSolver final : public ShiftedSolver {
     y_.assign(y, y + problem_.size());
     gamma_h_ = gamma_h;
     directly_.reset();
+    if (bounded_) return factorise_directly();
     return on_grid_->factorise(t, problem_.grid()->scattered(y_).data(), gamma_h);
   }
   bool solve(double* x, double relative) override {
@@ -126,20 +146,27 @@ class SceneGridSolver final : public ShiftedSolver {
         std::copy(solution.begin(), solution.end(), x);
         return true;
       }
-      directly_ = std::make_unique<SparseShiftedSolver>(problem_);
-      if (!directly_->factorise(t_, y_.data(), gamma_h_)) return false;
+      if (!factorise_directly()) return false;
     }
     return directly_->solve(x, relative);
   }
   void solve_once_a_step() override { on_grid_->solve_once_a_step(); }
+  bool bound() override { return bounded_ = true; }
   std::uint64_t products() const override { return on_grid_->products(); }
 
  private:
+  bool factorise_directly() {
+    directly_ = std::make_unique<SparseShiftedSolver>(problem_);
+    if (bounded_) directly_->bound();
+    return directly_->factorise(t_, y_.data(), gamma_h_);
+  }
+
   const SceneProblem& problem_;
   std::unique_ptr<ShiftedSolver> on_grid_;
   std::unique_ptr<SparseShiftedSolver> directly_;
   std::vector<double> y_;
   double t_ = 0, gamma_h_ = 0;
+  bool bounded_ = false;
 };
 
 }  // namespace

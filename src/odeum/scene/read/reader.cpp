@@ -68,7 +68,7 @@ void read_all(Context& context, const YamlNode& root) {
     Value(context, root, "scene").fail("not a scene", "a mapping of keys");
   const Mapping mapping(
       whole, {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth",
-              "forces", "contacts", "emitters", "output", "allow_negative_damping"});
+              "forces", "contacts", "emitters", "output", "plot", "allow_negative_damping"});
   Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
@@ -79,8 +79,8 @@ void read_all(Context& context, const YamlNode& root) {
   scene.gravity = {};
   scene.gravity[static_cast<std::size_t>(scene.up - 'x')] = -9.81;
   mapping.with("gravity", [&](const Value& v) { scene.gravity = read_gravity(v, scene.up); });
-  if (mapping.has("duration") || context.options.need_duration)
-    scene.duration = mapping.at("duration").number(Sign::positive);
+  scene.duration = mapping.number_or("duration", Sign::positive, default_duration);
+  context.duration_given = mapping.has("duration");
   if (mapping.has("solver") || context.options.need_solver)
     scene.solver = read_solver(mapping.at("solver"));
   context.allow_negative_damping = mapping.boolean_or("allow_negative_damping", false);
@@ -99,6 +99,7 @@ void read_all(Context& context, const YamlNode& root) {
     const Mapping output(v, {"every"});
     output.with("every", [&](const Value& e) { scene.frame_interval = e.number(Sign::positive); });
   });
+  mapping.with("plot", read_plot);
   warn_of_duplicates(context);
 }
 
@@ -116,7 +117,7 @@ ReadScene read_scene(const std::string& file, const std::string& text, const Rea
   context.options = options;
   const auto root = parse_yaml(file, text, {.name = "scene"});
   read_all(context, *root);
-  return {std::move(context.scene), std::move(context.warnings)};
+  return {std::move(context.scene), std::move(context.warnings), context.duration_given};
 }
 
 }  // namespace odeum::scene

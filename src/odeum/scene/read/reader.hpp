@@ -12,13 +12,16 @@ namespace odeum::scene {
 struct ReadOptions {
   std::size_t most_bytes = 64'000'000;
   std::size_t most_particles = 1'000'000;
-  bool need_solver = true;    ///< false: the caller provides solver and setting
-  bool need_duration = true;  ///< false: the caller provides the end time
+  bool need_solver = true;  ///< false: the caller provides solver and setting
 };
+
+/// The duration of a scene that gives none, as in the courses that use this format, s.
+inline constexpr double default_duration = 10;
 
 struct ReadScene {
   Scene scene;
   std::vector<std::string> warnings;  ///< `file:line:column: key: message`
+  bool duration_given = true;         ///< false: the duration is the default
 };
 
 /// Reads a scene file; its format is described in README.md. Throws InputError for everything that

@@ -167,7 +167,11 @@ Mapping::Mapping(const Value& value, std::initializer_list<std::string_view> kno
       return Value(value.context(), key, value.key().empty() ? name : value.key() + "." + name);
     };
     if (key.kind != YamlNode::Kind::scalar) at("?").fail("a key that is not text", "a name");
-    if (std::find(known.begin(), known.end(), key.text) == known.end()) {
+    const bool is_known = std::find(known.begin(), known.end(), key.text) != known.end();
+    const bool for_viewers = std::find(std::begin(viewer_keys), std::end(viewer_keys), key.text) !=
+                             std::end(viewer_keys);
+    if (!is_known && for_viewers) at(key.text).warn("only a viewer needs it; it is not used");
+    if (!is_known && !for_viewers) {
       const std::string near = nearest(key.text, candidates);
       std::string list = fmt::format("{}", fmt::join(candidates, ", "));
       at(shown(key.text))

@@ -20,6 +20,7 @@ struct Context {
   std::vector<std::string> warnings;
   std::vector<Place> spring_places;  ///< of each spring of the scene
   bool allow_negative_damping = false;
+  bool duration_given = true;
 
   void warn(Place place, const std::string& rest);
 };
@@ -59,7 +60,8 @@ class Value {
   std::string key_;
 };
 
-/// A mapping with known keys: an unknown or duplicate key is an error.
+/// A mapping with known keys: a duplicate key is an error, and so is an unknown one, unless it is
+/// one of those that only a viewer needs (viewer_keys), which gets a warning.
 class Mapping {
  public:
   Mapping(const Value& value, std::initializer_list<std::string_view> known);
@@ -84,12 +86,19 @@ class Mapping {
   Value value_;
 };
 
+/// Keys for drawing that scene files of courses and viewers have; nothing physical is named so.
+inline constexpr std::string_view viewer_keys[] = {
+    "author", "background",   "camera", "color", "colour", "comment",        "description",
+    "fps",    "ground_color", "label",  "light", "lights", "material_color", "opacity",
+    "render", "resolution",   "show",   "title", "view",   "viewer",         "window"};
+
 void read_particles(const Value& list);
 void read_springs(const Value& list);
 void read_cloths(const Value& list);
 void read_forces(const Value& list);
 void read_contacts(const Value& list);
 void read_emitters(const Value& list);
+void read_plot(const Value& value);
 /// Checks the ends and appends a spring; a `rest_length` below 0 means the distance.
 void add_spring(const Value& at, Spring spring, bool rest_length_given);
 /// A mass within the limit of particles, for `more` of them; fails where there are too many.

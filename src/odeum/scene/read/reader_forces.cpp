@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "odeum/input/text_file.hpp"
 #include "odeum/scene/read/reader_fields.hpp"
 
 namespace odeum::scene::reading {
@@ -65,6 +67,57 @@ Contact read_contact(const std::string& kind, const Value& value) {
   return particles;
 }
 
+std::array<double, 2> from_to(const Value& value, double most) {
+  const auto ends = value.list_of(2, "two numbers, at birth and at death");
+  std::array<double, 2> numbers{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    numbers[k] = ends[k].number(Sign::not_negative);
+    if (numbers[k] > most) ends[k].fail("too large", fmt::format("a number from 0 to {}", most));
+  }
+  return numbers;
+}
+
+Vec3 read_colour(const Value& value) {
+  const Vec3 colour = value.vector();
+  for (const double part : colour)
+    if (!(part >= 0 && part <= 1))
+      value.fail("no colour", fmt::format("{}", part), "red, green and blue from 0 to 1");
+  return colour;
+}
+
+// The bytes of a PNG file beside the scene's file.
+std::string read_texture(const Value& value) {
+  const std::filesystem::path file(value.text());
+  const auto path = std::filesystem::path(value.context().file).parent_path() / file;
+  std::string bytes;
+  try {
+    bytes = read_text_file(path.string(), "texture", 4'000'000);
+  } catch (const InputError& error) {
+    value.fail("a texture that cannot be read", error.what(), "a PNG file of at most 4 MB");
+  }
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n"))
+    value.fail("no PNG file", path.string(), "a PNG file of at most 4 MB");
+  return bytes;
+}
+
+Look read_look(const Value& value) {
+  const Mapping mapping(value, {"colour", "size", "opacity", "blend", "texture"});
+  Look look;
+  mapping.with("colour", [&](const Value& v) {
+    const auto ends = v.list_of(2, "two colours [red, green, blue], at birth and at death");
+    look.colour = {read_colour(ends[0]), read_colour(ends[1])};
+  });
+  mapping.with("size", [&](const Value& v) { look.size = from_to(v, 1e9); });
+  mapping.with("opacity", [&](const Value& v) { look.opacity = from_to(v, 1); });
+  mapping.with("blend", [&](const Value& v) {
+    const std::string blend = v.text();
+    if (blend != "over" && blend != "add") v.fail("an unknown blend", "over or add");
+    look.additive = blend == "add";
+  });
+  mapping.with("texture", [&](const Value& v) { look.texture = read_texture(v); });
+  return look;
+}
+
 }  // namespace
 
 void read_forces(const Value& list) {
@@ -85,8 +138,8 @@ void read_contacts(const Value& list) {
 
 void read_emitters(const Value& list) {
   for (const Value& entry : list.list()) {
-    const Mapping mapping(entry,
-                          {"position", "velocity", "spread", "rate", "lifetime", "mass", "seed"});
+    const Mapping mapping(
+        entry, {"position", "velocity", "spread", "rate", "lifetime", "mass", "seed", "look"});
     Emitter emitter;
     emitter.position = mapping.at("position").vector();
     emitter.velocity = mapping.at("velocity").vector();
@@ -98,6 +151,7 @@ void read_emitters(const Value& list) {
     emitter.mass = mapping.at("mass").number(Sign::positive);
     mapping.with("seed",
                  [&](const Value& v) { emitter.seed = v.whole(0, std::uint64_t{1} << 53); });
+    mapping.with("look", [&](const Value& v) { emitter.look = read_look(v); });
     list.context().scene.emitters.push_back(emitter);
   }
 }

@@ -57,6 +57,7 @@ std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitt
       EmittedParticle one;
       one.birth = birth;
       one.death = birth + emitter.lifetime;
+      one.emitter = e;
       one.particle.position = emitter.position;
       one.particle.velocity =
           turned(emitter.velocity, emitter.spread, unit(stream + 2 * k), unit(stream + 2 * k + 1));

@@ -9,6 +9,7 @@ namespace odeum::scene {
 /// An emitted particle, which exists from `birth` to `death`, s.
 struct EmittedParticle {
   double birth = 0, death = 0;
+  std::size_t emitter = 0;
   Particle particle;
 };
 

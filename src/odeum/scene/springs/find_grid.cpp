@@ -50,6 +50,9 @@ std::optional<GridStructure> as_grid(const std::vector<Particle>& particles,
   for (const Spring& spring : springs) {
     const SpringKind wanted = kind_of(spring, columns);
     if (wanted.row_offset > 2 || std::abs(wanted.column_offset) > 2) return std::nullopt;
+    // No spring of a cloth joins a row to the next but two columns on: a chain of 21 does so, wound
+    // into rows of 3.
+    if (wanted.row_offset + std::abs(wanted.column_offset) == 3) return std::nullopt;
     auto kind = std::find_if(grid.kinds.begin(), grid.kinds.end(), [&](const SpringKind& k) {
       return k.row_offset == wanted.row_offset && k.column_offset == wanted.column_offset;
     });

@@ -4,30 +4,36 @@
 #include <map>
 #include <mutex>
 
+#include "odeum/judge/amplification.hpp"
 #include "odeum/judge/rounding.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 
 namespace odeum::study {
 namespace {
 
-/// The perturbation gains of the cases of some pairs, each measured at its first use.
-class Gains {
+/// What is measured of the cases of some pairs, each at its first use.
+class Measures {
  public:
-  explicit Gains(const std::vector<Pair>& pairs) {
-    for (const Pair& pair : pairs) gains_[pair.c];
+  explicit Measures(const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) of_cases_[pair.c];
   }
-  double of(const Case& c) {
-    Gain& gain = gains_.at(&c);
-    std::call_once(gain.once, [&] { gain.value = judge::perturbation_gain(c); });
-    return gain.value;
+  const CaseMeasures& of(const Pair& pair) {
+    const Case& c = *pair.c;
+    OfCase& measured = of_cases_.at(&c);
+    std::call_once(measured.gain, [&] { measured.values.gain = judge::perturbation_gain(c); });
+    if (pair.mode == Mode::adaptive)
+      std::call_once(measured.amplification, [&] {
+        measured.values.amplification = judge::measure_amplification(c, c.stops);
+      });
+    return measured.values;
   }
 
  private:
-  struct Gain {
-    std::once_flag once;
-    double value = 0;
+  struct OfCase {
+    std::once_flag gain, amplification;
+    CaseMeasures values;
   };
-  std::map<const Case*, Gain> gains_;
+  std::map<const Case*, OfCase> of_cases_;
 };
 
 }  // namespace
@@ -43,10 +49,10 @@ ConvergenceResult converge(const Options& options, const Runner& runner) {
           (only.empty() || only == to_string(mode)))
         pairs.push_back(pair);
     }
-  Gains gains(pairs);
+  Measures measures(pairs);
   return runner.run("converge", pairs, key_of, [&](const Pair& pair) {
     const std::string& reason = reason_against(pair);
-    return reason.empty() ? converge_pair(pair, gains.of(*pair.c), options.quick)
+    return reason.empty() ? converge_pair(pair, measures.of(pair), options.quick)
                           : not_measured(pair, reason);
   });
 }

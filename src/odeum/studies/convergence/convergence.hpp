@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "odeum/judge/answer.hpp"
 #include "odeum/judge/order_fit.hpp"
 #include "odeum/studies/study.hpp"
 
@@ -23,8 +24,10 @@ struct ConvergenceRow {
   double error_max = 0, error_rms = 0;
   double energy_error = 0;  ///< relative to the largest |energy| of the truth at the stops
   Counters counters;
+  judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "convergence.csv";
+  static constexpr int schema = 2;  ///< 2: the answer of a run to a tolerance
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail), visit("step", row.step);
@@ -33,10 +36,12 @@ struct ConvergenceRow {
     visit("rhs_evaluations", row.counters.rhs_evaluations);
     visit("jacobian_evaluations", row.counters.jacobian_evaluations), visit("mode", row.mode);
     visit("tolerance", row.tolerance), visit("rejected_steps", row.counters.rejected_steps);
+    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
+    visit("answer_reason", row.judged.reason);
   }
 };
 
-/// The error of one solve at one stop: a line of convergence_times.csv.
+/// The error of one solve at one stop: a line of convergence_times.csv.gz.
 struct TimeRow {
   std::string case_id, library, solver;
   Mode mode = Mode::fixed;
@@ -44,7 +49,7 @@ struct TimeRow {
   double error_max = 0, error_rms = 0;
   double energy = 0, energy_error = 0;
 
-  static constexpr const char* file = "convergence_times.csv";
+  static constexpr const char* file = "convergence_times.csv.gz";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("mode", row.mode), visit("step", row.step), visit("time", row.time);

@@ -27,8 +27,9 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
     if (!problem.truth(c.stops[stop], exact.data()))
       return {.error = std::numeric_limits<double>::quiet_NaN()};
     for (const std::size_t i : measured) {
-      squares += (y[i] - exact[i]) * (y[i] - exact[i]);
-      size += exact[i] * exact[i];
+      const Real unit = c.scale_of(i), error = (y[i] - exact[i]) / unit;
+      squares += error * error;
+      size += exact[i] / unit * (exact[i] / unit);
     }
     largest = std::max(largest, std::sqrt(size / numbers));
   }

@@ -70,12 +70,11 @@ void judge_row(const std::vector<judge::StopError>& errors, ConvergenceRow& row)
 /// The runs of one pair.
 class PairRuns {
  public:
-  PairRuns(const Pair& pair, double gain)
-      : pair_(pair), judge_(*pair.c, pair.c->stops), rounding_unit_(gain * half_unit) {
-    // SEULEX extrapolates in powers of h: its columns have weights of alternating sign, 236 in sum
-    // at order 5, and their rounding is weighed likewise. In powers of h^2 it is 6 at order 8.
-    if (pair.entrant->info.method == "seulex") rounding_unit_ *= 100;
-  }
+  PairRuns(const Pair& pair, const CaseMeasures& measures)
+      : pair_(pair),
+        amplification_(measures.amplification),
+        judge_(*pair.c, pair.c->stops),
+        rounding_unit_(measures.gain * half_unit * pair.entrant->info.rounding) {}
 
   /// Runs from coarse to fine, until errors are rounding.
   void climb(const std::vector<Request>& requests) {
@@ -124,6 +123,12 @@ class PairRuns {
   }
 
   judge::OrderFit fit() const {
+    if (judge_.solution_ends()) {
+      judge::OrderFit none;
+      none.verdict = judge::Verdict::not_applicable;
+      none.reason = "the solution ends before the last stop, where no error falls";
+      return none;
+    }
     std::vector<judge::ErrorPoint> points;
     for (const Run& run : runs_) points.push_back(run.point);
     const double claimed = claimed_order(pair_);
@@ -194,7 +199,9 @@ class PairRuns {
     Outcome outcome;
     outcome.status = Status::over_budget;
     if (!runs_.empty() && runs_.back().row.status == to_string(Status::over_budget))
-      outcome.detail = "not run: a coarser setting was over budget";
+      outcome.detail = fmt::format(
+          "not run: a coarser setting was over the budget of {} evaluations and products",
+          request.budget.evaluations);
     else if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations))
       outcome.detail =
           fmt::format("not run: by coarser settings it takes more than {} evaluations and products",
@@ -212,9 +219,15 @@ class PairRuns {
     Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
     ConvergenceRow& row = run.row;
     run.point = {.step = row.step, .error = nan};
+    row.judged.answer = judge::Answer::none;
     if (outcome.status != Status::ok) return run;
     const std::vector<judge::StopError> errors = judge_.errors(outcome);
     judge_row(errors, row);
+    row.judged = row.mode == Mode::fixed
+                     ? judge::judge_fixed_answer(errors, judge_.scale())
+                     : judge::judge_answer(errors, amplification_, row.tolerance,
+                                           static_cast<double>(row.steps), pair_.c->truth.floor,
+                                           judge_.scale());
     for (const judge::StopError& e : errors)
       run.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
                            e.error_max, e.error_rms, e.energy, e.energy_error});
@@ -228,6 +241,7 @@ class PairRuns {
   }
 
   const Pair& pair_;
+  const judge::Amplification& amplification_;
   judge::Judge judge_;
   double rounding_unit_;
   std::vector<Run> runs_;
@@ -240,7 +254,9 @@ class PairRuns {
 void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit& fit) {
   if (fit.verdict != judge::Verdict::undetermined) return;
   std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
-  if (!closer || closer->verdict == judge::Verdict::undetermined) return;
+  // Without a number where no run gave an error, or all of them are rounding.
+  if (!closer || closer->verdict == judge::Verdict::undetermined || std::isnan(closer->order))
+    return;
   closer->reason =
       fmt::format("order {:.2f} in extended precision, at steps of {:.2g} to {:.2g}; in double: {}",
                   closer->order, closer->step_coarsest, closer->step_finest, fit.reason);
@@ -266,8 +282,8 @@ ConvergenceResult not_measured(const Pair& pair, const std::string& reason) {
   return {.rows = {row}, .times = {}, .orders = {make_order(pair, fit)}};
 }
 
-ConvergenceResult converge_pair(const Pair& pair, double gain, bool quick) {
-  PairRuns runs(pair, gain);
+ConvergenceResult converge_pair(const Pair& pair, const CaseMeasures& measures, bool quick) {
+  PairRuns runs(pair, measures);
   const std::vector<Request> requests = convergence_settings(pair, quick);
   runs.climb(requests);
   if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();

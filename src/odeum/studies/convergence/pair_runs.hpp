@@ -8,8 +8,13 @@ namespace odeum::study {
 const std::string& reason_against(const Pair& pair);
 ConvergenceResult not_measured(const Pair& pair, const std::string& reason);
 
-/// Runs of one pair from coarse to fine, and the measured order. `gain`: the case's amplification
-/// of perturbations, see judge/rounding.hpp.
-ConvergenceResult converge_pair(const Pair& pair, double gain, bool quick);
+/// What is measured once for a case.
+struct CaseMeasures {
+  double gain = 0;                          ///< of rounding, see judge/rounding.hpp
+  judge::Amplification amplification = {};  ///< at the case's stops; for runs to a tolerance alone
+};
+
+/// Runs of one pair from coarse to fine, and the measured order.
+ConvergenceResult converge_pair(const Pair& pair, const CaseMeasures& measures, bool quick);
 
 }  // namespace odeum::study

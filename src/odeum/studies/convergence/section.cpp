@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "odeum/record/table.hpp"
+#include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_tables.hpp"
 
@@ -43,15 +44,19 @@ Cell matrix_cell(const OrderRow& row) {
 
 std::string matrix(const report::Facts& facts, const std::vector<OrderRow>& orders, Mode mode) {
   const auto rows = by_pair(orders);
+  // A report of a part has no columns for what it did not try.
+  std::vector<const report::CaseFacts*> cases;
+  for (const report::CaseFacts& c : facts.cases)
+    if (is_measured(orders, c.id)) cases.push_back(&c);
   std::vector<Cell> head{{.text = "claimed", .style = "claim"}};
-  for (const report::CaseFacts& c : facts.cases) head.push_back(report::case_head(c));
+  for (const report::CaseFacts* c : cases) head.push_back(report::case_head(*c));
   const auto cells = [&](const SolverInfo& solver) {
     std::vector<Cell> row;
     if (!(mode == Mode::fixed ? solver.fixed : solver.adaptive)) return row;
     row.push_back({.text = std::isnan(solver.order) ? "varies" : show_number(solver.order),
                    .style = "claimed"});
-    for (const report::CaseFacts& c : facts.cases) {
-      const auto found = rows.find({c.id, solver.id(), mode});
+    for (const report::CaseFacts* c : cases) {
+      const auto found = rows.find({c->id, solver.id(), mode});
       row.push_back(found == rows.end() ? Cell() : matrix_cell(*found->second.front()));
     }
     return row;
@@ -148,7 +153,34 @@ constexpr const char* adaptive_text =
     "<h3>At a step of the solver's own choice</h3>\n<p>The order here is the slope against the "
     "mean step as the tolerance falls, a less strict measure.</p>\n";
 
+// The runs and orders of every case, for the view that compares solvers.
+void add_data(report::Page& page, const ConvergenceResult& result) {
+  std::map<std::string, std::vector<const ConvergenceRow*>> runs;
+  std::map<std::string, std::vector<const OrderRow*>> orders;
+  for (const ConvergenceRow& row : result.rows) runs[row.case_id].push_back(&row);
+  for (const OrderRow& row : result.orders) orders[row.case_id].push_back(&row);
+  for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
+    const std::string& id = page.facts().cases[i].id;
+    if (runs[id].empty()) continue;
+    page.case_data(i, "runs",
+                   report::columns_of(
+                       runs[id], {"library", "solver", "mode", "status", "detail", "step",
+                                  "tolerance", "steps", "rejected_steps", "error_max", "error_rms",
+                                  "energy_error", "rhs_evaluations", "jacobian_evaluations"}));
+    page.case_data(i, "orders",
+                   report::columns_of(
+                       orders[id], {"library", "solver", "mode", "claimed_order", "measured_order",
+                                    "order_low", "order_high", "step_coarsest", "step_finest",
+                                    "floor", "verdict", "reason"}));
+  }
+}
+
 }  // namespace
+
+bool is_measured(const std::vector<OrderRow>& orders, const std::string& case_id) {
+  return std::any_of(orders.begin(), orders.end(),
+                     [&](const OrderRow& row) { return row.case_id == case_id; });
+}
 
 std::vector<LibrarySummary> summarise(const report::Facts& facts,
                                       const std::vector<OrderRow>& orders) {
@@ -194,10 +226,10 @@ void add_section(report::Page& page, const ConvergenceResult& result,
   for (const ConvergenceRow& row : result.rows)
     page.count_row(row.status, row.status == "not_applicable" ? row.detail : "");
   page.section({.id = "overview",
-                .title = "Overview",
+                .title = "Cases",
                 .place = 0,
                 .html = overview(facts, result.orders),
-                .short_title = "Overview and cases"});
+                .short_title = "Cases"});
   page.section({.id = "orders",
                 .title = "Orders, solver by solver",
                 .place = origin.place,
@@ -207,6 +239,7 @@ void add_section(report::Page& page, const ConvergenceResult& result,
   add_verdicts(page, result);
   add_plots(page, result);
   add_orders_of_cases(page, result.orders);
+  add_data(page, result);
 }
 
 }  // namespace odeum::study

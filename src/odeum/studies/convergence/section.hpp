@@ -49,6 +49,9 @@ std::map<PairKey, std::vector<const Row*>> by_pair(const std::vector<Row>& rows)
 std::string verdict_bar(const VerdictCounts& counts);
 std::string verdict_words(const VerdictCounts& counts);
 
+/// Whether any pair of a case was judged.
+bool is_measured(const std::vector<OrderRow>& orders, const std::string& case_id);
+
 /// The parts, in the files section_*.cpp.
 std::string overview(const report::Facts& facts, const std::vector<OrderRow>& orders);
 void add_verdicts(report::Page& page, const ConvergenceResult& result);

@@ -100,8 +100,12 @@ std::string overview(const report::Facts& facts, const std::vector<OrderRow>& or
     table.row(name, cells, style);
   };
   add({"all cases"}, "", "all");
-  std::string cloths;
+  std::string cloths, others;
   for (const report::CaseFacts& c : facts.cases) {
+    if (!is_measured(orders, c.id)) {
+      others += (others.empty() ? "" : ", ") + report::case_link(c);
+      continue;
+    }
     add({.markup = report::case_link(c) + "<span>" + report::escape(c.title) + "</span>"}, c.id,
         "");
     if (c.has_tag("cloth")) cloths += (cloths.empty() ? "" : ", ") + report::case_link(c, "time");
@@ -109,7 +113,8 @@ std::string overview(const report::Facts& facts, const std::vector<OrderRow>& or
   if (!cloths.empty())
     cloths =
         "<p>The pages of the cloths also show errors and energy over time: " + cloths + ".</p>\n";
-  return text + table.html() + cloths;
+  if (!others.empty()) others = "<p class=\"dim\">Not tried in this report: " + others + ".</p>\n";
+  return text + table.html() + cloths + others;
 }
 
 }  // namespace odeum::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -92,17 +93,102 @@ std::string early_ends_table(const std::vector<ConvergenceRow>& rows) {
   return table.rows() == 0 ? "<p>Every run reached the end.</p>\n" : table.html();
 }
 
+/// Runs to a tolerance whose answer is wrong, by solver and case; empty where there are none.
+std::string wrong_answers_table(const std::vector<const ConvergenceRow*>& rows) {
+  std::map<std::pair<std::string, std::string>, std::vector<const ConvergenceRow*>> wrong;
+  for (const ConvergenceRow* row : rows)
+    if (row->mode == Mode::adaptive && row->judged.answer == judge::Answer::wrong)
+      wrong[{row->library + "/" + row->solver, row->case_id}].push_back(row);
+  if (wrong.empty()) return {};
+  report::Table table("numbers words");
+  table.head({{"solver"}, {"case"}, {"tolerances"}, {"error of the first"}, {"reason"}});
+  for (const auto& [key, runs] : wrong) {
+    std::string tolerances;
+    for (const ConvergenceRow* run : runs)
+      tolerances += fmt::format("{}{:.0e}", tolerances.empty() ? "" : ", ", run->tolerance);
+    table.row({key.first}, {{key.second},
+                            {tolerances},
+                            {report::show_number(runs.front()->error_max)},
+                            {.text = runs.front()->judged.reason, .style = "reason"}});
+  }
+  return table.html();
+}
+
+std::string diverged_table(const std::vector<ConvergenceRow>& rows) {
+  report::Table table("numbers words");
+  table.head({{"library"}, {"runs"}, {"solvers"}, {"cases"}, {"reason of the first"}});
+  const auto diverged = [](const ConvergenceRow& row) {
+    const bool wrong = row.mode == Mode::fixed && row.judged.answer == judge::Answer::wrong;
+    return wrong ? std::string("wrong") : std::string();
+  };
+  const auto reason = [](const ConvergenceRow& row) { return row.judged.reason; };
+  for (const auto& [key, group] : groups_of(rows, diverged, reason))
+    table.row({key.first}, {{std::to_string(group.rows)},
+                            names(group.solvers, "solver"),
+                            names(group.cases, "case"),
+                            {.text = group.detail, .style = "reason"}});
+  return table.rows() == 0 ? "<p>No run that ended ok has diverged.</p>\n" : table.html();
+}
+
+std::string answers_html(const ConvergenceResult& result) {
+  std::vector<const ConvergenceRow*> all;
+  for (const ConvergenceRow& row : result.rows) all.push_back(&row);
+  const std::string wrong = wrong_answers_table(all);
+  return "<p>A run that ends <code>ok</code> claims an answer. To a tolerance it is wrong where "
+         "its "
+         "error exceeds what the tolerance, the number of steps and the amplification of errors by "
+         "the case (from its fundamental matrix) explain; at a fixed step, which promises no "
+         "error, "
+         "where it is ten times the solution's size; in either case past the end of the solution."
+         "</p>\n<h3>To a tolerance</h3>\n" +
+         (wrong.empty() ? "<p>No answer is wrong.</p>\n" : wrong) + "<h3>At a fixed step</h3>\n" +
+         diverged_table(result.rows);
+}
+
+/// How many answers of runs to a tolerance are what, for the page of a case.
+void add_answers_of_cases(report::Page& page, const ConvergenceResult& result) {
+  std::map<std::string, std::vector<const ConvergenceRow*>> by_case;
+  for (const ConvergenceRow& row : result.rows)
+    if (row.mode == Mode::adaptive && row.status != "not_applicable")
+      by_case[row.case_id].push_back(&row);
+  for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
+    const auto& rows = by_case[page.facts().cases[i].id];
+    if (rows.empty()) continue;
+    std::string counts;
+    for (const judge::Answer answer : {judge::Answer::explained, judge::Answer::wrong,
+                                       judge::Answer::undetermined, judge::Answer::none}) {
+      const auto count = std::count_if(rows.begin(), rows.end(), [&](const ConvergenceRow* row) {
+        return row->judged.answer == answer;
+      });
+      if (count > 0)
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, to_string(answer));
+    }
+    page.case_fact(i, "Answers to a tolerance", counts);
+    if (const std::string table = wrong_answers_table(rows); !table.empty())
+      page.case_part(
+          i,
+          {.id = "answers", .title = "Wrong answers to a tolerance", .place = 50, .html = table});
+  }
+}
+
 }  // namespace
 
 void add_verdicts(report::Page& page, const ConvergenceResult& result) {
   std::string open =
       "<p>Every pair whose order is lower than claimed, stops falling, could not be determined, or "
-      "failed, with the reason. What was investigated stands under <a href=\"#findings\">Findings"
+      "failed, with the reason. What was investigated stands under <a "
+      "href=\"findings.html\">Findings"
       "</a>.</p>\n";
   for (const Verdict verdict :
        {Verdict::lower, Verdict::floors, Verdict::failed, Verdict::undetermined})
     open += verdict_table(result.orders, verdict);
   page.section({.id = "verdicts", .title = "What did not confirm", .place = 900, .html = open});
+  page.section({.id = "answers",
+                .title = "Runs that ended ok with a wrong answer",
+                .place = 905,
+                .html = answers_html(result),
+                .short_title = "Wrong answers"});
+  add_answers_of_cases(page, result);
   std::string skipped;
   for (const LibraryInfo& info : page.facts().libraries)
     if (!info.built)

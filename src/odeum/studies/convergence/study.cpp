@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "odeum/record/table.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/convergence/section.hpp"
+#include "odeum/studies/questions.hpp"
 
 namespace odeum::study {
 namespace {
@@ -16,14 +21,28 @@ class Convergence final : public StudyOf<ConvergenceResult> {
                  .options = {{.name = "mode",
                               .help = "fixed or adaptive; default: both",
                               .words = {"fixed", "adaptive"}}}}) {}
+  std::vector<Options> report_runs(bool quick) const override {
+    if (!quick) return {Options()};
+    std::vector<std::string> cases = quick_cases();
+    std::erase(cases, long_orders);
+    return {{.cases = cases}};
+  }
+
   std::string table() const override {
-    return record::table_of(result().orders, {{"case", "{case}"},
-                                              {"solver", "{library}/{solver}"},
-                                              {"mode", "{mode}"},
-                                              {"claimed", "{claimed_order:.3g}"},
-                                              {"measured", "{measured_order:.3f}"},
-                                              {"verdict", "{verdict}: {reason}"}})
-        .text();
+    const auto wrong = std::count_if(
+        result().rows.begin(), result().rows.end(),
+        [](const ConvergenceRow& row) { return row.judged.answer == judge::Answer::wrong; });
+    const std::string text =
+        record::table_of(result().orders, {{"case", "{case}"},
+                                           {"solver", "{library}/{solver}"},
+                                           {"mode", "{mode}"},
+                                           {"claimed", "{claimed_order:.3g}"},
+                                           {"measured", "{measured_order:.3f}"},
+                                           {"verdict", "{verdict}: {reason}"}})
+            .text();
+    if (wrong == 0) return text;
+    return text + fmt::format("{} {} ok with a wrong answer: column answer of {}\n", wrong,
+                              wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
   }
 
   void section(report::Page& page) const override { add_section(page, result(), origin()); }

@@ -46,9 +46,14 @@ struct Stage {
   std::vector<double> stops;
   double floor;
   judge::Judge judge;
+  judge::Amplification amplification;
 
   explicit Stage(const Case& each)
-      : c(each), stops(each.timed_stops()), floor(each.timed_floor()), judge(each, stops) {}
+      : c(each),
+        stops(each.timed_stops()),
+        floor(each.timed_floor()),
+        judge(each, stops),
+        amplification(judge::measure_amplification(each, stops)) {}
 
   /// The ratio of the horizon to that of other studies.
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
@@ -110,10 +115,17 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
   trial.row.status = to_string(outcome.status);
   trial.row.detail = outcome.detail;
   trial.row.counters = outcome.counters;
+  trial.row.judged.answer = judge::Answer::none;
   if (!trial.ok()) return trial;
   trial.row.error = 0;
-  for (const judge::StopError& error : stage.judge.errors(outcome))
+  const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
+  for (const judge::StopError& error : errors)
     trial.row.error = std::max(trial.row.error, error.error_max);
+  trial.row.judged = request.mode == Mode::fixed
+                         ? judge::judge_fixed_answer(errors, stage.judge.scale())
+                         : judge::judge_answer(errors, stage.amplification, request.tolerance,
+                                               static_cast<double>(outcome.counters.steps),
+                                               stage.floor, stage.judge.scale());
   if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
   trial.states = std::move(outcome.states);
   return trial;
@@ -252,8 +264,9 @@ PrecisionResult measure_precision(const Options& options, const Runner& runner) 
     for (const PrecisionRow& row : of_case.rows)
       if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
         of_case.tolerances.push_back(
-            {row.case_id, row.library, row.solver, row.setting, row.error});
+            {row.case_id, row.library, row.solver, row.setting, row.error, row.judged.answer});
     of_case.summary = summarise(of_case.rows, c->timed_floor());
+    of_case.fastest = fastest(of_case.rows, c->timed_floor());
     record::append(result, std::move(of_case));
     progress.advance();
   }

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "odeum/judge/answer.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::study {
@@ -31,9 +32,11 @@ struct PrecisionRow {
   /// Processor time over wall time of the case's timed runs: 1 where no other program ran. NaN
   /// where nothing was timed.
   double processor_share = std::numeric_limits<double>::quiet_NaN();
-  std::string measured;  ///< when the case was measured, UTC
+  std::string measured;        ///< when the case was measured, UTC
+  judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
+  static constexpr int schema = 2;  ///< 2: the answer of a run to a tolerance
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
@@ -47,6 +50,8 @@ struct PrecisionRow {
     visit("right_hand_side", record::Words{row.inlined, "function pointer", "inlined"});
     visit("pareto", row.pareto), visit("drift", row.drift);
     visit("processor_share", row.processor_share), visit("measured", row.measured);
+    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
+    visit("answer_reason", row.judged.reason);
   }
 };
 
@@ -54,13 +59,16 @@ struct PrecisionRow {
 struct ToleranceRow {
   std::string case_id, library, solver;
   double requested = 0, achieved = 0;
+  judge::Answer answer = judge::Answer::not_applicable;
 
   static constexpr const char* file = "tolerances.csv";
+  static constexpr int schema = 2;  ///< 2: the answer
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("requested", row.requested), visit("achieved", row.achieved);
     visit("achieved_over_requested", record::Derived{row.achieved / row.requested});
+    visit("answer", row.answer);
   }
 };
 
@@ -86,17 +94,38 @@ struct PrecisionSummary {
   }
 };
 
+/// The fastest solver of one library at an error on a case: a line of fastest.csv. Libraries that
+/// do not reach the error have none.
+struct FastestRow {
+  std::string case_id;
+  double error = 0;
+  std::string library, solver;
+  Mode mode = Mode::adaptive;
+  double setting = 0;  ///< tolerance or step: of the coarsest run of the solver that reaches it
+  double wall_ns_min = 0, wall_ns_median = 0;
+
+  static constexpr const char* file = "fastest.csv";
+  static constexpr bool compared_within_case = true;
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("error", row.error), visit("library", row.library);
+    visit("solver", row.solver), visit("setting_kind", record::Words{row.mode, "step", "tol"});
+    visit("setting", row.setting), visit("wall_ns_min", row.wall_ns_min);
+    visit("wall_ns_median", row.wall_ns_median);
+  }
+};
+
 struct PrecisionResult {
   std::vector<PrecisionRow> rows;
   std::vector<ToleranceRow> tolerances;
   std::vector<PrecisionSummary> summary;
+  std::vector<FastestRow> fastest = {};
   static auto lists(auto& result) {
-    return std::tie(result.rows, result.tolerances, result.summary);
+    return std::tie(result.rows, result.tolerances, result.summary, result.fastest);
   }
 };
 
 /// Limit of a solve in a report, in seconds.
-inline constexpr double report_seconds_per_solve = 0.02;
+inline constexpr double report_seconds_per_solve = 0.05;
 
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more
@@ -109,9 +138,12 @@ PrecisionResult measure_precision(const Options& options, const Runner& runner =
 /// Marks the Pareto-optimal rows of one case in time and error.
 void mark_pareto(std::vector<PrecisionRow>& rows);
 
-/// The fastest at each error of 1e-2 ... 1e-12 over the rows of one case; times between two
-/// settings of a solver by linear interpolation of log time over log error, never beyond them.
-/// Errors at or below the truth's floor are not compared.
+/// The fastest of each library at each error of 1e-2 ... 1e-12 over the rows of one case; times
+/// between two settings of a solver by linear interpolation of log time over log error, never
+/// beyond them. Errors at or below the truth's floor are not compared.
+std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double floor);
+
+/// The fastest own solver and the fastest peer at each of these errors.
 std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor);
 
 }  // namespace odeum::study

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "odeum/report/html.hpp"
 #include "odeum/studies/stopwatch.hpp"
@@ -47,16 +46,6 @@ std::vector<Measured> by_case(const report::Facts& facts, const PrecisionResult&
       measured.back().index = i;
     }
   return measured;
-}
-
-// Those that were timed; Odeum first, so that it has the first colour whoever takes part.
-std::vector<std::string> libraries_of(const PrecisionResult& result) {
-  std::set<std::string> timed;
-  for (const PrecisionRow& row : result.rows)
-    if (row.repetitions > 0) timed.insert(row.library);
-  std::vector<std::string> names(timed.begin(), timed.end());
-  std::stable_partition(names.begin(), names.end(), [](const auto& n) { return n == "odeum"; });
-  return names;
 }
 
 // When a case was measured, and what the calibration said: a mark where the machine was disturbed.
@@ -145,7 +134,8 @@ constexpr const char* tolerances_text =
     "of the tolerance that they are given: log<sub>10</sub> of achieved over requested, +1 meaning "
     "ten times the tolerance. A tolerance bounds the error of a step and this is the error at the "
     "end, so that zero is not to be expected; an even row matters more. Of a group its median; the "
-    "tooltip of a cell gives the range.</p>\n";
+    "tooltip of a cell gives the range. ✗: some answers are wrong, their errors larger than "
+    "tolerance, steps and the amplification of errors by the case explain.</p>\n";
 
 constexpr const char* times_text =
     "<p>Time per solve, set-up included, with the plain right-hand side, on one processor: the "
@@ -191,7 +181,8 @@ std::string diagrams(const std::vector<Measured>& measured,
 
 void add_section(report::Page& page, const PrecisionResult& result, const report::Origin& origin) {
   const std::vector<Measured> measured = by_case(page.facts(), result);
-  const std::vector<std::string> libraries = libraries_of(result);
+  // All of them, so that a library has the same colour on every page.
+  const std::vector<std::string> libraries = page.facts().library_names();
   std::string html = report::origin_text(origin, measured.empty());
   if (!measured.empty())
     html += times_text + ratios_table(measured) + diagrams(measured, libraries) + tolerances_text;
@@ -204,6 +195,7 @@ void add_section(report::Page& page, const PrecisionResult& result, const report
                                 .place = 30,
                                 .html = case_html(page.facts(), each, libraries)});
   }
+  add_answers(page, result);
   page.section({.id = "precision",
                 .title = "Speed against error",
                 .place = origin.place,

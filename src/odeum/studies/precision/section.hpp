@@ -13,6 +13,10 @@ namespace odeum::study {
 /// its own page.
 void add_section(report::Page& page, const PrecisionResult& result, const report::Origin& origin);
 
+/// The questions of the first page with who is fastest, and the timed runs of every case, for the
+/// page's scripts.
+void add_answers(report::Page& page, const PrecisionResult& result);
+
 /// The rows of one case as points of error against time per solve: own solvers in the first colour
 /// and marker, those of each peer in the next, in the order of `libraries`; the Pareto front as a
 /// line, that of the peers dashed. Each point names its solver when pointed at. Errors beyond

@@ -13,8 +13,18 @@ namespace odeum::study {
 namespace {
 
 using report::Cell;
-/// log10 of achieved over requested, by what was requested.
-using Misses = std::map<double, std::vector<double>>;
+/// log10 of achieved over requested, and how many of the answers are wrong.
+struct Missed {
+  std::vector<double> decades;
+  std::size_t wrong = 0;
+
+  void add(const Missed& other) {
+    decades.insert(decades.end(), other.decades.begin(), other.decades.end());
+    wrong += other.wrong;
+  }
+};
+/// By what was requested.
+using Misses = std::map<double, Missed>;
 using Tolerances = std::set<double, std::greater<>>;
 
 // A colour for each factor of ten that an error is off; both ends are open.
@@ -23,18 +33,22 @@ std::string colour_of(double decades) {
   return level < 0 ? fmt::format("t-{}", -level) : fmt::format("t{}", level);
 }
 
-Cell cell_of(std::vector<double> decades) {
+Cell cell_of(Missed missed) {
+  std::vector<double>& decades = missed.decades;
   if (decades.empty()) return {.text = "·", .style = "zero"};
   std::sort(decades.begin(), decades.end());
   const double median = decades[decades.size() / 2];
   const double shown = std::abs(median) < 0.05 ? 0 : median;  // no "-0.0"
-  const std::string title =
+  std::string title =
       decades.size() == 1
           ? fmt::format("achieved / requested = {:.2g}", std::pow(10, median))
           : fmt::format("achieved / requested: median {:.2g} of {} solvers, from {:.2g} to {:.2g}",
                         std::pow(10, median), decades.size(), std::pow(10, decades.front()),
                         std::pow(10, decades.back()));
-  return {.text = fmt::format("{:+.1f}", shown), .style = colour_of(median), .title = title};
+  if (missed.wrong > 0) title += fmt::format("; {} wrong", missed.wrong);
+  return {.text = fmt::format("{:+.1f}{}", shown, missed.wrong > 0 ? "✗" : ""),
+          .style = colour_of(median),
+          .title = title};
 }
 
 /// A table of a row for each name, a column for each tolerance.
@@ -67,8 +81,8 @@ std::string tolerance_table(const report::Facts& facts, const std::vector<Precis
     if (row.mode != Mode::adaptive || row.status != to_string(Status::ok)) continue;
     if (!(row.error > 0 && row.setting > 0)) continue;
     tolerances.insert(row.setting);
-    by_solver[row.library + "/" + row.solver][row.setting].push_back(
-        std::log10(row.error / row.setting));
+    by_solver[row.library + "/" + row.solver][row.setting].add(
+        {{std::log10(row.error / row.setting)}, row.judged.answer == judge::Answer::wrong});
   }
   ToleranceTable groups(tolerances), solvers(tolerances);
   for (const report::SolverGroup& group : report::make_groups(facts.solvers)) {
@@ -76,8 +90,7 @@ std::string tolerance_table(const report::Facts& facts, const std::vector<Precis
     for (const SolverInfo* solver : group.solvers) {
       const auto found = by_solver.find(solver->id());
       if (found == by_solver.end()) continue;
-      for (const auto& [tolerance, decades] : found->second)
-        all[tolerance].insert(all[tolerance].end(), decades.begin(), decades.end());
+      for (const auto& [tolerance, missed] : found->second) all[tolerance].add(missed);
       if (each_solver) solvers.row(solver->id(), found->second);
     }
     if (!all.empty()) groups.row(group.own ? "odeum: " + group.title : group.title, all);

@@ -4,6 +4,7 @@
 #include <compare>
 #include <limits>
 #include <map>
+#include <string>
 
 #include "odeum/studies/precision/precision.hpp"
 
@@ -15,8 +16,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool timed(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
 
+/// A time in which a solver reaches an error.
 struct Least {
   double min = infinity, median = infinity;
+  const PrecisionRow* run = nullptr;  ///< the run that is accurate enough
 };
 
 /// The time in which a solver reaches `error`, from its rows from coarse to fine: the least time of
@@ -25,7 +28,7 @@ Least time_at(const std::vector<const PrecisionRow*>& rows, double error) {
   Least best;
   for (const PrecisionRow* row : rows)
     if (row->error <= error && row->wall_ns_min < best.min)
-      best = {row->wall_ns_min, row->wall_ns_median};
+      best = {row->wall_ns_min, row->wall_ns_median, row};
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     const PrecisionRow &coarse = *rows[k], &fine = *rows[k + 1];
     if (!(coarse.error > error && fine.error < error && fine.error > 0)) continue;
@@ -34,10 +37,21 @@ Least time_at(const std::vector<const PrecisionRow*>& rows, double error) {
       return std::exp((1 - part) * std::log(from) + part * std::log(to));
     };
     const Least found{between(coarse.wall_ns_min, fine.wall_ns_min),
-                      between(coarse.wall_ns_median, fine.wall_ns_median)};
+                      between(coarse.wall_ns_median, fine.wall_ns_median), &fine};
     if (found.min < best.min) best = found;
   }
   return best;
+}
+
+std::string name_of(const FastestRow& row) {
+  return row.library + "/" + row.solver + (row.mode == Mode::fixed ? " (fixed step)" : "");
+}
+
+/// The compared errors.
+std::vector<double> errors() {
+  std::vector<double> list;
+  for (int exponent = 2; exponent <= 12; ++exponent) list.push_back(std::pow(10.0, -exponent));
+  return list;
 }
 
 }  // namespace
@@ -56,9 +70,7 @@ void mark_pareto(std::vector<PrecisionRow>& rows) {
   }
 }
 
-std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor) {
-  std::vector<PrecisionSummary> lines;
-  if (rows.empty()) return lines;
+std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double floor) {
   struct Name {
     std::string library, solver;
     Mode mode;
@@ -67,35 +79,51 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
   std::map<Name, std::vector<const PrecisionRow*>> solvers;
   for (const PrecisionRow& row : rows)
     if (timed(row)) solvers[{row.library, row.solver, row.mode}].push_back(&row);
-  for (int exponent = 2; exponent <= 12; ++exponent) {
+  std::vector<FastestRow> list;
+  for (const double error : errors()) {
+    if (!(error > floor)) continue;
+    std::map<std::string, Least> best;  // by library
+    for (const auto& [name, settings] : solvers)
+      if (const Least time = time_at(settings, error);
+          time.run && time.min < best[name.library].min)
+        best[name.library] = time;
+    for (const auto& [library, time] : best)
+      if (time.run)
+        list.push_back({time.run->case_id, error, library, time.run->solver, time.run->mode,
+                        time.run->setting, time.min, time.median});
+  }
+  return list;
+}
+
+std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, double floor) {
+  std::vector<PrecisionSummary> lines;
+  if (rows.empty()) return lines;
+  const std::vector<FastestRow> best = fastest(rows, floor);
+  for (const double error : errors()) {
     PrecisionSummary line;
     line.case_id = rows.front().case_id;
-    line.error = std::pow(10.0, -exponent);
-    Least own, peer;
-    if (line.error > floor) {
-      for (const auto& [name, settings] : solvers) {
-        const Least time = time_at(settings, line.error);
-        const bool is_own = name.library == "odeum";
-        Least& best = is_own ? own : peer;
-        if (!(time.min < best.min)) continue;
-        best = time;
-        (is_own ? line.own : line.peer) =
-            name.library + "/" + name.solver + (name.mode == Mode::fixed ? " (fixed step)" : "");
-      }
+    line.error = error;
+    const FastestRow *own = nullptr, *peer = nullptr;
+    for (const FastestRow& row : best) {
+      if (row.error != error) continue;
+      const FastestRow*& side = row.library == "odeum" ? own : peer;
+      if (!side || row.wall_ns_min < side->wall_ns_min) side = &row;
     }
-    line.own_ns = line.own.empty() ? nan : own.min;
-    line.peer_ns = line.peer.empty() ? nan : peer.min;
+    line.own = own ? name_of(*own) : "";
+    line.peer = peer ? name_of(*peer) : "";
+    line.own_ns = own ? own->wall_ns_min : nan;
+    line.peer_ns = peer ? peer->wall_ns_min : nan;
     line.ratio = line.peer_ns / line.own_ns;
     line.ratio_low = line.ratio_high = nan;
-    if (!line.own.empty() && !line.peer.empty()) {
-      line.ratio_low = peer.min / own.median;
-      line.ratio_high = peer.median / own.min;
-    } else if (!(line.error > floor)) {
+    if (own && peer) {
+      line.ratio_low = peer->wall_ns_min / own->wall_ns_median;
+      line.ratio_high = peer->wall_ns_median / own->wall_ns_min;
+    } else if (!(error > floor)) {
       line.reason = "at the truth's floor";
-    } else if (line.own.empty() && line.peer.empty()) {
-      line.reason = "no solver reaches it";
     } else {
-      line.reason = line.own.empty() ? "no own solver reaches it" : "no peer reaches it";
+      line.reason = own    ? "no peer reaches it"
+                    : peer ? "no own solver reaches it"
+                           : "no solver reaches it";
     }
     lines.push_back(std::move(line));
   }

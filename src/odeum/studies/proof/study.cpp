@@ -15,6 +15,10 @@ class Proof final : public StudyOf<ProofResult> {
                  .cases_help = "",
                  .quick_help = "a hundredth of the periods for the energy"}) {}
 
+  std::vector<Options> report_runs(bool quick) const override {
+    return quick ? std::vector<Options>() : std::vector<Options>(1);
+  }
+
   std::string table() const override {
     return record::table_of(result().rows, {{"method", "{solver}"},
                                             {"claimed", "{claimed_order:d}"},

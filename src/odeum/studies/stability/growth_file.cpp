@@ -13,7 +13,7 @@ std::string StabilityRegion::growth_file() const {
   if (growth.empty()) return "";
   std::string name = library + "_" + solver + "_" + plane;
   std::replace(name.begin(), name.end(), '/', '_');
-  return "stability/" + name + ".csv";
+  return "stability/" + name + ".csv.gz";
 }
 
 std::string growth_text(const StabilityRegion& region) {

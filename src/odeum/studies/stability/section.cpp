@@ -6,8 +6,10 @@
 #include <map>
 
 #include "odeum/report/chart.hpp"
+#include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_tables.hpp"
+#include "odeum/studies/stability/outline.hpp"
 #include "odeum/studies/stability/region_picture.hpp"
 
 namespace odeum::study {
@@ -121,6 +123,11 @@ void add_section(report::Page& page, const StabilityResult& result, const report
   std::string html = report::origin_text(origin, empty);
   if (!empty) html += limits_text;
   for (const StabilityLimit& limit : result.limits) page.count_row(limit.status);
+  std::vector<const StabilityLimit*> limits;
+  for (const StabilityLimit& limit : result.limits) limits.push_back(&limit);
+  page.data("index", "limits",
+            report::columns_of(limits, {"library", "solver", "axis", "limit", "theory", "status"}));
+  page.data("regions", "regions", outlines_json(result.regions));
   for (const std::string& library : libraries) html += limits_table(result.limits, library);
   for (const auto& [plane, title] : planes) {
     std::string regions;

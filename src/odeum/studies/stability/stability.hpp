@@ -50,7 +50,7 @@ struct StabilityRegion {
   double second_low = 0, second_high = 0;  ///< imaginary part, or zeta
   std::vector<float> growth;
 
-  /// The file that holds the growth, stability/<library>_<solver>_<plane>.csv; empty: no growth.
+  /// The file that holds the growth, stability/<library>_<solver>_<plane>.csv.gz; empty: no growth.
   std::string growth_file() const;
 
   static constexpr const char* file = "stability_regions.csv";

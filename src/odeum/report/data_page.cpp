@@ -6,6 +6,7 @@
 
 #include "odeum/core/machine.hpp"
 #include "odeum/report/html.hpp"
+#include "odeum/report/layout.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum_build_info.hpp"
 
@@ -30,7 +31,8 @@ std::string facts_of(const RunFacts& run, const std::vector<LibraryInfo>& librar
   std::string html = "<dl class=\"facts\">\n";
   html += fact("Written", utc_text(run.finished));
   html += fact("Command",
-               run.command_line + (run.quick ? "  (quick: fewer settings for each solver)" : ""));
+               run.command_line +
+                   (run.quick ? "  (quick: nine cases, without the orders on the cloth)" : ""));
   html += fact("Took", fmt::format("{:.0f} s", run.seconds));
   html += fact("Odeum", fmt::format("{} {}", build::version, build::revision));
   html += fact("Libraries", libraries_text(libraries, true));
@@ -57,7 +59,7 @@ std::string links(const std::filesystem::path& folder, const std::string& prefix
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     if (const auto name = entry.path().filename().string();
-        entry.path().extension() == ".csv" || name == "manifest.json")
+        name.ends_with(".csv") || name.ends_with(".csv.gz") || name == "manifest.json")
       names.push_back(name);
   std::sort(names.begin(), names.end());
   std::string html;
@@ -69,23 +71,20 @@ std::string links(const std::filesystem::path& folder, const std::string& prefix
 
 }  // namespace
 
-std::string Page::header(const RunFacts& run, const std::string& navigation) const {
-  const std::size_t libraries = facts_.library_names().size();
-  return fmt::format(
-             "<header>\n<h1>Odeum</h1>\n<p class=\"lead\">{} from {} on {}: each solver runs the "
-             "same problems and is judged by the same independent reference solution.</p>\n",
-             show_count(facts_.solvers.size(), "solver"),
-             libraries == 1 ? "1 library" : fmt::format("{} libraries", libraries),
-             show_count(facts_.cases.size(), "case")) +
-         navigation + headline_ + statuses_text(statuses_) +
-         "<section class=\"columns\">\n<div><h3>How to read it</h3>\n" + guide_ +
-         "</div>\n<div><h3>This run</h3>\n" + facts_of(run, facts_.libraries) +
-         "<h3>The data</h3>\n<p>Everything on this page comes from the files beside it, one "
-         "observation a row:</p>\n" +
-         links(folder_.path(), "./") +
-         details("Data of the stability regions",
-                 links(folder_.path() / "stability", "stability/")) +
-         "</div>\n</section>\n</header>\n";
+std::string Page::data_page(const RunFacts& run) const {
+  return document(
+      "Data – Odeum report", navigation("", "data.html"),
+      "<section id=\"data\">\n<h2>Data</h2>\n<div class=\"columns\">\n<div><h3>The files</h3>\n"
+      "<p>Everything in this report comes from the files beside it, one observation a row; "
+      "README.md "
+      "describes their columns.</p>\n" +
+          links(folder_.path(), "./") +
+          details("Data of the stability regions",
+                  links(folder_.path() / "stability", "stability/")) +
+          "</div>\n<div><h3>This run</h3>\n" + facts_of(run, facts_.libraries) +
+          "</div>\n</div>\n<h3>How many pairs got which verdict</h3>\n" + headline_ +
+          statuses_text(statuses_) + "<h3>How to read the verdicts</h3>\n" + guide_ +
+          "</section>\n");
 }
 
 }  // namespace odeum::report

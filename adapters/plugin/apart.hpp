@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <functional>
+
+#include "odeum/core/outcome.hpp"
+
+/// Work in a process of its own, so that whatever it does costs nothing but its result.
+namespace odeum::adapters::plugin {
+
+/// Whether this is such a process.
+bool inside();
+/// In such a process: work goes on. Without it for `longest_silence` seconds the process is ended.
+void alive();
+inline constexpr double longest_silence = 5;
+
+/// solve(request) in a process of its own. A process that ends early, is ended by a signal, or
+/// shows no sign of work gives an outcome with status `refused` or `over_budget` and a sentence.
+/// What a timed run (Budget::watched off) spends on this is reported to core/apart_times.hpp, and
+/// the solve is made twice, the second time timed: the first one copies the memory that it writes.
+Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                    std::size_t dimension);
+
+/// work() in a process of its own; empty, or a sentence that says how it ended.
+std::string try_apart(const std::function<std::string()>& work);
+
+}  // namespace odeum::adapters::plugin

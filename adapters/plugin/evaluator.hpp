@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <sys/types.h>
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+
+namespace odeum::adapters::plugin {
+
+/// A process that calls the functions of a plug-in's problem for those parts of a study that are no
+/// solve: errors, gains, spectra. About 10 microseconds a call. A call that fails, crashes or hangs
+/// gives NaN; the process is started anew, a limited number of times.
+class Evaluator {
+ public:
+  /// `work(function, t, in, out)` is what a call does; `most` bounds the numbers in and out.
+  using Work = std::function<int(int function, double t, const double* in, double* out)>;
+  Evaluator(Work work, std::size_t most);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  /// Whether the call succeeded; else `out` is NaN.
+  bool call(int function, double t, const double* in, std::size_t n_in, double* out,
+            std::size_t n_out);
+
+ private:
+  struct Memory;
+  bool start();
+  void stop();
+  bool ask();
+  void serve(int socket);
+
+  Work work_;
+  std::size_t most_;
+  std::mutex mutex_;
+  Memory* memory_ = nullptr;
+  std::size_t bytes_ = 0;
+  pid_t process_ = -1;
+  int socket_ = -1;
+  int starts_ = 0;
+};
+
+}  // namespace odeum::adapters::plugin

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+
+namespace odeum::cases {
+
+using Values = std::vector<double>;  ///< of the parameters, in their order
+
+/// The case that `make` makes of the given values, which a user may change.
+Case with_parameters(std::vector<Parameter> parameters,
+                     const std::function<Case(const Values&)>& make);
+
+/// Throws std::invalid_argument where a value is not positive (is negative).
+void require_positive(const std::string& name, double value);
+void require_not_negative(const std::string& name, double value);
+
+/// For parameters for which there is neither a closed form nor a reference.
+Truth unknown_truth();
+
+}  // namespace odeum::cases

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -DODEUM=<program> -DCHROMIUM=<program> -DNODE=<program> -DROOT=<source> -DFOLDER=<folder>
+#       -P CheckPage.cmake
+# Makes a small report and opens it in headless Chromium (tests/viewer/page.mjs).
+if(NOT CHROMIUM OR NOT NODE)
+  message("not checked: needs Chromium and Node (Debian: chromium, nodejs) on the path")
+  return()
+endif()
+file(REMOVE_RECURSE ${FOLDER})
+execute_process(
+  COMMAND ${ODEUM} report --quick --case damped_oscillator_underdamped --case free_fall --case robertson_40
+          --solver odeum/rk4 --solver odeum/explicit_euler --solver odeum/radau_iia5
+          --solver odeum/velocity_verlet --solver gsl/rk4 --solver gsl/rk8pd --solver cvode/* --out ${FOLDER}
+  OUTPUT_QUIET RESULT_VARIABLE result ERROR_VARIABLE errors)
+if(errors MATCHES "was not built in|no solver matches")
+  message("not checked: needs the adapters of GSL and SUNDIALS")
+  return()
+endif()
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the report was not made (${result}): ${errors}")
+endif()
+execute_process(COMMAND ${NODE} ${ROOT}/tests/viewer/page.mjs ${CHROMIUM} ${FOLDER} RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the page does not hold what it should")
+endif()

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string_view>
+
+#include "odeum/accuracy/stepper.hpp"
+#include "odeum/judge/stability_search.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/stability/growth_meter.hpp"
+
+namespace odeum::accuracy {
+namespace {
+
+enum Code { holds = 0, fails = 1, usage = 2, skipped = 77 };
+
+int check_order(const std::string& case_id, const std::string& folder) {
+  const Case& c = study::find_case(case_id);
+  const Entrant& entrant = c.entrants.back();
+  if (!entrant.unfit.empty()) {
+    fmt::print("{}: not tested: {}\n", case_id, entrant.unfit);
+    return skipped;
+  }
+  const study::ConvergenceResult result = study::converge(
+      {.cases = {case_id}, .solvers = {entrant.info.id()}, .own = {{"mode", "fixed"}}});
+  record::write(result, record::OutputFolder(folder));
+  const study::OrderRow& row = result.orders.front();
+  const judge::OrderFit& fit = row.fit;
+  fmt::print("{}: claimed order {}, measured {:.3f} (95 %: {:.3f} to {:.3f}), {}{}{}\n", case_id,
+             row.claimed_order, fit.order, fit.low, fit.high, judge::to_string(fit.verdict),
+             fit.reason.empty() ? "" : ": ", fit.reason);
+  fmt::print("{:>12}  {:>10}  status\n", "step", "error");
+  for (const study::ConvergenceRow& run : result.rows)
+    fmt::print("{:12.6g}  {:10.3e}  {} {}\n", run.step, run.error_max, run.status, run.detail);
+  fmt::print("the same rows are in {}/convergence.csv\n", folder);
+  switch (fit.verdict) {
+    case judge::Verdict::confirmed:
+      return holds;
+    case judge::Verdict::higher:  // without a number: the case is too easy to show the order
+      return std::isnan(fit.order) ? skipped : fails;
+    case judge::Verdict::undetermined:
+    case judge::Verdict::not_applicable:
+      return skipped;
+    default:
+      return fails;
+  }
+}
+
+/// One unit of the last digit of a decimal: 0.01 for 2.78.
+double last_digit(std::string_view text) {
+  const std::size_t point = text.find('.');
+  return point == std::string_view::npos
+             ? 1
+             : std::pow(10, -static_cast<double>(text.size() - point - 1));
+}
+
+int check_stability(const std::string& axis, const std::string& claimed) {
+  double limit = 0;
+  const auto read = std::from_chars(claimed.data(), claimed.data() + claimed.size(), limit);
+  if ((axis != "real" && axis != "imaginary") || read.ec != std::errc() ||
+      read.ptr != claimed.data() + claimed.size())
+    throw std::invalid_argument("stability takes real or imaginary, and a number");
+  for (const Case& c : all_cases()) {
+    if (c.plane != "lambda") continue;
+    const Probe probe = c.probe();
+    study::GrowthMeter meter(probe, probe.entrants.back(), false, study::limit_length);
+    const judge::LimitFound found = judge::find_limit(
+        [&](double x) { return axis == "real" ? meter.measure(-x, 0) : meter.measure(0, x); });
+    const bool right = std::abs(found.limit - limit) <= last_digit(claimed);
+    fmt::print("stability limit on the {} axis: claimed {}, measured {:.6g}{}\n", axis, claimed,
+               found.limit, right ? "" : ", which is another");
+    return right ? holds : fails;
+  }
+  throw std::logic_error("no case has a plane of lambda");
+}
+
+}  // namespace
+
+int run(LateLibrary library, int argc, char** argv) try {
+  add_late_library(std::move(library));
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() == 3 && words[0] == "order") return check_order(words[1], words[2]);
+  if (words.size() == 3 && words[0] == "stability") return check_stability(words[1], words[2]);
+  fmt::print(stderr, "usage: {} order CASE FOLDER | stability real|imaginary LIMIT\n", argv[0]);
+  return usage;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return usage;
+}
+
+}  // namespace odeum::accuracy

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/problems.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "odeum/cli/session.hpp"
+#include "odeum/contest/given_cases.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/report/facts.hpp"
+#include "support/text_case.hpp"
+
+namespace odeum::cli {
+namespace {
+
+std::string& mark() {
+  static std::string text;
+  return text;
+}
+
+bool has_yaml_name(const std::string& word) {
+  return word.ends_with(".yaml") || word.ends_with(".yml");
+}
+
+formula::Overrides overrides_of(const std::vector<std::string>& sets) {
+  formula::Overrides overrides;
+  for (const std::string& set : sets) {
+    const std::size_t equal = set.find('=');
+    if (equal == std::string::npos || equal == 0 || equal + 1 == set.size())
+      throw UsageError(fmt::format("--set: got {}, expected NAME=VALUE", shown(set)));
+    if (!overrides.emplace(set.substr(0, equal), set.substr(equal + 1)).second)
+      throw UsageError(fmt::format("--set: {} is given twice", shown(set.substr(0, equal))));
+  }
+  return overrides;
+}
+
+/// The file's name without folder and extension; with _text where a case has that name, and a
+/// number where a file before had it.
+std::string unused_id(const std::string& path) {
+  const std::string stem = report::file_stem(std::filesystem::path(path).stem().string());
+  const auto taken = [](const std::string& id) {
+    const auto known = known_cases();
+    return std::any_of(known.begin(), known.end(), [&](const Case* c) { return c->id == id; });
+  };
+  if (!taken(stem)) return stem;
+  if (!taken(stem + "_text")) return stem + "_text";
+  int number = 2;
+  while (taken(fmt::format("{}_text{}", stem, number))) ++number;
+  return fmt::format("{}_text{}", stem, number);
+}
+
+}  // namespace
+
+void add_problem_options(CLI::App& command, ProblemOptions& options, bool words) {
+  if (words)
+    command
+        .add_option("problem", options.words, "cases, with * and ?, and files of your own problems")
+        ->type_name("CASE|PROBLEM.yaml");
+  command
+      .add_option("--set", options.sets,
+                  "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+bool is_problem_file(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  try {
+    return formula::looks_like_problem(
+        path, read_text_file(path, "problem", formula::most_problem_bytes));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+GivenProblem load_problem(const std::string& path, const std::vector<std::string>& sets) {
+  try {
+    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
+    cases::TextCase made =
+        cases::text_case(unused_id(path), formula::read_problem(path, text, overrides_of(sets)));
+    mark() += fmt::format(" {} {}", formula::content_key(text), sets);
+    return {&add_given_case(std::move(made.c)), std::move(made.facts)};
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  } catch (const std::length_error& error) {
+    throw UsageError(fmt::format("{}:1:1: {}", path, error.what()));
+  }
+}
+
+std::vector<std::string> load_problems(const ProblemOptions& options,
+                                       const std::vector<std::string>& case_globs) {
+  std::vector<std::string> globs, words = options.words;
+  words.insert(words.end(), case_globs.begin(), case_globs.end());
+  bool loaded = false;
+  for (const std::string& word : words) {
+    if (!has_yaml_name(word) && !is_problem_file(word)) {
+      globs.push_back(word);
+      continue;
+    }
+    GivenProblem given = load_problem(word, options.sets);
+    for (const auto& [name, fact] : given.facts) remark(fmt::format("{:<9}  {}", name, fact));
+    globs.push_back(given.c->id);
+    loaded = true;
+  }
+  if (!loaded && !options.sets.empty())
+    throw UsageError("--set: parameters are those of a problem file, and none was given");
+  return globs;
+}
+
+std::string given_mark() { return mark(); }
+
+}  // namespace odeum::cli

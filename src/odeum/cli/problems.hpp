@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+
+namespace odeum::cli {
+
+/// Cases and problem files that a command was given, and values for the parameters of the latter.
+struct ProblemOptions {
+  std::vector<std::string> words;  ///< cases and files
+  std::vector<std::string> sets;   ///< name=value
+};
+/// Adds `--set`, and unless `words` is false the problems themselves.
+void add_problem_options(CLI::App& command, ProblemOptions& options, bool words = true);
+
+/// Whether that is a file whose text is that of a problem: with states or equations.
+bool is_problem_file(const std::string& path);
+
+/// A case made of a problem file and what was found in it.
+struct GivenProblem {
+  const Case* c;
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+/// Throws UsageError for a file that is no problem, and for a value that is none.
+GivenProblem load_problem(const std::string& path, const std::vector<std::string>& sets);
+
+/// The globs on cases that words and `case_globs` come to, with the problem files among them
+/// loaded.
+std::vector<std::string> load_problems(const ProblemOptions& options,
+                                       const std::vector<std::string>& case_globs);
+
+/// A text that identifies the content of all that was loaded; empty: nothing was.
+std::string given_mark();
+
+}  // namespace odeum::cli

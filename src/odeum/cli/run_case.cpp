@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "odeum/cli/assignments.hpp"
+#include "odeum/cli/case_runs.hpp"
+#include "odeum/cli/run.hpp"
+#include "odeum/cli/run_code.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/judge/answer.hpp"
+#include "odeum/record/csv.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/report/html.hpp"
+
+namespace odeum::cli {
+namespace {
+
+// The case with other values of some of its parameters. Throws UsageError.
+Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& sets) {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  for (const Parameter& parameter : c.parameters) {
+    names.push_back(parameter.name);
+    values.push_back(parameter.value);
+  }
+  if (names.empty())
+    throw UsageError(fmt::format(
+        "--set: {} has no parameters; odeum list cases --parameters lists the cases that have",
+        c.id));
+  for (const auto& [name, value] : sets) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end())
+      throw UsageError(fmt::format("--set: {} has no parameter {}{}; expected one of {}", c.id,
+                                   name, did_you_mean(name, names), fmt::join(names, ", ")));
+    values[static_cast<std::size_t>(at - names.begin())] = value;
+  }
+  try {
+    Case other = c.with_values(values);
+    other.id = c.id;
+    return other;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--set: {}", error.what()));
+  }
+}
+
+CaseRun run_one(const Case& c, const std::string& solver, const RunOptions& options) {
+  const Entrant& entrant = find_entrant(c, solver);
+  CaseRun run{&entrant, make_request(options.settings, c.t0, c.stops.back(), entrant.info), {}};
+  if (!options.out.empty() || options.settings.every)
+    ask_for_output(run.request, options.settings, c.t0, c.y0.size());
+  run.outcome = entrant.solve(run.request);
+  return run;
+}
+
+// The error at the end, and whether the tolerance explains it.
+std::string error_text(const Case& c, const Request& request, const Outcome& outcome) {
+  const judge::Judge judge(c, request.stops);
+  const std::vector<judge::StopError> errors = judge.errors(outcome);
+  if (std::isnan(errors.back().error_max))
+    return fmt::format("error   unknown: no truth at t = {}: {}\n", request.stops.back(),
+                       c.truth.source);
+  const bool fixed = request.mode == Mode::fixed;
+  const judge::JudgedAnswer judged =
+      fixed ? judge::judge_fixed_answer(errors, judge.scale())
+            : judge::judge_answer(errors, judge::measure_amplification(c, request.stops),
+                                  request.tolerance, static_cast<double>(outcome.counters.steps),
+                                  c.truth.floor, judge.scale());
+  std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
+                                 errors.back().error_max, errors.back().error_rms, c.truth.source);
+  if (judged.answer == judge::Answer::not_applicable) return text;
+  text += fmt::format("answer  {}", to_string(judged.answer));
+  if (!judged.reason.empty())
+    text += ": " + judged.reason;
+  else
+    text +=
+        fmt::format(": tolerance, steps and amplification explain up to {:.2g}", judged.explained);
+  return text + "\n";
+}
+
+std::string describe(const Case& c, const CaseRun& run) {
+  const Outcome& outcome = run.outcome;
+  const double end = run.request.stops.back();
+  std::string text = fmt::format("solver  {}\n", run.entrant->info.id());
+  text +=
+      run.request.mode == Mode::fixed
+          ? fmt::format("step    {}, {} steps to t = {}\n", run.step(c.t0), run.request.steps, end)
+          : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n", run.request.tolerance,
+                        outcome.counters.steps, outcome.counters.rejected_steps, end);
+  if (run.request.mode == Mode::adaptive && run.request.stops.size() > 1 &&
+      run.entrant->info.library != "odeum")
+    text += fmt::format(
+        "output  at {} times, on which a peer may end its steps: its steps without "
+        "output are those of a run without --out and --every\n",
+        run.request.stops.size());
+  text += fmt::format("status  {}{}{}\n", to_string(outcome.status),
+                      outcome.detail.empty() ? "" : ": ", outcome.detail);
+  text += fmt::format("cost    {} evaluations, {} Jacobians\n", outcome.counters.rhs_evaluations,
+                      outcome.counters.jacobian_evaluations);
+  if (outcome.status != Status::ok) return text;
+  const std::size_t n = c.y0.size();
+  if (n <= 8) {
+    text += "state  ";
+    for (std::size_t i = 0; i < n; ++i)
+      text += " " + record::format_number(outcome.states[(run.reached(n) - 1) * n + i]);
+    text += "\n";
+  }
+  text += error_text(c, run.request, outcome);
+  if (const double difference = difference_to_scheme(c, run); !std::isnan(difference))
+    text += fmt::format("scheme  {:.3g} at most from its own closed form\n", difference);
+  return text;
+}
+
+report::Table table_of(const Case& c, const std::vector<CaseRun>& runs) {
+  report::Table table("numbers");
+  table.head({{.text = "solver"},
+              {.text = "status"},
+              {.text = "steps"},
+              {.text = "rejected"},
+              {.text = "evaluations"},
+              {.text = "error at the end"}});
+  for (const CaseRun& run : runs) {
+    const Counters& counters = run.outcome.counters;
+    const bool ok = run.outcome.status == Status::ok;
+    const double error =
+        ok ? judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max : std::nan("");
+    table.row({.text = run.entrant->info.id()},
+              {{.text = to_string(run.outcome.status), .title = run.outcome.detail},
+               {.text = std::to_string(counters.steps)},
+               {.text = std::to_string(counters.rejected_steps)},
+               {.text = std::to_string(counters.rhs_evaluations)},
+               {.text = report::show_number(error)}});
+  }
+  return table;
+}
+
+std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
+                        const RunOptions& options) {
+  const record::OutputFolder folder(options.out);
+  const ExactStates exact = exact_states(c, runs);
+  folder.write("solution.csv", case_solution_csv(c, runs));
+  folder.write("trajectory.csv", case_trajectory_csv(c, runs, exact));
+  folder.write("steps.csv", case_steps_csv(c, runs));
+  report::Comparison page;
+  page.title = c.title;
+  page.lead = c.id;
+  page.facts = {{"Equation", c.equation}, {"Source", c.source}, {"Truth", c.truth.source}};
+  for (const Parameter& parameter : c.parameters)
+    page.facts.emplace_back(parameter.name,
+                            record::format_number(parameter.value) + ", " + parameter.meaning);
+  page.facts.emplace_back(
+      "Setting", options.settings.step ? fmt::format("step {}", *options.settings.step)
+                                       : fmt::format("tolerance {}", *options.settings.tolerance));
+  page.table = table_of(c, runs);
+  page.figures = case_figures(c, runs, exact);
+  folder.write("comparison.html", report::comparison_page(page));
+  std::string text;
+  for (const char* file : {"solution.csv", "trajectory.csv", "steps.csv", "comparison.html"})
+    text += fmt::format("file    {}\n", (folder.path() / file).string());
+  return text;
+}
+
+int run_solvers(const Case& c, const RunOptions& options) {
+  if (options.solvers.empty()) throw UsageError("--solver is required for a case");
+  if (!options.settings.step && !options.settings.tolerance)
+    throw UsageError("run needs --step or --tol");
+  if (options.code) {
+    if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
+    const Entrant& entrant = find_entrant(c, options.solvers.front());
+    print(code_of(c, entrant, make_request(options.settings, c.t0, c.stops.back(), entrant.info)));
+    return success;
+  }
+  print(fmt::format("case    {}: {}\n", c.id, c.equation));
+  std::vector<CaseRun> runs;
+  bool any_ok = false;
+  for (const std::string& solver : options.solvers) {
+    runs.push_back(run_one(c, solver, options));
+    if (interrupted) return interrupted_code;
+    print(describe(c, runs.back()));
+    any_ok = any_ok || runs.back().outcome.status == Status::ok;
+  }
+  if (!options.out.empty()) print(write_files(c, runs, options));
+  return any_ok ? success : solver_failed;
+}
+
+}  // namespace
+
+int run_case(const RunOptions& options) {
+  const Case& original = find_case(options.what);
+  const auto sets = parse_assignments("--set", options.problems.sets);
+  if (sets.empty()) return run_solvers(original, options);
+  if (options.code) throw UsageError("--code takes a case with its own parameters, without --set");
+  for (const auto& [name, value] : sets) print(fmt::format("set     {} = {}\n", name, value));
+  return run_solvers(changed(original, sets), options);
+}
+
+int run_problem(const RunOptions& options) {
+  if (options.code) throw UsageError("--code takes a case, not a problem file");
+  const GivenProblem given = load_problem(options.what, options.problems.sets);
+  std::string text;
+  for (const auto& [name, fact] : given.facts)
+    text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
+  for (const std::string& line : describe_fits(given.c->entrants, options.verbose))
+    text += line + "\n";
+  print(text);
+  const bool asked = options.settings.step || options.settings.tolerance || !options.out.empty();
+  if (options.solvers.empty() && !asked) return success;
+  return run_solvers(*given.c, options);
+}
+
+}  // namespace odeum::cli

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/fem/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace odeum::fem {
+namespace {
+
+/// An edge of a triangle with its nodes in rising order; `forward`: the triangle has them so too.
+struct Edge {
+  std::size_t low, high, triangle;
+  bool forward;
+};
+
+/// Every triangle's edges, sorted so that those between the same nodes follow one another.
+std::vector<Edge> sorted_edges(const TriangleMesh& mesh) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), t, a < b});
+    }
+  std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
+    return std::tie(l.low, l.high, l.triangle) < std::tie(r.low, r.high, r.triangle);
+  });
+  return edges;
+}
+
+/// Calls work(first, end) for the edges between each pair of nodes.
+template <class Work>
+void for_each_edge(const std::vector<Edge>& edges, Work&& work) {
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    while (end < edges.size() && edges[end].low == edges[first].low &&
+           edges[end].high == edges[first].high)
+      ++end;
+    work(first, end);
+  }
+}
+
+std::string name(const char* what, std::size_t number) {
+  return std::string(what) + ' ' + std::to_string(number);
+}
+
+[[noreturn]] void refuse_triangle(std::size_t t, const std::string& what) {
+  throw MeshError(name("triangle", t) + ' ' + what);
+}
+
+void check_nodes(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) throw MeshError("the mesh has no triangles");
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    if (!std::isfinite(mesh.nodes[i].x) || !std::isfinite(mesh.nodes[i].y))
+      throw MeshError(name("node", i) + " is not at a finite point");
+}
+
+void check_triangle(const TriangleMesh& mesh, std::size_t t) {
+  // Half of the digits: beyond that the gradients of its elements are rounding.
+  constexpr double degenerate = 1e-8;
+  const auto& ids = mesh.triangles[t];
+  for (const std::size_t id : ids)
+    if (id >= mesh.nodes.size())
+      refuse_triangle(t, "has " + name("node", id) + ", but there are only " +
+                             std::to_string(mesh.nodes.size()) + " nodes, from 0");
+  if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0])
+    refuse_triangle(t, "has a node twice");
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, distance(mesh.nodes[ids[k]], mesh.nodes[ids[(k + 1) % 3]]));
+  const double doubled = doubled_area(mesh, t);
+  if (!(std::abs(doubled) > degenerate * longest * longest))
+    refuse_triangle(t, "is degenerate: its nodes lie on a line");
+  if (doubled < 0) refuse_triangle(t, "is inverted: its nodes run clockwise");
+}
+
+void check_duplicates(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t>> sorted;
+  sorted.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    sorted.emplace_back(mesh.triangles[t], t);
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (sorted[i].first == sorted[i - 1].first)
+      refuse_triangle(sorted[i].second,
+                      "is a duplicate of " + name("triangle", sorted[i - 1].second));
+}
+
+void check_pieces(const TriangleMesh& mesh) {
+  std::vector<std::size_t> group(mesh.nodes.size());
+  std::iota(group.begin(), group.end(), 0);
+  const auto root = [&](std::size_t i) {
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
+  std::vector<bool> used(mesh.nodes.size());
+  for (const auto& ids : mesh.triangles)
+    for (const std::size_t id : ids) {
+      used[id] = true;
+      group[root(id)] = root(ids[0]);
+    }
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) throw MeshError(name("node", i) + " belongs to no triangle");
+  for (std::size_t t = 1; t < mesh.triangles.size(); ++t)
+    if (root(mesh.triangles[t][0]) != root(mesh.triangles[0][0]))
+      throw MeshError("the mesh is in more than one piece: " + name("triangle", t) +
+                      " is not connected to triangle 0");
+}
+
+}  // namespace
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double doubled_area(const TriangleMesh& mesh, std::size_t triangle) {
+  const auto& ids = mesh.triangles[triangle];
+  const Point a = mesh.nodes[ids[0]], b = mesh.nodes[ids[1]], c = mesh.nodes[ids[2]];
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+void check(const TriangleMesh& mesh) {
+  check_nodes(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) check_triangle(mesh, t);
+  check_duplicates(mesh);
+  const std::vector<Edge> edges = sorted_edges(mesh);
+  for_each_edge(edges, [&](std::size_t first, std::size_t end) {
+    const Edge& e = edges[first];
+    const std::string between =
+        "the edge between " + name("node", e.low) + " and " + name("node", e.high);
+    if (end - first > 2) refuse_triangle(e.triangle, "and two more have " + between);
+    // Both counterclockwise on the same side of it.
+    if (end - first == 2 && e.forward == edges[first + 1].forward)
+      refuse_triangle(edges[first + 1].triangle,
+                      "overlaps " + name("triangle", e.triangle) + " at " + between);
+  });
+  check_pieces(mesh);
+}
+
+std::vector<std::array<std::size_t, 2>> boundary_edges(const TriangleMesh& mesh) {
+  const std::vector<Edge> edges = sorted_edges(mesh);
+  std::vector<std::array<std::size_t, 2>> boundary;
+  for_each_edge(edges, [&](std::size_t first, std::size_t end) {
+    const Edge& e = edges[first];
+    if (end - first == 1)
+      boundary.push_back(e.forward ? std::array{e.low, e.high} : std::array{e.high, e.low});
+  });
+  return boundary;
+}
+
+double longest_edge(const TriangleMesh& mesh) {
+  double longest = 0;
+  for (const auto& ids : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, distance(mesh.nodes[ids[k]], mesh.nodes[ids[(k + 1) % 3]]));
+  return longest;
+}
+
+Refined refined(const TriangleMesh& mesh, const std::function<Point(Point)>& onto_boundary) {
+  struct Node {
+    Point at;
+    std::array<std::size_t, 2> parents;
+  };
+  std::vector<Node> nodes;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) nodes.push_back({mesh.nodes[i], {i, i}});
+  const std::vector<Edge> edges = sorted_edges(mesh);
+  // middles[t][k]: the middle of the edge of triangle t that is opposite to its node k.
+  std::vector<std::array<std::size_t, 3>> middles(mesh.triangles.size());
+  for_each_edge(edges, [&](std::size_t first, std::size_t end) {
+    const Edge& e = edges[first];
+    Point at = middle(mesh.nodes[e.low], mesh.nodes[e.high]);
+    if (end - first == 1 && onto_boundary) at = onto_boundary(at);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto& ids = mesh.triangles[edges[i].triangle];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (ids[k] != e.low && ids[k] != e.high) middles[edges[i].triangle][k] = nodes.size();
+    }
+    nodes.push_back({at, {e.low, e.high}});
+  });
+  std::vector<std::size_t> order(nodes.size()), place(nodes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(nodes[a].at.y, nodes[a].at.x) < std::tie(nodes[b].at.y, nodes[b].at.x);
+  });
+  Refined fine;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    fine.mesh.nodes.push_back(nodes[order[i]].at);
+    fine.parents.push_back(nodes[order[i]].parents);
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<std::size_t, 3> corner{}, m{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corner[k] = place[mesh.triangles[t][k]], m[k] = place[middles[t][k]];
+    for (std::size_t k = 0; k < 3; ++k)
+      fine.mesh.triangles.push_back({corner[k], m[(k + 2) % 3], m[(k + 1) % 3]});
+    fine.mesh.triangles.push_back(m);
+  }
+  return fine;
+}
+
+}  // namespace odeum::fem

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace odeum::fem {
+
+struct Point {
+  double x = 0, y = 0;
+};
+inline Point middle(Point a, Point b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
+double distance(Point a, Point b);
+
+/// A mesh of triangles in the plane, nodes of each counterclockwise.
+struct TriangleMesh {
+  std::vector<Point> nodes;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+/// A mesh that cannot be used, with the number (from 0) of the triangle or node.
+class MeshError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws MeshError for a mesh without triangles, and for the first node or triangle found that is
+/// wrong: a node that is not finite, ids out of range or equal, a triangle that is degenerate or
+/// inverted, duplicate triangles, an edge of more than two triangles, a node of no triangle, or
+/// more than one piece.
+void check(const TriangleMesh& mesh);
+
+/// Twice the area, positive where counterclockwise.
+double doubled_area(const TriangleMesh& mesh, std::size_t triangle);
+
+/// The edges of one triangle alone, in the direction of that triangle.
+std::vector<std::array<std::size_t, 2>> boundary_edges(const TriangleMesh& mesh);
+
+/// The mesh size h.
+double longest_edge(const TriangleMesh& mesh);
+
+/// A mesh with each triangle divided in four by the middles of its edges. Nodes are sorted by y and
+/// then x, which keeps the neighbours in a row of the matrix near one another.
+struct Refined {
+  TriangleMesh mesh;
+  /// By node of `mesh`: the two nodes of the coarser one in whose middle it is; twice the same one
+  /// where it is a node of it.
+  std::vector<std::array<std::size_t, 2>> parents;
+};
+/// `onto_boundary` moves the middle of a boundary edge onto a curved boundary; empty: it stays.
+Refined refined(const TriangleMesh& mesh, const std::function<Point(Point)>& onto_boundary = {});
+
+}  // namespace odeum::fem

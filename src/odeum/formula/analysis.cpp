@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace odeum::formula {
+namespace {
+
+constexpr std::size_t largest_series = 2000;  // nodes: a coefficient array each, on the stack
+
+/// The state that an equation equals, or none.
+std::optional<std::uint32_t> same_as_state(const Graph& graph, Id equation) {
+  if (graph[equation].op != Op::state) return std::nullopt;
+  return graph[equation].index;
+}
+
+void find_second_order(const Problem& problem, const Analysis& analysis, Structure& s) {
+  if (s.states % 2 != 0) return;
+  const auto half = static_cast<std::uint32_t>(s.states / 2);
+  bool in_order = true;
+  std::set<std::uint32_t> velocities, positions;
+  for (std::uint32_t k = 0; k < s.states; ++k) {
+    const auto velocity = same_as_state(problem.graph, problem.equations[k]);
+    if (k < half) in_order = in_order && velocity == k + half;
+    if (!velocity || *velocity == k) continue;
+    positions.insert(k);
+    velocities.insert(*velocity);
+  }
+  s.second_order = in_order;
+  if (!in_order) {
+    s.second_order_in_other_order =
+        positions.size() == half && velocities.size() == half &&
+        std::none_of(positions.begin(), positions.end(),
+                     [&](std::uint32_t k) { return velocities.contains(k); });
+    return;
+  }
+  for (std::uint32_t k = half; k < s.states; ++k)
+    for (const Entry& entry : analysis.jacobian[k])
+      s.velocity_dependent = s.velocity_dependent || entry.by >= half;
+}
+
+}  // namespace
+
+Analysis analyse(Problem& problem) {
+  Analysis analysis;
+  Structure& s = analysis.structure;
+  Graph& graph = problem.graph;
+  s.states = problem.states.size();
+  const auto n = static_cast<std::uint32_t>(s.states);
+  for (const Id id : graph.needed(problem.equations))
+    if (has_kinks(graph[id].op)) s.smooth = false;
+  analysis.jacobian = gradients(graph, problem.equations, n);
+  std::vector<Id> by_time(n, graph.constant(0));
+  for (std::uint32_t row = 0; row < n; ++row) {
+    std::vector<Entry>& entries = analysis.jacobian[row];
+    if (!entries.empty() && entries.back().by == n) {
+      by_time[row] = entries.back().value;
+      s.autonomous = false;
+      entries.pop_back();
+    }
+    s.entries += entries.size();
+    for (const Entry& entry : entries) {
+      s.linear = s.linear && graph.is_constant(entry.value);
+      if (entry.by < row) s.lower = std::max<std::size_t>(s.lower, row - entry.by);
+      if (entry.by > row) s.upper = std::max<std::size_t>(s.upper, entry.by - row);
+    }
+  }
+  // A condition or sign(t) has no derivative, and is no linear problem either.
+  s.linear = s.linear && s.smooth;
+  if (!s.autonomous) analysis.time_derivative = by_time;
+  find_second_order(problem, analysis, s);
+  if (s.smooth) {
+    SeriesPlan plan = make_series_plan(graph, problem.equations);
+    if (plan.steps.size() <= largest_series) analysis.series = std::move(plan);
+  }
+  return analysis;
+}
+
+std::vector<std::string> describe(const Structure& s) {
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("{}, {}, {}", s.linear ? "linear" : "nonlinear",
+                              s.autonomous ? "autonomous" : "depends on t",
+                              s.smooth ? "smooth"
+                                       : "with kinks (if, abs, sign, min or max: no order above 2 "
+                                         "can be expected)"));
+  if (s.second_order)
+    lines.emplace_back(s.velocity_dependent
+                           ? "second order, q'' = a(t, q, v): the forces depend on velocities"
+                           : "second order, q'' = a(t, q): separable");
+  else if (s.second_order_in_other_order)
+    lines.emplace_back(
+        "first order as written; with the positions first and then their rates in the "
+        "same order among the states, methods of second order fit too");
+  else
+    lines.emplace_back("first order");
+  lines.push_back(fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal",
+                              s.entries, s.states * s.states, s.lower, s.upper));
+  return lines;
+}
+
+}  // namespace odeum::formula

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace odeum::formula {
+namespace {
+
+using Real = long double;
+
+/// Far above the rounding of extended precision, also where terms cancel; far below what a wrong
+/// digit of a formula leaves.
+constexpr Real agreement = 1e-11L;
+
+/// sum_j g_j f_j along the equations, and the sum of the sizes of its terms, for the gradient g of
+/// an invariant.
+struct Change {
+  Real rate = 0, size = 0;
+};
+
+Change change_of(Problem& problem, Id value, Real t, const Real* y) {
+  const auto n = static_cast<std::uint32_t>(problem.states.size());
+  const std::vector<Entry> gradient = gradients(problem.graph, {value}, n).front();
+  std::vector<Id> roots = problem.equations;
+  for (const Entry& entry : gradient) roots.push_back(entry.value);
+  const Evaluator<Real> evaluate(problem.graph, roots);
+  std::vector<Real> values(roots.size());
+  evaluate(t, y, values.data());
+  Change change;
+  for (std::size_t k = 0; k < gradient.size(); ++k) {
+    const Real term = values[n + k] * values[gradient[k].by];
+    change.rate += term;
+    change.size += std::abs(term);
+  }
+  return change;
+}
+
+}  // namespace
+
+void require_invariants(Problem& problem, long double t, const long double* y) {
+  for (const Kept& kept : problem.invariants) {
+    const Change change = change_of(problem, kept.value, t, y);
+    if (std::abs(change.rate) <= agreement * change.size) continue;
+    throw InputError(
+        problem.file, kept.place,
+        fmt::format("invariants: {}: changes along the equations at t = {:.6Lg}; got the "
+                    "rate {:.3Lg}, expected 0",
+                    kept.name, t, change.rate));
+  }
+}
+
+namespace check {
+
+void require_start(Problem& problem, const reading::Source& source) {
+  const Evaluator<Real> evaluate(problem.graph, problem.equations);
+  std::vector<Real> f(problem.states.size());
+  evaluate(problem.t0, problem.y0.data(), f.data());
+  for (std::size_t k = 0; k < f.size(); ++k)
+    if (!std::isfinite(static_cast<double>(f[k])))
+      source.fail(problem.places[k],
+                  fmt::format("equations: {}: not finite at the start, t = {}; got {}, expected a "
+                              "finite number (a division by zero, or the root or logarithm of a "
+                              "negative number)",
+                              problem.states[k], static_cast<double>(problem.t0),
+                              static_cast<double>(f[k])));
+  require_invariants(problem, problem.t0, problem.y0.data());
+}
+
+void require_exact(Problem& problem, const reading::Source& source) {
+  if (problem.exact.empty()) return;
+  const std::size_t n = problem.states.size();
+  const auto by_time = gradients(problem.graph, problem.exact, static_cast<std::uint32_t>(n));
+  std::vector<Id> roots = problem.exact;
+  for (const auto& entries : by_time)
+    roots.push_back(entries.empty() ? problem.graph.constant(0) : entries.front().value);
+  const Evaluator<Real> solution(problem.graph, roots), equations(problem.graph, problem.equations);
+  std::vector<Real> y(2 * n), f(n), moved(n), f_moved(n);
+  const auto refuse = [&](std::size_t k, const std::string& what, Real got, Real expected) {
+    source.fail(problem.exact_places[k],
+                fmt::format("exact: {}: {}; got {:.12Lg}, expected {:.12Lg}", problem.states[k],
+                            what, got, expected));
+  };
+  constexpr int points = 64;
+  const Real end = problem.stops.back();
+  for (int point = 0; point <= points; ++point) {
+    const Real t = problem.t0 + (end - problem.t0) * point / points;
+    solution(t, nullptr, y.data());
+    equations(t, y.data(), f.data());
+    // What rounding of y moves f by: the equations may amplify it.
+    for (std::size_t k = 0; k < n; ++k) moved[k] = y[k] * (1 + 1e-14L);
+    equations(t, moved.data(), f_moved.data());
+    for (std::size_t k = 0; k < n; ++k) {
+      const Real slope = y[n + k];
+      if (point == 0 && !(std::abs(y[k] - problem.y0[k]) <=
+                          agreement * std::max(std::abs(problem.y0[k]), std::abs(y[k]))))
+        refuse(k, "is not the initial value", y[k], problem.y0[k]);
+      const Real rounding = std::abs(f_moved[k] - f[k]) * 1e-3L;
+      const Real allowed =
+          agreement * (std::abs(slope) + std::abs(f[k]) + std::abs(y[k]) / (end - problem.t0)) +
+          rounding;
+      if (!(std::abs(slope - f[k]) <= allowed))
+        refuse(k, fmt::format("does not fulfil its equation at t = {:.6Lg}: the derivative", t),
+               slope, f[k]);
+    }
+  }
+}
+
+}  // namespace check
+}  // namespace odeum::formula

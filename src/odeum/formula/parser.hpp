@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "odeum/formula/graph.hpp"
+
+namespace odeum::formula {
+
+/// A mistake in an expression; `at` counts bytes from its start.
+class ExpressionError : public std::runtime_error {
+ public:
+  ExpressionError(std::size_t at, const std::string& what) : std::runtime_error(what), at_(at) {}
+  std::size_t at() const { return at_; }
+
+ private:
+  std::size_t at_;
+};
+
+/// Indexed states u[first..last], and the values given for indices beyond.
+struct Array {
+  std::int64_t first = 1;
+  std::vector<Id> elements;
+  std::map<std::int64_t, Id> beyond;
+
+  std::int64_t last() const { return first + static_cast<std::int64_t>(elements.size()) - 1; }
+};
+
+/// What names stand for.
+struct Scope {
+  std::map<std::string, Id, std::less<>> names;
+  std::map<std::string, Array, std::less<>> arrays;
+  /// Names that exist and cannot be used here: the reason, as the end of a sentence.
+  std::map<std::string, std::string, std::less<>> refused;
+  std::optional<std::int64_t> index;  ///< the value of i
+};
+
+/// A name that a file may give: letters, digits and _, not the name of a function, of a constant or
+/// of t. Returns what is wrong with it; empty: nothing.
+std::string fault_of_name(std::string_view name);
+
+inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes
+inline constexpr int deepest_nesting = 200;
+inline constexpr std::size_t most_nodes = 300'000;  ///< of a graph
+
+/// The node of an expression: numbers, + - * / ^, parentheses, t, pi, e, functions, and
+/// if(condition, a, b). Throws ExpressionError for what is none, for unknown names, for a constant
+/// part that is not finite, and beyond the limits above.
+Id parse_expression(std::string_view text, const Scope& scope, Graph& graph);
+
+/// A whole number: an index. Throws as parse_expression, and where it is no whole number.
+std::int64_t parse_index(std::string_view text, const Scope& scope, Graph& graph);
+
+}  // namespace odeum::formula

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "odeum/formula/evaluator.hpp"
+#include "odeum/formula/graph.hpp"
+#include "odeum/input/yaml_tree.hpp"
+
+namespace odeum::formula {
+
+/// A quantity that the exact solution keeps.
+struct Kept {
+  std::string name;
+  Id value = no_node;
+  Place place;
+};
+
+/// An initial value problem that was read from a file: y' = equations, all in one graph.
+struct Problem {
+  std::string file, name;
+  Graph graph;
+  std::vector<std::string> states;  ///< their names, u[3] for an element
+  std::vector<Place> places;        ///< of the equation of each state
+  std::vector<long double> y0;
+  std::vector<Id> equations;
+  std::map<std::string, long double> parameters;
+  long double t0 = 0;
+  std::vector<double> stops;  ///< where errors are measured; the last is the end
+  std::vector<Id> exact;      ///< by state, in t; empty: not known
+  std::vector<Place> exact_places;
+  std::vector<Kept> invariants;
+  std::vector<double> scale;  ///< by state; empty: 1
+  /// The equations as text, for people: `x' = ...`, in the order of the file.
+  std::string equations_text;
+};
+
+inline constexpr std::size_t most_states = 1000;
+inline constexpr std::size_t most_problem_bytes = 8'000'000;
+
+/// Values that replace those of parameters: name and expression.
+using Overrides = std::map<std::string, std::string>;
+
+/// Reads a problem file (the README has the format). Throws InputError with the place for every
+/// mistake: an unknown name or key, a state without an equation, a definition that needs a later
+/// one, what the limits of formula/parser.hpp exclude, an equation that is not finite at the start,
+/// an `exact` that does not fulfil the equations or the initial values, an invariant that changes
+/// at the start.
+Problem read_problem(const std::string& file, const std::string& text,
+                     const Overrides& overrides = {});
+Problem read_problem_file(const std::string& file, const Overrides& overrides = {});
+
+/// Whether the text is a mapping with a key that problem files have and scenes have not. False for
+/// what is no YAML mapping.
+bool looks_like_problem(const std::string& file, const std::string& text);
+
+/// Throws InputError where an invariant changes along the equations at (t, y): its derivative is
+/// not rounding.
+void require_invariants(Problem& problem, long double t, const long double* y);
+
+}  // namespace odeum::formula

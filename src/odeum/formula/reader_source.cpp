@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "odeum/formula/reader.hpp"
+
+namespace odeum::formula::reading {
+namespace {
+
+constexpr std::string_view left = "\xe2\x9f\xa6", right = "\xe2\x9f\xa7";
+
+bool continues_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    text.replace(at, what.size(), by);
+}
+
+std::size_t characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  return count;
+}
+
+}  // namespace
+
+std::string without_brackets(const std::string& text) {
+  std::string masked;
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') open = 0;
+    if (c == '[' && (open > 0 || (i > 0 && continues_name(text[i - 1])))) {
+      ++open;
+      masked += left;
+    } else if (c == ']' && open > 0) {
+      --open;
+      masked += right;
+    } else {
+      masked += c;
+    }
+  }
+  return masked;
+}
+
+std::string with_brackets(std::string text) {
+  replace_all(text, left, "[");
+  replace_all(text, right, "]");
+  return text;
+}
+
+Source::Source(std::string file, const std::string& text) : file_(std::move(file)) {
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines_.push_back(line);
+  try {
+    root_ = parse_yaml(file_, without_brackets(text),
+                       {.name = "problem", .depth = 8, .nodes = 100'000, .aliases = false});
+  } catch (const InputError& error) {
+    throw InputError(with_brackets(error.what()));
+  }
+  if (root_->kind != YamlNode::Kind::mapping)
+    fail(root_->place, "problem: not a mapping; got " + root_->kind_name() +
+                           ", expected keys: states, equations, time");
+}
+
+void Source::fail(Place place, const std::string& what) const {
+  throw InputError(file_, place, with_brackets(what));
+}
+
+std::vector<Item> Source::items(const YamlNode& mapping, const std::string& key) const {
+  if (mapping.kind == YamlNode::Kind::null) return {};
+  if (mapping.kind != YamlNode::Kind::mapping)
+    fail(mapping.place, fmt::format("{}: not a mapping; got {}, expected `name: value` entries",
+                                    key, mapping.kind_name()));
+  std::vector<Item> all;
+  std::set<std::string> seen;
+  for (std::size_t k = 0; k + 1 < mapping.items.size(); k += 2) {
+    const YamlNode& name = *mapping.items[k];
+    if (name.kind != YamlNode::Kind::scalar)
+      fail(name.place,
+           fmt::format("{}: not a key; got {}, expected a name", key, name.kind_name()));
+    all.push_back({with_brackets(name.text), name.place, mapping.items[k + 1].get()});
+    if (!seen.insert(all.back().key).second)
+      fail(name.place,
+           fmt::format("{}: a key twice; got {}, expected it once", key, shown(all.back().key)));
+  }
+  return all;
+}
+
+std::string Source::scalar(const YamlNode& value, const std::string& key) const {
+  if (value.kind != YamlNode::Kind::scalar)
+    fail(
+        value.place,
+        fmt::format("{}: not an expression; got {}, expected one{}", key, value.kind_name(),
+                    value.kind == YamlNode::Kind::mapping ? " (quote it where it has a colon or { }"
+                                                            " around it)"
+                                                          : ""));
+  return with_brackets(value.text);
+}
+
+Place Source::place_in(const YamlNode& value, const std::string& text, std::size_t at) const {
+  Place place = value.place;
+  if (place.line > lines_.size()) return place;
+  // A scalar on one line stands there as it is, after its quote; of others only the start is known.
+  const std::string& line = lines_[place.line - 1];
+  const std::size_t begin = line.find(text.substr(0, text.find('\n')));
+  for (std::size_t from = begin; from != std::string::npos; from = line.find(text, from + 1)) {
+    const std::size_t column = characters(line.substr(0, from)) + 1;
+    if (column != place.column && column != place.column + 1) continue;
+    place.column = column + characters(text.substr(0, at));
+    break;
+  }
+  return place;
+}
+
+Id Source::expression(const Item& item, const std::string& in, const Scope& scope,
+                      Graph& graph) const {
+  const std::string key = in.empty() ? item.key : in + ": " + item.key;
+  const std::string text = scalar(*item.value, key);
+  try {
+    return parse_expression(text, scope, graph);
+  } catch (const ExpressionError& error) {
+    fail(place_in(*item.value, text, error.at()), shown(key) + ": " + error.what());
+  }
+}
+
+long double Source::number(const YamlNode& value, const std::string& key, const Scope& scope,
+                           Graph& graph) const {
+  const Id id = expression({key, value.place, &value}, "", scope, graph);
+  if (!graph.is_constant(id))
+    fail(value.place, key +
+                          ": not a constant; got an expression of states or t, expected numbers "
+                          "and parameters");
+  return graph[id].value;
+}
+
+std::int64_t Source::index(const Item& item, std::string_view text, const Scope& scope,
+                           Graph& graph) const {
+  try {
+    return parse_index(text, scope, graph);
+  } catch (const ExpressionError& error) {
+    fail(item.key_place, shown(item.key) + ": " + error.what());
+  }
+}
+
+Key read_key(const Source& source, const Item& item, const std::string& in, const Scope& constants,
+             Graph& graph) {
+  Key key{.name = item.key};
+  const std::size_t open = item.key.find('[');
+  if (open != std::string::npos) {
+    key.indexed = true;
+    key.name = item.key.substr(0, open);
+    if (!item.key.ends_with(']'))
+      source.fail(item.key_place, fmt::format("{}: not a key; got {}, expected name[first..last]",
+                                              in, shown(item.key)));
+    const std::string range = item.key.substr(open + 1, item.key.size() - open - 2);
+    const std::size_t dots = range.find("..");
+    if (range.find(',') != std::string::npos)
+      source.fail(item.key_place,
+                  fmt::format("{}: two indices; got {}, expected one", in, shown(item.key)));
+    key.first = source.index(item, range.substr(0, dots), constants, graph);
+    key.last = dots == std::string::npos
+                   ? key.first
+                   : source.index(item, range.substr(dots + 2), constants, graph);
+    if (key.last < key.first)
+      source.fail(item.key_place, fmt::format("{}: an empty range; got {}, expected first <= last",
+                                              in, shown(item.key)));
+  }
+  if (const std::string fault = fault_of_name(key.name); !fault.empty())
+    source.fail(item.key_place, in + ": " + fault);
+  return key;
+}
+
+}  // namespace odeum::formula::reading

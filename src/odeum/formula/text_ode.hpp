@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+
+#include "odeum/formula/analysis.hpp"
+#include "odeum/formula/compile.hpp"
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum::formula {
+
+/// A problem that was read from text, with all that was found in it, as compiled code; interpreted
+/// where there is no compiler.
+class TextOde {
+ public:
+  static constexpr std::size_t dimension = dynamic;
+
+  enum class Code { compiled, interpreted };
+  /// `code`: interpreted, whether there is a compiler or not. Throws std::length_error where the
+  /// derivatives are too many.
+  explicit TextOde(Problem problem, Code code = Code::compiled);
+
+  std::size_t size() const { return problem_.states.size(); }
+  void rhs(double t, const double* y, double* f) const { view_.rhs(this, t, y, f); }
+  OdeView view() const { return view_; }
+
+  /// In extended precision.
+  void rhs_extended(long double t, const long double* y, long double* f) const {
+    extended_rhs_(this, t, y, f);
+  }
+  void jacobian_extended(long double t, const long double* y, long double* j) const {
+    extended_jacobian_(this, t, y, j);
+  }
+
+  const Problem& problem() const { return problem_; }
+  const Analysis& analysis() const { return analysis_; }
+  const std::string& how() const { return how_; }  ///< how it runs, in a sentence
+
+ private:
+  using Extended = void (*)(const void*, long double, const long double*, long double*);
+  void use(const Library& library);
+  void interpret();
+
+  Problem problem_;
+  Analysis analysis_;
+  std::string how_;
+  std::shared_ptr<const Library> library_;
+  struct Interpreted;
+  std::shared_ptr<const Interpreted> interpreted_;
+  OdeView view_;
+  Extended extended_rhs_ = nullptr, extended_jacobian_ = nullptr;
+
+ public:
+  TextOde(const TextOde&) = delete;
+  TextOde& operator=(const TextOde&) = delete;
+};
+
+}  // namespace odeum::formula

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/amplification.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "odeum/judge/errors.hpp"
+#include "odeum/judge/flow.hpp"
+
+namespace odeum::judge {
+namespace {
+
+using States = std::vector<double>;
+
+constexpr std::size_t most_columns = 64;  // the largest dimension whose Phi is measured whole
+constexpr std::size_t checkpoints = 48;
+constexpr std::size_t random_times = 4, random_directions = 4;
+/// The perturbation is far above the errors of the runs and far below nonlinear effects. Of many
+/// unknowns the runs would take long; at kinks of their forces a low order is as good.
+constexpr double tolerance = 1e-10, perturbation = 1e-6;
+constexpr double tolerance_of_many = 1e-7, perturbation_of_many = 1e-4;
+
+double unit_of(double y) { return 1 + std::abs(y); }
+
+/// Times from t0 to the last stop, every stop among them, and the state at each.
+struct Path {
+  std::vector<double> times;
+  std::vector<States> states;
+};
+
+Path path_of(const Case& c, Flow& flow, const std::vector<double>& stops, std::size_t count) {
+  Path path{flow.checkpoints(stops, count), {c.y0}};
+  const States rest = flow.solve(c.t0, c.y0, {path.times.begin() + 1, path.times.end()});
+  for (std::size_t k = 1; k < path.times.size(); ++k) {
+    const auto begin = rest.begin() + static_cast<std::ptrdiff_t>((k - 1) * c.y0.size());
+    path.states.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(c.y0.size()));
+  }
+  return path;
+}
+
+/// The reference runs must follow the truth: 1e-3 of the solution is enough for a factor that need
+/// only be known to about two.
+void require_truth(const Case& c, const std::vector<double>& stops, const Path& path) {
+  const Judge judge(c, stops);
+  Outcome outcome;
+  for (std::size_t k = 1; k < path.times.size(); ++k)
+    if (std::binary_search(stops.begin(), stops.end(), path.times[k]))
+      outcome.record(path.times[k], path.states[k].data(), c.y0.size());
+  for (const StopError& error : judge.errors(outcome))
+    if (error.error_rms > 1e-3 * judge.scale())
+      throw std::runtime_error(fmt::format("a run for it ends {:.2g} from the truth at t = {}",
+                                           error.error_rms, error.time));
+}
+
+/// Phi(next, t) for two neighbouring times of a path, row-major.
+States step_matrix(Flow& flow, const Path& path, std::size_t k) {
+  const States& from = path.states[k];
+  const std::size_t n = from.size();
+  const std::vector<double> to{path.times[k + 1]};
+  const States base = flow.solve(path.times[k], from, to);
+  States matrix(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    States moved = from;
+    moved[j] += perturbation * unit_of(from[j]);
+    const double by = moved[j] - from[j];
+    const States there = flow.solve(path.times[k], moved, to);
+    for (std::size_t i = 0; i < n; ++i) matrix[i * n + j] = (there[i] - base[i]) / by;
+  }
+  return matrix;
+}
+
+/// `row` becomes row * matrix.
+void multiply(States& row, const States& matrix) {
+  const std::size_t n = row.size();
+  States product(n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) product[j] += row[i] * matrix[i * n + j];
+  row = std::move(product);
+}
+
+double effect(const States& row, const States& y) {
+  double squares = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) squares += std::pow(row[i] * unit_of(y[i]), 2);
+  return std::sqrt(static_cast<double>(row.size()) * squares);
+}
+
+void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
+                    Amplification& result) {
+  const Path path = path_of(c, flow, stops, checkpoints);
+  require_truth(c, stops, path);
+  std::vector<States> matrices;
+  for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
+    matrices.push_back(step_matrix(flow, path, k));
+  for (std::size_t stop = 0; stop < stops.size(); ++stop) {
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(path.times.begin(), path.times.end(), stops[stop]) - path.times.begin());
+    for (const std::size_t component : measured_components(c)) {
+      States row(c.y0.size(), 0);  // of Phi(stop, t), back from the stop
+      row[component] = 1;
+      double& largest = result.at_stops[stop];
+      largest = std::max(largest, effect(row, path.states[at]));
+      for (std::size_t k = at; k-- > 0;) {
+        multiply(row, matrices[k]);
+        largest = std::max(largest, effect(row, path.states[k]));
+      }
+    }
+  }
+}
+
+/// The root mean square over random signs of the effect on a component is the norm of its row.
+void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& stops,
+                          Amplification& result) {
+  const std::size_t n = c.y0.size();
+  const double root = std::sqrt(static_cast<double>(n));
+  const Path path = path_of(c, flow, stops, random_times);
+  require_truth(c, stops, path);
+  const std::vector<std::size_t> measured = measured_components(c);
+  std::mt19937 random(1);
+  result.directions = random_directions;
+  for (std::size_t k = 0; k + 1 < path.times.size(); ++k) {
+    const States& from = path.states[k];
+    const auto first = std::upper_bound(stops.begin(), stops.end(), path.times[k]);
+    const std::vector<double> later(first, stops.end());
+    const States base = flow.solve(path.times[k], from, later);
+    States squares(base.size(), 0);
+    for (std::size_t r = 0; r < random_directions; ++r) {
+      States moved = from;
+      for (double& y : moved) y += (random() % 2 ? 1 : -1) * perturbation_of_many * unit_of(y);
+      const States there = flow.solve(path.times[k], moved, later);
+      for (std::size_t i = 0; i < base.size(); ++i)
+        squares[i] += std::pow((there[i] - base[i]) / perturbation_of_many, 2) / random_directions;
+    }
+    for (std::size_t s = 0; s < later.size(); ++s) {
+      const auto stop = static_cast<std::size_t>(first - stops.begin()) + s;
+      for (const std::size_t i : measured)
+        result.at_stops[stop] =
+            std::max({result.at_stops[stop], root * std::sqrt(squares[s * n + i])});
+    }
+  }
+  for (std::size_t stop = 0; stop < stops.size(); ++stop)
+    result.at_stops[stop] = std::max(result.at_stops[stop], root);  // an error of the last step
+}
+
+}  // namespace
+
+Amplification measure_amplification(const Case& c, const std::vector<double>& stops) {
+  Amplification result{.at_stops = States(stops.size(), 0), .unknown = {}};
+  try {
+    const bool many = c.y0.size() > most_columns;
+    Flow flow(c, stops.back(), many ? "dormand_prince54" : "dormand_prince853",
+              many ? tolerance_of_many : tolerance);
+    if (many)
+      by_random_directions(c, flow, stops, result);
+    else
+      by_all_columns(c, flow, stops, result);
+  } catch (const std::runtime_error& error) {
+    result.unknown = std::string("the amplification of errors is not known: ") + error.what();
+  }
+  return result;
+}
+
+}  // namespace odeum::judge

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace odeum::judge {
+
+const char* to_string(Answer answer) {
+  switch (answer) {
+    case Answer::explained:
+      return "explained";
+    case Answer::wrong:
+      return "wrong";
+    case Answer::undetermined:
+      return "undetermined";
+    case Answer::none:
+      return "none";
+    case Answer::not_applicable:
+      return "not_applicable";
+  }
+  return "not_applicable";
+}
+
+namespace {
+
+/// The stop past the end of the solution at which a run has a state; null: none.
+const StopError* past_the_end(const std::vector<StopError>& errors) {
+  const auto found = std::find_if(errors.begin(), errors.end(),
+                                  [](const StopError& e) { return std::isinf(e.error_max); });
+  return found == errors.end() ? nullptr : &*found;
+}
+
+JudgedAnswer no_solution(const StopError& stop) {
+  return {
+      .answer = Answer::wrong,
+      .reason = fmt::format(
+          "the run ended ok at t = {}, and the solution is infinite before that time", stop.time)};
+}
+
+}  // namespace
+
+JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale) {
+  if (const StopError* stop = past_the_end(errors)) return no_solution(*stop);
+  for (const StopError& error : errors)
+    if (error.error_max > 10 * scale)
+      return {.answer = Answer::wrong,
+              .reason = fmt::format("the run ended ok and has diverged: an error of {:.2g} at t = "
+                                    "{}, the solution being of the size {:.2g}",
+                                    error.error_max, error.time, scale)};
+  return {};
+}
+
+double explained_error(double tolerance, double steps, double amplification, double floor) {
+  return tolerance * std::max(steps, 100.0) * amplification + floor;
+}
+
+JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplification& amplification,
+                          double tolerance, double steps, double floor, double scale) {
+  if (const StopError* stop = past_the_end(errors)) return no_solution(*stop);
+  if (!amplification.unknown.empty())
+    return {.answer = Answer::undetermined, .reason = amplification.unknown};
+  JudgedAnswer judged{.answer = Answer::undetermined, .reason = {}};
+  double worst = -1;
+  std::size_t at = 0;
+  for (std::size_t stop = 0; stop < errors.size(); ++stop) {
+    const double explained = explained_error(tolerance, steps, amplification.at_stops[stop], floor);
+    const double ratio = errors[stop].error_max / explained;
+    if (!(ratio > worst)) continue;  // NaN: the truth is not known there
+    worst = ratio;
+    at = stop;
+    judged.explained = explained;
+  }
+  if (worst < 0)
+    return {.answer = Answer::undetermined, .reason = "the truth is not known at the stops"};
+  const std::string what =
+      fmt::format("tolerance {:.0e}, {:.0f} steps and an amplification of {:.2g} explain {:.2g}",
+                  tolerance, steps, amplification.at_stops[at], judged.explained);
+  judged.answer = worst > 1 ? Answer::wrong : Answer::explained;
+  if (worst > 1)
+    judged.reason = fmt::format("the run ended ok with an error of {:.2g} at t = {}; {}",
+                                errors[at].error_max, errors[at].time, what);
+  else if (errors[at].error_max > 0.1 * scale)
+    judged.reason = fmt::format("an error of the size of the solution, {:.2g} at t = {}; {}",
+                                errors[at].error_max, errors[at].time, what);
+  return judged;
+}
+
+}  // namespace odeum::judge

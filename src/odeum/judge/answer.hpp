@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/judge/amplification.hpp"
+#include "odeum/judge/errors.hpp"
+
+namespace odeum::judge {
+
+/// The answer of a run, against the truth.
+/// - `explained`: its error is what tolerance, steps and the case's amplification explain.
+/// - `wrong`: it ended `ok`, and its error is larger; at a fixed step: ten times the solution's
+///   size; in either case: it has a state past the end of the solution.
+/// - `undetermined`: truth or amplification are not known.
+/// - `none`: the run did not end `ok`, and so claims no answer.
+/// - `not_applicable`: a fixed step, which promises no error; or no run.
+enum class Answer { explained, wrong, undetermined, none, not_applicable };
+
+const char* to_string(Answer answer);
+
+struct JudgedAnswer {
+  Answer answer = Answer::not_applicable;
+  /// The largest error that is explained, at the stop where the error is largest in proportion to
+  /// it; NaN where there is none.
+  double explained = std::numeric_limits<double>::quiet_NaN();
+  std::string reason;  ///< a sentence where the answer is wrong, undetermined or useless
+};
+
+/// What a run of that tolerance and number of steps may miss the truth by: a controller holds the
+/// error of each step to the tolerance, so that the sum over the steps, amplified, bounds the
+/// error. A hundred are allowed in any case: an estimate may be ten times too small, and so may the
+/// component that the controller's norm averages away.
+double explained_error(double tolerance, double steps, double amplification, double floor);
+
+/// At a fixed step.
+JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale);
+
+/// To a tolerance. `errors`: one entry a stop, as many as `amplification.at_stops`; `floor`: the
+/// truth's.
+JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplification& amplification,
+                          double tolerance, double steps, double floor, double scale);
+
+}  // namespace odeum::judge

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "odeum/contest/own_methods.hpp"
+
+namespace odeum::judge {
+namespace {
+
+constexpr std::uint64_t explicit_budget = 20'000, implicit_budget = 1'000'000;
+
+/// A problem's right-hand side and Jacobian, which records when the former is evaluated.
+struct Recorded {
+  OdeView view;
+  std::vector<double>* times;
+
+  static void rhs(const void* self, double t, const double* y, double* f) {
+    const auto& problem = *static_cast<const Recorded*>(self);
+    problem.times->push_back(t);
+    problem.view.rhs(problem.view.problem, t, y, f);
+  }
+  static void jacobian(const void* self, double t, const double* y, double* j) {
+    const OdeView& view = static_cast<const Recorded*>(self)->view;
+    view.jacobian(view.problem, t, y, j);
+  }
+  static void time_derivative(const void* self, double t, const double* y, double* d) {
+    const OdeView& view = static_cast<const Recorded*>(self)->view;
+    view.time_derivative(view.problem, t, y, d);
+  }
+};
+
+Outcome run(std::string_view method, double tolerance, const Case& c, double start,
+            const std::vector<double>& y, const std::vector<double>& stops, std::uint64_t budget,
+            std::vector<double>* times) {
+  // An autonomous problem starts at time 0, where short first steps are not lost in rounding.
+  const double shift = c.problem.view.time_derivative ? 0 : start;
+  Request request;
+  request.mode = Mode::adaptive;
+  request.tolerance = tolerance;
+  for (const double stop : stops) request.stops.push_back(stop - shift);
+  request.budget.evaluations = budget;
+  ErasedContest contest = c.problem;
+  contest.t0 = start - shift;
+  contest.y0 = std::make_shared<const std::vector<double>>(y);
+  const Recorded recorded{c.problem.view, times};
+  if (times) {
+    OdeView view{.problem = &recorded, .dimension = y.size(), .rhs = Recorded::rhs};
+    if (recorded.view.jacobian) view.jacobian = Recorded::jacobian;
+    if (recorded.view.time_derivative) view.time_derivative = Recorded::time_derivative;
+    contest.view = view;
+  }
+  for (const OwnMethod& own : own_methods()) {
+    if (own.info.method != method) continue;
+    Entrant entrant{.info = own.info, .unfit = {}, .solve = {}};
+    own.enroll(contest, entrant);
+    Outcome outcome = entrant.solve(request);
+    if (times)
+      for (double& t : *times) t += shift;
+    return outcome;
+  }
+  throw std::logic_error("no method " + std::string(method));
+}
+
+}  // namespace
+
+Flow::Flow(const Case& c, double end, const char* explicit_method, double tolerance)
+    : case_(c), method_(explicit_method), tolerance_(tolerance) {
+  Outcome outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, explicit_budget, &evaluated_);
+  if (outcome.status != Status::ok && c.y0.size() <= dense_dimension_limit) {
+    method_ = "radau_iia5";
+    evaluated_.clear();
+    outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, implicit_budget, &evaluated_);
+  }
+  if (outcome.status != Status::ok)
+    throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance,
+                                         to_string(outcome.status), outcome.detail));
+  std::sort(evaluated_.begin(), evaluated_.end());
+}
+
+std::vector<double> Flow::solve(double start, const std::vector<double>& y,
+                                const std::vector<double>& stops) {
+  Outcome outcome = run(method_, tolerance_, case_, start, y, stops, implicit_budget, nullptr);
+  if (outcome.status != Status::ok)
+    throw std::runtime_error(fmt::format("{} to {:.0e} from t = {} ends {}, {}", method_,
+                                         tolerance_, start, to_string(outcome.status),
+                                         outcome.detail));
+  return std::move(outcome.states);
+}
+
+std::vector<double> Flow::checkpoints(const std::vector<double>& stops, std::size_t count) const {
+  std::vector<double> times = stops;
+  times.push_back(case_.t0);
+  for (std::size_t k = 1; k <= count; ++k)
+    times.push_back(evaluated_[k * evaluated_.size() / (count + 1)]);
+  std::sort(times.begin(), times.end());
+  std::vector<double> apart;
+  for (const double t : times) {
+    if (t > stops.back()) break;
+    // An interval at the rounding of its times would be none.
+    const bool near = !apart.empty() && t - apart.back() <= 1e-9 * std::abs(t);
+    if (!near)
+      apart.push_back(t);
+    else if (std::binary_search(stops.begin(), stops.end(), t) && apart.back() != case_.t0)
+      apart.back() = t;
+  }
+  return apart;
+}
+
+}  // namespace odeum::judge

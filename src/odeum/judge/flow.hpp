@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "odeum/contest/case.hpp"
+
+namespace odeum::judge {
+
+/// The flow of a case by an own explicit method to a tolerance, or by radau_iia5 where that takes
+/// more than 20,000 evaluations to the end.
+class Flow {
+ public:
+  /// Throws std::runtime_error, with a clause that says why, where neither method gets to `end`.
+  Flow(const Case& c, double end, const char* explicit_method, double tolerance);
+
+  /// The states at the stops, one after the other, from y at `start`. Throws like the constructor.
+  std::vector<double> solve(double start, const std::vector<double>& y,
+                            const std::vector<double>& stops);
+
+  /// The case's start, the stops, and `count` times between that part the evaluations of the run to
+  /// the end evenly; ascending.
+  std::vector<double> checkpoints(const std::vector<double>& stops, std::size_t count) const;
+
+ private:
+  const Case& case_;
+  const char* method_;
+  double tolerance_;
+  std::vector<double> evaluated_;  ///< the times of evaluations, ascending
+};
+
+}  // namespace odeum::judge

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/kernel/multistep.hpp"
+#include "odeum/tableau/multistep_coefficients.hpp"
+
+namespace odeum {
+
+/// Adams-Bashforth of order K at a fixed step: y_{n+1} = y_n + h sum_i beta_i f_{n-i}. With
+/// `Correct` its result is a prediction, evaluated and corrected by Adams-Moulton of the same order
+/// (PECE; the last evaluation is the next step's first).
+template <std::size_t K, bool Correct, Ode P, class OneStep>
+class Adams {
+ public:
+  explicit Adams(const P& problem)
+      : problem_(problem),
+        starting_(problem),
+        slopes_(make_state(problem)),
+        predicted_(make_state(problem)),
+        f_predicted_(predicted_) {}
+
+  void start(double, double, const State<P>&) { slopes_.clear(); }
+
+  Status step(double t, double h, State<P>& y) {
+    problem_.rhs(t, y.data(), slopes_.push().data());
+    if (!slopes_.full()) return starting_.advance(t, h, y);
+    for (std::size_t n = 0; n < y.size(); ++n) {
+      double sum = 0;
+      for (std::size_t i = 0; i < K; ++i) sum += bashforth.beta[i + 1] * slopes_[i][n];
+      predicted_[n] = y[n] + h * sum;
+    }
+    if constexpr (!Correct) {
+      y = predicted_;
+    } else {
+      problem_.rhs(t + h, predicted_.data(), f_predicted_.data());
+      for (std::size_t n = 0; n < y.size(); ++n) {
+        double sum = moulton.beta[0] * f_predicted_[n];
+        for (std::size_t i = 0; i + 1 < K; ++i) sum += moulton.beta[i + 1] * slopes_[i][n];
+        y[n] += h * sum;
+      }
+    }
+    return Status::ok;
+  }
+
+ private:
+  static constexpr auto bashforth = adams_bashforth_coefficients<K>();
+  static constexpr auto moulton = adams_moulton_coefficients<(K > 1 ? K - 1 : 1)>();
+  static_assert(multistep_proven(bashforth, K));
+  static_assert(!Correct || multistep_proven(moulton, K));
+
+  const P& problem_;
+  StartingProcedure<OneStep, P> starting_;
+  History<K, State<P>> slopes_;
+  State<P> predicted_, f_predicted_;
+};
+
+}  // namespace odeum

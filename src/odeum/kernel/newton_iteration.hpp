@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "odeum/core/status.hpp"
+#include "odeum/kernel/iteration.hpp"
+#include "odeum/kernel/last_correction.hpp"
+#include "odeum/linear/shifted_solver.hpp"
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum {
+
+/// Newton's method for y = base + gamma_h f(t, y): the equation of every diagonally implicit stage
+/// and of every implicit multistep formula. The factors are kept between calls, for other stages
+/// and steps, as long as gamma_h is the same and the iteration converges fast; slow convergence
+/// triggers a new Jacobian (Hairer, Wanner, Solving ODEs II, IV.8).
+template <Ode P>
+class NewtonIteration {
+ public:
+  /// `weight`: what the method multiplies the remainder of a solution by, at least 1.
+  NewtonIteration(const P& problem, double weight)
+      : problem_(problem),
+        system_(problem),
+        correction_(make_state(problem)),
+        guess_(correction_),
+        last_(correction_),
+        increment_(correction_),
+        weight_(weight) {}
+
+  /// From now on iterate to `fraction` of a tolerance (relative and absolute, the same number), and
+  /// fail early where convergence is too slow, since the step will be retried shorter. Without it
+  /// the iteration goes on to rounding.
+  void solve_to(double tolerance, double fraction) {
+    accuracy_ = tolerance * fraction;
+    max_iterations_ = 10;
+  }
+
+  /// On entry y is the guess, on return the solution. newton_failed where the iteration does not
+  /// converge or the matrix is singular. `otherwise`: the guess from which it starts again.
+  Status solve(double t, double gamma_h, const State<P>& base, State<P>& y,
+               const State<P>& otherwise) {
+    bool fresh = false;
+    last_.forget_share();
+    if (gamma_h != factored_for_ && !renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+    guess_ = otherwise;
+    for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
+    double last = 0;
+    int since_renewal = 0;
+    for (int iteration = 0; iteration < max_iterations_; ++iteration) {
+      problem_.rhs(t, y.data(), correction_.data());
+      for (std::size_t i = 0; i < y.size(); ++i)
+        correction_[i] = gamma_h * correction_[i] - increment_[i];
+      if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
+      const double size = measure(base, y);
+      const bool rate_known = since_renewal > 0;
+      const double rate = rate_known ? size / last : 0;
+      const bool done =
+          accuracy_ == 0 ? at_rounding(size, rate, rate_known, weight_)
+                         : size <= 1 || (rate_known && rate < 1 && size * rate / (1 - rate) <= 1);
+      if (!done && !(rate < 1 && last_.share() == 1 && std::isfinite(size))) {
+        const double finite_rate = std::isfinite(size) ? rate : infinity;
+        if (!back_off(t, gamma_h, base, y, fresh, since_renewal, finite_rate)) return fail();
+        continue;
+      }
+      last_.take(correction_, y, increment_);
+      if (done) return Status::ok;
+      last = size;
+      ++since_renewal;
+      if (rate > (fresh ? slow_fresh : slow_kept)) {
+        if (!renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+        since_renewal = 0;
+      }
+    }
+    return fail();
+  }
+
+  /// y - base of the last solution, to its own precision.
+  const State<P>& increment() const { return increment_; }
+
+ private:
+  // A contraction above this triggers a new Jacobian: earlier for a reused one, since the next
+  // steps profit too.
+  static constexpr double slow_kept = 0.05, slow_fresh = 0.1;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  bool renew(double t, double gamma_h, const State<P>& y, bool& fresh) {
+    fresh = true;
+    last_.forget_share();
+    system_.linearise(t, y);
+    factored_for_ = system_.factorise(gamma_h) ? gamma_h : 0;
+    return factored_for_ == gamma_h;
+  }
+  /// Where the next correction is no smaller than the last (rate >= 1; infinite: it is not finite),
+  /// or the last was taken in part. A reused Jacobian is renewed at the other guess, an older one
+  /// of this solve at y; a correction by the Jacobian at its own start is halved until the next is
+  /// smaller, from where the iteration goes on with a new Jacobian (Deuflhard, Newton Methods for
+  /// Nonlinear Problems, 3.3). False: give up; a step that can be retried shorter does so at once.
+  bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y, bool& fresh,
+                int& since_renewal, double rate) {
+    if (fresh && (accuracy_ > 0 || (since_renewal == 0 && rate == infinity))) return false;
+    if (fresh && since_renewal == 1 && !(rate <= 1 - last_.share() / 4)) {
+      last_.take_share(last_.share() / 2, y, increment_);
+      return true;
+    }
+    if (!fresh)
+      restart(base, y);
+    else if (rate == infinity)
+      last_.take_share(0, y, increment_);
+    since_renewal = 0;
+    return renew(t, gamma_h, y, fresh);
+  }
+  void restart(const State<P>& base, State<P>& y) {
+    y = guess_;
+    for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
+  }
+  Status fail() {
+    factored_for_ = 0;
+    return Status::newton_failed;
+  }
+  /// Size of the correction; one is small enough.
+  double measure(const State<P>& base, const State<P>& y) const {
+    if (accuracy_ == 0) {
+      const double size = max_norm(correction_);
+      if (size == 0) return 0;  // the state may be zero too
+      return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double scaled = correction_[i] / (accuracy_ * (1 + std::abs(base[i])));
+      sum += scaled * scaled;
+    }
+    return std::sqrt(sum / static_cast<double>(y.size()));
+  }
+
+  const P& problem_;
+  ShiftedSystem<P> system_;
+  State<P> correction_, guess_;
+  LastCorrection<State<P>> last_;
+  State<P> increment_;       ///< gamma_h f: rounded by itself, not as the state that it is added to
+  double factored_for_ = 0;  ///< gamma_h of the factors; 0: none
+  double accuracy_ = 0, weight_;
+  int max_iterations_ = 50;
+};
+
+}  // namespace odeum

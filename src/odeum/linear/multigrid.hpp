@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <vector>
+
+#include "odeum/linear/eigen_solvers.hpp"
+#include "odeum/linear/preconditioners.hpp"
+
+namespace odeum::linear {
+
+/// A V-cycle of geometric multigrid (Briggs, Henson and McCormick, A Multigrid Tutorial, chapter
+/// 3): one forward sweep of Gauss-Seidel before and one backward after the correction from the
+/// coarser grid, whose operator is P^T A P; LDL^T on the coarsest. The cycle is symmetric and
+/// positive definite, so that it serves conjugate gradients too.
+class Multigrid final : public Preconditioner {
+ public:
+  /// `prolongations` from the next coarser grid to each grid, the finest first; with none it is a
+  /// direct solver. `finest` must outlive the object. Throws std::invalid_argument where a matrix
+  /// is not positive definite, or sizes do not fit.
+  Multigrid(const SparseMatrix& finest, std::vector<SparseMatrix> prolongations);
+
+  void apply(const double* r, double* z) const override;
+  std::size_t levels() const { return prolongations_.size() + 1; }
+  /// Entries of all matrices against those of the finest.
+  double complexity() const;
+
+ private:
+  const SparseMatrix& matrix(std::size_t level) const {
+    return level == 0 ? finest_ : coarser_[level - 1];
+  }
+  void cycle(std::size_t level, const double* r, double* z) const;
+
+  const SparseMatrix& finest_;
+  std::vector<SparseMatrix> prolongations_, restrictions_, coarser_;
+  std::vector<std::vector<double>> inverses_;  ///< of the diagonal entries
+  SparseLdlt coarsest_;
+  // Of each level: the residual; of each coarser one: its right-hand side and its correction.
+  mutable std::vector<std::vector<double>> residual_, right_, correction_;
+};
+
+}  // namespace odeum::linear

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/record/gzip.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+namespace odeum::record {
+namespace {
+
+constexpr int gzip_format = 15 + 16;  // the largest window, with the header of gzip
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+/// Calls `step` (deflate or inflate, to its end) with pieces of the input and collects the output.
+template <class Step>
+int pump(z_stream& stream, std::string_view input, std::string& output, Step&& step) {
+  std::string buffer(piece, '\0');
+  int state = Z_OK;
+  do {
+    if (stream.avail_in == 0) {
+      const std::size_t part = std::min<std::size_t>(input.size(), std::numeric_limits<int>::max());
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(input.data()));
+      stream.avail_in = static_cast<uInt>(part);
+      input.remove_prefix(part);
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(piece);
+    state = step(stream, input.empty());
+    output.append(buffer, 0, piece - stream.avail_out);
+  } while (state == Z_OK);
+  return state;
+}
+
+}  // namespace
+
+std::string gzip_of(std::string_view text) {
+  z_stream stream{};
+  if (::deflateInit2(&stream, 6, Z_DEFLATED, gzip_format, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  std::string bytes;
+  pump(stream, text, bytes,
+       [](z_stream& s, bool last) { return ::deflate(&s, last ? Z_FINISH : Z_NO_FLUSH); });
+  ::deflateEnd(&stream);
+  return bytes;
+}
+
+std::optional<std::string> text_of_gzip(std::string_view bytes) {
+  z_stream stream{};
+  if (::inflateInit2(&stream, gzip_format) != Z_OK) throw std::bad_alloc();
+  std::string text;
+  const int end =
+      pump(stream, bytes, text, [](z_stream& s, bool) { return ::inflate(&s, Z_NO_FLUSH); });
+  ::inflateEnd(&stream);
+  if (end != Z_STREAM_END) return std::nullopt;
+  return text;
+}
+
+}  // namespace odeum::record

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "odeum/fem/elliptic.hpp"
+#include "odeum/linear/multigrid.hpp"
+
+namespace odeum::study {
+
+/// A problem with a known solution, and the orders that theory gives it.
+struct ModelProblem {
+  struct Claim {
+    const char* norm;  ///< l2, h1, max, max_by_log, centre
+    double order;
+    std::string theory;
+  };
+  std::string id;
+  fem::EllipticProblem problem;
+  const fem::Rule* rule = &fem::degree_5_rule();
+  std::function<double(fem::Point)> value = {};  ///< of the solution; empty: the centre's alone
+  std::function<fem::Point(fem::Point)> gradient = {};
+  double scale = 1;                                                ///< largest |u|
+  double centre_value = std::numeric_limits<double>::quiet_NaN();  ///< u(1/2, 1/2)
+  fem::TriangleMesh coarsest;
+  std::size_t divisions = 2;  ///< of a unit length in the coarsest mesh
+  std::function<fem::Point(fem::Point)> onto_boundary = {};
+  fem::Undetermined undetermined = fem::Undetermined::refuse;
+  std::vector<Claim> claims;
+};
+
+std::vector<ModelProblem> model_problems();
+/// The first of them: u = exp(x - y) sin(pi x) sin(2 pi y) on the unit square, a = 1.
+ModelProblem smooth_problem(const fem::Rule& rule = fem::degree_5_rule());
+/// div grad u = 0 stretched: a = [[1, c], [c, 1]] with c = -0.95, for which Jacobi's iteration
+/// diverges on triangles with diagonals along (1, 1).
+ModelProblem skewed_problem();
+
+/// The meshes of a problem, each with half the mesh size of the one before.
+class Hierarchy {
+ public:
+  /// As far as `most` divisions. `problem` must outlive the object.
+  Hierarchy(const ModelProblem& problem, std::size_t most);
+
+  struct Level {
+    fem::TriangleMesh mesh;
+    fem::EllipticSystem system;
+    std::size_t divisions;
+  };
+  const std::vector<Level>& levels() const { return levels_; }
+  const Level& finest() const { return levels_.back(); }
+  /// A V-cycle for the system of a level.
+  linear::Multigrid multigrid(std::size_t level) const;
+  /// Values at the nodes of a level from the solution of its system.
+  std::vector<double> nodal(const Level& level, const std::vector<double>& x) const;
+
+ private:
+  const ModelProblem& problem_;
+  std::vector<Level> levels_;
+  std::vector<linear::SparseMatrix> prolongations_;  ///< from level i to i + 1
+};
+
+}  // namespace odeum::study

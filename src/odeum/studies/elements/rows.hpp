@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "odeum/judge/order_fit.hpp"
+#include "odeum/studies/study.hpp"
+
+namespace odeum::study {
+
+inline constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
+
+/// One problem solved by linear triangles on one mesh.
+struct ElementsRow {
+  std::string problem, rule;  ///< rule: of the quadrature of the load
+  std::string status, detail;
+  std::size_t divisions = 0;  ///< of a unit length of the region
+  std::size_t triangles = 0, unknowns = 0;
+  double h = unknown_number;                                                  ///< longest edge
+  double l2 = unknown_number, h1 = unknown_number, maximum = unknown_number;  ///< errors
+  double centre = unknown_number;  ///< |error| in the middle of the region, where known
+  std::size_t iterations = 0;      ///< of conjugate gradients with a V-cycle, residual 1e-11
+
+  static constexpr const char* file = "elements.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("rule", row.rule), visit("status", row.status);
+    visit("detail", row.detail), visit("divisions", row.divisions);
+    visit("triangles", row.triangles), visit("unknowns", row.unknowns), visit("h", row.h);
+    visit("error_l2", row.l2), visit("error_h1", row.h1), visit("error_max", row.maximum);
+    visit("error_centre", row.centre), visit("iterations", row.iterations);
+  }
+};
+
+/// The order in h of one error of one problem.
+struct ElementsOrderRow {
+  std::string problem, rule, norm;  ///< norm: l2, h1, max, max_by_log, centre
+  double claimed_order = unknown_number;
+  judge::OrderFit fit;
+  double finest = unknown_number;  ///< the error on the finest mesh
+  std::string theory;              ///< why this order is expected, or why none is kept
+
+  static constexpr const char* file = "elements_orders.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("rule", row.rule), visit("norm", row.norm);
+    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
+    visit("order_low", row.fit.low), visit("order_high", row.fit.high);
+    visit("points", row.fit.points), visit("h_coarsest", row.fit.step_coarsest);
+    visit("h_finest", row.fit.step_finest), visit("floor", row.fit.floor);
+    visit("error_finest", row.finest), visit("verdict", row.fit.verdict);
+    visit("reason", row.fit.reason), visit("theory", row.theory);
+  }
+};
+
+/// One linear solver on the system of one mesh, right-hand side of a random solution, until the
+/// energy norm of the error is 1e-8 of what it was.
+struct ElementsSolverRow {
+  std::string problem, solver;  ///< solver: library/method
+  std::string status, detail;
+  std::size_t divisions = 0, unknowns = 0;
+  std::size_t iterations = 0;
+  /// Highest over lowest eigenvalue of M^-1 A; NaN where the library does not tell.
+  double condition = unknown_number;
+  double spectral_radius = unknown_number;  ///< of I - M^-1 A, for iterations that repeat it
+  double rate = unknown_number;   ///< of the error per iteration, over the second half of them
+  double bound = unknown_number;  ///< the textbook bound of that rate in the energy norm
+  double iterations_bound = unknown_number;  ///< iterations that the bound allows
+  double residual = unknown_number;          ///< |b - A x| / |b| in the end
+
+  static constexpr const char* file = "elements_solvers.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
+    visit("detail", row.detail), visit("divisions", row.divisions);
+    visit("unknowns", row.unknowns), visit("iterations", row.iterations);
+    visit("condition", row.condition), visit("spectral_radius", row.spectral_radius);
+    visit("rate", row.rate), visit("rate_bound", row.bound);
+    visit("iterations_bound", row.iterations_bound), visit("residual", row.residual);
+  }
+};
+
+/// A solver that stops at one residual: what is left of the error, and what the mesh leaves anyway.
+struct ElementsStoppingRow {
+  std::string problem, solver;
+  std::size_t divisions = 0, unknowns = 0;
+  double tolerance = unknown_number;  ///< of |b - A x| / |b|
+  std::size_t iterations = 0;
+  double algebraic = unknown_number;  ///< error of the solver in the energy norm
+  double discretisation =
+      unknown_number;             ///< error of the mesh in it: of the exact discrete solution
+  double total = unknown_number;  ///< error of what the solver gave, measured
+
+  static constexpr const char* file = "elements_stopping.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("solver", row.solver), visit("divisions", row.divisions);
+    visit("unknowns", row.unknowns), visit("tolerance", row.tolerance);
+    visit("iterations", row.iterations), visit("error_algebraic", row.algebraic);
+    visit("error_discretisation", row.discretisation), visit("error_total", row.total);
+  }
+};
+
+/// The time of one linear solver on the system of the finest mesh, to a residual of 1e-8.
+struct ElementsTimeRow {
+  std::string problem, solver;
+  std::string status, detail;
+  std::size_t divisions = 0, unknowns = 0, iterations = 0, repetitions = 0;
+  double setup_ns = unknown_number;  ///< factors, coarser matrices; least
+  double solve_ns_min = unknown_number, solve_ns_median = unknown_number;
+  double residual = unknown_number;
+
+  static constexpr const char* file = "elements_times.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
+    visit("detail", row.detail), visit("divisions", row.divisions);
+    visit("unknowns", row.unknowns), visit("iterations", row.iterations);
+    visit("repetitions", row.repetitions), visit("setup_ns_min", row.setup_ns);
+    visit("solve_ns_min", row.solve_ns_min), visit("solve_ns_median", row.solve_ns_median);
+    visit("residual", row.residual);
+  }
+};
+
+struct ElementsResult {
+  std::vector<ElementsRow> meshes;
+  std::vector<ElementsOrderRow> orders;
+  std::vector<ElementsSolverRow> solvers;
+  std::vector<ElementsStoppingRow> stopping;
+  std::vector<ElementsTimeRow> times;
+  static auto lists(auto& result) {
+    return std::tie(result.meshes, result.orders, result.solvers, result.stopping, result.times);
+  }
+};
+
+/// Own option `most`: divisions of a unit length in the finest mesh, of which the largest power of
+/// two is taken; default: 128. Throws Interrupted.
+ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
+
+}  // namespace odeum::study

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/elements/section.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "odeum/report/chart.hpp"
+
+namespace odeum::study {
+namespace {
+
+using Curves = std::map<std::string, std::vector<report::ChartPoint>>;
+
+std::string figure(const Curves& curves, const report::ChartWords& words, bool slopes,
+                   double level = unknown_number) {
+  report::Axis across, up;
+  for (const auto& [name, points] : curves)
+    for (const auto& [x, y] : points) across.include(x), up.include(y);
+  if (across.empty() || up.empty()) return {};
+  up.include(level);
+  report::Chart chart(report::large_chart, across.widened(1.1), up.widened(1.3), words);
+  if (slopes) chart.slopes({1, 2});
+  if (level > 0) chart.level(level, "error of the mesh");
+  std::vector<report::Key> keys;
+  for (const auto& [name, points] : curves) {
+    chart.curve(points, keys.size() % report::chart_styles);
+    keys.push_back({.text = name, .style = keys.size() % report::chart_styles});
+  }
+  return "<figure>" + chart.svg() + report::legend(keys) + "</figure>\n";
+}
+
+std::string error_chart(const std::vector<ElementsRow>& rows) {
+  Curves curves;
+  for (const ElementsRow& row : rows)
+    if (row.status == "ok" && row.h1 > 0 && row.rule == "degree_5")
+      curves[row.problem].emplace_back(row.h, row.h1);
+  return figure(
+      curves, {.x = "longest edge h", .y = "H1 error", .description = "H1 error against h"}, true);
+}
+
+std::string stopping_chart(const std::vector<ElementsStoppingRow>& rows) {
+  Curves curves;
+  double level = unknown_number;
+  for (const ElementsStoppingRow& row : rows) {
+    curves[row.solver].emplace_back(row.iterations, row.total);
+    level = row.discretisation;
+  }
+  return figure(curves,
+                {.x = "iterations",
+                 .y = "H1 error",
+                 .description = "H1 error of what a solver gives against its iterations"},
+                false, level);
+}
+
+/// By solver: the loosest residual at which the error is the mesh's to a hundredth.
+std::string enough(const std::vector<ElementsStoppingRow>& rows) {
+  std::map<std::string, const ElementsStoppingRow*> loosest, tightest;
+  for (const ElementsStoppingRow& row : rows) {
+    if (row.total <= 1.01 * row.discretisation) loosest.try_emplace(row.solver, &row);
+    tightest[row.solver] = &row;
+  }
+  std::string text;
+  for (const auto& [solver, row] : loosest)
+    text += fmt::format("{}{}: a residual of {:.0e}, {} iterations instead of {} for {:.0e}",
+                        text.empty() ? "" : "; ", solver, row->tolerance, row->iterations,
+                        tightest[solver]->iterations, tightest[solver]->tolerance);
+  return text;
+}
+
+}  // namespace
+
+std::vector<ElementsTable> elements_tables(const ElementsResult& result) {
+  return {{"Orders in the mesh size h",
+           record::table_of(result.orders, {{"problem", "{problem}"},
+                                            {"load", "{rule}"},
+                                            {"norm", "{norm}"},
+                                            {"claimed", "{claimed_order:.2f}"},
+                                            {"measured", "{measured_order:.2f}"},
+                                            {"finest error", "{error_finest:.2e}"},
+                                            {"verdict", "{verdict}: {reason}"},
+                                            {"theory", "{theory}"}})},
+          {"Iterations until the energy norm of the error is 1e-8 of what it was",
+           record::table_of(result.solvers, {{"problem", "{problem}"},
+                                             {"divisions", "{divisions:d}"},
+                                             {"solver", "{solver}"},
+                                             {"iterations", "{iterations:d}"},
+                                             {"bound", "{iterations_bound:.0f}"},
+                                             {"condition", "{condition:.4g}"},
+                                             {"spectral radius", "{spectral_radius:.4f}"},
+                                             {"rate", "{rate:.4f}"},
+                                             {"rate bound", "{rate_bound:.4f}"},
+                                             {"status", "{status}: {detail}"}})},
+          {"Errors of solvers that stop early",
+           record::table_of(result.stopping, {{"solver", "{solver}"},
+                                              {"divisions", "{divisions:d}"},
+                                              {"residual", "{tolerance:.0e}"},
+                                              {"iterations", "{iterations:d}"},
+                                              {"of the solver", "{error_algebraic:.2e}"},
+                                              {"of the mesh", "{error_discretisation:.2e}"},
+                                              {"both, measured", "{error_total:.2e}"}})},
+          {"Times to a residual of 1e-8",
+           record::table_of(result.times, {{"solver", "{solver}"},
+                                           {"unknowns", "{unknowns:d}"},
+                                           {"iterations", "{iterations:d}"},
+                                           {"set-up, ns", "{setup_ns_min:.3g}"},
+                                           {"solve, ns", "{solve_ns_min:.3g}"},
+                                           {"median, ns", "{solve_ns_median:.3g}"},
+                                           {"residual", "{residual:.1e}"},
+                                           {"status", "{status}: {detail}"}})}};
+}
+
+void add_elements_section(report::Page& page, const ElementsResult& result,
+                          const report::Origin& origin) {
+  std::string html = report::origin_text(origin, result.orders.empty());
+  if (!result.orders.empty()) {
+    html +=
+        "<p>−div(a grad u) = f by linear elements on triangles, against known solutions: orders in "
+        "the mesh size with the verdicts of time steps. At the L shape’s reentrant corner the "
+        "gradient is infinite, and theory gives 2/3 and 4/3 in place of 1 and 2.</p>\n" +
+        error_chart(result.meshes) +
+        "<p>The systems’ solvers, own ones and Eigen’s, beside the textbook bound of their rate. M "
+        "is the preconditioner; condition: the highest over the lowest eigenvalue of M⁻¹A, by "
+        "Lanczos’ process. No bound stands beside Eigen’s own preconditioner, whose spectrum it "
+        "does "
+        "not tell.</p>\n" +
+        stopping_chart(result.stopping);
+    if (const std::string text = enough(result.stopping); !text.empty())
+      html +=
+          "<p>A system need not be solved further than its mesh’s error. Within 1 % of that "
+          "in the H1 norm: " +
+          text + ".</p>\n";
+    for (const ElementsTable& each : elements_tables(result))
+      if (!each.table.rows.empty())
+        html += report::details(each.title, report::html_of(each.table));
+  }
+  page.section({.id = "elements", .title = "Finite elements", .place = origin.place, .html = html});
+}
+
+}  // namespace odeum::study

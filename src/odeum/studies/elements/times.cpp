@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "odeum/linear/eigen_solvers.hpp"
+#include "odeum/linear/iterative_solvers.hpp"
+#include "odeum/studies/elements/parts.hpp"
+#include "odeum/studies/elements/problems.hpp"
+#include "odeum/studies/stopwatch.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr double tolerance = 1e-8;  // of the residual
+constexpr int repetitions = 5;
+
+/// Solves into x; how many iterations.
+using Solve = std::function<std::size_t(std::vector<double>& x)>;
+struct Timed {
+  const char* solver;
+  std::function<Solve()> set_up;
+  Times setup = {}, solve = {};
+  std::size_t iterations = 0;
+  std::vector<double> x = {};
+};
+
+Solve gradients(const fem::EllipticSystem& system,
+                std::shared_ptr<const linear::Preconditioner> m) {
+  return [&system, m = std::move(m)](std::vector<double>& x) {
+    linear::CgOutcome run = linear::preconditioned_cg(system.matrix, *m, system.right,
+                                                      {.relative_residual = tolerance});
+    x = std::move(run.x);
+    return run.iterations;
+  };
+}
+
+Solve eigen_gradients(const fem::EllipticSystem& system, const char* ordering) {
+  const auto cg = std::make_shared<linear::EigenConjugateGradients>(system.matrix, ordering);
+  return [&system, cg](std::vector<double>& x) {
+    return static_cast<std::size_t>(cg->solve(system.right, x, tolerance, 100'000));
+  };
+}
+
+std::vector<Timed> solvers(const Hierarchy& hierarchy) {
+  const fem::EllipticSystem& system = hierarchy.finest().system;
+  const linear::SparseMatrix& a = system.matrix;
+  const auto v_cycle = [&] {
+    return std::make_shared<linear::Multigrid>(hierarchy.multigrid(hierarchy.levels().size() - 1));
+  };
+  return {{"odeum/cg",
+           [&] { return gradients(system, std::make_shared<linear::NoPreconditioner>(a)); }},
+          {"odeum/pcg_jacobi",
+           [&] { return gradients(system, std::make_shared<linear::JacobiPreconditioner>(a)); }},
+          {"odeum/pcg_ssor",
+           [&] { return gradients(system, std::make_shared<linear::SsorPreconditioner>(a)); }},
+          {"odeum/pcg_ic0",
+           [&] { return gradients(system, std::make_shared<linear::IncompleteCholesky>(a)); }},
+          {"odeum/pcg_multigrid", [&, v_cycle] { return gradients(system, v_cycle()); }},
+          {"odeum/multigrid",
+           [&, v_cycle]() -> Solve {
+             return [&system, m = v_cycle()](std::vector<double>& x) {
+               linear::IterativeOutcome run = linear::stationary(system.matrix, *m, system.right,
+                                                                 {.relative_residual = tolerance});
+               x = std::move(run.x);
+               return run.iterations;
+             };
+           }},
+          {"eigen/cg_ic_amd", [&] { return eigen_gradients(system, "amd"); }},
+          {"eigen/cg_ic_natural", [&] { return eigen_gradients(system, "natural"); }},
+          {"eigen/simplicial_ldlt", [&]() -> Solve {
+             return [&system, m = std::make_shared<linear::SparseLdlt>(a)](std::vector<double>& x) {
+               x.resize(system.right.size());
+               m->solve(system.right.data(), x.data());
+               return std::size_t{0};
+             };
+           }}};
+}
+
+}  // namespace
+
+std::vector<ElementsTimeRow> time_solvers(std::size_t most) {
+  const ModelProblem model = smooth_problem();
+  const Hierarchy hierarchy(model, most);
+  const fem::EllipticSystem& system = hierarchy.finest().system;
+  std::vector<Timed> all = solvers(hierarchy);
+  const Pinned pinned;
+  // Interleaved, so that what disturbs the machine for a while disturbs all.
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+    for (Timed& each : all) {
+      if (interrupted) throw Interrupted();
+      Solve solve;
+      each.setup.ns.push_back(time_call([&] { solve = each.set_up(); }, 1e9));
+      if (repetition == 0) each.iterations = solve(each.x);
+      each.solve.ns.push_back(
+          time_call([&] { solve(each.x); }, repetition == 0 ? 1e9 : each.solve.min()));
+    }
+  const double size =
+      linear::residual_norm(system.matrix, std::vector<double>(system.right.size()), system.right);
+  std::vector<ElementsTimeRow> rows;
+  for (const Timed& each : all) {
+    ElementsTimeRow& row = rows.emplace_back();
+    row.problem = model.id, row.solver = each.solver, row.divisions = hierarchy.finest().divisions;
+    row.unknowns = system.right.size(), row.iterations = each.iterations;
+    row.repetitions = repetitions, row.setup_ns = each.setup.min();
+    row.solve_ns_min = each.solve.min(), row.solve_ns_median = each.solve.median();
+    row.residual = linear::residual_norm(system.matrix, each.x, system.right) / size;
+    // The residual that an iteration updates drifts from the true one by rounding.
+    row.status = row.residual <= 1.1 * tolerance ? "ok" : "inaccurate";
+  }
+  return rows;
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/truth/system.hpp"
+
+namespace odeum::truth {
+
+/// A trial step from (t, y): the new state, its error over the tolerance (of an order), and what
+/// the step has cost.
+struct Trial {
+  State y;
+  Real error = 0;
+  double work = 0;
+};
+
+/// The size of each component so far, by which errors are measured: a component that passes through
+/// zero has no relative error. One that has always been small is measured with the largest, but not
+/// by less than 1e-6 of that.
+inline void see(State& sizes, const State& y) {
+  Real largest = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    sizes[i] = std::max(sizes[i], std::abs(y[i]));
+    largest = std::max(largest, sizes[i]);
+  }
+  for (Real& size : sizes) size = std::max(size, 1e-6L * largest);
+}
+
+inline Real largest_ratio(const State& error, const State& sizes) {
+  Real worst = 0;
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    const Real ratio = sizes[i] > 0 ? std::abs(error[i]) / sizes[i] : std::abs(error[i]);
+    if (std::isnan(ratio)) return ratio;
+    worst = std::max(worst, ratio);
+  }
+  return worst;
+}
+
+/// What rounding of y moves f by, by component: no method at a step of h has an error below h times
+/// that, and none is asked for it.
+class Noise {
+ public:
+  explicit Noise(const System& system)
+      : system_(system), f_(system.states), moved_(f_), above_(f_), below_(f_) {}
+
+  /// The largest component of the error over the tolerance.
+  Real ratio(Real t, Real h, const State& y, const State& error, const State& sizes,
+             Real tolerance) {
+    // The weights of the methods' estimates amplify it.
+    constexpr Real relative = 0x1p-52L, unit = 0x1p-63L, amplified = 16;
+    system_.rhs(t, y.data(), f_.data());
+    // To both sides: beyond a jump of f, the difference is not that of rounding.
+    for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 + relative);
+    system_.rhs(t, moved_.data(), above_.data());
+    for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 - relative);
+    system_.rhs(t, moved_.data(), below_.data());
+    Real worst = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const Real moves = std::min(std::abs(above_[i] - f_[i]), std::abs(below_[i] - f_[i]));
+      const Real noise = moves * (unit / relative) + unit * std::abs(f_[i]);
+      const Real allowed = tolerance * (sizes[i] > 0 ? sizes[i] : 1) + amplified * h * noise;
+      const Real part = std::abs(error[i]) / allowed;
+      if (std::isnan(part)) return part;
+      worst = std::max(worst, part);
+    }
+    return worst;
+  }
+
+ private:
+  const System& system_;
+  State f_, moved_, above_, below_;
+};
+
+/// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
+/// h and relative to the tolerance.
+template <class Step>
+Run march(const System& system, const std::vector<Real>& times, const Effort& effort, int order,
+          Step&& step) {
+  Run run;
+  State y = system.y0, sizes(y.size(), 0), f(y.size());
+  see(sizes, y);
+  system.rhs(system.t0, y.data(), f.data());
+  Real t = system.t0;
+  const Real span = times.back() - t;
+  const Real slope = largest_ratio(f, sizes);
+  Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / 50);
+  for (const Real time : times) {
+    while (t < time) {
+      if (interrupted) throw Interrupted();
+      if (run.work > effort.budget) {
+        run.end = fmt::format("the work is spent at t = {:.6Lg}", t);
+        return run;
+      }
+      if (!(h > 4 * std::numeric_limits<Real>::epsilon() * std::abs(t)) || !(h > 1e-300L)) {
+        run.end = fmt::format(
+            "the steps vanish at t = {:.9Lg}: the solution or the equations end "
+            "there",
+            t);
+        return run;
+      }
+      const bool last = t + h * (1 + 1e-6L) >= time;
+      const Real used = last ? time - t : h;
+      Trial trial = step(t, used, y, sizes);
+      run.work += trial.work;
+      const bool finite = std::isfinite(trial.error);
+      const Real factor = !finite            ? 0.25L
+                          : trial.error == 0 ? 4
+                                             : 0.9L * std::pow(trial.error, -1.0L / order);
+      if (!finite || trial.error > 1) {
+        h = used * std::clamp(factor, 0.1L, 0.7L);
+        continue;
+      }
+      y = std::move(trial.y);
+      see(sizes, y);
+      t = last ? time : t + used;
+      const Real next = used * std::clamp(factor, 0.2L, 3.0L);
+      h = std::min(last ? std::max(h, next) : next, span / 50);
+    }
+    run.states.push_back(y);
+  }
+  return run;
+}
+
+}  // namespace odeum::truth

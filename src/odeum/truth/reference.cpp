@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "odeum/truth/system.hpp"
+
+namespace odeum::truth {
+namespace {
+
+constexpr int checks = 80;           // times looked at besides those asked for
+constexpr Real unknown = 1e-6L;      // of the scale: beyond that nothing is known
+constexpr Real least = 0x1p-62L;     // of the scale: rounding of extended precision itself
+constexpr Real moved_by = 0x1p-30L;  // see System::moved_rhs
+
+/// Two methods that share no formula.
+struct Family {
+  Method first, second;
+  const char* words;
+};
+
+/// Two runs and how they differ.
+struct Comparison {
+  Run a, b;
+  std::vector<Real> apart;  ///< by time, as far as both came
+  Real worst = 0;           ///< of those that are known
+  std::size_t known = 0;    ///< times at which they agree
+};
+
+Real distance(const State& a, const State& b, const std::vector<double>& scale) {
+  Real worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Real difference = std::abs(a[i] - b[i]) / (scale.empty() ? 1 : scale[i]);
+    if (std::isnan(difference)) return difference;
+    worst = std::max(worst, difference);
+  }
+  return worst;
+}
+
+class Search {
+ public:
+  Search(const System& system, const std::vector<double>& asked, const std::vector<double>& scale)
+      : system_(system), scale_(scale), zero_(system.states, 0) {
+    const Real end = asked.back(), span = end - system.t0;
+    for (int k = 1; k < checks; ++k) times_.push_back(system.t0 + span * k / checks);
+    times_.insert(times_.end(), asked.begin(), asked.end());
+    std::sort(times_.begin(), times_.end());
+    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+    // A check beside a time asked for would cost steps for nothing.
+    std::vector<Real> apart;
+    for (const Real t : times_) {
+      const bool is_asked = std::binary_search(asked.begin(), asked.end(), static_cast<double>(t));
+      if (is_asked && !apart.empty() && t - apart.back() < 1e-6L * span &&
+          !std::binary_search(asked.begin(), asked.end(), static_cast<double>(apart.back())))
+        apart.pop_back();
+      apart.push_back(t);
+    }
+    times_ = std::move(apart);
+  }
+
+  Reference find() {
+    choose();
+    Comparison best = compare(1e-14L);
+    for (const Real tolerance : {1e-16L, 2e-18L, 4e-19L}) {
+      // Far below the rounding of double.
+      if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
+      Comparison finer = compare(tolerance);
+      const bool better =
+          finer.known > best.known || (finer.known == best.known && finer.worst < best.worst);
+      if (better) best = std::move(finer);
+    }
+    return reference(best);
+  }
+
+ private:
+  Real size_of(const Comparison& c) const {
+    Real size = distance(system_.y0, zero_, scale_);
+    for (std::size_t k = 0; k < c.known; ++k)
+      size = std::max(size, distance(c.a.states[k], zero_, scale_));
+    return size;
+  }
+
+  Comparison compare(Real tolerance) const {
+    Comparison c;
+    const Effort effort{.tolerance = tolerance};
+    c.a = family_.first(system_, times_, effort);
+    c.b = family_.second(system_, times_, effort);
+    const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
+    Real size = distance(system_.y0, zero_, scale_);
+    while (c.known < both) {
+      const Real d = distance(c.a.states[c.known], c.b.states[c.known], scale_);
+      size = std::max(size, distance(c.a.states[c.known], zero_, scale_));
+      if (!(d <= unknown * size)) break;
+      c.worst = std::max(c.worst, d);
+      c.apart.push_back(d);
+      ++c.known;
+    }
+    return c;
+  }
+
+  /// Explicit methods, unless they would take too long.
+  void choose() {
+    const bool series = system_.taylor != nullptr;
+    const Family plain{verner_run, extrapolation_run,
+                       "Verner's pair 9(8) and Gragg's extrapolation"};
+    // The weights of extrapolation amplify rounding: where there is a series, it is not needed.
+    const Family by_series{taylor_run, verner_run, "Taylor's series and Verner's pair 9(8)"};
+    const Family implicit_family{
+        radau_run, implicit_extrapolation_run,
+        "Radau IIA of order 13 and the extrapolated implicit Euler method"};
+    family_ = series ? by_series : plain;
+    const Effort brief{.tolerance = 1e-12L, .budget = 3e8};
+    std::size_t farthest = 0;
+    // A problem that is too stiff for the series may be cheap enough for shorter steps, and one
+    // that has none (a root at zero) may go on without.
+    for (const Family& family : {by_series, plain, implicit_family}) {
+      if ((family.first == taylor_run && !series) ||
+          (family.first == radau_run && !system_.jacobian))
+        continue;
+      const Run run = family.first(system_, times_, brief);
+      if (run.states.size() > farthest) {
+        farthest = run.states.size();
+        family_ = family;
+      }
+      if (run.end.empty()) return;
+    }
+  }
+
+  Reference reference(const Comparison& best) const {
+    Reference r;
+    r.methods = family_.words;
+    r.disagreement = static_cast<double>(best.worst);
+    // Rounding of constants is one error with one sign, which two methods share.
+    System moved = system_;
+    std::optional<Run> other;
+    if (system_.moved_rhs) {
+      moved.rhs = system_.moved_rhs;
+      moved.y0 = system_.moved_y0;
+      other = family_.second(moved, times_, {.tolerance = 1e-13L});
+    }
+    // The disagreement of two methods can be small by chance at one time, and errors of both can
+    // have the same sign; where there are kinks, each misses them alike.
+    const Real safety = system_.smooth ? 10 : 100;
+    Real apart = 0, largest = distance(system_.y0, zero_, scale_);
+    for (std::size_t k = 0; k < best.known; ++k) {
+      apart = std::max(apart, best.apart[k]);
+      largest = std::max(largest, distance(best.a.states[k], zero_, scale_));
+      Real constants = 0;
+      if (other && k < other->states.size())
+        constants = distance(best.b.states[k], other->states[k], scale_) / moved_by * 0x1p-64L;
+      r.known_until = static_cast<double>(times_[k]);
+      r.times.push_back(r.known_until);
+      r.states.push_back(best.a.states[k]);
+      r.floors.push_back(static_cast<double>(safety * apart + 10 * constants + least * largest));
+    }
+    if (best.known < times_.size()) r.end = why(best);
+    return r;
+  }
+
+  std::string why(const Comparison& best) const {
+    const std::size_t both = std::min(best.a.states.size(), best.b.states.size());
+    if (best.known < both)
+      return fmt::format(
+          "at t = {:.6Lg} two methods agree on less than 1e-6 of the scale: chaos, or "
+          "kinks",
+          times_[best.known]);
+    return best.a.states.size() <= best.b.states.size() ? best.a.end : best.b.end;
+  }
+
+  const System& system_;
+  const std::vector<double>& scale_;
+  State zero_;
+  std::vector<Real> times_;
+  Family family_{};
+};
+
+}  // namespace
+
+Reference compute_reference(const System& system, const std::vector<double>& times,
+                            const std::vector<double>& scale) {
+  return Search(system, times, scale).find();
+}
+
+}  // namespace odeum::truth

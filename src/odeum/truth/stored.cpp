@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iterator>
+#include <sstream>
+
+#include "odeum/truth/system.hpp"
+
+namespace odeum::truth {
+namespace {
+
+constexpr const char* mark = "odeum computed reference 1";
+
+// Reads numbers up to the end of a line.
+template <class Number>
+bool read(std::string_view& rest, Number& value) {
+  while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (error != std::errc{}) return false;
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  return true;
+}
+
+}  // namespace
+
+std::string to_text(const Reference& r) {
+  std::string text = fmt::format("{}\n{}\n{}\n{} {} {}\n", mark, r.methods, r.end, r.known_until,
+                                 r.disagreement, r.times.size());
+  for (std::size_t k = 0; k < r.times.size(); ++k) {
+    fmt::format_to(std::back_inserter(text), "{} {}", r.times[k], r.floors[k]);
+    for (const Real x : r.states[k]) fmt::format_to(std::back_inserter(text), " {:.21Lg}", x);
+    text += '\n';
+  }
+  return text + "end\n";
+}
+
+std::optional<Reference> from_text(const std::string& text, std::size_t states) {
+  std::istringstream in(text);
+  Reference r;
+  std::string line;
+  std::size_t count = 0;
+  if (!std::getline(in, line) || line != mark || !std::getline(in, r.methods) ||
+      !std::getline(in, r.end) || !std::getline(in, line))
+    return std::nullopt;
+  std::string_view rest = line;
+  if (!read(rest, r.known_until) || !read(rest, r.disagreement) || !read(rest, count) ||
+      count > 100'000)
+    return std::nullopt;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!std::getline(in, line)) return std::nullopt;
+    rest = line;
+    double time = 0, floor = 0;
+    if (!read(rest, time) || !read(rest, floor)) return std::nullopt;
+    State state(states);
+    for (Real& x : state)
+      if (!read(rest, x)) return std::nullopt;
+    if (!rest.empty()) return std::nullopt;
+    r.times.push_back(time);
+    r.floors.push_back(floor);
+    r.states.push_back(std::move(state));
+  }
+  if (!std::getline(in, line) || line != "end") return std::nullopt;
+  return r;
+}
+
+}  // namespace odeum::truth

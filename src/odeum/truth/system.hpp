@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// References that Odeum computes for problems without a closed form: by two methods of different
+/// families in extended precision, which no competitor is (their steps, orders and programs are not
+/// those of Odeum's own methods).
+namespace odeum::truth {
+
+using Real = long double;
+using State = std::vector<Real>;
+
+/// An initial value problem in extended precision.
+struct System {
+  std::size_t states = 0;
+  Real t0 = 0;
+  State y0;
+  std::function<void(Real t, const Real* y, Real* f)> rhs;
+  std::function<void(Real t, const Real* y, Real* j)> jacobian;  ///< dense, row-major
+  /// Coefficients of the Taylor series, see WithTaylorSeries; empty: none.
+  std::function<void(Real t, const Real* y, int order, Real* c)> taylor;
+  /// The right-hand side with every constant and initial value that rounding has moved (decimals,
+  /// roots) changed by 2^-30 of itself: how rounding of constants acts.
+  std::function<void(Real t, const Real* y, Real* f)> moved_rhs;
+  State moved_y0;
+  bool smooth = true;
+  double work = 10;  ///< operations of one evaluation, for the budget
+};
+
+/// The states at times, as far as a run came.
+struct Run {
+  std::vector<State> states;  ///< one a time; fewer where the run ended early
+  std::string end;            ///< why it ended early; empty: it did not
+  double work = 0;            ///< operations spent
+};
+
+/// What a run may cost and how accurate each of its steps is to be.
+struct Effort {
+  Real tolerance = 1e-18L;  ///< per step, relative to the size of the solution
+  double budget = 3e9;      ///< operations
+};
+
+using Method = Run (*)(const System&, const std::vector<Real>& times, const Effort&);
+
+/// Taylor's method, order 28 (needs `taylor`).
+Run taylor_run(const System& system, const std::vector<Real>& times, const Effort& effort);
+/// Gragg's extrapolation, order 14.
+Run extrapolation_run(const System& system, const std::vector<Real>& times, const Effort& effort);
+/// Verner's pair 9(8), coefficients of 20 digits.
+Run verner_run(const System& system, const std::vector<Real>& times, const Effort& effort);
+/// Radau IIA of seven stages, order 13 (needs `jacobian`): for stiff problems.
+Run radau_run(const System& system, const std::vector<Real>& times, const Effort& effort);
+/// Extrapolation of the linearly implicit Euler method, order 8 (needs `jacobian`): likewise.
+Run implicit_extrapolation_run(const System& system, const std::vector<Real>& times,
+                               const Effort& effort);
+
+/// A computed reference.
+struct Reference {
+  std::vector<double> times;  ///< at which it is known: those asked for, and others between
+  std::vector<State> states;
+  std::vector<double> floors;  ///< by time: bound of the error of any component over its scale, in
+                               ///< extended precision
+  double known_until = 0;      ///< the last time that was looked at and is known
+  std::string end;             ///< why nothing is known beyond; empty: all is known
+  std::string methods;         ///< which two, in words
+  double disagreement = 0;     ///< largest over the times, of a component over its scale
+};
+
+/// The exact states at the times (ascending) to as many digits as two methods agree on. The
+/// tolerances are refined until the runs agree no better. A floor is their disagreement, with a
+/// safety factor, and what the rounding of constants adds. Where they
+/// agree on less than 1e-6 of the scale nothing is known. `scale`: by component; empty: 1, and then
+/// "of the scale" is relative to the largest component.
+Reference compute_reference(const System& system, const std::vector<double>& times,
+                            const std::vector<double>& scale);
+
+/// As text, to be kept in a file, and back; nothing for a text that is damaged or of other sizes.
+std::string to_text(const Reference& reference);
+std::optional<Reference> from_text(const std::string& text, std::size_t states);
+
+}  // namespace odeum::truth

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The built program on problem files: exit codes, messages, files.
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string problems = ODEUM_SOURCE_DIR "/cases/problems/";
+
+class ProblemCommands : public testing::Test {
+ protected:
+  /// Runs the program with arguments, and variables before it, in a folder of its own.
+  tests::Result odeum(const std::string& arguments, const std::string& variables = "") const {
+    const std::string folder = folder_.path().string();
+    return tests::shell("cd '" + folder + "' && export XDG_CACHE_HOME='" + folder + "/cache' " +
+                        variables + " && odeum " + arguments);
+  }
+  void expect(const std::string& arguments, int code, const std::string& part,
+              const std::string& variables = "") const {
+    const tests::Result result = odeum(arguments, variables);
+    EXPECT_EQ(result.code, code) << arguments << '\n' << result.output;
+    EXPECT_NE(result.output.find(part), std::string::npos) << arguments << '\n' << result.output;
+  }
+  void write(const std::string& name, const std::string& text) const {
+    tests::write_text(folder_.path() / name, text);
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(ProblemCommands, RunSaysWhatWasFoundAndHowGoodTheTruthIs) {
+  expect("run " + problems + "kepler.yaml", 0, "second order, q'' = a(t, q): separable");
+  const std::string run = "run " + problems + "kepler.yaml --solver rk4 --step 0.01";
+  expect(run, 0, "known to ");
+  expect(run, 0, "from the cache");
+  expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
+  expect("run " + problems + "kepler.yaml --step 0.1", 2, "--solver is required");
+  expect("run " + problems + "kepler.yaml --solver exponential_propagator --step 0.1", 2,
+         "does not fit");
+}
+
+TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
+  const std::string run = "run " + problems + "van_der_pol.yaml --solver rk4 --step 0.01";
+  const auto error = [&](const std::string& variables) {
+    const std::string output = odeum(run, variables).output;
+    const std::size_t at = output.find("\nerror ");
+    return at == std::string::npos ? -1 : std::stod(output.substr(at + 7));
+  };
+  expect(run, 0, "interpreted", "CC=/nonexistent");
+  expect(run, 0, "interpreted", "CC=/bin/false");
+  // The error of the method, 1e-8, is far above the rounding in which they differ.
+  EXPECT_NEAR(error("CC=/nonexistent"), error(""), 1e-12);
+  EXPECT_GT(error(""), 1e-10);
+}
+
+TEST_F(ProblemCommands, ConvergeGivesOrdersWithVerdicts) {
+  expect("converge " + problems + "brusselator.yaml --solver odeum/rk4 --mode fixed --out out", 0,
+         "confirmed");
+  const std::string orders = tests::text_of(folder_.path() / "out/orders.csv");
+  EXPECT_NE(orders.find(",brusselator,odeum,rk4,"), std::string::npos) << orders;
+  // The name of a compiled case is left to it.
+  expect(
+      "converge --case " + problems + "hires.yaml --solver odeum/sdirk2 --mode adaptive --out out",
+      0, "hires_text");
+}
+
+TEST_F(ProblemCommands, OtherStudiesTakeProblemsToo) {
+  const std::string solver = " --solver odeum/rk4 --out out";
+  expect("drift " + problems + "kepler.yaml" + solver, 0, "angular_momentum");
+  expect("limits " + problems + "heat.yaml" + solver, 0, "heat");
+  expect("precision " + problems + "lotka_volterra.yaml" + solver, 0, "lotka_volterra");
+  expect("report --quick " + problems + "lotka_volterra.yaml --solver odeum/rk4 --out page", 0,
+         "index.html");
+  const std::string orders = tests::text_of(folder_.path() / "page/orders.csv");
+  EXPECT_NE(orders.find(",odeum,rk4,"), std::string::npos) << orders;
+  EXPECT_EQ(orders.find(",cvode,"), std::string::npos) << "--solver selects";
+}
+
+TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
+  write("bad.yaml", "states: {x: 1}\nequations:\n  x: y\ntime: {end: 1}\n");
+  expect("run bad.yaml", 2, "bad.yaml:3:6: equations: x: unknown name; got y");
+  expect("converge bad.yaml --out out", 2, "bad.yaml:3:6: ");
+  write("broken.yaml", "states: {x: 1\nequations:\n  x: y\n");
+  expect("run broken.yaml", 2, "problem: not YAML");
+  expect("converge nowhere.yaml", 2, "nowhere.yaml:1:1: problem: cannot be read");
+  expect("run " + problems + "kepler.yaml --set e=2", 2, "none to set of that name");
+  expect("run " + problems + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
+  expect("run " + problems + "kepler.yaml --set eccentricity=1", 2, "division by zero");
+  expect("run " + problems + "lorenz.yaml --set zz=1", 2, "expected one of: ");
+  write("plain.yaml", "states: {x: 1}\nequations: {x: -x}\ntime: {end: 1}\n");
+  expect("run plain.yaml --set x=3", 2, "the file has no parameters");
+  expect("run lotka_volterra --solver rk4 --step 0.1 --set zz=1", 2, "no parameter zz");
+  expect("converge --case lotka_volterra --solver odeum/rk4 --set a=1", 2, "--set");
+}
+
+TEST_F(ProblemCommands, NothingWrittenReachesAShellOrACompiler) {
+  const std::string mark = (folder_.path() / "mark").string();
+  const std::string evil[] = {"$(touch " + mark + ")", "`touch " + mark + "`",
+                              "x; system(\\\"touch " + mark + "\\\")", "\\\"/*",
+                              "x */ #include <a>"};
+  for (const std::string& text : evil) {
+    write("evil.yaml", "states: {x: 1}\nequations:\n  x: \"" + text + "\"\ntime: {end: 1}\n");
+    expect("run evil.yaml", 2, "evil.yaml:3:");
+    write("evil.yaml", "states: {\"" + text + "\": 1}\nequations: {x: 1}\ntime: {end: 1}\n");
+    expect("run evil.yaml", 2, "evil.yaml:1:");
+  }
+  write("name.yaml", "name: \"$(touch " + mark +
+                         ") \\e[31m */ <script>\"\nstates: {x: 1}\n"
+                         "equations: {x: -x}\ntime: {end: 1}\n");
+  expect("run name.yaml --solver rk4 --step 0.1", 0, "status  ok");
+  EXPECT_FALSE(fs::exists(mark));
+}
+
+TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
+  write("blow_up.yaml", "states: {x: 1}\nequations: {x: x^2}\ntime: {end: 2, stops: [0.5, 2]}\n");
+  expect("run blow_up.yaml", 0, "no verdict is given beyond");
+  expect("run blow_up.yaml --solver dormand_prince54 --tol 1e-6 --until 2", 3, "status  ");
+  write("root.yaml", "states: {y: 1, s: 0}\nequations: {y: -sqrt(1 - s), s: 1}\ntime: {end: 2}\n");
+  expect("run root.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
+}
+
+}  // namespace
+}  // namespace odeum

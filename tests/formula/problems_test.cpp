@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The problems that are shipped as text, against the compiled cases of the same equations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "odeum/contest/given_cases.hpp"
+#include "odeum/formula/text_ode.hpp"
+#include "support/catalogue.hpp"
+#include "support/text_case.hpp"
+
+namespace odeum {
+namespace {
+
+using formula::TextOde;
+
+const std::string folder = ODEUM_SOURCE_DIR "/cases/problems/";
+
+struct Twin {
+  const char* file;
+  const char* id;  ///< of the compiled case
+  formula::Overrides set = {};
+};
+
+void expect_twins(const OdeView& text, const OdeView& compiled, double t,
+                  const std::vector<double>& y) {
+  const std::size_t n = y.size();
+  std::vector<double> a(n * n), b(n * n);
+  // Both round some ten times, in another order; terms may cancel, of the size of the largest
+  // entry.
+  const auto expect_near = [&](std::size_t count, const char* what) {
+    double largest = 0;
+    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, std::abs(b[k]));
+    for (std::size_t k = 0; k < count; ++k)
+      EXPECT_NEAR(a[k], b[k], 1e-14 * largest) << what << ' ' << k;
+  };
+  text.rhs(text.problem, t, y.data(), a.data());
+  compiled.rhs(compiled.problem, t, y.data(), b.data());
+  expect_near(n, "rhs");
+  text.jacobian(text.problem, t, y.data(), a.data());
+  compiled.jacobian(compiled.problem, t, y.data(), b.data());
+  expect_near(n * n, "jacobian");
+  EXPECT_EQ(text.time_derivative == nullptr, compiled.time_derivative == nullptr);
+  if (text.time_derivative && compiled.time_derivative) {
+    text.time_derivative(text.problem, t, y.data(), a.data());
+    compiled.time_derivative(compiled.problem, t, y.data(), b.data());
+    expect_near(n, "time derivative");
+  }
+  if (compiled.taylor) {
+    ASSERT_NE(text.taylor, nullptr);
+    constexpr int order = 12;
+    a.resize((order + 1) * n);
+    b.resize((order + 1) * n);
+    text.taylor(text.problem, t, y.data(), order, a.data());
+    compiled.taylor(compiled.problem, t, y.data(), order, b.data());
+    for (std::size_t k = 0; k < a.size(); ++k)
+      EXPECT_NEAR(a[k], b[k], 1e-12 * (1 + std::abs(b[k]))) << "coefficient " << k;
+  }
+}
+
+TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
+  const Twin twins[] = {
+      {"van_der_pol", "vdp_mu1"},       {"van_der_pol", "vdp_mu1000", {{"mu", "1000"}}},
+      {"kepler", "kepler_e06"},         {"hires", "hires"},
+      {"lorenz", "lorenz_kehlet_logg"}, {"lotka_volterra", "lotka_volterra"},
+      {"brusselator", "brusselator2"},  {"robertson", "robertson_40"}};
+  std::mt19937 random(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same points each time
+  std::uniform_real_distribution<double> near(0.5, 1.5);
+  for (const Twin& twin : twins) {
+    SCOPED_TRACE(twin.file);
+    const Case& c = tests::find_case(twin.id);
+    const TextOde ode(formula::read_problem_file(folder + twin.file + ".yaml", twin.set));
+    ASSERT_EQ(ode.size(), c.y0.size());
+    for (std::size_t i = 0; i < c.y0.size(); ++i)
+      EXPECT_DOUBLE_EQ(static_cast<double>(ode.problem().y0[i]), c.y0[i]);
+    for (int point = 0; point < 20; ++point) {
+      std::vector<double> y = c.y0;
+      for (double& x : y) x = (x == 0 ? 0.3 : x) * near(random);
+      expect_twins(ode.view(), c.problem.view, near(random), y);
+    }
+  }
+}
+
+TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path().string());
+    ++count;
+    const cases::TextCase made = cases::text_case(
+        entry.path().stem().string(), formula::read_problem_file(entry.path().string()));
+    std::vector<double> y(made.c.y0.size());
+    EXPECT_TRUE(made.c.truth.at(made.c.stops.back(), y.data()));
+    EXPECT_GT(made.c.truth.floor, 0);
+    EXPECT_LT(made.c.truth.floor, 2e-14);
+    EXPECT_FALSE(made.c.equation.empty());
+  }
+  EXPECT_GE(count, 9);
+}
+
+TEST(GivenCases, AreKnownBesideTheOthers) {
+  const std::size_t before = known_cases().size();
+  Case c;
+  c.id = "given";
+  const Case& added = add_given_case(c);
+  EXPECT_EQ(known_cases().size(), before + 1);
+  EXPECT_EQ(known_cases().back(), &added);
+  EXPECT_THROW(add_given_case(c), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace odeum

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the report hands to its scripts.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "odeum/report/columns.hpp"
+#include "odeum/report/spectrum.hpp"
+#include "odeum/studies/precision/section.hpp"
+#include "odeum/studies/questions.hpp"
+#include "odeum/studies/stability/outline.hpp"
+#include "support/report_fixture.hpp"
+
+namespace odeum::study {
+namespace {
+
+using test::has;
+
+/// Undoes report::data_script, as the page's scripts do.
+nlohmann::json unpacked(const std::string& script) {
+  const std::size_t first = script.rfind(",\"") + 2, end = script.rfind("\"]");
+  constexpr std::string_view alphabet =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, held = 0;
+  for (const char c : script.substr(first, end - first)) {
+    if (c == '=') break;
+    held = held << 6U | static_cast<unsigned>(alphabet.find(c));
+    if ((bits += 6) < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(held >> bits & 0xffU);
+  }
+  std::string text(1 << 24, '\0');
+  uLongf size = text.size();
+  EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(text.data()), &size,
+                         reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()),
+            Z_OK);
+  return nlohmann::json::parse(text.substr(0, size));
+}
+
+nlohmann::json data_of(const test::Report& report, const std::string& file) {
+  return unpacked(tests::text_of(report.folder().path() / "data" / (file + ".js")));
+}
+
+TEST(PageData, ColumnsKeepNumbersAndTexts) {
+  ToleranceRow row{"c", "odeum", "a", 1e-3, 0.1234567891234};
+  ToleranceRow other{"c", "gsl", "<\x01\">", std::nan(""), std::numeric_limits<double>::infinity()};
+  const auto json = nlohmann::json::parse(
+      report::columns_of(std::vector<const ToleranceRow*>{&row, &other, &row},
+                         {"library", "solver", "requested", "achieved", "absent"}));
+  EXPECT_EQ(json["library"]["words"], (std::vector<std::string>{"odeum", "gsl"}));
+  EXPECT_EQ(json["library"]["of"], (std::vector<int>{0, 1, 0}));
+  EXPECT_EQ(json["solver"]["words"][1], "<\xEF\xBF\xBD\">");
+  EXPECT_TRUE(json["requested"][1].is_null());
+  EXPECT_EQ(json["achieved"][1], "inf");
+  EXPECT_NEAR(json["achieved"][0].get<double>() / row.achieved, 1, 1e-7);
+  EXPECT_FALSE(json.contains("absent"));
+  EXPECT_EQ(report::columns_of(std::vector<const ToleranceRow*>{}, {"library"}), "{}");
+}
+
+TEST(PageData, ScriptsHoldTheRowsOfTheFiles) {
+  const test::MadeUp data = test::fabricate_small_report();
+  test::Report report(data);
+  report::RunFacts run;
+  run.quick = true;
+  report.index(run);
+  const auto index = data_of(report, "index");
+  ASSERT_EQ(index["cases"].size(), data.facts.cases.size());
+  EXPECT_EQ(index["solvers"].size(), data.facts.solvers.size());
+  EXPECT_EQ(index["run"]["quick"], true);
+  for (const report::CaseFacts& c : data.facts.cases) {
+    const auto runs = data_of(report, "case_" + c.id)["runs"];
+    std::vector<double> errors;
+    for (const ConvergenceRow& row : data.convergence.rows)
+      if (row.case_id == c.id) errors.push_back(row.error_max);
+    ASSERT_EQ(runs["error_max"].size(), errors.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      if (std::isnan(errors[i]))
+        EXPECT_TRUE(runs["error_max"][i].is_null());
+      else
+        EXPECT_NEAR(runs["error_max"][i].get<double>() / errors[i], 1, 1e-7);
+    }
+  }
+}
+
+PrecisionRow timed(const char* library, const char* solver, double setting, double error,
+                   double ns) {
+  PrecisionRow row;
+  row.case_id = "c";
+  row.library = library;
+  row.solver = solver;
+  row.status = "ok";
+  row.setting = setting;
+  row.error = error;
+  row.wall_ns_min = ns;
+  row.wall_ns_median = 1.1 * ns;
+  row.repetitions = 3;
+  return row;
+}
+
+TEST(PageData, TheFastestOfEachLibraryNamesARunThatReachesTheError) {
+  const std::vector<FastestRow> rows =
+      fastest({timed("odeum", "a", 1e-3, 1e-3, 100), timed("odeum", "a", 1e-5, 1e-5, 1000),
+               timed("odeum", "b", 1e-4, 1e-4, 5000), timed("gsl", "g", 1e-2, 1e-3, 50)},
+              1e-16);
+  for (const FastestRow& row : rows) {
+    if (std::abs(row.error / 1e-4 - 1) > 1e-9) continue;
+    EXPECT_EQ(row.library, "odeum") << "gsl has no run of that error, and is not extrapolated";
+    EXPECT_EQ(row.solver, "a");
+    EXPECT_NEAR(row.wall_ns_min, std::sqrt(100.0 * 1000), 1e-9);
+    EXPECT_EQ(row.setting, 1e-5) << "the coarsest run that reaches the error";
+  }
+  EXPECT_EQ(
+      std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.library == "gsl"; }),
+      2);
+}
+
+TEST(PageData, QuestionsAreCasesThatAQuickReportMeasures) {
+  const std::vector<std::string> quick = quick_cases();
+  EXPECT_EQ(quick.size(), 9U);
+  for (const std::string& id : quick) EXPECT_NO_THROW(find_case(id)) << id;
+}
+
+StabilityRegion disk(double radius) {
+  StabilityRegion region{"odeum", "disk", "lambda", "ok", "", 61, 41, -3, 3, -2, 2, {}};
+  for (int j = 0; j < region.rows; ++j)
+    for (int i = 0; i < region.columns; ++i)
+      region.growth.push_back(static_cast<float>(std::hypot(-3 + 0.1 * i, -2 + 0.1 * j) / radius));
+  return region;
+}
+
+TEST(Outline, OfADiskIsACircle) {
+  const std::vector<Loop> loops = outline(disk(1.5));
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_GT(loops[0].size(), 40U);
+  // Growth is linear along radii: interpolation along an edge is within h^2 / (8 r) of the circle.
+  for (const auto& [x, y] : loops[0])
+    EXPECT_NEAR(std::hypot(x, y), 1.5, 0.1 * 0.1 / 8 / 1.5 + 2e-4);
+}
+
+TEST(Outline, ClosesAlongTheEdgesOfThePlaneAndKeepsPartsApart) {
+  const std::vector<Loop> cut = outline(disk(2.5));
+  ASSERT_EQ(cut.size(), 1U) << "cut off above and below";
+  for (const auto& [x, y] : cut[0]) EXPECT_LE(std::abs(y), 2.0);
+  StabilityRegion two = disk(1);
+  for (int j = 0; j < two.rows; ++j)
+    for (int i = 0; i < two.columns; ++i)
+      two.growth[static_cast<std::size_t>(j * two.columns + i)] =
+          std::abs(std::abs(-3 + 0.1 * i) - 1.5) < 0.75 ? 0.5F : 2.0F;
+  EXPECT_EQ(outline(two).size(), 2U);
+  std::fill(two.growth.begin(), two.growth.end(), std::numeric_limits<float>::quiet_NaN());
+  EXPECT_TRUE(outline(two).empty());
+  two.growth.pop_back();
+  EXPECT_TRUE(outline(two).empty());
+}
+
+TEST(Spectrum, OfASmallCaseIsThatOfItsMatrix) {
+  // y'' + 0.5 y' + 5 y = 0: -0.25 +- sqrt(0.0625 - 5).
+  const auto z = report::spectrum_of(find_case("damped_oscillator_underdamped")).eigenvalues;
+  ASSERT_EQ(z.size(), 1U);
+  EXPECT_NEAR(z[0].real(), -0.25, 1e-12);
+  EXPECT_NEAR(z[0].imag(), std::sqrt(5 - 0.0625), 1e-12);
+}
+
+TEST(Spectrum, IsThatOfTheEndWhereTheProblemBecomesStiffLater) {
+  // Robertson's reactions begin with -0.04 and two zeros.
+  const report::Spectrum spectrum = report::spectrum_of(find_case("robertson_40"));
+  EXPECT_EQ(spectrum.time, 40);
+  double fastest = 0;
+  for (const auto& z : spectrum.eigenvalues) fastest = std::min(fastest, z.real());
+  // 6e7 y2 + 1e4 y3 with y2 = 9.2e-6 and y3 = 0.28 there is some 3e3.
+  EXPECT_LT(fastest, -1e3);
+  EXPECT_GT(fastest, -1e4);
+}
+
+TEST(Spectrum, OfAClothHasItsFastestVibration) {
+  // Springs a hundred times stiffer vibrate ten times faster at the start; the end, where the soft
+  // cloth has stretched more, changes that by a tenth at most.
+  double fastest = 0;
+  for (const auto& z : report::spectrum_of(find_case("cloth11_two_way")).eigenvalues)
+    fastest = std::max(fastest, std::abs(z));
+  double stiffer = 0;
+  for (const auto& z : report::spectrum_of(find_case("cloth11_two_way_k1e3")).eigenvalues)
+    stiffer = std::max(stiffer, std::abs(z));
+  EXPECT_NEAR(stiffer / fastest, 10, 1);
+}
+
+}  // namespace
+}  // namespace odeum::study

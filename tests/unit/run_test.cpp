@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// odeum run: several solvers, output, parameters.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "support/catalogue.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum::tests {
+namespace {
+
+class RunCommand : public testing::Test {
+ protected:
+  Result run(const std::string& arguments) { return shell("odeum run " + arguments); }
+  std::string out() const { return " --out " + folder_.path().string(); }
+  std::string file(const std::string& name) const { return text_of(folder_.path() / name); }
+  TemporaryFolder folder_;
+};
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++found;
+  return found;
+}
+
+// The field of that name in the last row of a CSV that begins with `start`.
+double field(const std::string& csv, const std::string& name, const std::string& start) {
+  std::istringstream lines(csv);
+  std::string header, line, found;
+  std::getline(lines, header);
+  while (std::getline(lines, line))
+    if (line.starts_with(start)) found = line;
+  std::istringstream names(header), values(found);
+  std::string key, value;
+  while (std::getline(names, key, ',') && std::getline(values, value, ','))
+    if (key == name) return std::stod(value);
+  throw std::out_of_range(name + " of " + start);
+}
+
+TEST_F(RunCommand, ComparesSolversInOnePicture) {
+  const Result result =
+      run("damped_oscillator_undamped --solver explicit_euler --solver symplectic_euler --solver "
+          "midpoint --step 0.01 --every 0.1" +
+          out());
+  ASSERT_EQ(result.code, 0) << result.output;
+  const std::string page = file("comparison.html");
+  for (const char* title : {"y over time", "u over time", "State plane: u against y",
+                            "Largest error over time", "Energy, less that at the start"})
+    EXPECT_EQ(count(page, "<strong>" + std::string(title) + "</strong>"), 1U) << title;
+  for (const char* id : {"odeum/explicit_euler", "odeum/symplectic_euler", "odeum/midpoint"})
+    EXPECT_GE(count(page, id), 6U) << "a row of the table and a line in each figure: " << id;
+  const std::string csv = file("trajectory.csv");
+  EXPECT_TRUE(csv.starts_with("schema,case,library,solver,time,y,u,energy,error\n"));
+  EXPECT_EQ(count(csv, "\n1,damped_oscillator_undamped,odeum,midpoint,"), 101U);
+  EXPECT_EQ(count(csv, "\n1,damped_oscillator_undamped,truth,exact,"), 101U);
+  // Explicit Euler multiplies the energy by 1 + h^2 k/m = 1.0005 a step, 1000 times.
+  const double before = 62.5,
+               after = field(csv, "energy", "1,damped_oscillator_undamped,odeum,explicit_euler");
+  EXPECT_NEAR(after / before, std::pow(1.0005, 1000), 1e-9);
+}
+
+TEST_F(RunCommand, WritesOneFolderForEachSolverOfAScene) {
+  const Result result =
+      run("spring_explicit_euler --solver explicit_euler --solver midpoint --until 1" + out());
+  ASSERT_EQ(result.code, 0) << result.output;
+  for (const char* name : {"odeum_explicit_euler/replay.html", "odeum_midpoint/energy.csv",
+                           "odeum_midpoint/trajectory.vtk.series"})
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / name)) << name;
+  EXPECT_EQ(count(file("comparison.html"), "<iframe "), 2U);
+}
+
+TEST_F(RunCommand, SaysWhatACourseFileLeavesOut) {
+  write_text(folder_.path() / "scene01.yml",
+             "solver: {type: symplectic_euler, timestep: 0.001}\n"
+             "plot: {particle_id: 1, dof: 2, y_range: [0.7, 1.2]}\n"
+             "particles:\n- {pos: [0, 0, 2], fixed: true, mass: 0.1}\n"
+             "- {pos: [0, 0, 1], mass: 0.2, color: red}\n"
+             "springs:\n- {particle_ids: [0, 1], stiffness: 20.}\n");
+  const Result result = run((folder_.path() / "scene01.yml").string() + " --out " +
+                            (folder_.path() / "out").string());
+  ASSERT_EQ(result.code, 0) << result.output;
+  for (const char* sentence :
+       {"scene      scene01\n", "duration   10 s: the scene gives none; --until sets another\n",
+        "scene01.yml:5:31: particles[1].color: only a viewer needs it", "10000 steps to t = 10\n"})
+    EXPECT_NE(result.output.find(sentence), std::string::npos) << sentence << result.output;
+  EXPECT_TRUE(file("out/plot.svg").starts_with("<svg xmlns="));
+  EXPECT_NE(file("out/replay.html")
+                .find("\"plot\":{\"particle\":1,\"coordinate\":2,\"range\":[0.7,1.2]}"),
+            std::string::npos);
+}
+
+// The weight at rest on its spring hangs lower by m g / k: the truth has to follow.
+TEST_F(RunCommand, ChangesACaseAndItsTruth) {
+  const Result result =
+      run("damped_oscillator_undamped --set k=20 --set d=0.1 --set y0=-3 --set m=2 --solver rk4 "
+          "--step 0.001 --until 3");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("2 y'' + 0.1 y' + 20 (y - 0) = 0, y(0) = -3"), std::string::npos)
+      << result.output;
+  const std::size_t at = result.output.find("error   ");
+  ASSERT_NE(at, std::string::npos) << result.output;
+  EXPECT_LT(std::stod(result.output.substr(at + 8)), 1e-10);
+  EXPECT_NE(run("lotka_volterra --set a=2 --solver rk4 --step 0.01").output.find("no truth"),
+            std::string::npos);
+  EXPECT_NE(shell("odeum list cases --parameters").output.find("stiffness, N/m"),
+            std::string::npos);
+}
+
+// Every case that has parameters, with each of them a little changed, is a problem whose truth,
+// where there is one, a fine run confirms.
+TEST(CaseParameters, TheTruthFollows) {
+  std::size_t with = 0, confirmed = 0;
+  for (const Case& c : all_cases()) {
+    for (std::size_t p = 0; p < c.parameters.size(); ++p) {
+      ++with;
+      std::vector<double> values;
+      for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
+      values[p] = values[p] == 0 ? 0.1 : values[p] * 1.1;
+      const Case other = c.with_values(values);
+      const double end = c.t0 + (c.stops.front() - c.t0) / 2;
+      const Outcome outcome =
+          find_entrant(other, "odeum/verner98").solve(adaptive_request(1e-11, {end}));
+      ASSERT_EQ(outcome.status, Status::ok) << c.id << " " << c.parameters[p].name;
+      std::vector<double> exact(other.y0.size());
+      if (!other.truth.at(end, exact.data())) continue;
+      ++confirmed;
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        EXPECT_NEAR(outcome.states[i], exact[i], 1e-8 * (1 + std::abs(exact[i])))
+            << c.id << " " << c.parameters[p].name;
+    }
+  }
+  EXPECT_GE(with, 50U);
+  EXPECT_GE(confirmed, 40U);
+}
+
+TEST(CaseParameters, TheirUsualValuesMakeTheCaseItself) {
+  for (const Case& c : all_cases()) {
+    if (c.parameters.empty()) continue;
+    std::vector<double> values;
+    for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
+    const Case same = c.with_values(values);
+    EXPECT_EQ(same.equation, c.equation);
+    EXPECT_EQ(same.y0, c.y0);
+    EXPECT_EQ(same.truth.source, c.truth.source);
+    EXPECT_EQ(component_names(c).size(), c.y0.size()) << c.id;
+  }
+}
+
+// Each scheme whose closed form a case has, against a run: to the rounding of 100 steps.
+TEST(CaseSchemes, AreWhatTheSolversDo) {
+  std::size_t compared = 0;
+  for (const Case& c : all_cases()) {
+    if (!c.scheme) continue;
+    for (const Entrant& entrant : c.entrants) {
+      std::vector<double> y(c.y0.size());
+      const double end = c.stops.front(), h = (end - c.t0) / 100;
+      if (!entrant.unfit.empty() || !c.scheme(entrant.info.id(), h, 100, y.data())) continue;
+      const Outcome outcome = entrant.solve(fixed_request(100, {end}));
+      ASSERT_EQ(outcome.status, Status::ok);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        EXPECT_NEAR(outcome.states[i], y[i], 1e-12 * (1 + std::abs(y[i])))
+            << entrant.info.id() << " on " << c.id;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 25U);
+}
+
+// 501 steps at 0.01 s of output and 43 at 0.5 s were those of a run that ended a step at each.
+TEST_F(RunCommand, OutputDoesNotSteerTheStep) {
+  const auto steps = [&](const std::string& every) {
+    const std::string text =
+        run("raindrop --solver cash_karp54 --tol 1e-8 --every " + every).output;
+    const std::size_t at = text.find("tol        1e-08, ");
+    return at == std::string::npos ? text : text.substr(at, text.find('\n', at) - at);
+  };
+  const std::string coarse = steps("0.5");
+  EXPECT_EQ(steps("0.01"), coarse);
+  EXPECT_NE(coarse.find("steps"), std::string::npos) << coarse;
+}
+
+struct Nonsense {
+  const char* arguments;
+  const char* sentence;
+  friend std::ostream& operator<<(std::ostream& out, const Nonsense& x) {
+    return out << x.arguments;
+  }
+};
+class RunNonsense : public testing::TestWithParam<Nonsense> {};
+TEST_P(RunNonsense, IsRefusedWithASentence) {
+  const Result result = shell("odeum run " + std::string(GetParam().arguments));
+  EXPECT_EQ(result.code, 2) << result.output;
+  EXPECT_NE(result.output.find(GetParam().sentence), std::string::npos) << result.output;
+}
+INSTANTIATE_TEST_SUITE_P(
+    RunCommand, RunNonsense,
+    testing::Values(
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set g", "got g, expected NAME=NUMBER"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set =1", "--set: no assignment"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set g=nan", "--set: not finite"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set g=1x", "--set: not a number"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set g=1,5", "--set: not a number"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set g=1 --set g=2", "--set: given twice"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --set vo=2", "did you mean v0?"},
+        Nonsense{"damped_oscillator_critical --solver rk4 --step 0.1 --set k=0",
+                 "k: got 0, expected a positive number"},
+        Nonsense{"pleiades --solver rk4 --step 0.1 --set k=1", "pleiades has no parameters"},
+        Nonsense{"raindrop --set k=1", "a scene has no parameters"},
+        Nonsense{"raindrop --every 0", "--every: got 0"},
+        Nonsense{"free_fall --solver rk4 --step 0.1 --every -1", "--every: got -1"},
+        Nonsense{"free_fall --solver rk4 --tol 1e-3 --every 1e-12", "more than 2e+08 numbers"},
+        Nonsense{"free_fall --solver rk4 --solver rk5 --step 0.1", "did you mean odeum/rk4?"},
+        Nonsense{"raindrop --solver rk4 --solver leapfrog --step 0.1", "does not fit this scene"}));
+
+}  // namespace
+}  // namespace odeum::tests

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// node page.mjs <chromium> <report folder>: opens the report as a reader would, from the disk, and fails
+// on the first thing that does not hold. What the views show is compared with the CSV files.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Browser } from '../../scripts/viewer/browser.mjs';
+
+const [chromium, folder] = process.argv.slice(2);
+const hold = (condition, text) => { if (!condition) throw new Error(text); };
+const near = (a, b, relative, text) => hold(Math.abs(a - b) <= relative * Math.abs(b), `${text}: ${a}, expected ${b}`);
+
+// Rows of a CSV file without line breaks in its fields.
+const rowsOf = (file) => {
+  const fields = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].map((m) => m[1].replace(/^"|"$/g, '').replaceAll('""', '"'));
+  const [head, ...lines] = readFileSync(join(folder, file), 'utf8').trimEnd().split('\n');
+  const names = fields(head);
+  return lines.map((line) => { const values = fields(line); return Object.fromEntries(names.map((name, i) => [name, values[i]])); });
+};
+
+const browser = await Browser.open(chromium);
+const address = `file://${folder}/index.html`;
+const text = (selector) => browser.run(`document.querySelector(${JSON.stringify(selector)})?.innerText || ''`);
+const click = (selector) => browser.run(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); if (!e) throw new Error('nothing to click: ' + ${JSON.stringify(selector)}); e.click(); })()`);
+const key = async (name) => { for (const type of ['keyDown', 'keyUp']) await browser.send('Input.dispatchKeyEvent', { type, key: name, code: name, windowsVirtualKeyCode: { ArrowRight: 39, Enter: 13 }[name] }); };
+const drawn = () => browser.until(`document.documentElement.dataset.drawn === 'all'`);
+// The table behind the comparison, as the page shows it.
+const table = () => browser.run(`[...document.querySelectorAll('[data-numbers="compare"] tbody tr')].map((tr) => [...tr.cells].map((td) => td.textContent))`);
+
+const checks = {
+  async 'the first screen names the fastest of the file at every error'() {
+    const fastest = rowsOf('fastest.csv');
+    for (const error of ['1e-3', '1e-6', '1e-9']) {
+      await browser.go(`${address}#answers?case=damped_oscillator_underdamped&error=${error}`);
+      await browser.until(`document.querySelector('.answer')`);
+      const [best] = fastest.filter((row) => row.case === 'damped_oscillator_underdamped' && Math.abs(row.error / error - 1) < 1e-6).sort((a, b) => a.wall_ns_min - b.wall_ns_min);
+      hold((await text('.answer')).startsWith(`${best.library}/${best.solver} reaches`), `${error}: ${await text('.answer')} does not begin with ${best.solver}`);
+    }
+  },
+  async 'every problem and error can be chosen, and says something'() {
+    await browser.go(address);
+    await drawn();
+    const problems = await browser.run(`[...document.querySelectorAll('[aria-label="problem"] button')].map((b) => b.dataset.value)`);
+    hold(problems.length >= 7, `only ${problems.length} problems`);
+    for (const problem of problems) {
+      await click(`[aria-label="problem"] [data-value="${problem}"]`);
+      await browser.until(`location.hash.includes('case=${problem}') && document.querySelector('.answer')`);
+      for (const error of ['1e-3', '1e-9']) { await click(`[aria-label="error"] [data-value="${error}"]`); await browser.until(`document.querySelector('.answer').innerText.length > 20`); }
+    }
+  },
+  async 'two solvers stand side by side in three clicks, with the numbers of convergence.csv'() {
+    await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=`);
+    await drawn();
+    for (const solver of ['odeum/rk4', 'gsl/rk4']) {
+      await browser.run(`(() => { const e = document.querySelector('input[type=search]'); e.value = '${solver}'; e.dispatchEvent(new Event('input')); })()`);
+      await click(`[data-key="${solver}:fixed"]`);
+      await browser.until(`location.hash.includes('${solver}:fixed')`);
+    }
+    await browser.until(`document.querySelectorAll('[data-view="compare"] .plot .name').length === 2`);
+    const shown = await table();
+    const rows = rowsOf('convergence.csv').filter((row) => row.case === 'damped_oscillator_underdamped' && row.mode === 'fixed' && row.solver === 'rk4' && row.status === 'ok' && row.error_max > 0 && row.error_max < 500);
+    hold(rows.length > 10 && shown.length === rows.length, `${shown.length} points of ${rows.length} rows`);
+    for (const row of rows) {
+      const found = shown.find((cells) => cells[1] === row.library && Math.abs(Number(cells[5]) / row.step - 1) < 1e-6);
+      hold(found, `no point of ${row.library} at ${row.step}`);
+      near(Number(found[6]), Number(row.error_max), 1e-6, `error of ${row.library} at ${row.step}`);
+    }
+  },
+  async 'a run can be reached by keys and gives a command'() {
+    await browser.run(`document.querySelector('[data-view="compare"] .plot').focus()`);
+    await key('ArrowRight');
+    hold((await text('[data-view="compare"] .tip')).includes('error'), 'no tooltip');
+    await key('Enter');
+    hold(/^odeum run damped_oscillator_underdamped --solver \S+ --step [0-9.e-]+$/.test(await text('.run-panel code')), await text('.run-panel code'));
+  },
+  async 'axes, fronts and chips of the comparison work, and the address keeps them'() {
+    for (const x of ['evaluations', 'time', 'steps', 'tolerance', 'step']) { await click(`[aria-label="across"] [data-value="${x}"]`); await browser.until(`location.hash.includes('x=${x}')`); }
+    for (const y of ['rms', 'energy', 'error']) { await click(`[aria-label="up"] [data-value="${y}"]`); await browser.until(`document.querySelector('[aria-label="up"] [data-value="${y}"]').ariaChecked === 'true'`); }
+    await click('[aria-label="remove gsl/rk4:fixed"]');
+    await browser.until(`!location.hash.includes('gsl/rk4')`);
+    const hash = await browser.run('location.hash');
+    await browser.go(address + hash);
+    await drawn();
+    hold(await browser.run('location.hash') === hash, 'the address changed');
+    hold((await text('.chips')).includes('odeum/rk4') && !(await text('.chips')).includes('gsl/rk4'), `the choice is lost: ${await text('.chips')}`);
+  },
+  async 'regions lie over each other, and the slider moves the eigenvalues out of them'() {
+    await browser.go(`${address}#regions?case=damped_oscillator_underdamped&show=odeum/rk4,odeum/explicit_euler`);
+    await drawn();
+    hold(await browser.run(`document.querySelectorAll('[data-view="regions"] svg.plot .region-line').length`) === 2, 'not two regions');
+    const slide = (value) => browser.run(`(() => { const e = document.querySelector('[aria-label="step h"]'); e.value = ${value}; e.dispatchEvent(new Event('input')); return document.querySelectorAll('.eigenvalue.out').length; })()`);
+    hold(await slide(Math.log10(0.05)) === 0, 'a small step is unstable');
+    hold(await slide(Math.log10(0.5)) === 2, 'Euler is stable at h = 0.5, where |1 + z| = 1.39');
+    for (const limit of rowsOf('stability_limits.csv').filter((row) => row.library === 'odeum' && row.solver === 'rk4' && row.axis === 'real'))
+      hold((await text('[data-view="regions"] table')).includes(String(Number(Number(limit.limit).toPrecision(6)))), 'the limit of rk4 is not that of the file');
+    await click('[data-value="oscillator"]');
+    await browser.until(`location.hash.includes('oscillator')`);
+  },
+  async 'nonsense in the address leads to a page all the same'() {
+    for (const hash of ['#compare?case=%&x=up&show=<b>,odeum/none:fixed,,%E0', '#answers?case=none&error=7', '#regions?show=none&h=-1&plane=x&case=none', '#data?x', '#%']) {
+      await browser.go(address + hash);
+      await drawn();
+      hold(!(await browser.run('document.documentElement.dataset.error')), `${hash}: ${await browser.run('document.documentElement.dataset.error')}`);
+      hold(await browser.run(`document.querySelectorAll('main b b, main [data-view] p.missing[role=alert]').length`) === 0, `${hash} is not taken as text`);
+    }
+  },
+  async 'a telephone shows it without scrolling sideways, in both schemes'() {
+    for (const dark of [false, true]) {
+      await browser.size(390, 844, dark);
+      await browser.go(address);
+      await drawn();
+      hold(await browser.run('document.documentElement.scrollWidth') <= 390, 'wider than the screen');
+    }
+  },
+};
+
+let failures = 0;
+await browser.size(1280, 900);
+for (const [name, check] of Object.entries(checks))
+  try { await check(); console.log(`ok: ${name}`); } catch (error) { failures += 1; console.log(`FAILED: ${name}: ${error.message}`); }
+for (const complaint of browser.complaints) { failures += 1; console.log(`the browser complains: ${complaint}`); }
+await browser.close();
+process.exit(failures ? 1 : 0);
