@@ -50,7 +50,9 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
     if (found) continue;
     if (const std::string missing = missing_library(glob); !missing.empty())
       throw UsageError(missing);
-    throw UsageError(fmt::format("no {} matches '{}'{}", what, glob, did_you_mean(glob, ids)));
+    const std::string near = did_you_mean(glob, ids);
+    throw UsageError(fmt::format("no {0} matches '{1}'{2}", what, glob,
+                                 near.empty() ? fmt::format("; see odeum list {}s", what) : near));
   }
   if (std::none_of(ids.begin(), ids.end(),
                    [&](const std::string& id) { return any_glob_matches(globs, id); }))
@@ -67,7 +69,16 @@ std::string with_library(const std::string& glob) {
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(word, candidates);
+  std::vector<std::string> longer;
+  for (const std::string& candidate : candidates)
+    if (word.size() > 2 && candidate.starts_with(word)) longer.push_back(candidate);
+  if (longer.size() > 1) {
+    const bool more = longer.size() > 4;
+    if (more) longer.resize(4);
+    return fmt::format("; did you mean one of {}{}?", fmt::join(longer, ", "), more ? ", ..." : "");
+  }
+  std::string near = nearest(word, candidates);
+  if (near.empty() && !longer.empty()) near = longer.front();
   return near.empty() ? "" : fmt::format("; did you mean {}?", near);
 }
 

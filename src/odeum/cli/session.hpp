@@ -48,7 +48,8 @@ const Case& find_case(const std::string& id);
 const Entrant& find_entrant(const Case& c, const std::string& id);
 const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
                             const std::string& id);
-/// "; did you mean X?", or nothing where no candidate is near.
+/// "; did you mean X?", or "one of X, Y" where several begin with the word; nothing where no
+/// candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
 /// The options of every study.
