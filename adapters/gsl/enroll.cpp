@@ -70,9 +70,10 @@ SolverInfo describe(const Method& method, std::size_t dimension) {
   info.order = order_of(method, dimension);
   info.fixed = !method.multistep();  // its order follows from a tolerance, see solve
   info.adaptive = true;
-  info.controller =
-      fmt::format("gsl_odeiv2_driver_alloc_standard_new: error within abs + rel |y|{}",
-                  method.a_dydt > 0 ? " + rel h |y'|" : "");
+  info.controller = fmt::format(
+      "gsl_odeiv2_driver_alloc_standard_new (scaled_new where absolute tolerances "
+      "differ): error within abs + rel |y|{}",
+      method.a_dydt > 0 ? " + rel h |y'|" : "");
   if (method.needs_jacobian()) info.needs = "a dense Jacobian (differenced where there is none)";
   info.source = std::string(manual) + method.source;
   return info;

@@ -43,6 +43,21 @@ int jacobian(double t, const double y[], double* dfdy, double dfdt[], void* prob
 
 using Driver = std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)>;
 
+/// Null where the library refuses.
+Driver make_driver(const Method& method, const gsl_odeiv2_system& system, double first_step,
+                   const Tolerance& tolerance) {
+  const double relative = tolerance.relative, a_y = 1;
+  if (tolerance.thresholds.size() <= 1)
+    return {
+        gsl_odeiv2_driver_alloc_standard_new(&system, *method.type, first_step,
+                                             tolerance.absolute(0), relative, a_y, method.a_dydt),
+        gsl_odeiv2_driver_free};
+  // The absolute tolerance of component i is its first number times the scale i, which is copied.
+  return {gsl_odeiv2_driver_alloc_scaled_new(&system, *method.type, first_step, relative, relative,
+                                             a_y, method.a_dydt, tolerance.thresholds.data()),
+          gsl_odeiv2_driver_free};
+}
+
 const char* name_of(int error) {
   switch (error) {
     case GSL_FAILURE:
@@ -146,17 +161,13 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
 
   Problem problem(contest.view, request.budget);
   const gsl_odeiv2_system system = {rhs, jacobian, n, &problem};
-  const double tolerance = fixed ? newton_tolerance : request.tolerance;
+  const Tolerance tolerance = fixed ? Tolerance(newton_tolerance) : request.tolerances();
   const double first = fixed ? FixedGrid(contest.t0, request).h()
                              : first_step(problem.guarded, contest.t0, *contest.y0,
                                           request.stops.back(), method.first_order(), tolerance);
 
-  const Driver driver(gsl_odeiv2_driver_alloc_standard_new(&system, *method.type, first, tolerance,
-                                                           tolerance, 1, method.a_dydt),
-                      gsl_odeiv2_driver_free);
-  if (!driver)
-    return refuse(
-        fmt::format("gsl_odeiv2_driver_alloc_standard_new gave no driver for {}", method.name));
+  const Driver driver = make_driver(method, system, first, tolerance);
+  if (!driver) return refuse(fmt::format("gsl_odeiv2_driver gave no driver for {}", method.name));
   Outcome outcome;
   std::vector<double> y = *contest.y0;
   if (fixed) {

@@ -29,7 +29,39 @@ namespace {
 namespace od = boost::numeric::odeint;
 namespace ublas = boost::numeric::ublas;
 using Vector = ublas::vector<double>;
-using Controller = od::rosenbrock4_controller<od::rosenbrock4<double>>;
+
+/// rosenbrock4 for the controller, which divides the estimate by one absolute tolerance and the
+/// relative one: estimates scaled so that it then divides by the absolute tolerance of the
+/// component.
+class ByComponent : public od::rosenbrock4<double> {
+ public:
+  explicit ByComponent(const Tolerance& tolerance = Tolerance(1)) : tolerance_(tolerance) {}
+  template <class System>
+  void do_step(System system, const Vector& y, double t, Vector& y_new, double h, Vector& error) {
+    od::rosenbrock4<double>::do_step(system, y, t, y_new, h, error);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double size = std::max(std::abs(y[i]), std::abs(y_new[i]));
+      error[i] *= (1 + size) / (tolerance_.threshold(i) + size);
+    }
+  }
+
+ private:
+  Tolerance tolerance_;
+};
+
+template <class Stepper>
+using Controller = od::rosenbrock4_controller<Stepper>;
+
+/// Calls run(controller), of the request's tolerance.
+template <class Run>
+void with_controller(const Request& request, Run&& run) {
+  const Tolerance tolerance = request.tolerances();
+  if (request.by_component())
+    run(Controller<ByComponent>(tolerance.relative, tolerance.relative, ByComponent(tolerance)));
+  else
+    run(Controller<od::rosenbrock4<double>>(tolerance.absolute(0), tolerance.relative));
+}
+
 using Matrix = ublas::matrix<double>;  // row-major, as the problem's own
 
 struct Rhs {
@@ -77,7 +109,8 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
 double first(const System& system, double t0, const std::vector<double>& y0,
              const Request& request) {
   constexpr int order = 4;
-  return first_step(*system.first.problem, t0, y0, request.stops.back(), order, request.tolerance);
+  return first_step(*system.first.problem, t0, y0, request.stops.back(), order,
+                    request.tolerances());
 }
 
 template <class Stepper>
@@ -102,8 +135,9 @@ Outcome run_rosenbrock4(const OdeView& view, double t0, const std::vector<double
                         const Request& request) {
   if (request.mode == Mode::fixed) return run_fixed<od::rosenbrock4<double>>(view, t0, y0, request);
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
-    Controller stepper(request.tolerance, request.tolerance);
-    walk_controlled(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
+    with_controller(request, [&](auto stepper) {
+      walk_controlled(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
+    });
   });
 }
 
@@ -111,9 +145,10 @@ Outcome run_rosenbrock4_dense_output(const OdeView& view, double t0, const std::
                                      const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
-    od::rosenbrock4_dense_output<Controller> stepper(
-        Controller(request.tolerance, request.tolerance));
-    walk_dense(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
+    with_controller(request, [&](auto controller) {
+      od::rosenbrock4_dense_output<decltype(controller)> stepper(controller);
+      walk_dense(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
+    });
   });
 }
 

@@ -17,6 +17,7 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_mclachlan.hpp>
 #include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
+#include <concepts>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,7 @@
 #include "odeint/catalogue.hpp"
 #include "odeint/enroll.hpp"
 #include "odeint/run.hpp"
+#include "odeint/scaled.hpp"
 
 /// The definitions of enroll.hpp for a problem's own type; slow to compile.
 namespace odeum::adapters::odeint {
@@ -53,7 +55,11 @@ class Roster {
   struct Solve {
     Contest<P> contest;
     Run<P> run;
-    Outcome operator()(const Request& request) const { return run(contest, request); }
+    Outcome operator()(const Request& request) const {
+      if (request.mode == Mode::fixed || !request.by_component()) return run(contest, request);
+      if constexpr (std::same_as<P, SharedOde>) return run_scaled(contest, request, run);
+      return refuse_by_component();
+    }
   };
 
   const Contest<P>& contest_;
@@ -88,7 +94,7 @@ void enroll_one_step(Roster<P>& roster) {
              run_error_stepper<od::runge_kutta_cash_karp54_classic<Y>, P>);
   roster.add("runge_kutta_dopri5", run_error_stepper<od::runge_kutta_dopri5<Y>, P>);
   roster.add("runge_kutta_fehlberg78", run_error_stepper<od::runge_kutta_fehlberg78<Y>, P>);
-  constexpr auto make_dense_dopri5 = [](double tolerance) {
+  constexpr auto make_dense_dopri5 = [](const Tolerance& tolerance) {
     using Dopri5 = od::runge_kutta_dopri5<Y>;
     return od::dense_output_runge_kutta<Controlled<Dopri5>>(make_controlled<Dopri5>(tolerance));
   };
@@ -104,8 +110,8 @@ void enroll_extrapolation(Roster<P>& roster) {
   roster.add("extrapolation_stepper_10", run_extrapolation<10, P>);
   roster.add("extrapolation_stepper_12", run_extrapolation<12, P>);
   roster.add("bulirsch_stoer", run_controlled<od::bulirsch_stoer<Y>, 4, P>);
-  constexpr auto make_dense_bulirsch_stoer = [](double tolerance) {
-    return od::bulirsch_stoer_dense_out<Y>(tolerance, tolerance);
+  constexpr auto make_dense_bulirsch_stoer = [](const Tolerance& tolerance) {
+    return od::bulirsch_stoer_dense_out<Y>(tolerance.absolute(0), tolerance.relative);
   };
   roster.add("bulirsch_stoer_dense_out", run_dense<make_dense_bulirsch_stoer, 4, P>);
 }

@@ -45,6 +45,9 @@ Outcome refuse(const char* why) {
 }  // namespace
 
 Outcome refuse_adaptive() { return refuse("runs at a fixed step only"); }
+Outcome refuse_by_component() {
+  return refuse("tolerances by component are not compiled for an inlined problem");
+}
 Outcome refuse_fixed() { return refuse("chooses its own steps: runs to a tolerance only"); }
 
 }  // namespace odeum::adapters::odeint

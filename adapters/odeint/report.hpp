@@ -17,5 +17,7 @@ void explain_exception(Outcome& outcome);
 
 Outcome refuse_adaptive();
 Outcome refuse_fixed();
+/// Scaled problems are run behind pointers alone, see scaled.hpp.
+Outcome refuse_by_component();
 
 }  // namespace odeum::adapters::odeint

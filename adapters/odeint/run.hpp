@@ -39,7 +39,7 @@ State<P> start_of(const Contest<P>& contest) {
 template <Ode P>
 double first_step(const Guarded<P>& problem, const Contest<P>& contest, const State<P>& y,
                   int order, const Request& request) {
-  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerance);
+  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerances());
 }
 
 /// A stepper with do_step(system, y, t, h), in place.
@@ -58,22 +58,22 @@ Outcome run_plain(const Contest<P>& contest, const Request& request) {
 template <class Stepper>
 using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper>;
 
-/// The tolerance is both the absolute and the relative one.
+/// To a tolerance that is the same for all components, see scaled.hpp.
 template <class Stepper>
-Controlled<Stepper> make_controlled(double tolerance) {
+Controlled<Stepper> make_controlled(const Tolerance& tolerance) {
   // The library copies the stepper with its work space: static, so that it is zero and not
   // uninitialised.
   static const Stepper blank;
   using Checker = typename Controlled<Stepper>::error_checker_type;
   using Adjuster = typename Controlled<Stepper>::step_adjuster_type;
-  return Controlled<Stepper>(Checker(tolerance, tolerance), Adjuster(), blank);
+  return Controlled<Stepper>(Checker(tolerance.absolute(0), tolerance.relative), Adjuster(), blank);
 }
 
 /// Adaptive, by the controlled_runge_kutta that make_controlled returns.
 template <class Stepper, Ode P>
 Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
+    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerances());
     State<P> y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem}, contest.t0,
                     first_step(problem, contest, y, Stepper::error_order_value, request), request,
@@ -111,7 +111,7 @@ template <class Controlled, int order, Ode P>
 Outcome run_controlled(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    Controlled stepper(request.tolerance, request.tolerance);
+    Controlled stepper(request.tolerances().absolute(0), request.tolerance);
     State<P> y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem}, contest.t0,
                     first_step(problem, contest, y, order, request), request, y, outcome);
@@ -123,7 +123,7 @@ template <auto make, int order, Ode P>
 Outcome run_dense(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    auto stepper = make(request.tolerance);
+    auto stepper = make(request.tolerances());
     State<P> y = start_of(contest);
     walk_dense(stepper, System<P>{&problem}, contest.t0,
                first_step(problem, contest, y, order, request), request, y, outcome);

@@ -30,6 +30,7 @@ struct Module {
   int (*set_error_handler)(void*, ErrorHandler, void* data);
   int (*set_user_data)(void*, void* data);
   int (*set_tolerances)(void*, double relative, double absolute);
+  int (*set_tolerances_by_component)(void*, double relative, N_Vector absolute);
   int (*set_max_steps)(void*, long steps);
   int (*set_stop_time)(void*, double t);
   int (*set_fixed_step)(void*, double h);  ///< null: the module has no fixed-step mode

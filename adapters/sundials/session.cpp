@@ -100,9 +100,24 @@ void Session::run_fixed(Outcome& outcome) {
   }
 }
 
-void Session::run_adaptive(Outcome& outcome) {
-  check(module_.set_tolerances(integrator_, request_.tolerance, request_.tolerance),
+void Session::set_tolerances() {
+  const double relative = request_.tolerance;
+  const std::vector<double>& absolute = request_.absolute;
+  if (!request_.by_component()) {
+    check(module_.set_tolerances(integrator_, relative,
+                                 absolute.empty() ? relative : absolute.front()),
+          "setting the tolerances");
+    return;
+  }
+  const Vector by_component(N_VClone(y_.get()));  // the library copies it
+  if (!by_component) throw Failure{CV_MEM_FAIL, "making the vector of absolute tolerances"};
+  std::copy(absolute.begin(), absolute.end(), NV_DATA_S(by_component.get()));
+  check(module_.set_tolerances_by_component(integrator_, relative, by_component.get()),
         "setting the tolerances");
+}
+
+void Session::run_adaptive(Outcome& outcome) {
+  set_tolerances();
   for (const double stop : request_.stops) {
     check(module_.set_stop_time(integrator_, module_.interpolates_stops ? t_end() : stop),
           "setting the stop time");

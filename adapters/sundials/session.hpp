@@ -60,6 +60,7 @@ class Session {
   static void hear(int code, const char* module, const char* function, char* message, void* data);
   void run_fixed(Outcome& outcome);
   void run_adaptive(Outcome& outcome);
+  void set_tolerances();
 
   const Module& module_;
   const Request& request_;

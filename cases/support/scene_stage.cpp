@@ -34,7 +34,7 @@ Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
     return entrant;
   }
   entrant.solve = [problem](const Request& request) {
-    require_sound(request, 0);
+    require_sound(request, 0, problem->size());
     Outcome outcome;
     std::vector<double> y(problem->size());
     for (const double t : request.stops) {

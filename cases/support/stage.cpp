@@ -16,8 +16,9 @@ std::vector<Entrant> enroll(const ErasedContest& contest) {
     if (library.enroll) library.enroll(contest, entrants);
   for (Entrant& entrant : entrants) {
     if (!entrant.solve) continue;
-    entrant.solve = [t0 = contest.t0, solve = std::move(entrant.solve)](const Request& request) {
-      require_sound(request, t0);
+    entrant.solve = [t0 = contest.t0, n = contest.view.dimension,
+                     solve = std::move(entrant.solve)](const Request& request) {
+      require_sound(request, t0, n);
       return solve(request);
     };
   }

@@ -68,7 +68,7 @@ class LastStep {
   static constexpr bool adaptive = !std::same_as<Trial, NoTrial>;
   static constexpr Inside inside = inside_of<M, adaptive, Trial, S, Problem>();
 
-  LastStep(const Problem& problem, const Trial* trial, double tolerance)
+  LastStep(const Problem& problem, const Trial* trial, const Tolerance& tolerance)
       : problem_(problem), trial_(trial), tolerance_(tolerance), inner_(make_state(problem)) {
     end_state_ = inner_;
     if constexpr (inside == Inside::hermite) f0_.emplace(inner_), f1_ = f0_;
@@ -145,7 +145,7 @@ class LastStep {
 
   const Problem& problem_;
   const Trial* trial_;
-  double tolerance_;
+  Tolerance tolerance_;
   double t0_ = 0, t1_ = 0, end_ = 0;
   const S *y0_ = nullptr, *y1_ = nullptr;
   S inner_, end_state_;

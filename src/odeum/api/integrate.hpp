@@ -36,10 +36,8 @@ namespace odeum {
 struct Step {
   double h;
 };
-/// Steps chosen by the method, to a relative and absolute tolerance.
-struct Tolerance {
-  double value;
-};
+// Steps chosen by the method: Tolerance{r} holds errors to r (1 + |y|), Tolerance{r, a} to
+// a + r |y|, with one number a or a vector of one a component (core/tolerance.hpp).
 
 /// How a run ended. `t` is the time reached; y is the state there.
 struct RunEnd {
@@ -160,19 +158,20 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Step st
 
 /// The same to a tolerance, in steps that the method chooses.
 template <class M, Ode P, class... Parts>
-RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Tolerance tolerance,
+RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, const Tolerance& tolerance,
                  Parts... parts) {
   static_assert(has_trial_steps<M>, "this method runs at fixed steps only: give a Step");
   detail::require_fit<M>(problem, y, t0, t1);
-  detail::require(tolerance.value > 0 && std::isfinite(tolerance.value),
-                  "a tolerance has to be positive and finite");
+  detail::require(tolerance.sound_for(y.size()),
+                  "a tolerance has to be positive and finite, an absolute one a number or a vector "
+                  "of the state's size");
   const Guarded<Plain<P>> seen(problem);
-  auto steps = trial_steps_of<M>(seen, t0, y, t1, tolerance.value);
+  auto steps = trial_steps_of<M>(seen, t0, y, t1, tolerance);
   using Trial = decltype(steps.trial);
   AdaptiveWalk walk(seen, t0, y, steps.first_step, steps.trial);
   RunEnd end;
   end.t = t0;
-  LastStep<M, P, Trial> last(seen, &steps.trial, tolerance.value);
+  LastStep<M, P, Trial> last(seen, &steps.trial, tolerance);
   detail::Watch watch(last, end, parts...);
   watch.begin(t0, y);
   for (bool go_on = true; go_on && walk.t() < t1;) {

@@ -2,6 +2,7 @@
 #include "odeum/cli/request.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,20 +34,54 @@ void set_step(Request& request, double h, double length, const SolverInfo& info)
                        request.steps, request.stops.back()));
 }
 
-void set_tolerance(Request& request, double tolerance, const SolverInfo& info) {
+void set_tolerances(Request& request, const RunSettings& settings, std::size_t numbers,
+                    const SolverInfo& info) {
   const double smallest = std::numeric_limits<double>::epsilon();
+  const double tolerance = settings.relative.value_or(settings.tolerance.value_or(0));
   if (!std::isfinite(tolerance) || !(tolerance > smallest))
-    throw UsageError(fmt::format("--tol: got {}, expected a number above machine precision, {:.2g}",
-                                 tolerance, smallest));
+    throw UsageError(fmt::format("{}: got {}, expected a number above machine precision, {:.2g}",
+                                 settings.relative ? "--rtol" : "--tol", tolerance, smallest));
+  for (const double each : settings.absolute)
+    if (!std::isfinite(each) || !(each > 0))
+      throw UsageError(fmt::format("--atol: got {}, expected positive numbers", each));
+  if (settings.absolute.size() > 1 && settings.absolute.size() != numbers)
+    throw UsageError(
+        fmt::format("--atol: got {} numbers, expected one, or {}: one for each of the "
+                    "state's",
+                    settings.absolute.size(), numbers));
   if (!info.adaptive)
     throw UsageError(fmt::format("{} runs at a fixed step only: use --step", info.id()));
   request.mode = Mode::adaptive;
   request.tolerance = tolerance;
+  request.absolute = settings.absolute;
 }
 
 }  // namespace
 
-Request make_request(const RunSettings& settings, double t0, double horizon,
+bool has_setting(const RunSettings& settings) {
+  return settings.step || settings.tolerance || settings.relative;
+}
+
+RunSettings settings_for(const Case& c, RunSettings settings) {
+  if (!has_setting(settings) && c.tolerance > 0) settings.tolerance = c.tolerance;
+  if (settings.tolerance) {
+    settings.absolute = c.thresholds;
+    for (double& each : settings.absolute) each *= *settings.tolerance;
+  }
+  return settings;
+}
+
+std::string text_of_tolerance(const Request& request) {
+  if (request.absolute.empty()) return fmt::format("tolerance {}", request.tolerance);
+  constexpr std::size_t most = 8;
+  const auto shown = std::min(request.absolute.size(), most);
+  return fmt::format("rtol {}, atol {}{}", request.tolerance,
+                     fmt::join(request.absolute.begin(),
+                               request.absolute.begin() + static_cast<std::ptrdiff_t>(shown), ","),
+                     shown < request.absolute.size() ? ",..." : "");
+}
+
+Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,
                      const SolverInfo& info) {
   Request request;
   const double end = settings.until.value_or(horizon), length = end - t0;
@@ -56,7 +91,7 @@ Request make_request(const RunSettings& settings, double t0, double horizon,
   if (settings.step)
     set_step(request, *settings.step, length, info);
   else
-    set_tolerance(request, settings.tolerance.value_or(0), info);
+    set_tolerances(request, settings, numbers, info);
   // The user chose the setting; only the seconds are limited.
   request.budget.evaluations = 10'000'000'000;
   request.budget.seconds = 600;

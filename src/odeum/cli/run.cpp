@@ -19,9 +19,26 @@ void add_run(CLI::App& app, int& result) {
   add_problem_options(*command, options->problems, false);
   CLI::Option* step =
       command->add_option("--step", options->settings.step, "fixed step")->type_name("H");
-  command->add_option("--tol", options->settings.tolerance, "relative and absolute tolerance")
-      ->type_name("R")
-      ->excludes(step);
+  CLI::Option* tol = command
+                         ->add_option("--tol", options->settings.tolerance,
+                                      "relative and absolute tolerance, or with a case's or "
+                                      "scene's own absolute ones in proportion")
+                         ->type_name("R")
+                         ->excludes(step);
+  CLI::Option* rtol =
+      command->add_option("--rtol", options->settings.relative, "relative tolerance, with --atol")
+          ->type_name("R")
+          ->excludes(step)
+          ->excludes(tol);
+  CLI::Option* atol =
+      command
+          ->add_option("--atol", options->settings.absolute,
+                       "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
+          ->type_name("A")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->needs(rtol);
+  rtol->needs(atol);
   command->add_option("--until", options->settings.until, "end time; default: the horizon")
       ->type_name("T");
   command

@@ -48,7 +48,9 @@ Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& s
 
 CaseRun run_one(const Case& c, const std::string& solver, const RunOptions& options) {
   const Entrant& entrant = find_entrant(c, solver);
-  CaseRun run{&entrant, make_request(options.settings, c.t0, c.stops.back(), entrant.info), {}};
+  CaseRun run{&entrant,
+              make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info),
+              {}};
   if (!options.out.empty() || options.settings.every)
     ask_for_output(run.request, options.settings, c.t0, c.y0.size());
   run.outcome = entrant.solve(run.request);
@@ -64,10 +66,11 @@ std::string error_text(const Case& c, const Request& request, const Outcome& out
                        c.truth.source);
   const bool fixed = request.mode == Mode::fixed;
   const judge::JudgedAnswer judged =
-      fixed ? judge::judge_fixed_answer(errors, judge.scale())
-            : judge::judge_answer(errors, judge::measure_amplification(c, request.stops),
-                                  request.tolerance, static_cast<double>(outcome.counters.steps),
-                                  c.truth.floor, judge.scale());
+      fixed
+          ? judge::judge_fixed_answer(errors, judge.scale())
+          : judge::judge_answer(
+                errors, judge::measure_amplification(c, request.stops), request.largest_tolerance(),
+                static_cast<double>(outcome.counters.steps), c.truth.floor, judge.scale());
   std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
                                  errors.back().error_max, errors.back().error_rms, c.truth.source);
   if (judged.answer == judge::Answer::not_applicable) return text;
@@ -87,8 +90,9 @@ std::string describe(const Case& c, const CaseRun& run) {
   text +=
       run.request.mode == Mode::fixed
           ? fmt::format("step    {}, {} steps to t = {}\n", run.step(c.t0), run.request.steps, end)
-          : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n", run.request.tolerance,
-                        outcome.counters.steps, outcome.counters.rejected_steps, end);
+          : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n",
+                        text_of_tolerance(run.request), outcome.counters.steps,
+                        outcome.counters.rejected_steps, end);
   if (run.request.mode == Mode::adaptive && run.request.stops.size() > 1 &&
       run.entrant->info.library != "odeum")
     text += fmt::format(
@@ -150,9 +154,9 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
   for (const Parameter& parameter : c.parameters)
     page.facts.emplace_back(parameter.name,
                             record::format_number(parameter.value) + ", " + parameter.meaning);
-  page.facts.emplace_back(
-      "Setting", options.settings.step ? fmt::format("step {}", *options.settings.step)
-                                       : fmt::format("tolerance {}", *options.settings.tolerance));
+  page.facts.emplace_back("Setting", options.settings.step
+                                         ? fmt::format("step {}", *options.settings.step)
+                                         : text_of_tolerance(runs.front().request));
   page.table = table_of(c, runs);
   page.figures = case_figures(c, runs, exact);
   folder.write("comparison.html", report::comparison_page(page));
@@ -162,14 +166,16 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
   return text;
 }
 
-int run_solvers(const Case& c, const RunOptions& options) {
+int run_solvers(const Case& c, RunOptions options) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
-  if (!options.settings.step && !options.settings.tolerance)
-    throw UsageError("run needs --step or --tol");
+  options.settings = settings_for(c, options.settings);
+  if (!has_setting(options.settings))
+    throw UsageError("run needs --step, --tol, or --rtol and --atol");
   if (options.code) {
     if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
     const Entrant& entrant = find_entrant(c, options.solvers.front());
-    print(code_of(c, entrant, make_request(options.settings, c.t0, c.stops.back(), entrant.info)));
+    print(code_of(c, entrant,
+                  make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info)));
     return success;
   }
   print(fmt::format("case    {}: {}\n", c.id, c.equation));
@@ -205,7 +211,7 @@ int run_problem(const RunOptions& options) {
   for (const std::string& line : describe_fits(given.c->entrants, options.verbose))
     text += line + "\n";
   print(text);
-  const bool asked = options.settings.step || options.settings.tolerance || !options.out.empty();
+  const bool asked = has_setting(options.settings) || !options.out.empty();
   if (options.solvers.empty() && !asked) return success;
   return run_solvers(*given.c, options);
 }

@@ -53,7 +53,7 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
                       ? fmt::format("step       {}, {} steps to t = {}",
                                     end / static_cast<double>(request.steps), request.steps, end)
                       : fmt::format("tol        {}, {} steps and {} rejected to t = {}",
-                                    request.tolerance, run.counters.steps,
+                                    text_of_tolerance(request), run.counters.steps,
                                     run.counters.rejected_steps, run.t));
   lines.push_back(fmt::format("status     {}{}{}", to_string(run.status),
                               run.detail.empty() ? "" : ": ", run.detail));
@@ -75,9 +75,15 @@ std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(l
 
 RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   RunSettings settings = options.settings;
-  if (!settings.step && !settings.tolerance && scene.solver) {
+  if (settings.absolute.size() > 1)
+    throw UsageError(
+        fmt::format("--atol: got {} numbers, expected one for a scene, whose particles "
+                    "may change in number",
+                    settings.absolute.size()));
+  if (!has_setting(settings) && scene.solver) {
     settings.step = scene.solver->step;
     settings.tolerance = scene.solver->tolerance;
+    if (scene.solver->absolute) settings.absolute = {*scene.solver->absolute};
   }
   return settings;
 }
@@ -100,11 +106,12 @@ std::string name_of(const Scene& scene, const std::string& file) {
 }
 
 SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& settings) {
-  SceneRun one{&entrant, make_request(settings, 0, *scene.duration, entrant.info), {}, ""};
+  SceneRun one{&entrant, make_request(settings, 0, *scene.duration, 0, entrant.info), {}, ""};
   scene::RunSetting setting;
   setting.mode = one.request.mode;
   setting.steps = one.request.steps;
   setting.tolerance = one.request.tolerance;
+  setting.absolute = one.request.absolute;
   setting.until = one.request.stops.back();
   setting.budget = one.request.budget;
   setting.frame_interval = scene::frame_interval(scene, setting.until);
@@ -151,7 +158,8 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
   for (const std::string& solver : options.solvers)
     chosen.push_back(&choose(entrants, solver, scene));
   if (chosen.empty()) chosen.push_back(&choose(entrants, "", scene));
-  for (const Entrant* entrant : chosen) make_request(settings, 0, *scene.duration, entrant->info);
+  for (const Entrant* entrant : chosen)
+    make_request(settings, 0, *scene.duration, 0, entrant->info);
 
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
@@ -242,8 +250,7 @@ std::optional<SceneSource> find_scene(const std::string& what) {
 
 int run_scene(const SceneSource& source, const RunOptions& options) {
   scene::ReadOptions read_options = options.limits;
-  const bool has_setting = options.settings.step || options.settings.tolerance;
-  read_options.need_solver = options.solvers.empty() || !has_setting;
+  read_options.need_solver = options.solvers.empty() || !has_setting(options.settings);
   if (!options.problems.sets.empty())
     throw UsageError("--set: a scene has no parameters; change its file");
   if (options.settings.every &&

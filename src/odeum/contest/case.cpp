@@ -15,4 +15,10 @@ std::vector<std::string> component_names(const Case& c) {
   return names;
 }
 
+void set_tolerance(Request& request, const Case& c, double relative) {
+  request.tolerance = relative;
+  request.absolute = c.thresholds;
+  for (double& each : request.absolute) each *= relative;
+}
+
 }  // namespace odeum

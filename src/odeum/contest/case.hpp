@@ -78,6 +78,10 @@ struct Case {
   /// By component: its errors and its size are divided by this number; empty: by 1. The truth's
   /// floor is in the same units.
   std::vector<double> scale;
+  /// By component, or one for all: the size below which an error counts absolutely in a run to a
+  /// tolerance (core/tolerance.hpp), as a user of the problem would ask for it; empty: 1.
+  std::vector<double> thresholds;
+  double tolerance = 0;  ///< the relative one that its author asks for; 0: none
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
   /// What a scheme gives after `steps` steps of h by a closed form of its own, for a few solvers of
@@ -115,6 +119,9 @@ struct Case {
 /// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,
 /// ...
 std::vector<std::string> component_names(const Case& c);
+
+/// Asks for a relative tolerance, and for the absolute ones of the case's thresholds.
+void set_tolerance(Request& request, const Case& c, double relative);
 
 /// Every case of the project, in the order of the files in cases/. Built once.
 const std::vector<Case>& all_cases();

@@ -7,7 +7,7 @@
 namespace odeum {
 
 double first_step(GuardedView& problem, double t0, const std::vector<double>& y0, double horizon,
-                  int order, double tolerance) {
+                  int order, const Tolerance& tolerance) {
   const SharedOde viewed(problem.view(), nullptr);
   return initial_step(Guarded(viewed, problem.guard()), t0, y0, horizon, order, tolerance);
 }

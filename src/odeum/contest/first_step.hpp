@@ -9,8 +9,8 @@ namespace odeum {
 
 /// The first step for a library that asks its user for one: the rule that own methods follow
 /// (initial_step in control/adaptive.hpp), for two guarded evaluations. `order` is that of the
-/// method's first step, `tolerance` relative and absolute.
+/// method's first step.
 double first_step(GuardedView& problem, double t0, const std::vector<double>& y0, double horizon,
-                  int order, double tolerance);
+                  int order, const Tolerance& tolerance);
 
 }  // namespace odeum

@@ -10,6 +10,7 @@
 #include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
 #include "odeum/core/text_of.hpp"
+#include "odeum/kernel/scaled_norm.hpp"
 
 /// The adaptive loop, and the interface of what chooses its steps. A `Trial` makes one trial step
 /// of length h from (t, y), and accepts it, with the new state in y_new, or rejects it:
@@ -48,13 +49,14 @@ struct StepMade {
   double share(double time) const { return (time - t) / h; }
 };
 
-/// sqrt(mean over components of (e_i / (tol + tol max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
+/// sqrt(mean over components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
 /// (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new is not.
 template <class S>
-double scaled_error_norm(const S& error, const S& y, const S& y_new, double tolerance) {
+double scaled_error_norm(const S& error, const S& y, const S& y_new,
+                         const ErrorScale<S>& error_scale) {
   double sum = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    const double scale = tolerance * (1 + std::max(std::abs(y[i]), std::abs(y_new[i])));
+    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
     sum += (error[i] / scale) * (error[i] / scale) + 0 * y_new[i];
   }
   return std::sqrt(sum / static_cast<double>(y.size()));
@@ -63,16 +65,17 @@ double scaled_error_norm(const S& error, const S& y, const S& y_new, double tole
 /// A first step for a method of the given order (Solving ODEs I, II.4, "Starting step size").
 template <Ode P>
 double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, double horizon,
-                    int order, double tolerance) {
+                    int order, const Tolerance& tolerance) {
+  const ErrorScale<State<P>> scale(tolerance, y0);
   State<P> f0 = make_state(problem), y1 = f0, f1 = f0;
   problem.rhs(t0, y0.data(), f0.data());
-  const double d0 = scaled_error_norm(y0, y0, y0, tolerance);
-  const double d1 = scaled_error_norm(f0, y0, y0, tolerance);
+  const double d0 = scaled_error_norm(y0, y0, y0, scale);
+  const double d1 = scaled_error_norm(f0, y0, y0, scale);
   const double h0 = std::min(d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1, horizon - t0);
   for (std::size_t i = 0; i < y0.size(); ++i) y1[i] = y0[i] + h0 * f0[i];
   problem.rhs(t0 + h0, y1.data(), f1.data());
   for (std::size_t i = 0; i < y0.size(); ++i) f1[i] -= f0[i];
-  const double d2 = scaled_error_norm(f1, y0, y0, tolerance) / h0;
+  const double d2 = scaled_error_norm(f1, y0, y0, scale) / h0;
   const double steepest = std::max(d1, d2);
   const double h1 = steepest > 1e-15 && std::isfinite(steepest)
                         ? std::pow(0.01 / steepest, 1.0 / (order + 1))

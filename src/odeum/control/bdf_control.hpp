@@ -14,7 +14,8 @@ namespace odeum {
 template <Ode P>
 class BdfTrial {
  public:
-  BdfTrial(const P& problem, double t0, const State<P>& y0, double first_step, double tolerance)
+  BdfTrial(const P& problem, double t0, const State<P>& y0, double first_step,
+           const Tolerance& tolerance)
       : stepper_(problem, t0, y0, first_step, tolerance) {}
 
   Decision operator()(double t, double h, const State<P>&, State<P>& y_new) {

@@ -17,9 +17,9 @@ namespace odeum {
 template <Ode P>
 class ExtrapolatedEulerControl {
  public:
-  ExtrapolatedEulerControl(const P& problem, double tolerance)
-      : table_(problem), scale_(make_state(problem)), tolerance_(tolerance) {
-    target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance)),
+  ExtrapolatedEulerControl(const P& problem, const Tolerance& tolerance)
+      : table_(problem), scale_(make_state(problem)), error_scale_(tolerance, scale_) {
+    target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance.relative)),
                          std::size_t{2}, last - 1);
     // In units of one evaluation with its solve; a factorisation counts as two.
     const auto substeps = [](std::size_t j) {
@@ -34,7 +34,7 @@ class ExtrapolatedEulerControl {
       table_.linearise(t, y);
       moved_ = false;
     }
-    for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
+    for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / error_scale_(n, std::abs(y[n]));
     used_ = 0;
     double error = 0, before = 0;
     for (std::size_t j = 0; j <= std::min(target_ + 1, last); ++j) {
@@ -113,7 +113,7 @@ class ExtrapolatedEulerControl {
 
   ExtrapolatedEulerTable<P> table_;
   State<P> scale_;
-  double tolerance_;
+  ErrorScale<State<P>> error_scale_;
   std::size_t target_ = 2, used_ = 0;  ///< columns, from 0
   bool first_ = true, rejected_ = false, moved_ = true;
   std::array<double, columns> work_{}, step_{}, cost_{};

@@ -102,12 +102,12 @@ class OrderAndStepControl {
 template <Ode P>
 class ExtrapolationTrial {
  public:
-  ExtrapolationTrial(const Guarded<P>& problem, double tolerance)
+  ExtrapolationTrial(const Guarded<P>& problem, const Tolerance& tolerance)
       : problem_(problem),
         table_(problem),
-        control_(tolerance),
+        control_(tolerance.relative),
         difference_(make_state(problem)),
-        tolerance_(tolerance) {}
+        scale_(tolerance, difference_) {}
   int order() const { return 2 * control_.wanted(); }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
@@ -124,7 +124,7 @@ class ExtrapolationTrial {
       }
       table_.add_line(line, &difference_);
       table_.result(line, y_new);
-      return scaled_error_norm(difference_, y, y_new, tolerance_);
+      return scaled_error_norm(difference_, y, y_new, scale_);
     });
     table_.result(control_.line(), y_new);
     repeated_ = !decision.accept;
@@ -144,7 +144,7 @@ class ExtrapolationTrial {
   ExtrapolationTable<Guarded<P>, lines> table_;
   OrderAndStepControl<lines> control_;
   State<P> difference_;
-  double tolerance_;
+  ErrorScale<State<P>> scale_;
   bool repeated_ = false;
 };
 

@@ -20,22 +20,22 @@ namespace odeum {
 template <class Stepper, class StepControl, Ode P, class M = void>
 class EmbeddedPair {
  public:
-  EmbeddedPair(const Guarded<P>& problem, double tolerance, int order)
+  EmbeddedPair(const Guarded<P>& problem, const Tolerance& tolerance, int order)
       : problem_(problem),
         stepper_(problem),
         control_(order),
         error_(make_state(problem)),
-        tolerance_(tolerance) {
+        tolerance_(tolerance),
+        scale_(tolerance, error_) {
     if constexpr (requires { stepper_.solve_to(tolerance); }) stepper_.solve_to(tolerance);
   }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     y_new = y;
     const Status status = stepper_.step(t, h, y_new, error_);
-    Decision decision =
-        decide(control_, h,
-               status == Status::ok ? scaled_error_norm(error_, y, y_new, tolerance_)
-                                    : std::numeric_limits<double>::infinity());
+    Decision decision = decide(control_, h,
+                               status == Status::ok ? scaled_error_norm(error_, y, y_new, scale_)
+                                                    : std::numeric_limits<double>::infinity());
     if constexpr (requires { Stepper::keeps_factors; })
       decision = without_small_growth(decision, h);
     if constexpr (requires { stepper_.advance(); })
@@ -72,16 +72,17 @@ class EmbeddedPair {
   Stepper stepper_;
   StepControl control_;
   State<P> error_;
-  double tolerance_;
+  Tolerance tolerance_;
+  ErrorScale<State<P>> scale_;
 };
 
 template <class Stepper, class StepControl = IntegralControl, class M = void, Ode P>
 Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
                           const Request& request, int order) {
-  const double first =
-      initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
+  const Tolerance tolerance = request.tolerances();
+  const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
   return run_adaptive(problem, t0, y0, request, first,
-                      EmbeddedPair<Stepper, StepControl, P, M>(problem, request.tolerance, order));
+                      EmbeddedPair<Stepper, StepControl, P, M>(problem, tolerance, order));
 }
 
 /// Step doubling over any one-step method: one step of h against two of h/2. Above the upper bound
@@ -94,11 +95,11 @@ Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& 
 template <class Stepper, Ode P>
 class StepDoubling {
  public:
-  StepDoubling(const Guarded<P>& problem, double tolerance, int order)
+  StepDoubling(const Guarded<P>& problem, const Tolerance& tolerance, int order)
       : problem_(problem),
         stepper_(problem),
         whole_(make_state(problem)),
-        tolerance_(tolerance),
+        scale_(tolerance, whole_),
         lower_(std::ldexp(0.5, -(order + 1))) {
     if constexpr (requires { stepper_.will_be_retried(); }) stepper_.will_be_retried();
   }
@@ -109,7 +110,7 @@ class StepDoubling {
     const bool made = step(stepper_, t, h, whole_) && step(stepper_, t, h / 2, y_new) &&
                       step(stepper_, t + h / 2, h / 2, y_new);
     for (std::size_t i = 0; i < y.size(); ++i) whole_[i] -= y_new[i];
-    const double difference = scaled_error_norm(whole_, y, y_new, tolerance_);
+    const double difference = scaled_error_norm(whole_, y, y_new, scale_);
     if (!made || !std::isfinite(difference)) return {false, h / 4};
     if (difference > 1) return {false, h / 2};
     return {true, difference < lower_ ? 2 * h : h};
@@ -133,16 +134,17 @@ class StepDoubling {
   const Guarded<P>& problem_;
   Stepper stepper_;
   State<P> whole_;
-  double tolerance_, lower_;
+  ErrorScale<State<P>> scale_;
+  double lower_;
 };
 
 template <class Stepper, Ode P>
 Outcome run_step_doubling(const Guarded<P>& problem, double t0, const State<P>& y0,
                           const Request& request, int order) {
-  const double first =
-      initial_step(problem, t0, y0, request.stops.back(), order, request.tolerance);
+  const Tolerance tolerance = request.tolerances();
+  const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
   return run_adaptive(problem, t0, y0, request, first,
-                      StepDoubling<Stepper, P>(problem, request.tolerance, order));
+                      StepDoubling<Stepper, P>(problem, tolerance, order));
 }
 
 }  // namespace odeum

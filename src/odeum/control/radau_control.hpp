@@ -18,13 +18,14 @@ class RadauTrial {
  public:
   static constexpr int order = T.stages;  ///< of the estimate
 
-  RadauTrial(const P& problem, double tolerance)
+  RadauTrial(const P& problem, const Tolerance& tolerance)
       : problem_(problem),
         tolerance_(held_tolerance(tolerance)),
         stepper_(problem, tolerance_, newton_fraction()),
         control_(order, 8) {}
-  static double held_tolerance(double tolerance) {
-    return 0.03 * std::pow(tolerance, (order + 1.0) / (2.0 * order));
+  static Tolerance held_tolerance(const Tolerance& tolerance) {
+    return tolerance.with_relative(0.03 *
+                                   std::pow(tolerance.relative, (order + 1.0) / (2.0 * order)));
   }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
@@ -54,12 +55,12 @@ class RadauTrial {
  private:
   double newton_fraction() const {
     constexpr double exponent = 2.0 * order / (order + 1.0) - 1;
-    return std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_,
-                    std::min(0.03, std::pow(tolerance_, exponent)));
+    return std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_.relative,
+                    std::min(0.03, std::pow(tolerance_.relative, exponent)));
   }
 
   const P& problem_;
-  double tolerance_;
+  Tolerance tolerance_;
   RadauStepper<T, P> stepper_;
   PredictiveControl control_;
 };
@@ -69,9 +70,9 @@ template <const auto& T>
 struct RadauMethod : FullyImplicitMethod<T> {
   template <Ode P>
   static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
-                          double tolerance) {
+                          const Tolerance& tolerance) {
     using Trial = RadauTrial<T, Guarded<P>>;
-    const double held = Trial::held_tolerance(tolerance);
+    const Tolerance held = Trial::held_tolerance(tolerance);
     return TrialSteps<Trial>{initial_step(problem, t0, y0, end, Trial::order, held),
                              {problem, tolerance}};
   }

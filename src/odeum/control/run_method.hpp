@@ -42,7 +42,7 @@ inline constexpr bool has_trial_steps = OwnTrialSteps<M> ||
 /// pair, else step doubling.
 template <class M, Ode P>
 auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
-                    double tolerance) {
+                    const Tolerance& tolerance) {
   using Stepper = typename M::template Stepper<Guarded<P>>;
   if constexpr (M::info.order_embedded != 0) {
     using Trial = EmbeddedPair<Stepper, typename ControlFor<M::info.control>::type, P, M>;
@@ -57,7 +57,7 @@ auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, do
 }
 template <OwnTrialSteps M, Ode P>
 auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
-                    double tolerance) {
+                    const Tolerance& tolerance) {
   return M::trial_steps(problem, t0, y0, end, tolerance);
 }
 
@@ -78,7 +78,7 @@ Outcome run_method(const Guarded<P>& problem, double t0, const State<P>& y0,
     else
       return refusal("chooses its own steps only");
   } else if constexpr (has_trial_steps<M>) {
-    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerance);
+    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerances());
     return run_adaptive(problem, t0, y0, request, steps.first_step, steps.trial);
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     return M::integrate(problem, t0, y0, request);

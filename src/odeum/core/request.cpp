@@ -7,7 +7,7 @@
 
 namespace odeum {
 
-void require_sound(const Request& request, double t0) {
+void require_sound(const Request& request, double t0, std::size_t dimension) {
   if (request.stops.empty()) throw std::invalid_argument("a request needs a stop");
   double before = t0;
   for (const double stop : request.stops) {
@@ -18,10 +18,18 @@ void require_sound(const Request& request, double t0) {
   }
   if (request.mode == Mode::fixed && request.steps == 0)
     throw std::invalid_argument("a run at a fixed step needs a number of steps");
-  if (request.mode == Mode::adaptive &&
-      !(request.tolerance > 0 && std::isfinite(request.tolerance)))
+  if (request.mode != Mode::adaptive) return;
+  if (!(request.tolerance > 0 && std::isfinite(request.tolerance)))
     throw std::invalid_argument(
         fmt::format("a tolerance of {} is not positive and finite", request.tolerance));
+  for (const double each : request.absolute)
+    if (!(each > 0 && std::isfinite(each)))
+      throw std::invalid_argument(
+          fmt::format("an absolute tolerance of {} is not positive and finite", each));
+  if (request.by_component() && request.absolute.size() != dimension)
+    throw std::invalid_argument(fmt::format(
+        "{} absolute tolerances for a state of {} numbers: give one for all, or one for each",
+        request.absolute.size(), dimension));
 }
 
 }  // namespace odeum

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/tolerance.hpp"
+
 namespace odeum {
 
 /// Limits on the cost of a solve. The evaluations are meant to decide (the same on every machine,
@@ -27,8 +29,10 @@ inline const char* to_string(Mode mode) { return mode == Mode::fixed ? "fixed" :
 /// A request to a solver: integrate from t0 to the last stop and record the state at every stop.
 struct Request {
   Mode mode = Mode::fixed;
-  std::uint64_t steps = 0;    ///< fixed: the number of equal steps from t0 to the last stop
-  double tolerance = 0;       ///< adaptive: relative and absolute tolerance, the same number
+  std::uint64_t steps = 0;  ///< fixed: the number of equal steps from t0 to the last stop
+  double tolerance = 0;     ///< adaptive: relative tolerance
+  /// Adaptive: absolute tolerance by component, or one for all; empty: the number of `tolerance`.
+  std::vector<double> absolute = {};
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   /// Adaptive, own solvers: stops before the last do not limit the steps; the states there come
   /// from inside the steps, at the order of the method (see control/adaptive.hpp). For output;
@@ -40,11 +44,22 @@ struct Request {
   /// Values for options that the solver has of its own, see SolverInfo::options. Without a value an
   /// option has the default of the solver's library; other names are ignored.
   std::map<std::string, double> options = {};
+
+  /// Relative and absolute tolerance of an adaptive run.
+  Tolerance tolerances() const { return Tolerance(tolerance, absolute); }
+  double largest_tolerance() const {
+    double largest = tolerance;
+    for (const double each : absolute) largest = each > largest ? each : largest;
+    return largest;
+  }
+  /// Whether components have absolute tolerances of their own.
+  bool by_component() const { return absolute.size() > 1; }
 };
 
 /// Throws std::invalid_argument where a request is malformed: no stops, or stops that are not
-/// finite, after t0 and strictly increasing; no steps; a tolerance that is not positive and finite.
-void require_sound(const Request& request, double t0);
+/// finite, after t0 and strictly increasing; no steps; a tolerance that is not positive and finite;
+/// another number of absolute tolerances than one or that of the state, `dimension`.
+void require_sound(const Request& request, double t0, std::size_t dimension);
 
 /// The times of a fixed-step run: t(i) = t0 + i*h, ending exactly at the horizon, with every stop
 /// on the grid (design rule: no step is ever shortened in a fixed-step run).

@@ -31,7 +31,9 @@ struct Problem {
   std::vector<Id> exact;      ///< by state, in t; empty: not known
   std::vector<Place> exact_places;
   std::vector<Kept> invariants;
-  std::vector<double> scale;  ///< by state; empty: 1
+  std::vector<double> scale;     ///< by state; empty: 1
+  double tolerance = 0;          ///< relative, that runs are asked for; 0: none given
+  std::vector<double> absolute;  ///< tolerance by state, or one for all; empty: none given
   /// The equations as text, for people: `x' = ...`, in the order of the file.
   std::string equations_text;
 };

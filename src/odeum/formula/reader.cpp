@@ -16,7 +16,7 @@ namespace {
 
 const std::vector<std::string> known_keys = {"name",       "parameters", "definitions", "states",
                                              "equations",  "boundaries", "time",        "exact",
-                                             "invariants", "scale"};
+                                             "invariants", "scale",      "tolerance"};
 
 }  // namespace
 
@@ -55,6 +55,7 @@ Problem Reader::read() {
   read_exact();
   read_invariants(all);
   read_scale();
+  read_tolerance();
   check::require_start(problem_, source_);
   check::require_exact(problem_, source_);
   return std::move(problem_);

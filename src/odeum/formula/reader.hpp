@@ -94,6 +94,7 @@ class Reader {
   void read_exact();
   void read_invariants(const Scope& scope);
   void read_scale();
+  void read_tolerance();
 
   Source source_;
   const Overrides& overrides_;

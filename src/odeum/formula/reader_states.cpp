@@ -199,4 +199,34 @@ void Reader::read_scale() {
   }
 }
 
+void Reader::read_tolerance() {
+  const auto positive = [this](const YamlNode& value, const std::string& key) {
+    const auto number = static_cast<double>(source_.number(value, key, constants_, problem_.graph));
+    if (!(number > 0))
+      source_.fail(value.place, fmt::format("{}: got {}, expected a positive number", key, number));
+    return number;
+  };
+  for (const Item& item : items("tolerance")) {
+    const std::string key = "tolerance: " + item.key;
+    if (item.key == "relative") {
+      problem_.tolerance = positive(*item.value, key);
+    } else if (item.key != "absolute") {
+      source_.fail(item.key_place, "tolerance: an unknown key; got " + shown(item.key) +
+                                       ", expected relative, absolute");
+    } else if (item.value->kind == YamlNode::Kind::sequence) {
+      for (const auto& each : item.value->items) problem_.absolute.push_back(positive(*each, key));
+      if (problem_.absolute.size() != problem_.states.size())
+        source_.fail(item.value->place,
+                     fmt::format("{}: got {} numbers, expected one, or {}: one for each state", key,
+                                 problem_.absolute.size(), problem_.states.size()));
+    } else {
+      problem_.absolute = {positive(*item.value, key)};
+    }
+  }
+  if (const Item* const given = section("tolerance"); given && problem_.tolerance == 0)
+    source_.fail(given->value->place,
+                 "tolerance: got no relative one, expected `tolerance: "
+                 "{relative: 1e-6, absolute: 1e-9}`");
+}
+
 }  // namespace odeum::formula::reading

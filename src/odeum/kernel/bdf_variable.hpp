@@ -16,20 +16,20 @@ namespace odeum {
 /// Steps of the numerical differentiation formulas of orders 1 to 5 (Shampine, Reichelt, The MATLAB
 /// ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2), on a grid of equal steps: the method
 /// stores backward differences of the solution and interpolates them to another grid when the step
-/// changes. `tolerance` is relative and absolute, of the scaled norms.
+/// changes. `tolerance` is that of the scaled norms.
 template <Ode P>
 class BdfStepper {
  public:
   static constexpr int max_order = ndf::max_order, max_iterations = 4;
 
-  BdfStepper(const P& problem, double t0, const State<P>& y0, double h, double tolerance)
-      : problem_(problem), tolerance_(tolerance), system_(problem), h_(h), difference_(problem) {
+  BdfStepper(const P& problem, double t0, const State<P>& y0, double h, const Tolerance& tolerance)
+      : problem_(problem), level_(tolerance, y0), system_(problem), h_(h), difference_(problem) {
     for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
     for (double& component : difference_[1]) component *= h;
-    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance,
-                                 std::min(0.03, std::sqrt(tolerance)));
+    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance.relative,
+                                 std::min(0.03, std::sqrt(tolerance.relative)));
   }
 
   /// Solves for the state at t_new = t + h by order k; newton_failed where that does not converge.
@@ -46,7 +46,7 @@ class BdfStepper {
       y_[n] = predicted;
       d_[n] = 0;
       psi_[n] = psi / alpha;
-      scale_[n] = 1 / (tolerance_ * (1 + std::abs(predicted)));
+      scale_[n] = 1 / level_(n, std::abs(predicted));
     }
     return converge(t_new, h_ / alpha) ? Status::ok : Status::newton_failed;
   }
@@ -138,7 +138,7 @@ class BdfStepper {
   double norm(const State<P>& x) const { return scaled_norm(x, scale_); }
 
   const P& problem_;
-  double tolerance_;
+  ErrorScale<State<P>> level_;
   ShiftedSystem<P> system_;
   double h_, newton_tolerance_ = 0, factored_for_ = 0;
   int iterations_ = 0;

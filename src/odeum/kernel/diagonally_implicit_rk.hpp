@@ -44,7 +44,7 @@ class DiagonallyImplicitRungeKutta {
   static constexpr bool keeps_factors = true;  ///< as long as h is the same
   void will_be_retried() { newton_.will_be_retried(); }
   /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
-  void solve_to(double tolerance) { newton_.solve_to(tolerance, 0.02); }
+  void solve_to(const Tolerance& tolerance) { newton_.solve_to(tolerance, 0.02); }
 
   Status step(double t, double h, State<P>& y) {
     const Status status = solve_stages(t, h, y);

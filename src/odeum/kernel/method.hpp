@@ -30,7 +30,7 @@
 ///
 ///     template <class P> static auto trial_steps(const Guarded<P>& problem, double t0,
 ///                                                const State<P>& y0, double end,
-///                                                double tolerance);   // a TrialSteps
+///                                                const Tolerance& tolerance);  // a TrialSteps
 ///
 /// or, where its steps are no trials, a complete adaptive run through every stop of the request:
 ///

@@ -17,7 +17,7 @@ class Newton {
   /// A step that fails will be repeated shorter, which is cheaper than steps with a bound.
   void will_be_retried() { retried_ = true; }
   /// See NewtonIteration.
-  void solve_to(double tolerance, double fraction) {
+  void solve_to(const Tolerance& tolerance, double fraction) {
     will_be_retried();
     iteration_.solve_to(tolerance, fraction);
   }

@@ -7,6 +7,7 @@
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/iteration.hpp"
 #include "odeum/kernel/last_correction.hpp"
+#include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -29,11 +30,10 @@ class NewtonIteration {
         increment_(correction_),
         weight_(weight) {}
 
-  /// From now on iterate to `fraction` of a tolerance (relative and absolute, the same number), and
-  /// fail early where convergence is too slow, since the step will be retried shorter. Without it
-  /// the iteration goes on to rounding.
-  void solve_to(double tolerance, double fraction) {
-    accuracy_ = tolerance * fraction;
+  /// From now on iterate to `fraction` of a tolerance, and fail early where convergence is too
+  /// slow, since the step will be retried shorter. Without it the iteration goes on to rounding.
+  void solve_to(const Tolerance& tolerance, double fraction) {
+    accuracy_ = {tolerance.with_relative(tolerance.relative * fraction), correction_};
     max_iterations_ = 10;
   }
 
@@ -57,8 +57,8 @@ class NewtonIteration {
       const bool rate_known = since_renewal > 0;
       const double rate = rate_known ? size / last : 0;
       const bool done =
-          accuracy_ == 0 ? at_rounding(size, rate, rate_known, weight_)
-                         : size <= 1 || (rate_known && rate < 1 && size * rate / (1 - rate) <= 1);
+          to_rounding() ? at_rounding(size, rate, rate_known, weight_)
+                        : size <= 1 || (rate_known && rate < 1 && size * rate / (1 - rate) <= 1);
       if (!done && !(rate < 1 && last_.share() == 1 && std::isfinite(size))) {
         const double finite_rate = std::isfinite(size) ? rate : infinity;
         if (!back_off(t, gamma_h, base, y, fresh, since_renewal, finite_rate)) return fail();
@@ -99,7 +99,7 @@ class NewtonIteration {
   /// Nonlinear Problems, 3.3). False: give up; a step that can be retried shorter does so at once.
   bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y, bool& fresh,
                 int& since_renewal, double rate) {
-    if (fresh && (accuracy_ > 0 || (since_renewal == 0 && rate == infinity))) return false;
+    if (fresh && (!to_rounding() || (since_renewal == 0 && rate == infinity))) return false;
     if (fresh && since_renewal == 1 && !(rate <= 1 - last_.share() / 4)) {
       last_.take_share(last_.share() / 2, y, increment_);
       return true;
@@ -119,16 +119,17 @@ class NewtonIteration {
     factored_for_ = 0;
     return Status::newton_failed;
   }
+  bool to_rounding() const { return accuracy_.relative() == 0; }
   /// Size of the correction; one is small enough.
   double measure(const State<P>& base, const State<P>& y) const {
-    if (accuracy_ == 0) {
+    if (to_rounding()) {
       const double size = max_norm(correction_);
       if (size == 0) return 0;  // the state may be zero too
       return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
     }
     double sum = 0;
     for (std::size_t i = 0; i < y.size(); ++i) {
-      const double scaled = correction_[i] / (accuracy_ * (1 + std::abs(base[i])));
+      const double scaled = correction_[i] / accuracy_(i, std::abs(base[i]));
       sum += scaled * scaled;
     }
     return std::sqrt(sum / static_cast<double>(y.size()));
@@ -140,7 +141,8 @@ class NewtonIteration {
   LastCorrection<State<P>> last_;
   State<P> increment_;       ///< gamma_h f: rounded by itself, not as the state that it is added to
   double factored_for_ = 0;  ///< gamma_h of the factors; 0: none
-  double accuracy_ = 0, weight_;
+  ErrorScale<State<P>> accuracy_;
+  double weight_;
   int max_iterations_ = 50;
 };
 

@@ -23,24 +23,24 @@ class RadauStepper {
   static_assert(stages % 2 == 1);
 
   /// `tolerance`: bound on the estimate; `newton_fraction` of it: bound on Newton's remainder.
-  RadauStepper(const P& problem, double tolerance, double newton_fraction)
+  RadauStepper(const P& problem, const Tolerance& tolerance, double newton_fraction)
       : problem_(problem),
-        tolerance_(tolerance),
-        newton_fraction_(newton_fraction),
+        error_scale_(tolerance, make_state(problem)),
         system_(problem),
         f0_(make_state(problem)),
         error_(f0_),
         argument_(f0_),
         inverse_scale_(f0_),
         moved_f_(f0_),
-        guess_(problem, StageSystem<T, P>::nodes) {}
+        guess_(problem, StageSystem<T, P>::nodes),
+        newton_fraction_(newton_fraction) {}
 
   /// y_new and the scaled error of a step of h from (t, y).
   Status step(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
     if (moved_) {
       problem_.rhs(t, y.data(), f0_.data());
       for (std::size_t n = 0; n < y.size(); ++n)
-        inverse_scale_[n] = 1 / (tolerance_ * (1 + std::abs(y[n])));
+        inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n]));
       moved_ = false;
     }
     if (jacobian_wanted_) renew_jacobian(t, y);
@@ -137,11 +137,11 @@ class RadauStepper {
   }
 
   const P& problem_;
-  double tolerance_, newton_fraction_;
+  ErrorScale<State<P>> error_scale_;
   StageSystem<T, P> system_;
   State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
   CollocationGuess<stages, P> guess_;
-  double factored_for_ = 0, contraction_ = 1, rate_ = 0;
+  double newton_fraction_, factored_for_ = 0, contraction_ = 1, rate_ = 0;
   int iterations_ = 0;
   bool moved_ = true, first_ = true, rejected_ = false;
   bool jacobian_wanted_ = true, jacobian_fresh_ = false;

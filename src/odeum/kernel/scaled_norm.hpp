@@ -2,8 +2,34 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <utility>
+
+#include "odeum/core/tolerance.hpp"
 
 namespace odeum {
+
+/// The scale of errors of a state: relative (threshold_i + size) for a component of that size.
+template <class S>
+class ErrorScale {
+ public:
+  ErrorScale() = default;
+  /// `like`: a state, for its size.
+  ErrorScale(const Tolerance& tolerance, S like)
+      : relative_(tolerance.relative), thresholds_(std::move(like)) {
+    for (std::size_t i = 0; i < thresholds_.size(); ++i)
+      thresholds_[i] = static_cast<typename S::value_type>(tolerance.threshold(i));
+  }
+
+  double relative() const { return relative_; }
+  template <class Real>
+  double operator()(std::size_t i, Real size) const {
+    return relative_ * (thresholds_[i] + size);
+  }
+
+ private:
+  double relative_ = 0;
+  S thresholds_{};
+};
 
 /// sum_i (x_i w_i)^2, with weights that are 1 over the scale of each component.
 template <class S>

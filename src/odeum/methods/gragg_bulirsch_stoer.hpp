@@ -41,7 +41,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
 
   template <class P>
   static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
-                          double tolerance) {
+                          const Tolerance& tolerance) {
     ExtrapolationTrial<P> trial(problem, tolerance);
     const double first = initial_step(problem, t0, y0, end, trial.order(), tolerance);
     return TrialSteps{first, std::move(trial)};

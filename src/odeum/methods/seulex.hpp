@@ -23,7 +23,7 @@ struct seulex : ForAnyProblem {
 
   template <Ode P>
   static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
-                          double tolerance) {
+                          const Tolerance& tolerance) {
     return TrialSteps<ExtrapolatedEulerControl<Guarded<P>>>{
         initial_step(problem, t0, y0, end, 2, tolerance), {problem, tolerance}};
   }

@@ -65,12 +65,15 @@ struct taylor {
     std::vector<double> c_;
   };
 
-  /// The step size by the last two coefficients of the series; infinite for a polynomial.
-  static double safe_step(const std::vector<double>& c, int order, std::size_t n) {
+  /// The step size by the last two coefficients of the series, each component in units of its
+  /// threshold (1 / weight); infinite for a polynomial.
+  template <class S>
+  static double safe_step(const std::vector<double>& c, int order, const S& weights) {
+    const std::size_t n = weights.size();
     const auto size = [&](int k) {
       double largest = 0;
       for (std::size_t i = 0; i < n; ++i)
-        largest = std::max(largest, std::abs(c[static_cast<std::size_t>(k) * n + i]));
+        largest = std::max(largest, std::abs(c[static_cast<std::size_t>(k) * n + i]) * weights[i]);
       return largest;
     };
     const double scale = std::max(1.0, size(0));
@@ -84,17 +87,20 @@ struct taylor {
   template <class P>
   class Trial {
    public:
-    Trial(const Guarded<P>& problem, double tolerance)
+    Trial(const Guarded<P>& problem, const Tolerance& tolerance)
         : problem_(problem),
-          order_(std::clamp(static_cast<int>(std::ceil(1 - std::log(tolerance) / 2)), 3,
+          order_(std::clamp(static_cast<int>(std::ceil(1 - std::log(tolerance.relative) / 2)), 3,
                             highest_taylor_order)),
-          c_((static_cast<std::size_t>(order_) + 1) * size_of(problem)) {}
+          c_((static_cast<std::size_t>(order_) + 1) * size_of(problem)),
+          weights_(make_state(problem)) {
+      for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = 1 / tolerance.threshold(i);
+    }
 
     double longest_step(double t, const State<P>& y) {
       problem_.taylor(t, y.data(), order_, c_.data());
       double finite = 0;  // NaN where a coefficient is not finite
       for (const double x : c_) finite += x * 0;
-      return safe_step(c_, order_, y.size()) + finite;
+      return safe_step(c_, order_, weights_) + finite;
     }
     Decision operator()(double, double h, const State<P>&, State<P>& y_new) const {
       sum(c_, order_, h, y_new);
@@ -109,11 +115,12 @@ struct taylor {
     const Guarded<P>& problem_;
     int order_;
     std::vector<double> c_;
+    State<P> weights_;
   };
 
   template <class P>
   static auto trial_steps(const Guarded<P>& problem, double, const State<P>&, double,
-                          double tolerance) {
+                          const Tolerance& tolerance) {
     return TrialSteps<Trial<P>>{0, {problem, tolerance}};
   }
 

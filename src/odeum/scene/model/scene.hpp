@@ -96,9 +96,10 @@ struct Emitter {
 };
 
 struct SolverChoice {
-  std::string type;   ///< a solver's id
-  std::string where;  ///< `file:line:column: solver.type`, for messages
-  std::optional<double> step, tolerance;
+  std::string type;                       ///< a solver's id
+  std::string where;                      ///< `file:line:column: solver.type`, for messages
+  std::optional<double> step, tolerance;  ///< one of them; the tolerance relative
+  std::optional<double> absolute;         ///< tolerance; empty: the same number
 };
 
 /// A coordinate that is drawn over time.

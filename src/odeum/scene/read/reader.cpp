@@ -29,7 +29,13 @@ SolverChoice read_solver(const Value& value) {
   choice.where = fmt::format("{}:{}:{}: {}", value.context().file, type.place().line,
                              type.place().column, type.key());
   mapping.with("timestep", [&](const Value& v) { choice.step = v.number(Sign::positive); });
-  mapping.with("tolerance", [&](const Value& v) { choice.tolerance = v.number(Sign::positive); });
+  mapping.with("tolerance", [&](const Value& v) {
+    if (v.node().kind != YamlNode::Kind::mapping)
+      return void(choice.tolerance = v.number(Sign::positive));
+    const Mapping both(v, {"relative", "absolute"});
+    choice.tolerance = both.at("relative").number(Sign::positive);
+    choice.absolute = both.at("absolute").number(Sign::positive);
+  });
   if (choice.step.has_value() == choice.tolerance.has_value())
     value.fail(choice.step ? "both settings" : "no setting",
                choice.step ? "timestep and tolerance" : "neither timestep nor tolerance",

@@ -60,7 +60,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     // for it.
     if (many && !quick) request.budget.evaluations /= 4;
     for (int exponent = 3; exponent <= finest; ++exponent) {
-      request.tolerance = std::pow(10.0, -exponent);
+      set_tolerance(request, *pair.c, std::pow(10.0, -exponent));
       requests.push_back(request);
     }
   }

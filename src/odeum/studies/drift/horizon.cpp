@@ -38,7 +38,7 @@ std::vector<Request> settings_of(const Case& c, const SolverInfo& info,
     request.mode = Mode::adaptive;
     request.budget.evaluations = 400'000;
     for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
-      request.tolerance = tolerance;
+      set_tolerance(request, c, tolerance);
       requests.push_back(request);
     }
   }

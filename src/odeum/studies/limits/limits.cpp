@@ -50,7 +50,7 @@ struct StiffWindow {
     constexpr int points = 32;
     Request request;
     request.mode = Mode::adaptive;
-    request.tolerance = 1e-8;
+    set_tolerance(request, c, 1e-8);
     for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
     const Outcome outcome = find_solver(c.entrants, "odeum/radau_iia5").solve(request);
     if (outcome.status != Status::ok) {

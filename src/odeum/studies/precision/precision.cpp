@@ -77,7 +77,7 @@ std::vector<Request> settings_of(const Stage& stage, Mode mode, double seconds) 
     // rounding.
     const int finest = stage.stretch() > 1 ? 14 : 12;
     for (int exponent = 3; exponent <= finest; ++exponent) {
-      request.tolerance = std::pow(10.0, -exponent);
+      set_tolerance(request, stage.c, std::pow(10.0, -exponent));
       requests.push_back(request);
     }
     return requests;
@@ -121,11 +121,12 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
   const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
   for (const judge::StopError& error : errors)
     trial.row.error = std::max(trial.row.error, error.error_max);
-  trial.row.judged = request.mode == Mode::fixed
-                         ? judge::judge_fixed_answer(errors, stage.judge.scale())
-                         : judge::judge_answer(errors, stage.amplification, request.tolerance,
-                                               static_cast<double>(outcome.counters.steps),
-                                               stage.floor, stage.judge.scale());
+  trial.row.judged =
+      request.mode == Mode::fixed
+          ? judge::judge_fixed_answer(errors, stage.judge.scale())
+          : judge::judge_answer(errors, stage.amplification, request.largest_tolerance(),
+                                static_cast<double>(outcome.counters.steps), stage.floor,
+                                stage.judge.scale());
   if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
   trial.states = std::move(outcome.states);
   return trial;
