@@ -27,6 +27,7 @@ equations:
   y: B*x - reaction
 time: {end: 20, stops: [5, 10]}
 scale: {y: 2}
+tolerance: {relative: 1e-6, absolute: [1e-9, A*1e-12]}
 )",
                                                    {{"B", "2.5"}});
   EXPECT_EQ(p.name, "Brusselator");
@@ -34,6 +35,8 @@ scale: {y: 2}
   EXPECT_EQ(p.y0[1], 3);
   EXPECT_EQ(p.stops, (std::vector<double>{5, 10, 20}));
   EXPECT_EQ(p.scale, (std::vector<double>{1, 2}));
+  EXPECT_EQ(p.tolerance, 1e-6);
+  EXPECT_EQ(p.absolute, (std::vector<double>{1e-9, 1e-12}));
   const double y[] = {2, 3};
   double f[2];
   formula::Evaluator<double>(p.graph, p.equations)(0, y, f);
@@ -213,6 +216,12 @@ TEST(ProblemReader, ClosedFormsAndInvariantsAreChecked) {
   expect_fault(oscillator + "invariants: {H: q^2 + 2*v^2}\n", "4:17: invariants: H: changes",
                "expected 0");
   expect_fault(oscillator + "scale: {q: 0}\n", "4:12: scale: q", "positive");
+  expect_fault(oscillator + "tolerance: {relative: -1}\n", "4:23: tolerance: relative", "positive");
+  expect_fault(oscillator + "tolerance: {absolute: 1}\n", "4:12: tolerance", "no relative one");
+  expect_fault(oscillator + "tolerance: {relative: 1e-3, absolute: [1, 2, 3]}\n",
+               "4:39: tolerance: absolute", "got 3 numbers, expected one, or 2");
+  expect_fault(oscillator + "tolerance: {relativ: 1}\n", "4:13: tolerance: an unknown key",
+               "got relativ");
 }
 
 TEST(ProblemReader, FilesThatAreNone) {

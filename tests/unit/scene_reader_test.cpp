@@ -40,6 +40,7 @@ springs:
   EXPECT_EQ(d.duration, 2);
   EXPECT_EQ(d.solver->type, "midpoint");
   EXPECT_EQ(d.solver->step, 0.01);
+  EXPECT_FALSE(d.solver->tolerance);
   ASSERT_EQ(d.particles.size(), 2U);
   EXPECT_TRUE(d.particles[0].fixed);
   EXPECT_EQ(d.particles[1].velocity, (scene::Vec3{1, -2, 0.3}));
@@ -47,6 +48,20 @@ springs:
   ASSERT_EQ(d.springs.size(), 1U);
   EXPECT_EQ(d.springs[0].rest_length, 5) << "the distance at the start";
   EXPECT_TRUE(d.springs[0].axial);
+}
+
+TEST(SceneReader, TakesARelativeAndAnAbsoluteTolerance) {
+  const auto solver = [](const std::string& tolerance) {
+    return read_scene("s.yaml", "duration: 1\nsolver: {type: rk4, tolerance: " + tolerance +
+                                    "}\nparticles: [{pos: [0, 0, 0], mass: 1}]\n")
+        .scene.solver;
+  };
+  EXPECT_EQ(solver("1e-6")->tolerance, 1e-6);
+  EXPECT_FALSE(solver("1e-6")->absolute);
+  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->tolerance, 1e-6);
+  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->absolute, 1e-9);
+  EXPECT_THROW(solver("{relative: 1e-6}"), InputError);
+  EXPECT_THROW(solver("{relative: 1e-6, absolute: -1}"), InputError);
 }
 
 TEST(SceneReader, SpreadsAClothOut) {

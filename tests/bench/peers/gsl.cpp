@@ -49,7 +49,8 @@ Alternative driver(const gsl_odeiv2_step_type* stepper, const char* setting, int
           }};
 }
 
-Choice first_step_and_control(const char* name, const gsl_odeiv2_step_type* stepper, int order) {
+Choice first_step_and_control(const char* name, const gsl_odeiv2_step_type* stepper, int order,
+                              bool smooth = false, bool slope = false) {
   return {
       std::string("GSL, ") + name,
       "first step and error level",
@@ -57,8 +58,9 @@ Choice first_step_and_control(const char* name, const gsl_odeiv2_step_type* step
       "Control: the user gives a first step; the level is abs + rel (a_y |y| + a_dydt h |y'|), and "
       "the driver for y alone is that of the examples.",
       {driver(stepper, "first step 1e-4 of the span", 0, 0, false),
-       driver(stepper, "first step by the rule", order, 0, true),
-       driver(stepper, "first step by the rule, a_dydt = 1", order, 1, false)}};
+       driver(stepper, "first step by the rule", order, 0, !slope),
+       driver(stepper, "first step by the rule, a_dydt = 1", order, 1, slope)},
+      smooth};
 }
 
 }  // namespace
@@ -66,7 +68,10 @@ Choice first_step_and_control(const char* name, const gsl_odeiv2_step_type* step
 std::vector<Choice> gsl_choices() {
   return {first_step_and_control("msbdf", gsl_odeiv2_step_msbdf, 1),
           first_step_and_control("bsimp", gsl_odeiv2_step_bsimp, 6),
-          first_step_and_control("rk4imp", gsl_odeiv2_step_rk4imp, 4)};
+          first_step_and_control("rk4imp", gsl_odeiv2_step_rk4imp, 4),
+          first_step_and_control("rkf45", gsl_odeiv2_step_rkf45, 4, true),
+          first_step_and_control("rk8pd", gsl_odeiv2_step_rk8pd, 8, true, true),
+          first_step_and_control("msadams", gsl_odeiv2_step_msadams, 1, true)};
 }
 
 }  // namespace odeum::peers

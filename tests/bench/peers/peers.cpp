@@ -106,12 +106,25 @@ void write(const Choice& choice, const std::vector<const Case*>& cases) {
   fmt::print("\n");
 }
 
+std::vector<const Case*> cases_of(std::initializer_list<const char*> ids) {
+  std::vector<const Case*> cases;
+  for (const Case& c : all_cases())
+    for (const char* id : ids)
+      if (c.id == id) cases.push_back(&c);
+  return cases;
+}
+std::string names_of(const std::vector<const Case*>& cases) {
+  std::string names;
+  for (const Case* c : cases) names += (names.empty() ? "" : " ") + c->id;
+  return names;
+}
+
 constexpr const char* introduction =
     R"(# Settings of the peers
 
 What the documentation of each library leaves to its user, the alternatives measured with the library
 alone, and the one that the adapter takes. Written by `odeum_peers` (target of the build, see
-tests/bench/peers); cases:{}.
+tests/bench/peers). Implicit methods: on the cases {}; explicit ones: on {}.
 
 Tolerances from 1e-3 to 1e-9, relative and absolute. A run is solved where the library reports success
 within 100,000 evaluations and the error at the horizon is below a tenth of the largest component. Steps
@@ -136,16 +149,14 @@ Settings that need no measurement:
 
 int main() {
   using namespace odeum;
-  std::vector<const Case*> cases;
-  std::string names;
-  for (const Case& c : all_cases())
-    for (const char* id :
-         {"robertson_40", "robertson", "vdp_mu1000", "vdp_eps1e_6", "hires", "oregonator"})
-      if (c.id == id) {
-        cases.push_back(&c);
-        names += ' ' + c.id;
-      }
-  fmt::print(fmt::runtime(peers::introduction), names);
-  for (const auto& choices : {peers::sundials_choices(), peers::gsl_choices()})
-    for (const peers::Choice& choice : choices) peers::write(choice, cases);
+  using peers::Choice;
+  const auto stiff = peers::cases_of(
+      {"robertson_40", "robertson", "vdp_mu1000", "vdp_eps1e_6", "hires", "oregonator"});
+  const auto smooth = peers::cases_of({"kepler_e06", "lotka_volterra", "arenstorf", "pleiades",
+                                       "brusselator2", "henon_heiles_regular"});
+  fmt::print(fmt::runtime(peers::introduction), peers::names_of(stiff), peers::names_of(smooth));
+  for (const auto& choices :
+       {peers::sundials_choices(), peers::gsl_choices(), peers::odeint_choices()})
+    for (const Choice& choice : choices) peers::write(choice, choice.smooth ? smooth : stiff);
+  peers::write_bullet();
 }

@@ -38,9 +38,13 @@ struct Choice {
   std::string solver, choice;
   std::string documentation;  ///< what it recommends, and where
   std::vector<Alternative> alternatives;
+  bool smooth = false;  ///< measured on the smooth cases instead of the stiff ones
 };
 
 std::vector<Choice> sundials_choices();
 std::vector<Choice> gsl_choices();
+std::vector<Choice> odeint_choices();
+/// Writes the part on Bullet, which runs scenes at fixed steps; nothing where it is not built.
+void write_bullet();
 
 }  // namespace odeum::peers

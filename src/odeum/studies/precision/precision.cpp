@@ -132,6 +132,19 @@ Trial run_guarded(const Stage& stage, const Entrant& entrant, const Request& req
   return trial;
 }
 
+/// Tolerances looser than the first, while that still reaches the largest error compared: a solver
+/// that is more accurate than its tolerance gets there by a looser one.
+void run_looser(const Stage& stage, Contender& contender) {
+  for (int more = 0; more < 2; ++more) {
+    const Trial& coarsest = contender.trials.front();
+    if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
+    Request request = coarsest.request;
+    set_tolerance(request, stage.c, 10 * request.tolerance);
+    Trial looser = run_guarded(stage, *contender.entrant, request);
+    contender.trials.insert(contender.trials.begin(), std::move(looser));
+  }
+}
+
 void run_guarded(const Stage& stage, Contender& contender, double seconds) {
   const Entrant& entrant = *contender.entrant;
   const std::string& reason = entrant.unfit.empty() && contender.mode == Mode::fixed
@@ -147,6 +160,7 @@ void run_guarded(const Stage& stage, Contender& contender, double seconds) {
     // Finer settings cost more and are not needed.
     if (contender.trials.back().row.status == to_string(Status::over_budget)) break;
   }
+  if (contender.mode == Mode::adaptive) run_looser(stage, contender);
 }
 
 /// Times a trial once with the bare right-hand side, and checks that it ends at the state of the

@@ -124,6 +124,10 @@ struct PrecisionResult {
   }
 };
 
+/// Errors are compared from this down, and tolerances are loosened from 1e-3 on up to 1e-1 to reach
+/// it.
+inline constexpr double largest_compared_error = 1e-2;
+
 /// Limit of a solve in a report, in seconds.
 inline constexpr double report_seconds_per_solve = 0.05;
 
