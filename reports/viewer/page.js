@@ -11,6 +11,7 @@
 // part: address
 // part: answers
 // part: chosen
+// part: solution
 // part: compare
 // part: regions
 // part: start

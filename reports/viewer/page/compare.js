@@ -16,9 +16,11 @@ const showRun = (panel, run, curve) => {
     ['cost', [run.timed ? `${duration(run.wall_ns_min)}, median ${duration(run.wall_ns_median)} of ${run.repetitions}` : '', plural(run.rhs_evaluations, 'evaluation'), run.jacobian_evaluations ? plural(run.jacobian_evaluations, 'Jacobian') : '', plural(run.steps, 'step')].filter(Boolean).join(', ')],
     ['order', curve ? orderText(curve.order) : '']];
   const command = commandOf(run);
+  const solution = html('div', { class: 'solution' });
   panel.replaceChildren(html('h3', {}, 'This run'), html('dl', { class: 'facts' }, lines.filter(([, value]) => value).map(([name, value]) => [html('dt', {}, name), html('dd', {}, value)])),
-    html('p', { class: 'command' }, html('code', {}, command), ' ', html('button', { type: 'button', onclick: (event) => navigator.clipboard?.writeText(command).then(() => { event.target.textContent = 'copied'; }) }, 'copy')));
+    html('p', { class: 'command' }, html('code', {}, command), ' ', html('button', { type: 'button', onclick: (event) => navigator.clipboard?.writeText(command).then(() => { event.target.textContent = 'copied'; }) }, 'copy')), solution);
   panel.hidden = false;
+  return showSolution(solution, facts.caseOf.get(run.case), run);
 };
 
 // The numbers behind the chart, as a table and as a file.

@@ -96,3 +96,18 @@ const notDrawnText = (rows) => {
   for (const row of ended) classes.set(row.status, [...(classes.get(row.status) || []), row]);
   return [...classes].map(([status, list]) => `${status === 'not_applicable' ? '' : `${list.length} of ${rows.length} settings: `}${endings[status] || status} (${list[0].detail || status})`).join('; ');
 };
+
+// Why the curves of a run are not in the report.
+const notKeptText = (c, run) => (!facts.solutions.includes(c.id) ? 'This report keeps no solutions of this problem: the command, with --out, draws this one.'
+  : run.status === 'ok' ? 'A longer run, which lies on the exact solution: the command, with --out, draws it and its error.'
+    : 'This run gave no states to draw.');
+// What the curves of a run show.
+const solutionText = ({ set, states, times, errors }, run) => {
+  const last = times.length - 1, known = errors.filter(Number.isFinite), worst = known.length ? Math.max(...known) : NaN;
+  const where = times[errors.indexOf(worst) + 1], whole = times[last] >= set.end * (1 - 1e-9);
+  const size = Math.max(...set.high.map((high, i) => high - set.low[i]));
+  const how = !known.length ? 'The exact solution is not known at these times'
+    : worst > 0.5 * size ? `Wrong: off by ${number(worst, 2)} at t = ${number(where)}, as much as the solution itself moves`
+      : worst > 2e-3 * size ? `Visibly off: by at most ${number(worst, 2)}, at t = ${number(where)}` : `On the exact solution to the eye: off by at most ${number(worst, 2)}, at t = ${number(where)}`;
+  return `${how}.${whole ? '' : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`}${run.mode === 'adaptive' && run.library !== 'odeum' ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a little from that of the run in the chart.' : ''} Exact: ${set.exact.source}${set.exact.everywhere ? '' : ', known at the marks only'}.`;
+};

@@ -7,11 +7,13 @@
 #include <list>
 
 #include "odeum/cli/problems.hpp"
+#include "odeum/cli/report_solutions.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/studies/convergence/section.hpp"
+#include "odeum/studies/questions.hpp"
 #include "odeum/studies/runner.hpp"
 
 namespace odeum::cli {
@@ -111,6 +113,9 @@ void run(const Options& options) {
   report::Page page(report::describe(cases_of(options), all_libraries()), folder);
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) study->section(page);
+  add_solutions(page, options.given.empty() ? study::quick_cases() : std::vector<std::string>(),
+                study::result_of<study::ConvergenceResult>(studies),
+                study::result_of<study::PrecisionResult>(studies), options.jobs_or_cores());
   std::string command = "odeum report";
   for (const std::string& word : options.problems.words) command += " " + word;
   if (options.quick) command += " --quick";
