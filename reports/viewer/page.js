@@ -14,5 +14,6 @@
 // part: solution
 // part: compare
 // part: regions
+// part: methods
 // part: start
 })();

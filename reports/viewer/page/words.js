@@ -111,3 +111,22 @@ const solutionText = ({ set, states, times, errors }, run) => {
       : worst > 2e-3 * size ? `Visibly off: by at most ${number(worst, 2)}, at t = ${number(where)}` : `On the exact solution to the eye: off by at most ${number(worst, 2)}, at t = ${number(where)}`;
   return `${how}.${whole ? '' : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`}${run.mode === 'adaptive' && run.library !== 'odeum' ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a little from that of the run in the chart.' : ''} Exact: ${set.exact.source}${set.exact.everywhere ? '' : ', known at the marks only'}.`;
 };
+
+// How the runs of a method on a problem ended where they did not, by class, with what it would take.
+const failureText = (runs) => {
+  const ended = runs.filter((run) => run.status !== 'ok');
+  if (!ended.length) return 'every run ended';
+  if (ended[0].status === 'not_applicable' && ended.length === runs.length) return `does not fit: ${ended[0].detail}`;
+  const setting = (run) => (run.mode === 'fixed' || run.setting_kind === 'step' ? `h = ${number(run.step ?? run.setting)}` : `tolerance ${number(run.tolerance ?? run.setting)}`);
+  const size = (run) => (run.mode === 'fixed' ? run.step : run.setting_kind === 'step' ? run.setting : NaN);
+  const texts = [];
+  for (const status of [...new Set(ended.map((run) => run.status))].filter((s) => s !== 'not_applicable')) {
+    const list = ended.filter((run) => run.status === status), fixed = list.filter((run) => size(run) > 0);
+    const least = fixed.reduce((a, b) => (!a || size(b) < size(a) ? b : a), null), most = fixed.reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+    const good = least && runs.filter((run) => run.status === 'ok' && size(run) < size(least)).reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+    if (status === 'non_finite' && least) texts.push(`unstable from ${setting(least)}${good ? `, finite at ${setting(good)}` : ' at every step tried'}`);
+    else if (status === 'over_budget') texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
+    else texts.push(`${endings[status] || status} at ${setting(least || list[0])}: ${shorten(list[0].detail, 110)}`);
+  }
+  return texts.join('; ');
+};

@@ -7,6 +7,7 @@
 #include <list>
 
 #include "odeum/cli/problems.hpp"
+#include "odeum/cli/report_scenes.hpp"
 #include "odeum/cli/report_solutions.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
@@ -116,6 +117,8 @@ void run(const Options& options) {
   add_solutions(page, options.given.empty() ? study::quick_cases() : std::vector<std::string>(),
                 study::result_of<study::ConvergenceResult>(studies),
                 study::result_of<study::PrecisionResult>(studies), options.jobs_or_cores());
+  if (options.given.empty() && any_glob_matches(options.cases, replayed_case))
+    add_replays(page, folder, options.jobs_or_cores());
   std::string command = "odeum report";
   for (const std::string& word : options.problems.words) command += " " + word;
   if (options.quick) command += " --quick";
