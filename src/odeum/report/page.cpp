@@ -157,6 +157,7 @@ void Page::write(const RunFacts& run) {
   };
   prose("findings", "Findings", findings());
   prose("trade-offs", "Trade-offs", trade_offs());
+  prose("columns", "Columns of the files", columns_text());
   write_all_data(run);
   folder_.write("viewer/page.js", page_js());
   folder_.write("manifest.json", manifest_text(run));  // first: data.html links to it
