@@ -11,7 +11,9 @@
 // part: address
 // part: answers
 // part: chosen
+// part: solution
 // part: compare
 // part: regions
+// part: methods
 // part: start
 })();

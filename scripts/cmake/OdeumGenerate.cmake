@@ -317,18 +317,21 @@ function(odeum_join_script stem variable)
 endfunction()
 
 # odeum_texts.cpp: the static texts of the report page (its style sheet, its scripts, the trade-offs, the
-# findings: reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
+# columns of the files, the findings: reports/findings.md, then every reports/findings/*.md), see src/odeum/report/texts.hpp.
 function(odeum_generate_texts)
   file(GLOB findings CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reports/findings/*.md)
   list(PREPEND findings ${PROJECT_SOURCE_DIR}/reports/findings.md)
   set(style ${PROJECT_SOURCE_DIR}/reports/viewer/page.css)
   set(trade_offs ${PROJECT_SOURCE_DIR}/reports/trade-offs.md)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${findings} ${style} ${trade_offs})
+  set(columns ${PROJECT_SOURCE_DIR}/reports/columns.md)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${findings} ${style} ${trade_offs} ${columns})
   set(body "#include \"odeum/report/texts.hpp\"\n\nnamespace odeum::report {\n")
   file(READ ${style} text)
   string(APPEND body "std::string_view page_style() { return R\"odeum-text(${text})odeum-text\"; }\n")
   file(READ ${trade_offs} text)
   string(APPEND body "std::string_view trade_offs() { return R\"odeum-text(${text})odeum-text\"; }\n")
+  file(READ ${columns} text)
+  string(APPEND body "std::string_view columns_text() { return R\"odeum-text(${text})odeum-text\"; }\n")
   set(all "")
   foreach(file IN LISTS findings)
     file(READ ${file} text)

@@ -100,6 +100,25 @@ TEST(Times, ProcessorTimeStandsStillWhileTheThreadWaits) {
   EXPECT_FALSE(disturbed(std::nan(""), std::nan("")));
 }
 
+// A first-order method at fine tolerances takes 1e5 steps where one of order 9 takes ten.
+TEST(Precision, WhatIsFarBehindIsTimedOnce) {
+  const PrecisionResult result =
+      measure_precision({.cases = {"lotka_volterra"},
+                         .solvers = {"odeum/adams_bashforth1", "odeum/verner98"},
+                         .own = {{"seconds", "0.2"}, {"attempts", "1"}}});
+  std::size_t once = 0, often = 0;
+  for (const PrecisionRow& row : result.rows) {
+    if (row.status != "ok" || row.mode != Mode::adaptive) continue;
+    const bool far = row.solver == "adams_bashforth1" && row.setting < 2e-7;
+    ASSERT_GE(row.repetitions, 1U);
+    EXPECT_LE(row.repetitions, far ? 1U : 15U) << row.setting;
+    once += far;
+    often += row.solver == "verner98" && row.repetitions > 1;
+  }
+  EXPECT_GE(once, 1U);
+  EXPECT_EQ(often, 10U);
+}
+
 TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
   const PrecisionResult result =
       measure_precision({.cases = {"lotka_volterra"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // node page.mjs <chromium> <report folder>: opens the report as a reader would, from the disk, and fails
 // on the first thing that does not hold. What the views show is compared with the CSV files.
+import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from '../../scripts/viewer/browser.mjs';
@@ -82,6 +83,41 @@ const checks = {
     await drawn();
     hold(await browser.run('location.hash') === hash, 'the address changed');
     hold((await text('.chips')).includes('odeum/rk4') && !(await text('.chips')).includes('gsl/rk4'), `the choice is lost: ${await text('.chips')}`);
+  },
+  async 'the run is drawn beside the exact one, and the address keeps it'() {
+    const row = rowsOf('convergence.csv').filter((r) => r.case === 'damped_oscillator_underdamped' && r.library === 'odeum' && r.solver === 'explicit_euler' && r.mode === 'fixed' && r.error_max > 0.05 && r.error_max < 5)[0];
+    await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=odeum/explicit_euler:fixed&run=odeum/explicit_euler:fixed:${Number(Number(row.step).toPrecision(6))}`);
+    await drawn();
+    await browser.until(`document.querySelectorAll('.solution .plot').length === 4`);
+    const shown = await browser.run(`[...document.querySelectorAll('[data-numbers="solution"] tbody tr')].map((tr) => [...tr.cells].map((td) => Number(td.textContent)))`);
+    // The study measures at stops, the curve has more times; logarithms are rounded to 1.2 %.
+    const stops = execFileSync('gzip', ['-dc', join(folder, 'convergence_times.csv.gz')], { maxBuffer: 2 ** 30 }).toString().split('\n').map((line) => line.split(',')).filter((f) => f[1] === row.case && f[2] === 'odeum' && f[3] === 'explicit_euler' && f[4] === 'fixed' && Math.abs(f[5] / row.step - 1) < 1e-6);
+    hold(stops.length > 0, 'no stop of the run in convergence_times.csv.gz');
+    for (const stop of stops) {
+      const found = shown.find((cells) => Math.abs(cells[0] / stop[6] - 1) < 1e-3);
+      hold(found, `no output at t = ${stop[6]}`);
+      near(found[3], Number(stop[7]), 0.02, `error at t = ${stop[6]}`);
+    }
+    hold(/off/.test(await text('.solution-words')) && /closed form/.test(await text('.solution-words')), await text('.solution-words'));
+  },
+  async 'a method has a page with every problem of the report'() {
+    await browser.go(`${address}#methods?solver=odeum/rk4`);
+    await drawn();
+    const cases = new Set(rowsOf('convergence.csv').map((row) => row.case));
+    await browser.until(`document.querySelectorAll('[data-numbers="method"] tbody [data-case]').length >= ${cases.size}`);
+    for (const id of cases) hold((await text(`[data-numbers="method"] [data-case="${id}"]`)).length > 20, `nothing on ${id}`);
+    hold((await text('.method')).includes('2.7853'), 'not the limit of rk4 on the real axis');
+    await browser.run(`(() => { const e = document.querySelector('[aria-label="method"]'); e.closest('details').open = true; e.value = 'cvode'; e.dispatchEvent(new Event('input')); })()`);
+    hold((await browser.run(`document.querySelectorAll('.method-list a').length`)) > 1 && !(await text('.method-list')).includes('rk4'), 'the search does not select');
+  },
+  async 'the cloth is replayed in step, beside the exact motion'() {
+    await browser.go(`${address.replace('index.html', 'replays.html')}`);
+    const named = await browser.run(`[...document.querySelectorAll('tbody th')].map((th) => th.textContent)`);
+    hold(named[0] === 'exact' && named.length >= 4, named.join());
+    const errors = await browser.run(`[...document.querySelectorAll('tbody tr')].slice(1).map((tr) => Number(tr.cells[3].textContent))`);
+    hold(errors.every((e) => e > 1e-6 && e < 1), `errors of a cloth of 1 m: ${errors}`);
+    await browser.go(`${address.replace('index.html', 'replay/cloth.html')}`);
+    await browser.until(`document.documentElement.dataset.ready === '${named.length}' || document.querySelectorAll('.replays iframe').length === ${named.length}`);
   },
   async 'regions lie over each other, and the slider moves the eigenvalues out of them'() {
     await browser.go(`${address}#regions?case=damped_oscillator_underdamped&show=odeum/rk4,odeum/explicit_euler`);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any solvers side by side. The choice: case, also (a second case), x, y, show (keys, separated by commas).
+// Any solvers side by side. The choice: case, also (a second case), x, y, show (keys, separated by
+// commas), run (the one whose solution is shown).
 const most = 30;  // curves
 
 const matches = (solver, filter) => {
@@ -9,16 +10,19 @@ const matches = (solver, filter) => {
     (!filter.library || solver.library === filter.library) && (!filter.family || solver.family === filter.family) && (!filter.order || String(solver.order) === filter.order);
 };
 
+const nameOfRun = (run) => `${idOf(run)}:${run.mode}:${number(run.mode === 'fixed' ? run.step : run.tolerance, 6)}`;
 const showRun = (panel, run, curve) => {
-  const lines = [['solver', idOf(run)], ['problem', `${facts.caseOf.get(run.case).title} (${run.case})`], ['setting', run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.tolerance)}`],
+  const lines = [['solver', html('a', { href: addressOf('methods', { solver: idOf(run) }) }, idOf(run))], ['problem', `${facts.caseOf.get(run.case).title} (${run.case})`], ['setting', run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.tolerance)}`],
     ['status', `${run.status}${run.detail ? `: ${run.detail}` : ''}`], ['error', `${number(run.error_max, 4)}${run.error_rms ? `, root mean square ${number(run.error_rms, 4)}` : ''}`],
     ['energy', Number.isFinite(run.energy_error) ? `relative error ${number(run.energy_error, 3)}` : ''],
     ['cost', [run.timed ? `${duration(run.wall_ns_min)}, median ${duration(run.wall_ns_median)} of ${run.repetitions}` : '', plural(run.rhs_evaluations, 'evaluation'), run.jacobian_evaluations ? plural(run.jacobian_evaluations, 'Jacobian') : '', plural(run.steps, 'step')].filter(Boolean).join(', ')],
     ['order', curve ? orderText(curve.order) : '']];
   const command = commandOf(run);
+  const solution = html('div', { class: 'solution' });
   panel.replaceChildren(html('h3', {}, 'This run'), html('dl', { class: 'facts' }, lines.filter(([, value]) => value).map(([name, value]) => [html('dt', {}, name), html('dd', {}, value)])),
-    html('p', { class: 'command' }, html('code', {}, command), ' ', html('button', { type: 'button', onclick: (event) => navigator.clipboard?.writeText(command).then(() => { event.target.textContent = 'copied'; }) }, 'copy')));
+    html('p', { class: 'command' }, html('code', {}, command), ' ', html('button', { type: 'button', onclick: (event) => navigator.clipboard?.writeText(command).then(() => { event.target.textContent = 'copied'; }) }, 'copy')), solution);
   panel.hidden = false;
+  return showSolution(solution, facts.caseOf.get(run.case), run);
 };
 
 // The numbers behind the chart, as a table and as a file.
@@ -34,7 +38,7 @@ const notDrawn = (curves) => {
   return list.length ? html('details', { class: 'not-drawn', open: list.some(([curve]) => !curve.points.length) }, html('summary', {}, `Runs that gave no error, and why (${plural(list.length, 'curve')})`), html('ul', {}, list.map(([curve, text]) => html('li', {}, html('b', {}, curve.name), `: ${text || 'not tried in this report'}`)))) : null;
 };
 
-const drawComparison = (host, panel, cases, curves, choice) => {
+const drawComparison = (host, cases, curves, choice, pick) => {
   const points = curves.flatMap((curve) => curve.points);
   const x = rangeOf(points.map((p) => p.x), 1.3), y = rangeOf(points.map((p) => p.y), 3);
   if (!x) return host.replaceChildren(html('p', { class: 'missing' }, choice.x === 'time' && cases.every(({ data }) => !data.timed.length)
@@ -43,7 +47,7 @@ const drawComparison = (host, panel, cases, curves, choice) => {
   const floor = choice.x === 'time' ? cases[0].c.timed_floor : cases[0].c.floor;
   return plot(host, { height: Math.max(380, Math.min(560, Math.round(window.innerHeight * 0.62))), description: `${vertical[choice.y][0]} against ${horizontal[choice.x][0]} of ${plural(curves.length, 'curve')}; the numbers are in the table below`,
     x: { ...x, label: `${horizontal[choice.x][0]}${choice.x === 'step' && cases[0].c.unit ? `, ${cases[0].c.unit}` : ''}`, text: choice.x === 'time' ? duration : undefined }, y: { ...y, label: vertical[choice.y][0] },
-    curves, slopes: orders, levels: choice.y === 'energy' ? [] : [{ y: floor, text: "the truth's own error", shaded: true }], tell: tellRun, pick: (run, curve) => showRun(panel, run, curve) });
+    curves, slopes: orders, levels: choice.y === 'energy' ? [] : [{ y: floor, text: "the truth's own error", shaded: true }], tell: tellRun, pick });
 };
 
 const finder = (filter, available, shown, change) => {
@@ -66,7 +70,7 @@ const finder = (filter, available, shown, change) => {
 
 const compareFilter = { text: '', library: '', family: '', order: '' };
 const compareChoice = (given, data) => {
-  const choice = { case: facts.caseOf.has(given.case) ? given.case : '', also: facts.caseOf.has(given.also) ? given.also : '', x: horizontal[given.x] ? given.x : '', y: vertical[given.y] ? given.y : 'error' };
+  const choice = { case: facts.caseOf.has(given.case) ? given.case : '', also: facts.caseOf.has(given.also) ? given.also : '', x: horizontal[given.x] ? given.x : '', y: vertical[given.y] ? given.y : 'error', run: given.run || '' };
   choice.x = choice.x || (data.timed.length ? 'time' : 'evaluations');
   // A name without a mode: to a tolerance where it runs so, but at fixed steps across steps.
   const known = runsOf(data, choice.x);
@@ -84,7 +88,7 @@ const showCompare = async (host, given) => {
   const cases = [{ c, data, more: '' }];
   if (choice.also && choice.also !== id) { const other = facts.caseOf.get(choice.also); cases[0].more = ` on ${id}`; cases.push({ c: other, data: await loadCase(other.id), more: ` on ${other.id}` }); }
   const turn = (change) => {
-    const next = { ...choice, ...change }, written = { ...next, show: next.show ? next.show.join(',') : undefined, y: next.y === 'error' ? '' : next.y };
+    const next = { ...choice, run: '', ...change }, written = { ...next, show: next.show ? next.show.join(',') : undefined, y: next.y === 'error' ? '' : next.y };
     writeAddress('compare', written);
     showCompare(host, written);
   };
@@ -96,5 +100,13 @@ const showCompare = async (host, given) => {
   html('div', { class: 'chips', role: 'group', 'aria-label': 'shown' }, choice.show.map((key) => html('button', { type: 'button', class: 'chip-button', style: { '--lib': colourOf(key.split('/')[0]) }, title: 'remove', 'aria-label': `remove ${key}`, onclick: () => turn({ show: choice.show.filter((k) => k !== key) }) }, key.replace(':adaptive', '').replace(':fixed', ' (fixed)'), ' ×')),
     html('button', { type: 'button', onclick: () => turn({ show: sensible(id, data) }) }, "each library's best"), html('button', { type: 'button', onclick: () => turn({ show: front(data).slice(0, most) }) }, 'Pareto front'), choice.show.length ? html('button', { type: 'button', onclick: () => turn({ show: [] }) }, 'none') : null),
   finder(compareFilter, [...runsOf(data, choice.x).keys()], choice.show, (show) => turn({ show })), chart, panel, notDrawn(curves) || '', numbersBehind(curves, choice));
-  return drawComparison(chart, panel, cases, curves, choice);
+  const pick = (run, curve) => {
+    const { view, choice: now } = readAddress();
+    if (view === 'compare') writeAddress('compare', { ...now, run: nameOfRun(run) });
+    return showRun(panel, run, curve);
+  };
+  drawComparison(chart, cases, curves, choice, pick);
+  for (const curve of choice.run ? curves : [])
+    for (const { run } of curve.points) if (nameOfRun(run) === choice.run) return showRun(panel, run, curve);
+  return null;
 };

@@ -39,7 +39,7 @@ const rowsOf = (columns) => {
 const idOf = (row) => `${row.library}/${row.solver}`;
 
 // What index.js has: cases, solvers, questions, who is fastest, limits of stability.
-const facts = { cases: [], solvers: [], libraries: [], questions: [], fastest: [], limits: [] };
+const facts = { cases: [], solvers: [], libraries: [], questions: [], fastest: [], limits: [], solutions: [] };
 const takeIndex = (index) => {
   Object.assign(facts, { ...index, fastest: rowsOf(index.fastest), limits: rowsOf(index.limits) });
   facts.solverOf = new Map(facts.solvers.map((solver) => [`${solver.library}/${solver.method}`, solver]));

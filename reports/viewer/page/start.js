@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows the views; each again when the address names it, or the window changes its width.
-const views = { answers: showAnswers, compare: showCompare, regions: showRegions };
+const views = { answers: showAnswers, compare: showCompare, regions: showRegions, methods: showMethods };
 const hostOf = (view) => document.querySelector(`[data-view="${view}"]`);
 const failed = (view) => (error) => {
   document.documentElement.dataset.error = String(error);
@@ -18,7 +18,7 @@ const start = async () => {
   document.documentElement.dataset.drawn = 'answers';
   // The others when the first has been painted.
   setTimeout(async () => {
-    for (const other of ['compare', 'regions']) await show(other, view === other ? choice : {});
+    for (const other of ['compare', 'regions', 'methods']) await show(other, view === other ? choice : {});
     document.documentElement.dataset.drawn = 'all';
     if (view !== 'answers' && views[view]) document.getElementById(view).scrollIntoView();
   }, 30);

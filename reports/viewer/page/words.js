@@ -96,3 +96,37 @@ const notDrawnText = (rows) => {
   for (const row of ended) classes.set(row.status, [...(classes.get(row.status) || []), row]);
   return [...classes].map(([status, list]) => `${status === 'not_applicable' ? '' : `${list.length} of ${rows.length} settings: `}${endings[status] || status} (${list[0].detail || status})`).join('; ');
 };
+
+// Why the curves of a run are not in the report.
+const notKeptText = (c, run) => (!facts.solutions.includes(c.id) ? 'This report keeps no solutions of this problem: the command, with --out, draws this one.'
+  : run.status === 'ok' ? 'A longer run, which lies on the exact solution: the command, with --out, draws it and its error.'
+    : 'This run gave no states to draw.');
+// What the curves of a run show.
+const solutionText = ({ set, states, times, errors }, run) => {
+  const last = times.length - 1, known = errors.filter(Number.isFinite), worst = known.length ? Math.max(...known) : NaN;
+  const where = times[errors.indexOf(worst) + 1], whole = times[last] >= set.end * (1 - 1e-9);
+  const size = Math.max(...set.high.map((high, i) => high - set.low[i]));
+  const how = !known.length ? 'The exact solution is not known at these times'
+    : worst > 0.5 * size ? `Wrong: off by ${number(worst, 2)} at t = ${number(where)}, as much as the solution itself moves`
+      : worst > 2e-3 * size ? `Visibly off: by at most ${number(worst, 2)}, at t = ${number(where)}` : `On the exact solution to the eye: off by at most ${number(worst, 2)}, at t = ${number(where)}`;
+  return `${how}.${whole ? '' : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`}${run.mode === 'adaptive' && run.library !== 'odeum' ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a little from that of the run in the chart.' : ''} Exact: ${set.exact.source}${set.exact.everywhere ? '' : ', known at the marks only'}.`;
+};
+
+// How the runs of a method on a problem ended where they did not, by class, with what it would take.
+const failureText = (runs) => {
+  const ended = runs.filter((run) => run.status !== 'ok');
+  if (!ended.length) return 'every run ended';
+  if (ended[0].status === 'not_applicable' && ended.length === runs.length) return `does not fit: ${ended[0].detail}`;
+  const setting = (run) => (run.mode === 'fixed' || run.setting_kind === 'step' ? `h = ${number(run.step ?? run.setting)}` : `tolerance ${number(run.tolerance ?? run.setting)}`);
+  const size = (run) => (run.mode === 'fixed' ? run.step : run.setting_kind === 'step' ? run.setting : NaN);
+  const texts = [];
+  for (const status of [...new Set(ended.map((run) => run.status))].filter((s) => s !== 'not_applicable')) {
+    const list = ended.filter((run) => run.status === status), fixed = list.filter((run) => size(run) > 0);
+    const least = fixed.reduce((a, b) => (!a || size(b) < size(a) ? b : a), null), most = fixed.reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+    const good = least && runs.filter((run) => run.status === 'ok' && size(run) < size(least)).reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+    if (status === 'non_finite' && least) texts.push(`unstable from ${setting(least)}${good ? `, finite at ${setting(good)}` : ' at every step tried'}`);
+    else if (status === 'over_budget') texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
+    else texts.push(`${endings[status] || status} at ${setting(least || list[0])}: ${shorten(list[0].detail, 110)}`);
+  }
+  return texts.join('; ');
+};

@@ -7,11 +7,20 @@ const ramp = (stops) => (x) => {
 const speedStops = [[72, 60, 150], [50, 110, 180], [40, 165, 150], [130, 205, 85], [250, 230, 60]];
 const strainStops = [[70, 130, 255], [170, 185, 205], [255, 95, 70]];
 const speedColour = ramp(speedStops), strainColour = ramp(strainStops);
+// Errors from a micrometre to a decimetre, logarithmically.
+const errorRange = [1e-6, 1e-1];
+const errorColour = (k, i) => speedColour(Math.log10(Math.max(errors[firstParticle[k] + i], 1e-30) / errorRange[0]) / Math.log10(errorRange[1] / errorRange[0]));
 const gradient = (stops) => `linear-gradient(to right, ${stops.map((s) => `rgb(${s})`).join(', ')})`;
 const shown = (x) => (x === 0 ? '0' : Math.abs(x) >= 0.01 && Math.abs(x) < 1e4 ? x.toPrecision(3) : x.toExponential(1));
 byId('speed-bar').style.background = gradient(speedStops);
 byId('strain-bar').style.background = gradient(strainStops);
 byId('speed-max').textContent = `${shown(fastest)} m/s`;
+if (errors.length) {
+  byId('speed-name').textContent = `off by ${shown(errorRange[0])}`;
+  byId('speed-max').textContent = `${errorRange[1]} m`;
+  byId('strain-legend').hidden = true;
+  byId('trail-length').value = '10';
+}
 byId('strain-low').textContent = `-${shown(100 * strainMax)} %`;
 byId('strain-high').textContent = `+${shown(100 * strainMax)} %`;
 if (!rest.length) { byId('strain-legend').hidden = true; byId('springs').parentElement.hidden = true; }

@@ -11,6 +11,8 @@ const counts = unpack(scene.counts, Uint32Array), allIds = unpack(scene.ids, Uin
 const states = unpack(scene.states, Float32Array), radii = unpack(scene.radii, Float32Array);
 const fixed = unpack(scene.fixed, Uint32Array), ends = unpack(scene.springs, Uint32Array);
 const rest = unpack(scene.rest, Float32Array);
+// How far each particle is from where it should be, m, by frame; empty: not known.
+const errors = unpack(scene.errors || '', Float32Array);
 const times = scene.times, last = times.length - 1, duration = times[last] || 1;
 
 // Where each frame begins in the arrays.

@@ -54,7 +54,7 @@ const drawSprings = (now) => {
   for (let s = 0; s < rest.length; ++s) {
     const a = 3 * ends[2 * s], b = 3 * ends[2 * s + 1], q = now.state;
     const length = Math.hypot(q[b] - q[a], q[b + 1] - q[a + 1], q[b + 2] - q[a + 2]);
-    const colour = strainColour(0.5 + 0.5 * strainOf(length, s) / strainMax);
+    const colour = errors.length ? errorColour(now.k, a / 3).map((part, d) => (part + errorColour(now.k, b / 3)[d]) / 2) : strainColour(0.5 + 0.5 * strainOf(length, s) / strainMax);
     places.push(q[a], q[a + 1], q[a + 2], q[b], q[b + 1], q[b + 2]);
     for (let twice = 0; twice < 2; ++twice) colours.push(...colour, 0.8);
   }
@@ -71,7 +71,11 @@ const drawCloths = (now) => {
           const p = corner(x), r = corner(y), s = corner(z);
           const n = unit(cross(r.map((v, d) => v - p[d]), s.map((v, d) => v - p[d])));
           const light = 0.25 + 0.4 * Math.abs(0.8 * n[up] + 0.5 * n[ahead] + 0.33 * n[aside]);
-          for (const v of [p, r, s]) { places.push(...v); colours.push(0.55 * light, 0.6 * light, 0.75 * light, 1); }
+          [p, r, s].forEach((v, corner3) => {
+            places.push(...v);
+            if (errors.length) colours.push(...errorColour(now.k, [x, y, z][corner3]).map((part) => part * (0.4 + light)), 1);
+            else colours.push(0.55 * light, 0.6 * light, 0.75 * light, 1);
+          });
         }
       }
   draw(flat, gl.TRIANGLES, places, colours);
@@ -82,7 +86,7 @@ const drawParticles = (now) => {
     const id = idOf(now.k, i), v = half + 3 * i;
     if (lookOf(id)) continue;
     places.push(q[3 * i], q[3 * i + 1], q[3 * i + 2]);
-    const colour = id < scene.listed && fixed[id] ? [0.75, 0.75, 0.75]
+    const colour = id < scene.listed && fixed[id] ? [0.75, 0.75, 0.75] : errors.length ? errorColour(now.k, i)
       : speedColour(Math.hypot(q[v], q[v + 1], q[v + 2]) / fastest);
     colours.push(...colour, 1);
     sizesOfPoints.push(radiusOf(id));

@@ -4,7 +4,8 @@
 // plot(host, spec) fills the element `host`. spec:
 //   height, description; x, y: axes (axes.js);
 //   cloud: [{x, y, run}], grey dots;
-//   curves: [{name, colour (a CSS colour), shape 0-7, dashed, points: [{x, y, run}], window: [x, x]}],
+//   curves: [{name, colour (a CSS colour), shape 0-7, dashed, points: [{x, y, run}], window: [x, x],
+//     bare: without marks, wide: a broad line}],
 //     labelled at their right end; the part between the two x of `window` is drawn thick;
 //   levels: [{y, text, shaded}], a line across, shaded: with what is below it;
 //   slopes: [orders], guides;
@@ -63,12 +64,12 @@ const drawSlopes = (size, x, y, orders) => orders.map((order) => {
 const drawCurve = (curve, x, y) => {
   const inside = curve.points.filter((p) => x.holds(p.x) && y.holds(p.y));
   const parts = [];
-  if (inside.length > 1 && !curve.loose) parts.push(svg('path', { class: `curve${curve.dashed ? ' dashed' : ''}`, d: pathOf(inside, x, y) }));
+  if (inside.length > 1 && !curve.loose) parts.push(svg('path', { class: `curve${curve.dashed ? ' dashed' : ''}${curve.wide ? ' broad' : ''}`, d: pathOf(inside, x, y) }));
   if (curve.window) {
     const within = inside.filter((p) => p.x >= curve.window[0] * (1 - 1e-6) && p.x <= curve.window[1] * (1 + 1e-6));
     if (within.length > 1) parts.push(svg('path', { class: 'curve window', d: pathOf(within, x, y) }));
   }
-  for (const p of inside)
+  for (const p of curve.bare ? [] : inside)
     parts.push(svg('path', { class: 'marker', d: shapes[curve.shape || 0], transform: `translate(${x.at(p.x).toFixed(1)},${y.at(p.y).toFixed(1)})` }));
   return svg('g', { style: { color: curve.colour } }, parts);
 };

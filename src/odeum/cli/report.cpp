@@ -7,11 +7,14 @@
 #include <list>
 
 #include "odeum/cli/problems.hpp"
+#include "odeum/cli/report_scenes.hpp"
+#include "odeum/cli/report_solutions.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/cli/study_command.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/studies/convergence/section.hpp"
+#include "odeum/studies/questions.hpp"
 #include "odeum/studies/runner.hpp"
 
 namespace odeum::cli {
@@ -111,6 +114,11 @@ void run(const Options& options) {
   report::Page page(report::describe(cases_of(options), all_libraries()), folder);
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) study->section(page);
+  add_solutions(page, options.given.empty() ? study::quick_cases() : std::vector<std::string>(),
+                study::result_of<study::ConvergenceResult>(studies),
+                study::result_of<study::PrecisionResult>(studies), options.jobs_or_cores());
+  if (options.given.empty() && any_glob_matches(options.cases, replayed_case))
+    add_replays(page, folder, options.jobs_or_cores());
   std::string command = "odeum report";
   for (const std::string& word : options.problems.words) command += " " + word;
   if (options.quick) command += " --quick";

@@ -76,8 +76,8 @@ std::string Page::data_page(const RunFacts& run) const {
       "Data – Odeum report", navigation("", "data.html"),
       "<section id=\"data\">\n<h2>Data</h2>\n<div class=\"columns\">\n<div><h3>The files</h3>\n"
       "<p>Everything in this report comes from the files beside it, one observation a row; "
-      "README.md "
-      "describes their columns.</p>\n" +
+      "<a href=\"columns.html\">what each column is</a>, with an example for pandas and one for "
+      "gnuplot.</p>\n" +
           links(folder_.path(), "./") +
           details("Data of the stability regions",
                   links(folder_.path() / "stability", "stability/")) +

@@ -104,7 +104,9 @@ std::string Page::index_page(const RunFacts& run) const {
                "a library, or an order.") +
           view("regions", "Stability",
                "Where a step of a solver does not grow, and where the eigenvalues of a problem, "
-               "times the step, lie."),
+               "times the step, lie.") +
+          view("methods", "Methods",
+               "What a method is, where it is stable, and how it did on every problem."),
       {"data/index.js", "viewer/page.js"});
 }
 

@@ -110,7 +110,8 @@ std::string Page::navigation(const std::string& root, const std::string& here) c
       "<header class=\"top\">\n<a class=\"brand\" href=\"{0}index.html\">Odeum</a>\n"
       "<nav class=\"main\" aria-label=\"views\"><a href=\"{0}index.html#answers\">Answers</a>"
       "<a href=\"{0}index.html#compare\">Compare</a>"
-      "<a href=\"{0}index.html#regions\">Stability</a>{1}{2}{3}</nav>\n"
+      "<a href=\"{0}index.html#regions\">Stability</a>"
+      "<a href=\"{0}index.html#methods\">Methods</a>{1}{2}{3}</nav>\n"
       "<nav class=\"pages\" aria-label=\"tables\">{4}</nav>\n</header>\n",
       root, link("trade-offs.html", "Trade-offs"), link("findings.html", "Findings"),
       link("data.html", "Data"), pages);
@@ -156,6 +157,7 @@ void Page::write(const RunFacts& run) {
   };
   prose("findings", "Findings", findings());
   prose("trade-offs", "Trade-offs", trade_offs());
+  prose("columns", "Columns of the files", columns_text());
   write_all_data(run);
   folder_.write("viewer/page.js", page_js());
   folder_.write("manifest.json", manifest_text(run));  // first: data.html links to it

@@ -85,8 +85,9 @@ std::size_t most_frames(const scene::RunResult& run) {
   return std::max<std::size_t>(2, run.frames.size() * most_numbers / numbers);
 }
 
-Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
-  std::vector<float> states, radii, rest;
+Json scene_json(const scene::Scene& scene, const scene::RunResult& run,
+                const std::vector<std::vector<double>>& errors) {
+  std::vector<float> states, radii, rest, errors_shown;
   std::vector<std::uint32_t> counts, ids, ends;
   Json times = Json::array(), kinetic = Json::array(), potential = Json::array();
   for (const std::size_t k : chosen_frames(run, most_frames(run))) {
@@ -97,6 +98,8 @@ Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
     counts.push_back(static_cast<std::uint32_t>(frame.ids.size()));
     for (const std::size_t id : frame.ids) ids.push_back(static_cast<std::uint32_t>(id));
     for (const double number : frame.y) states.push_back(static_cast<float>(number));
+    if (k < errors.size())
+      for (const double error : errors[k]) errors_shown.push_back(static_cast<float>(error));
   }
   std::vector<std::uint32_t> fixed;
   for (const auto& particle : scene.particles) {
@@ -125,6 +128,7 @@ Json scene_json(const scene::Scene& scene, const scene::RunResult& run) {
           {"counts", packed(counts)},
           {"ids", packed(ids)},
           {"states", packed(states)},
+          {"errors", packed(errors_shown)},
           {"radii", packed(radii)},
           {"fixed", packed(fixed)},
           {"springs", packed(ends)},
@@ -160,15 +164,17 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 }  // namespace
 
 std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
-                        const std::vector<std::string>& facts) {
+                        const std::vector<std::string>& facts,
+                        const std::vector<std::vector<double>>& errors) {
   std::string list;
   for (const std::string& fact : facts) list += "<li>" + escape(fact) + "</li>\n";
-  return filled(replay_html(), {{"title", escape(scene.name.empty() ? "Scene" : scene.name)},
-                                {"style", "<style>\n" + std::string(replay_css()) + "</style>"},
-                                {"facts", list},
-                                {"data", "<script type=\"application/json\" id=\"scene\">" +
-                                             for_script(scene_json(scene, run)) + "</script>"},
-                                {"script", "<script>\n" + std::string(replay_js()) + "</script>"}});
+  return filled(replay_html(),
+                {{"title", escape(scene.name.empty() ? "Scene" : scene.name)},
+                 {"style", "<style>\n" + std::string(replay_css()) + "</style>"},
+                 {"facts", list},
+                 {"data", "<script type=\"application/json\" id=\"scene\">" +
+                              for_script(scene_json(scene, run, errors)) + "</script>"},
+                 {"script", "<script>\n" + std::string(replay_js()) + "</script>"}});
 }
 
 }  // namespace odeum::report

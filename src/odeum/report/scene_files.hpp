@@ -25,8 +25,11 @@ void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& sc
 std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t most);
 
 /// A page that shows the run in 3-D, with all that it needs in itself (reports/viewer/replay.*).
-/// `facts` are lines of text for the reader.
+/// `facts` are lines of text for the reader. `errors`: how far each particle is from where it
+/// should be, m, by frame (of all frames) and particle; where given, particles and cloth have its
+/// colour.
 std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
-                        const std::vector<std::string>& facts);
+                        const std::vector<std::string>& facts,
+                        const std::vector<std::vector<double>>& errors = {});
 
 }  // namespace odeum::report

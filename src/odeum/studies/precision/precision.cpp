@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "odeum/contest/inlined.hpp"
 #include "odeum/core/glob.hpp"
@@ -28,6 +29,7 @@ struct Trial {
   Request request;
   std::vector<double> states;
   double guarded_ns = 0;  ///< of the guarded run: an estimate
+  bool far = false;       ///< see mark_far
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }
@@ -182,14 +184,35 @@ void time_once(const Stage& stage, const Contender& contender, Trial& trial) {
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }
 
-/// Interleaved repetitions: one round over all solvers at a setting, then the next round.
+/// Behind another one of its library by so much in guarded runs, a trial cannot be the fastest at
+/// its error: a guard and a call through a pointer cost less than this factor.
+constexpr double far_behind = 20;
+
+void mark_far(std::vector<Contender>& contenders) {
+  std::vector<std::pair<const std::string*, Trial*>> trials;
+  for (Contender& contender : contenders)
+    for (Trial& trial : contender.trials)
+      if (trial.ok()) trials.emplace_back(&contender.entrant->info.library, &trial);
+  const auto smaller = [](auto& a, auto& b) { return a.second->row.error < b.second->row.error; };
+  std::stable_sort(trials.begin(), trials.end(), smaller);
+  std::map<std::string, double> least;  // by library, of those of no larger error
+  for (const auto& [library, trial] : trials) {
+    double& known = least.try_emplace(*library, trial->guarded_ns).first->second;
+    known = std::min(known, trial->guarded_ns);
+    trial->far = trial->guarded_ns > far_behind * known;
+  }
+}
+
+/// Interleaved repetitions: one round over all solvers at a setting, then the next round. What is
+/// far behind is timed once.
 void time_all(const Stage& stage, std::vector<Contender>& contenders, double seconds) {
+  mark_far(contenders);
   double once = 0;
   std::size_t most_settings = 0;
   for (const Contender& contender : contenders) {
     most_settings = std::max(most_settings, contender.trials.size());
     for (const Trial& trial : contender.trials)
-      if (trial.ok()) once += std::max(trial.guarded_ns, 20'000.0);
+      if (trial.ok() && !trial.far) once += std::max(trial.guarded_ns, 20'000.0);
   }
   const auto rounds = static_cast<std::uint64_t>(
       std::clamp(seconds * 1e9 / std::max(once, 1.0), 2.0, double(most_repetitions)));
@@ -200,6 +223,7 @@ void time_all(const Stage& stage, std::vector<Contender>& contenders, double sec
         if (k >= contender.trials.size() || !contender.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         Trial& trial = contender.trials[k];
+        if (round > 0 && trial.far) continue;
         // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, contender, trial);

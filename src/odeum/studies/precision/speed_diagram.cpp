@@ -35,6 +35,10 @@ std::size_t style_of_library(std::size_t index) {
   return index < 5 ? index : std::min(index + 1, report::chart_styles - 1);
 }
 
+/// Of more points than this only those of the front say what they are: the others' texts would be
+/// nine tenths of the page. The comparison on index.html tells all of them.
+constexpr std::size_t few = 200;
+
 }  // namespace
 
 std::string speed_diagram(const std::vector<PrecisionRow>& rows,
@@ -60,7 +64,7 @@ std::string speed_diagram(const std::vector<PrecisionRow>& rows,
     for (const PrecisionRow& row : drawn)
       if (row.library == libraries[i])
         chart.mark({row.wall_ns_min, row.error}, style_of_library(i), row.pareto ? "" : "faint",
-                   title_of(row));
+                   row.pareto || drawn.size() <= few ? title_of(row) : std::string());
   chart.stairs(front_of(std::move(peers)), "front peers");
   chart.stairs(front_of(std::move(drawn)), "front");
   return chart.svg();

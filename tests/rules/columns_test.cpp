@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every column of every file that a study declares is documented in reports/columns.md, and nothing
+// else is.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace odeum::rules {
+namespace {
+
+namespace fs = std::filesystem;
+using Columns = std::map<std::string, std::set<std::string>>;  // by file
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::set<std::string> matches(const std::string& text, const char* pattern) {
+  std::set<std::string> found;
+  const std::regex expression(pattern);
+  for (auto it = std::sregex_iterator(text.begin(), text.end(), expression);
+       it != std::sregex_iterator(); ++it)
+    found.insert((*it)[1]);
+  return found;
+}
+
+/// From the declarations of rows, see record/row.hpp.
+Columns declared() {
+  Columns columns;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(ODEUM_SOURCE_DIR) / "src/odeum/studies")) {
+    if (entry.path().extension() != ".hpp") continue;
+    const std::string text = text_of(entry.path());
+    constexpr std::string_view mark = "constexpr const char* file = \"";
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+      const std::size_t begin = at + mark.size(), end = text.find("\n  }\n", at);
+      columns[text.substr(begin, text.find('"', begin) - begin)] =
+          matches(text.substr(at, end - at), "visit\\(\\s*\"(\\w+)\"");
+    }
+  }
+  return columns;
+}
+
+Columns documented() {
+  Columns columns;
+  std::string section;
+  std::istringstream in(text_of(fs::path(ODEUM_SOURCE_DIR) / "reports/columns.md"));
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("## ")) section = line.substr(3);
+    if (!line.starts_with("- `")) continue;
+    columns[section].merge(matches(line.substr(0, line.find(':')), "`(\\w+)`"));
+  }
+  return columns;
+}
+
+TEST(Columns, AreDocumentedOnce) {
+  const Columns files = declared();
+  Columns words = documented();
+  const std::set<std::string> everywhere = words["Every file"];
+  ASSERT_GE(files.size(), 20U) << "the declarations of rows were not found";
+  std::set<std::string> used{"schema"};
+  for (const auto& [file, columns] : files) {
+    EXPECT_TRUE(words.contains(file)) << file << " has no section";
+    ASSERT_GE(columns.size(), 3U) << file;
+    for (const std::string& column : columns) {
+      used.insert(column);
+      EXPECT_NE(everywhere.contains(column), words[file].contains(column))
+          << file << ": " << column << " is to be documented once";
+    }
+    for (const std::string& column : words[file])
+      EXPECT_TRUE(columns.contains(column)) << file << " has no column " << column;
+  }
+  for (const std::string& column : everywhere)
+    EXPECT_TRUE(used.contains(column)) << "no file has a column " << column;
+}
+
+}  // namespace
+}  // namespace odeum::rules

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solutions that the report draws beside the exact ones.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "odeum/report/solutions.hpp"
+#include "odeum/studies/runner.hpp"
+
+namespace odeum::report {
+namespace {
+
+DrawnRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
+  return {
+      .entrant = &study::find_solver(c.entrants, solver), .steps = steps, .end = c.stops.back()};
+}
+
+TEST(PageSolutions, OutputsAreOnStepsAndEndAtTheHorizon) {
+  const Case& c = study::find_case("kepler_e09");
+  for (const std::uint64_t steps : {1, 7, 99, 100, 101, 320, 1777}) {
+    DrawnRun run = run_of(c, "odeum/rk4", steps);
+    const Request request = drawn_request(c, run, 10'000);
+    EXPECT_NO_THROW(require_sound(request, c.t0)) << steps;
+    EXPECT_TRUE(FixedGrid(c.t0, request).fits()) << steps;
+    EXPECT_LE(request.stops.size(), 100U);
+    EXPECT_GE(request.stops.size(), std::min<std::uint64_t>(steps, 50));
+    EXPECT_EQ(request.stops.back(), c.stops.back());
+  }
+}
+
+// Kepler's equation, solved by Newton's method: e = 0.9, semi-major axis and mass 1, from the
+// pericentre.
+TEST(PageSolutions, AComputedExactCurveIsExact) {
+  const Case& c = study::find_case("kepler_e09");
+  const ExactCurve exact = exact_curve(c, {0.25, 2, 5.5, 9.75});
+  ASSERT_TRUE(exact.everywhere);
+  EXPECT_LT(exact.floor, 1e-10);
+  for (const double t : {0.25, 2.0, 5.5, 9.75}) {
+    double anomaly = t;
+    for (int i = 0; i < 100; ++i)
+      anomaly -= (anomaly - 0.9 * std::sin(anomaly) - t) / (1 - 0.9 * std::cos(anomaly));
+    const double* const y = exact.at(t);
+    ASSERT_NE(y, nullptr);
+    // Rounding of the right-hand side, which e = 0.9 amplifies by some 1e3 in a period.
+    EXPECT_NEAR(y[0], std::cos(anomaly) - 0.9, 1e-10) << t;
+    EXPECT_NEAR(y[1], std::sqrt(1 - 0.81) * std::sin(anomaly), 1e-10) << t;
+  }
+  EXPECT_EQ(exact.at(0.3), nullptr);
+}
+
+TEST(PageSolutions, OfALargeProblemTheTruthIsDrawnWhereItIsKnown) {
+  const Case& c = study::find_case("cloth11_two_way");
+  const ExactCurve exact = exact_curve(c, {0.1, 0.25, 0.3, 1});
+  EXPECT_FALSE(exact.everywhere);
+  EXPECT_EQ(exact.times, (std::vector<double>{0.25, 1}));
+  const auto drawn = drawn_components(c);
+  ASSERT_EQ(drawn.size(), 2U);
+  EXPECT_EQ(drawn[1], c.y0.size() / 2 + drawn[0]);
+}
+
+TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
+  const Case& c = study::find_case("damped_oscillator_underdamped");
+  const DrawnRun run = run_of(c, "odeum/explicit_euler", 80), finer = run_of(c, "odeum/rk4", 80);
+  const Request request = drawn_request(c, run, 10'000);
+  const Outcome outcome = run.entrant->solve(request), better = finer.entrant->solve(request);
+  ASSERT_EQ(outcome.status, Status::ok);
+  Solutions solutions(c, run.end, exact_curve(c, request.stops));
+  solutions.add(run, request, outcome);
+  solutions.add(finer, request, better);
+  solutions.add(finer, request, better);
+  const auto json = nlohmann::json::parse(solutions.json());
+  EXPECT_TRUE(json["exact"]["everywhere"]);
+  EXPECT_EQ(json["curves"].size(), 2U) << "equal curves are kept once";
+  const auto& found = json["runs"]["odeum/explicit_euler:fixed:80"];
+  ASSERT_EQ(found[0], 80);
+  const auto& curve = json["curves"][found[1].get<std::size_t>()];
+  ASSERT_EQ(curve.size(), 160U);
+  std::vector<double> y(2);
+  for (std::size_t k = 0; k < 80; ++k) {
+    double error = 0;
+    ASSERT_TRUE(c.truth.at(request.stops[k], y.data()));
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double low = json["low"][i], high = json["high"][i], value = outcome.states[2 * k + i];
+      // A curve beyond half a range from the exact one's is cut.
+      const double shown = low + (high - low) * curve[2 * k + i].get<double>() / 1000;
+      const double cut = std::clamp(value, 1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low);
+      EXPECT_NEAR(shown, cut, 0.51e-3 * (high - low));
+      error = std::fmax(error, std::abs(value - y[i]));
+    }
+    // Half of a hundredth of a decade is 1.2 %.
+    EXPECT_NEAR(std::pow(10, found[2][k].get<double>() / 100) / error, 1, 0.012);
+  }
+}
+
+}  // namespace
+}  // namespace odeum::report
