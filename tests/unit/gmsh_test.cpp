@@ -58,7 +58,7 @@ TEST(Gmsh, BadMeshesAreRefusedWithTheLine) {
   };
   EXPECT_EQ(error("4 1 3 4", "4 1 4 3"), "f:36:1: triangle 4 is inverted: its nodes run clockwise");
   EXPECT_EQ(error("4 1 3 4", "4 1 3 3"), "f:36:1: triangle 4 has a node twice");
-  EXPECT_EQ(error("0 1 0 0 1", "0.5 0.5 0 0 1"),
+  EXPECT_EQ(error("0 1 0 0 1\n$EndNodes", "0.5 0.5 0 0 1\n$EndNodes"),
             "f:36:1: triangle 4 is degenerate: its nodes lie on a line");
   EXPECT_EQ(error("4 1 3 4", "4 2 3 1"), "f:36:1: triangle 4 is a duplicate of triangle 3");
   EXPECT_EQ(error("4 1 3 4", "4 1 3 8"), "f:36:7: there is no node 8 among the 4 before");

@@ -103,5 +103,17 @@ TEST(ClassifyCommand, TellsTheTypeAndDrawsIt) {
   expect_refused("classify \"u_xx + u_yz\"", "character 8: unknown name");
 }
 
+// What odeum converge does with problems that have a mesh in place of steps.
+TEST(ConvergeCommand, MeasuresOrdersInTheMeshSize) {
+  const tests::TemporaryFolder root;
+  const std::string out = (root.path() / "out").string();
+  const Result result = shell("odeum converge poisson_l_shape --out " + out);
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("reentrant corner"), std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find("poisson_disc"), std::string::npos);
+  EXPECT_NE(shell("odeum list cases").output.find("poisson_l_shape "), std::string::npos);
+  expect_refused("drift --case \"poisson_l*\" --out " + out, "odeum converge measure");
+}
+
 }  // namespace
 }  // namespace odeum

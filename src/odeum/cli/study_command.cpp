@@ -54,7 +54,7 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   const study::Declaration& declaration = study.declaration();
   if (common.resume && !declaration.no_resume.empty())
     throw UsageError("--resume: " + declaration.no_resume);
-  if (declaration.name != "elements") check_case_globs(options.cases);
+  check_case_globs(options.cases);
   options.solvers = common.solvers;
   check_solver_globs(options.solvers);
   const record::OutputFolder folder(common.out);
@@ -113,7 +113,9 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
         "converge measure their orders in the mesh size",
         problems.front()));
   for (const auto& other : study::make_studies())
-    if (other->declaration().name == "elements") run_study(*other, {.cases = problems}, common);
+    if (other->declaration().name == "elements")
+      run_study(*other, {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}},
+                common);
   return options.cases.empty() && words.words.empty();
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
@@ -104,8 +106,10 @@ ElementsResult measure_orders(std::size_t most, const Runner& runner,
 
 ElementsResult measure_elements(const Options& options, const Runner& runner) {
   const auto most = static_cast<std::size_t>(options.number("most", 128));
-  ElementsResult result = measure_orders(most, runner, options.cases);
-  if (!options.cases.empty()) return result;
+  std::istringstream words(options.word("problems"));
+  const std::vector<std::string> problems(std::istream_iterator<std::string>(words), {});
+  ElementsResult result = measure_orders(most, runner, problems);
+  if (!problems.empty()) return result;
   record::append(result, measure_solvers(most, runner));
   if (interrupted) throw Interrupted();
   result.times = time_solvers(most);
