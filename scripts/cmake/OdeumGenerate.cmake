@@ -387,9 +387,12 @@ inline constexpr std::string_view flags = R\"(${flags})\";
 ")
 endfunction()
 
-# odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, and all_libraries().
-# A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and an enroll.hpp that declares
+# odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, all_libraries() and
+# linear_peers(). A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and, for integrators, an
+# enroll.hpp that declares
 #   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);
+# and, for solvers of sparse symmetric systems, a linear.hpp that declares
+#   void odeum::adapters::NAME::add_linear_peers(std::vector<linear::LinearPeerInfo>&);
 macro(odeum_add_adapters)
   file(GLOB odeum_adapter_folders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/adapters/*/CMakeLists.txt)
   foreach(odeum_folder IN LISTS odeum_adapter_folders)
@@ -401,9 +404,17 @@ macro(odeum_add_adapters)
   get_property(ODEUM_LIBRARY_ROWS GLOBAL PROPERTY ODEUM_LIBRARY_ROWS)
   set(odeum_includes "")
   set(odeum_calls "")
+  set(odeum_linear_includes "")
+  set(odeum_linear_calls "")
   foreach(odeum_name IN LISTS ODEUM_ADAPTERS_BUILT)
-    string(APPEND odeum_includes "#include \"${odeum_name}/enroll.hpp\"\n")
-    string(APPEND odeum_calls "  adapters::${odeum_name}::enroll(contest, entrants);\n")
+    if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/enroll.hpp)
+      string(APPEND odeum_includes "#include \"${odeum_name}/enroll.hpp\"\n")
+      string(APPEND odeum_calls "  adapters::${odeum_name}::enroll(contest, entrants);\n")
+    endif()
+    if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/linear.hpp)
+      string(APPEND odeum_linear_includes "#include \"${odeum_name}/linear.hpp\"\n")
+      string(APPEND odeum_linear_calls "    adapters::${odeum_name}::add_linear_peers(list);\n")
+    endif()
   endforeach()
   odeum_write(${ODEUM_GENERATED}/odeum_adapters.hpp
 "#pragma once
@@ -421,11 +432,20 @@ ${odeum_calls}}
   odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
 "#include \"odeum/contest/case.hpp\"
 #include \"odeum/contest/late.hpp\"
-
+#include \"odeum/linear/eigen_solvers.hpp\"
+${odeum_linear_includes}
 namespace odeum {
 const std::vector<LibraryInfo>& built_in_libraries() {
   static const std::vector<LibraryInfo> all{
 ${ODEUM_LIBRARY_ROWS}  };
+  return all;
+}
+const std::vector<linear::LinearPeerInfo>& linear::linear_peers() {
+  static const std::vector<LinearPeerInfo> all = [] {
+    std::vector<LinearPeerInfo> list;
+    add_eigen_peers(list);
+${odeum_linear_calls}    return list;
+  }();
   return all;
 }
 }

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
+#include "odeum/contest/case.hpp"
 #include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/linear/tridiagonal.hpp"
 #include "odeum/studies/elements/problems.hpp"
@@ -72,7 +74,7 @@ class FivePoint : public ::testing::Test {
 TEST_F(FivePoint, EverySolverReachesTheDirectSolution) {
   const StopRule rule{.relative_residual = 1e-10};
   const JacobiPreconditioner diagonal(a_);
-  const Multigrid multigrid = hierarchy_.multigrid(3);
+  const Multigrid multigrid = hierarchy_.multigrid();
   EXPECT_EQ(multigrid.levels(), 4U);
   EXPECT_LT(multigrid.complexity(), 1.5);
   expect_solved(stationary(a_, diagonal, b_, rule));
@@ -85,11 +87,41 @@ TEST_F(FivePoint, EverySolverReachesTheDirectSolution) {
   expect_solved(preconditioned_cg(a_, NoPreconditioner(a_), b_, rule));
   expect_solved(preconditioned_cg(a_, SsorPreconditioner(a_, 1.5), b_, rule));
   expect_solved(preconditioned_cg(a_, IncompleteCholesky(a_), b_, rule));
-  for (const char* ordering : {"amd", "natural"}) {
+}
+
+TEST_F(FivePoint, PeersSolveIt) {
+  std::set<std::string> seen;
+  for (const LinearPeerInfo& info : linear_peers()) {
+    const auto peer = info.set_up(a_);
     std::vector<double> x;
-    EXPECT_GT(EigenConjugateGradients(a_, ordering).solve(b_, x, 1e-10, 1000), 1);
-    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_NEAR(x[i], exact_[i], 14 * 12 * 1e-10);
+    // Twice: nothing is left of the first solve.
+    for (int k = 0; k < 2; ++k) {
+      const std::size_t iterations = peer->solve(b_, x, 1e-10, 1000);
+      EXPECT_EQ(iterations == 0, info.direct) << info.id;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        ASSERT_NEAR(x[i], exact_[i], 14 * 12 * 1e-10) << info.id;
+    }
+    // With a tolerance of 0 exactly as many iterations as asked for.
+    if (!info.direct) {
+      EXPECT_EQ(peer->solve(b_, x, 0, 3), 3U) << info.id;
+      EXPECT_GT(residual_norm(a_, x, b_), 1e-6) << info.id;
+    }
+    seen.insert(info.id.substr(0, info.id.find('/')));
   }
+  EXPECT_TRUE(seen.contains("eigen"));
+  for (const LibraryInfo& library : all_libraries())
+    if (library.built &&
+        (library.name == "cholmod" || library.name == "gsl" || library.name == "sundials")) {
+      EXPECT_TRUE(seen.contains(library.name)) << library.name;
+    }
+}
+
+TEST(LinearPeers, RefuseWhatIsNotPositiveDefinite) {
+  const SparseMatrix indefinite = from_triplets(2, 2, {{0, 0, 1}, {0, 1, 2}, {1, 0, 2}, {1, 1, 1}});
+  for (const LinearPeerInfo& info : linear_peers())
+    if (info.direct) {
+      EXPECT_THROW(info.set_up(indefinite), std::invalid_argument) << info.id;
+    }
 }
 
 // Eigenvalues 4 - 2 cos(i pi / n) - 2 cos(j pi / n).
@@ -116,9 +148,9 @@ TEST_F(FivePoint, MultigridTakesAsManyIterationsOnAnyMesh) {
   const study::Hierarchy finer(model_, 64);
   const SparseMatrix& a = finer.finest().system.matrix;
   const StopRule rule{.relative_residual = 1e-10};
-  const std::size_t coarse = preconditioned_cg(a_, hierarchy_.multigrid(3), b_, rule).iterations;
+  const std::size_t coarse = preconditioned_cg(a_, hierarchy_.multigrid(), b_, rule).iterations;
   const std::vector<double> b(a.rows, 1);
-  const CgOutcome fine = preconditioned_cg(a, finer.multigrid(5), b, rule);
+  const CgOutcome fine = preconditioned_cg(a, finer.multigrid(), b, rule);
   EXPECT_EQ(fine.status, IterationStatus::converged);
   EXPECT_NEAR(static_cast<double>(fine.iterations), static_cast<double>(coarse), 3);
   // A symmetric V-cycle is an approximation from above: no eigenvalue above 1.
@@ -189,7 +221,6 @@ TEST(IterativeSolvers, RefuseWhatTheyCannotSolve) {
   EXPECT_THROW((SsorPreconditioner{fine, 2}), std::invalid_argument);
   EXPECT_THROW(SparseLdlt{indefinite}, std::invalid_argument);
   EXPECT_THROW(SparseLdlt{dense({{1, -1}, {-1, 1}})}, std::invalid_argument);
-  EXPECT_THROW((EigenConjugateGradients{fine, "none"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/scene/read/reader.hpp"
+#include "odeum/studies/elements/problems.hpp"
 #include "support/scene_stage.hpp"
 
 namespace odeum::cli {
@@ -25,6 +26,12 @@ Listing list_cases() {
     listing.rows.push_back({c.id, c.title, c.equation, std::to_string(c.y0.size()),
                             record::format_number(c.stops.back()),
                             fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source});
+  // Problems in space alone: their dimension is that of the mesh. One has several rules of
+  // quadrature.
+  for (const study::ModelProblem& model : study::model_problems())
+    if (listing.rows.back()[0] != model.id)
+      listing.rows.push_back({model.id, model.title, model.equation, "mesh", "none",
+                              "elliptic linear finite_elements", model.truth});
   return listing;
 }
 

@@ -45,6 +45,8 @@ int run(int argc, char** argv) {
   for (const auto& study : studies) add_study(app, *study, result);
   add_report(app, result);
   add_verify(app, result);
+  add_classify(app, result);
+  add_poisson(app, result);
   add_doctor(app, result);
   add_plugin_option(app);
   try {

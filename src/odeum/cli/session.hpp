@@ -67,6 +67,8 @@ void add_list(CLI::App& app, int& result);
 void add_run(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
 void add_verify(CLI::App& app, int& result);
+void add_classify(CLI::App& app, int& result);
+void add_poisson(CLI::App& app, int& result);
 void add_doctor(CLI::App& app, int& result);
 
 }  // namespace odeum::cli

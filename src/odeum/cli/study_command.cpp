@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -14,7 +15,10 @@
 
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
+#include "odeum/contest/given_cases.hpp"
 #include "odeum/contest/late.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/studies/elements/problems.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -77,6 +81,44 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
                        common.out));
 }
 
+/// Takes the globs that match problems of the study `elements` and no case out of `globs`.
+std::vector<std::string> take_elements(std::vector<std::string>& globs) {
+  const auto matches = [](const std::string& glob, const auto& id) {
+    return glob_matches(glob, id) && !glob.starts_with('!');
+  };
+  std::vector<std::string> taken;
+  for (const std::string& glob : globs) {
+    bool case_found = false, element_found = false;
+    for (const Case* c : known_cases()) case_found = case_found || matches(glob, c->id);
+    for (const study::ModelProblem& model : study::model_problems())
+      element_found = element_found || matches(glob, model.id);
+    if (element_found && !case_found) taken.push_back(glob);
+  }
+  std::erase_if(globs, [&](const std::string& glob) {
+    return std::find(taken.begin(), taken.end(), glob) != taken.end();
+  });
+  return taken;
+}
+
+/// Orders in the mesh size for `odeum converge`; other studies refuse such problems. True where
+/// there is nothing else to do.
+bool run_elements(const study::Study& study, study::Options& options, ProblemOptions& words,
+                  const StudyOptions& common) {
+  std::vector<std::string> problems = take_elements(options.cases);
+  for (std::string& word : take_elements(words.words)) problems.push_back(std::move(word));
+  if (problems.empty()) return false;
+  if (study.declaration().name != "converge")
+    throw UsageError(fmt::format(
+        "'{}' names problems in space alone, which have no steps in time; odeum elements and odeum "
+        "converge measure their orders in the mesh size",
+        problems.front()));
+  for (const auto& other : study::make_studies())
+    if (other->declaration().name == "elements")
+      run_study(*other, {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}},
+                common);
+  return options.cases.empty() && words.words.empty();
+}
+
 }  // namespace
 
 std::string journal_mark(const study::Options& options) {
@@ -103,8 +145,9 @@ void add_study(CLI::App& app, study::Study& study, int& result) {
     add_own_option(*command, option, given->study);
   add_study_options(*command, given->common);
   command->callback([given, &study, &result] {
-    given->study.cases = load_problems(given->problems, given->study.cases);
-    run_study(study, given->study, given->common);
+    const bool done = run_elements(study, given->study, given->problems, given->common);
+    if (!done) given->study.cases = load_problems(given->problems, given->study.cases);
+    if (!done) run_study(study, given->study, given->common);
     result = success;
   });
 }

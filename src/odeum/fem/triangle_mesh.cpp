@@ -42,74 +42,102 @@ void for_each_edge(const std::vector<Edge>& edges, Work&& work) {
   }
 }
 
-std::string name(const char* what, std::size_t number) {
-  return std::string(what) + ' ' + std::to_string(number);
-}
+/// The checks of one mesh.
+class Check {
+ public:
+  Check(const TriangleMesh& mesh, const MeshTags& tags) : mesh_(mesh), tags_(tags) {}
 
-[[noreturn]] void refuse_triangle(std::size_t t, const std::string& what) {
-  throw MeshError(name("triangle", t) + ' ' + what);
-}
-
-void check_nodes(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) throw MeshError("the mesh has no triangles");
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    if (!std::isfinite(mesh.nodes[i].x) || !std::isfinite(mesh.nodes[i].y))
-      throw MeshError(name("node", i) + " is not at a finite point");
-}
-
-void check_triangle(const TriangleMesh& mesh, std::size_t t) {
-  // Half of the digits: beyond that the gradients of its elements are rounding.
-  constexpr double degenerate = 1e-8;
-  const auto& ids = mesh.triangles[t];
-  for (const std::size_t id : ids)
-    if (id >= mesh.nodes.size())
-      refuse_triangle(t, "has " + name("node", id) + ", but there are only " +
-                             std::to_string(mesh.nodes.size()) + " nodes, from 0");
-  if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0])
-    refuse_triangle(t, "has a node twice");
-  double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    longest = std::max(longest, distance(mesh.nodes[ids[k]], mesh.nodes[ids[(k + 1) % 3]]));
-  const double doubled = doubled_area(mesh, t);
-  if (!(std::abs(doubled) > degenerate * longest * longest))
-    refuse_triangle(t, "is degenerate: its nodes lie on a line");
-  if (doubled < 0) refuse_triangle(t, "is inverted: its nodes run clockwise");
-}
-
-void check_duplicates(const TriangleMesh& mesh) {
-  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t>> sorted;
-  sorted.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    sorted.emplace_back(mesh.triangles[t], t);
-    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  void nodes() const {
+    if (mesh_.triangles.empty()) throw MeshError("the mesh has no triangles");
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+      if (!std::isfinite(mesh_.nodes[i].x) || !std::isfinite(mesh_.nodes[i].y))
+        refuse_node(i, "is not at a finite point");
   }
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i].first == sorted[i - 1].first)
-      refuse_triangle(sorted[i].second,
-                      "is a duplicate of " + name("triangle", sorted[i - 1].second));
-}
 
-void check_pieces(const TriangleMesh& mesh) {
-  std::vector<std::size_t> group(mesh.nodes.size());
-  std::iota(group.begin(), group.end(), 0);
-  const auto root = [&](std::size_t i) {
-    while (group[i] != i) i = group[i] = group[group[i]];
-    return i;
-  };
-  std::vector<bool> used(mesh.nodes.size());
-  for (const auto& ids : mesh.triangles)
-    for (const std::size_t id : ids) {
-      used[id] = true;
-      group[root(id)] = root(ids[0]);
+  void triangle(std::size_t t) const {
+    // Half of the digits: beyond that the gradients of its elements are rounding.
+    constexpr double degenerate = 1e-8;
+    const auto& ids = mesh_.triangles[t];
+    for (const std::size_t id : ids)
+      if (id >= mesh_.nodes.size())
+        refuse(t, "has node " + std::to_string(id) + ", but there are only " +
+                      std::to_string(mesh_.nodes.size()) + " nodes, from 0");
+    if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0]) refuse(t, "has a node twice");
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, distance(mesh_.nodes[ids[k]], mesh_.nodes[ids[(k + 1) % 3]]));
+    const double doubled = doubled_area(mesh_, t);
+    if (!(std::abs(doubled) > degenerate * longest * longest))
+      refuse(t, "is degenerate: its nodes lie on a line");
+    if (doubled < 0) refuse(t, "is inverted: its nodes run clockwise");
+  }
+
+  void duplicates() const {
+    std::vector<std::pair<std::array<std::size_t, 3>, std::size_t>> sorted;
+    sorted.reserve(mesh_.triangles.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      sorted.emplace_back(mesh_.triangles[t], t);
+      std::sort(sorted.back().first.begin(), sorted.back().first.end());
     }
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (!used[i]) throw MeshError(name("node", i) + " belongs to no triangle");
-  for (std::size_t t = 1; t < mesh.triangles.size(); ++t)
-    if (root(mesh.triangles[t][0]) != root(mesh.triangles[0][0]))
-      throw MeshError("the mesh is in more than one piece: " + name("triangle", t) +
-                      " is not connected to triangle 0");
-}
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted[i].first == sorted[i - 1].first)
+        refuse(sorted[i].second, "is a duplicate of " + triangle_name(sorted[i - 1].second));
+  }
+
+  void edges() const {
+    const std::vector<Edge> edges = sorted_edges(mesh_);
+    for_each_edge(edges, [&](std::size_t first, std::size_t end) {
+      const Edge& e = edges[first];
+      const auto between = [&] {
+        return "the edge between " + node_name(e.low) + " and " + node_name(e.high);
+      };
+      if (end - first > 2) refuse(e.triangle, "and two more have " + between());
+      // Both counterclockwise on the same side of it.
+      if (end - first == 2 && e.forward == edges[first + 1].forward)
+        refuse(edges[first + 1].triangle,
+               "overlaps " + triangle_name(e.triangle) + " at " + between());
+    });
+  }
+
+  void pieces() const {
+    std::vector<std::size_t> group(mesh_.nodes.size());
+    std::iota(group.begin(), group.end(), 0);
+    const auto root = [&](std::size_t i) {
+      while (group[i] != i) i = group[i] = group[group[i]];
+      return i;
+    };
+    std::vector<bool> used(mesh_.nodes.size());
+    for (const auto& ids : mesh_.triangles)
+      for (const std::size_t id : ids) {
+        used[id] = true;
+        group[root(id)] = root(ids[0]);
+      }
+    for (std::size_t i = 0; i < used.size(); ++i)
+      if (!used[i]) refuse_node(i, "belongs to no triangle");
+    for (std::size_t t = 1; t < mesh_.triangles.size(); ++t)
+      if (root(mesh_.triangles[t][0]) != root(mesh_.triangles[0][0]))
+        throw MeshError("the mesh is in more than one piece: " + triangle_name(t) +
+                            " is not connected to " + triangle_name(0),
+                        MeshError::Of::triangle, t);
+  }
+
+ private:
+  static std::string name(const char* what, const std::vector<std::size_t>& tags, std::size_t i) {
+    return what + std::to_string(tags.empty() ? i : tags[i]);
+  }
+  std::string node_name(std::size_t i) const { return name("node ", tags_.nodes, i); }
+  std::string triangle_name(std::size_t t) const { return name("triangle ", tags_.triangles, t); }
+  [[noreturn]] void refuse(std::size_t t, const std::string& what) const {
+    throw MeshError(triangle_name(t) + ' ' + what, MeshError::Of::triangle, t);
+  }
+  [[noreturn]] void refuse_node(std::size_t i, const std::string& what) const {
+    throw MeshError(node_name(i) + ' ' + what, MeshError::Of::node, i);
+  }
+
+  const TriangleMesh& mesh_;
+  const MeshTags& tags_;
+};
 
 }  // namespace
 
@@ -121,22 +149,13 @@ double doubled_area(const TriangleMesh& mesh, std::size_t triangle) {
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
-void check(const TriangleMesh& mesh) {
-  check_nodes(mesh);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) check_triangle(mesh, t);
-  check_duplicates(mesh);
-  const std::vector<Edge> edges = sorted_edges(mesh);
-  for_each_edge(edges, [&](std::size_t first, std::size_t end) {
-    const Edge& e = edges[first];
-    const std::string between =
-        "the edge between " + name("node", e.low) + " and " + name("node", e.high);
-    if (end - first > 2) refuse_triangle(e.triangle, "and two more have " + between);
-    // Both counterclockwise on the same side of it.
-    if (end - first == 2 && e.forward == edges[first + 1].forward)
-      refuse_triangle(edges[first + 1].triangle,
-                      "overlaps " + name("triangle", e.triangle) + " at " + between);
-  });
-  check_pieces(mesh);
+void check(const TriangleMesh& mesh, const MeshTags& tags) {
+  const Check that(mesh, tags);
+  that.nodes();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) that.triangle(t);
+  that.duplicates();
+  that.edges();
+  that.pieces();
 }
 
 std::vector<std::array<std::size_t, 2>> boundary_edges(const TriangleMesh& mesh) {

@@ -24,14 +24,27 @@ struct TriangleMesh {
 /// A mesh that cannot be used, with the number (from 0) of the triangle or node.
 class MeshError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  enum class Of { mesh, node, triangle };
+  explicit MeshError(const std::string& what, Of of = Of::mesh, std::size_t number = 0)
+      : std::runtime_error(what), of_(of), number_(number) {}
+  Of of() const { return of_; }
+  std::size_t number() const { return number_; }
+
+ private:
+  Of of_;
+  std::size_t number_;
+};
+
+/// What a file calls its nodes and triangles; empty: their numbers from 0.
+struct MeshTags {
+  std::vector<std::size_t> nodes, triangles;
 };
 
 /// Throws MeshError for a mesh without triangles, and for the first node or triangle found that is
 /// wrong: a node that is not finite, ids out of range or equal, a triangle that is degenerate or
 /// inverted, duplicate triangles, an edge of more than two triangles, a node of no triangle, or
-/// more than one piece.
-void check(const TriangleMesh& mesh);
+/// more than one piece. `tags` are their names in messages.
+void check(const TriangleMesh& mesh, const MeshTags& tags = {});
 
 /// Twice the area, positive where counterclockwise.
 double doubled_area(const TriangleMesh& mesh, std::size_t triangle);

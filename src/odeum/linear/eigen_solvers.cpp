@@ -36,50 +36,59 @@ void SparseLdlt::solve(const double* b, double* x) const {
   Eigen::Map<Eigen::VectorXd>(x, n) = factors_->ldlt.solve(as_vector(b, n));
 }
 
-struct EigenConjugateGradients::Solver {
-  virtual ~Solver() = default;
-  virtual int solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
-                    int most_iterations) = 0;
-};
+namespace {
 
 template <class Ordering>
-struct EigenConjugateGradients::SolverWith final : Solver {
-  // Both triangles of rows: its documentation's advice for the fastest products.
-  EigenRows matrix;
-  Eigen::ConjugateGradient<EigenRows, Eigen::Lower | Eigen::Upper,
-                           Eigen::IncompleteCholesky<double, Eigen::Lower, Ordering>>
-      cg;
-
-  explicit SolverWith(const SparseMatrix& a) : matrix(eigen_map(a)) {
-    cg.compute(matrix);
-    if (cg.info() != Eigen::Success)
+class Gradients final : public LinearPeer {
+ public:
+  explicit Gradients(const SparseMatrix& a) : matrix_(eigen_map(a)) {
+    cg_.compute(matrix_);
+    if (cg_.info() != Eigen::Success)
       throw std::invalid_argument("Eigen's incomplete Cholesky factorisation failed");
   }
-  int solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
-            int most_iterations) override {
-    cg.setTolerance(tolerance);
-    cg.setMaxIterations(most_iterations);
+  std::size_t solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
+                    std::size_t most_iterations) override {
+    cg_.setTolerance(tolerance);
+    cg_.setMaxIterations(static_cast<Eigen::Index>(most_iterations));
     const auto n = static_cast<Eigen::Index>(b.size());
     x.resize(b.size());
-    Eigen::Map<Eigen::VectorXd>(x.data(), n) = cg.solve(as_vector(b.data(), n));
-    return static_cast<int>(cg.iterations());
+    Eigen::Map<Eigen::VectorXd>(x.data(), n) = cg_.solve(as_vector(b.data(), n));
+    return static_cast<std::size_t>(cg_.iterations());
   }
+
+ private:
+  // Both triangles of rows: its documentation's advice for the fastest products.
+  EigenRows matrix_;
+  Eigen::ConjugateGradient<EigenRows, Eigen::Lower | Eigen::Upper,
+                           Eigen::IncompleteCholesky<double, Eigen::Lower, Ordering>>
+      cg_;
 };
 
-EigenConjugateGradients::EigenConjugateGradients(const SparseMatrix& a,
-                                                 const std::string& ordering) {
-  if (ordering == "natural")
-    solver_ = std::make_unique<SolverWith<Eigen::NaturalOrdering<int>>>(a);
-  else if (ordering == "amd")
-    solver_ = std::make_unique<SolverWith<Eigen::AMDOrdering<int>>>(a);
-  else
-    throw std::invalid_argument("no such ordering: " + ordering);
-}
-EigenConjugateGradients::~EigenConjugateGradients() = default;
+class Ldlt final : public LinearPeer {
+ public:
+  explicit Ldlt(const SparseMatrix& a) : ldlt_(a) {}
+  std::size_t solve(const std::vector<double>& b, std::vector<double>& x, double,
+                    std::size_t) override {
+    x.resize(b.size());
+    ldlt_.solve(b.data(), x.data());
+    return 0;
+  }
 
-int EigenConjugateGradients::solve(const std::vector<double>& b, std::vector<double>& x,
-                                   double tolerance, int most_iterations) {
-  return solver_->solve(b, x, tolerance, most_iterations);
+ private:
+  SparseLdlt ldlt_;
+};
+
+template <class Solver>
+std::unique_ptr<LinearPeer> make(const SparseMatrix& a) {
+  return std::make_unique<Solver>(a);
+}
+
+}  // namespace
+
+void add_eigen_peers(std::vector<LinearPeerInfo>& peers) {
+  peers.push_back({"eigen/cg_ic_amd", false, make<Gradients<Eigen::AMDOrdering<int>>>});
+  peers.push_back({"eigen/cg_ic_natural", false, make<Gradients<Eigen::NaturalOrdering<int>>>});
+  peers.push_back({"eigen/simplicial_ldlt", true, make<Ldlt>});
 }
 
 }  // namespace odeum::linear

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "odeum/linear/linear_peer.hpp"
 #include "odeum/linear/sparse_matrix.hpp"
 
 /// Eigen's solvers of a symmetric positive definite sparse system, as a direct solver where an own
@@ -24,22 +24,8 @@ class SparseLdlt {
   std::unique_ptr<Factors> factors_;
 };
 
-/// Eigen::ConjugateGradient with Eigen::IncompleteCholesky; `ordering`: "amd" (its default) or
-/// "natural".
-class EigenConjugateGradients {
- public:
-  /// Throws std::invalid_argument where the incomplete factorisation fails.
-  EigenConjugateGradients(const SparseMatrix& a, const std::string& ordering);
-  ~EigenConjugateGradients();
-  /// Solves from a guess of 0 to |b - A x| <= tolerance |b|; how many iterations were done.
-  int solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
-            int most_iterations);
-
- private:
-  struct Solver;
-  template <class Ordering>
-  struct SolverWith;
-  std::unique_ptr<Solver> solver_;
-};
+/// eigen/cg_ic_amd and eigen/cg_ic_natural, Eigen::ConjugateGradient with Eigen::IncompleteCholesky
+/// in its default ordering and in the natural one, and eigen/simplicial_ldlt.
+void add_eigen_peers(std::vector<LinearPeerInfo>& peers);
 
 }  // namespace odeum::linear

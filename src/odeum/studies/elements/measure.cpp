@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <sstream>
 
+#include "odeum/core/glob.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/studies/elements/parts.hpp"
 #include "odeum/studies/elements/problems.hpp"
@@ -17,20 +20,21 @@ constexpr double solved = 1e-11;
 constexpr std::size_t fewest_divisions = 4;
 
 /// |error| at the node in the middle of the unit square; NaN where there is none.
-double centre_error(const Hierarchy::Level& level, const std::vector<double>& nodal, double value) {
+double centre_error(const fem::Levels::Level& level, const std::vector<double>& nodal,
+                    double value) {
   for (std::size_t i = 0; i < nodal.size(); ++i)
     if (fem::distance(level.mesh.nodes[i], {0.5, 0.5}) < 1e-9) return std::abs(nodal[i] - value);
   return unknown_number;
 }
 
 ElementsRow row_of(const ModelProblem& model, const Hierarchy& hierarchy, std::size_t number) {
-  const Hierarchy::Level& level = hierarchy.levels()[number];
+  const fem::Levels::Level& level = hierarchy.levels()[number];
   ElementsRow row;
   row.problem = model.id, row.rule = model.rule->name;
-  row.divisions = level.divisions, row.triangles = level.mesh.triangles.size();
+  row.divisions = hierarchy.divisions(number), row.triangles = level.mesh.triangles.size();
   row.unknowns = level.system.right.size(), row.h = fem::longest_edge(level.mesh);
   const linear::CgOutcome solution =
-      linear::preconditioned_cg(level.system.matrix, hierarchy.multigrid(number),
+      linear::preconditioned_cg(level.system.matrix, hierarchy.levels().multigrid(number),
                                 level.system.right, {.relative_residual = solved});
   row.status = to_string(solution.status), row.iterations = solution.iterations;
   if (solution.status != linear::IterationStatus::converged) {
@@ -79,7 +83,7 @@ ElementsResult converge(const ModelProblem& model, std::size_t most) {
   const Hierarchy hierarchy(model, most);
   for (std::size_t number = 0; number < hierarchy.levels().size(); ++number) {
     if (interrupted) throw Interrupted();
-    if (hierarchy.levels()[number].divisions >= fewest_divisions)
+    if (hierarchy.divisions(number) >= fewest_divisions)
       result.meshes.push_back(row_of(model, hierarchy, number));
   }
   for (const ModelProblem::Claim& claim : model.claims)
@@ -89,16 +93,23 @@ ElementsResult converge(const ModelProblem& model, std::size_t most) {
 
 }  // namespace
 
-ElementsResult measure_orders(std::size_t most, const Runner& runner) {
+ElementsResult measure_orders(std::size_t most, const Runner& runner,
+                              const std::vector<std::string>& cases) {
+  std::vector<ModelProblem> selected = model_problems();
+  std::erase_if(selected,
+                [&](const ModelProblem& model) { return !any_glob_matches(cases, model.id); });
   return runner.run(
-      "elements", model_problems(),
+      "elements", selected,
       [&](const ModelProblem& model) { return model.id + ' ' + model.rule->name; },
       [&](const ModelProblem& model) { return converge(model, most); });
 }
 
 ElementsResult measure_elements(const Options& options, const Runner& runner) {
   const auto most = static_cast<std::size_t>(options.number("most", 128));
-  ElementsResult result = measure_orders(most, runner);
+  std::istringstream words(options.word("problems"));
+  const std::vector<std::string> problems(std::istream_iterator<std::string>(words), {});
+  ElementsResult result = measure_orders(most, runner, problems);
+  if (!problems.empty()) return result;
   record::append(result, measure_solvers(most, runner));
   if (interrupted) throw Interrupted();
   result.times = time_solvers(most);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/elements/problems.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +30,10 @@ std::vector<ModelProblem::Claim> smooth_claims_with_logarithm() {
 /// f = 1, u = 0 on the boundary: the middle has u = 0.0736713532815, by the series in products of
 /// sines (Timoshenko and Goodier, Theory of Elasticity, section 109, for torsion).
 ModelProblem unit_load() {
-  return {.id = "square_unit_load",
+  return {.id = "poisson_square_unit_load",
+          .title = "Unit load on the unit square",
+          .equation = "-div grad u = 1, u = 0 on the boundary",
+          .truth = "series of sines, Timoshenko and Goodier, Theory of Elasticity, section 109",
           .problem = {.load = [](Point) { return 1.; }},
           .scale = 0.0737,
           .centre_value = 0.0736713532815138,
@@ -46,7 +48,10 @@ ModelProblem mixed() {
   const auto gradient = [](Point p) {
     return Point{std::exp(p.x) * std::cos(2 * p.y), -2 * std::exp(p.x) * std::sin(2 * p.y)};
   };
-  return {.id = "unstructured_mixed",
+  return {.id = "poisson_unstructured_mixed",
+          .title = "Varying tensor, two edges with a flux, an unstructured mesh",
+          .equation = "-div(a grad u) = f, a = [[1 + x, 0.3], [0.3, 1 + y^2]]",
+          .truth = "closed form: exp(x) cos(2 y)",
           .problem = {.load =
                           [](Point p) {
                             const double c = std::exp(p.x) * std::cos(2 * p.y),
@@ -76,7 +81,10 @@ ModelProblem mixed() {
 
 /// No Dirichlet condition: the solution of mean 0.
 ModelProblem neumann() {
-  return {.id = "square_neumann",
+  return {.id = "poisson_square_neumann",
+          .title = "A flux of 0 on the whole boundary",
+          .equation = "-div grad u = 5 pi^2 cos(pi x) cos(2 pi y), mean of u is 0",
+          .truth = "closed form: cos(pi x) cos(2 pi y)",
           .problem = {.load =
                           [](Point p) {
                             return 5 * pi * pi * std::cos(pi * p.x) * std::cos(2 * pi * p.y);
@@ -105,7 +113,10 @@ ModelProblem corner() {
   };
   const std::string theory =
       "reentrant corner of 3/2 pi: u goes as r^(2/3) and is in H^s for s < 5/3 only";
-  return {.id = "l_shape",
+  return {.id = "poisson_l_shape",
+          .title = "Reentrant corner",
+          .equation = "-div grad u = 0 on the L shape",
+          .truth = "closed form: r^(2/3) sin(2/3 theta), Braess, Finite Elements, II.7",
           .problem = {.load = [](Point) { return 0.; }, .boundary_value = value},
           .value = value,
           .gradient =
@@ -121,7 +132,11 @@ ModelProblem corner() {
 }
 
 ModelProblem disc(bool follows_circle) {
-  ModelProblem model{.id = follows_circle ? "disc" : "disc_fixed_polygon",
+  ModelProblem model{.id = follows_circle ? "poisson_disc" : "poisson_disc_fixed_polygon",
+                     .title = follows_circle ? "Disc, whose meshes follow its boundary"
+                                             : "Disc as a hexagon, whose boundary is never refined",
+                     .equation = "-div grad u = 4, u = 0 on the circle",
+                     .truth = "closed form: 1 - x^2 - y^2",
                      .problem = {.load = [](Point) { return 4.; }},
                      .value = [](Point p) { return 1 - p.x * p.x - p.y * p.y; },
                      .gradient =
@@ -156,7 +171,10 @@ ModelProblem smooth_problem(const fem::Rule& rule) {
   };
   const auto p = [=](Point at) { return factor(1, pi, at.x); };
   const auto q = [=](Point at) { return factor(-1, 2 * pi, at.y); };
-  return {.id = "square_smooth",
+  return {.id = "poisson_square_smooth",
+          .title = "Smooth solution on the unit square",
+          .equation = "-div grad u = f, u = 0 on the boundary",
+          .truth = "closed form: exp(x - y) sin(pi x) sin(2 pi y)",
           .problem = {.load =
                           [=](Point at) {
                             return -p(at).curvature * q(at).value - p(at).value * q(at).curvature;
@@ -172,7 +190,10 @@ ModelProblem smooth_problem(const fem::Rule& rule) {
 }
 
 ModelProblem skewed_problem() {
-  return {.id = "square_skewed",
+  return {.id = "poisson_square_skewed",
+          .title = "Skewed tensor, for which Jacobi diverges",
+          .equation = "-div(a grad u) = 1, a = [[1, -0.95], [-0.95, 1]]",
+          .truth = "none: of the linear solvers alone",
           .problem = {.load = [](Point) { return 1.; },
                       .diffusion =
                           [](Point) {
@@ -194,29 +215,15 @@ std::vector<ModelProblem> model_problems() {
           disc(false)};
 }
 
-Hierarchy::Hierarchy(const ModelProblem& problem, std::size_t most) : problem_(problem) {
-  const auto add = [&](fem::TriangleMesh mesh, std::size_t divisions) {
-    fem::EllipticSystem system =
-        fem::assemble(mesh, problem.problem, *problem.rule, problem.undetermined);
-    levels_.push_back({std::move(mesh), std::move(system), divisions});
-  };
-  add(problem.coarsest, problem.divisions);
-  while (2 * levels_.back().divisions <= most) {
-    fem::Refined finer = fem::refined(levels_.back().mesh, problem.onto_boundary);
-    add(std::move(finer.mesh), 2 * levels_.back().divisions);
-    prolongations_.push_back(
-        fem::prolongation(finer, levels_[levels_.size() - 2].system, levels_.back().system));
-  }
+Hierarchy::Hierarchy(const ModelProblem& problem, std::size_t most)
+    : problem_(problem), levels_(problem.problem, *problem.rule, problem.undetermined) {
+  levels_.add(problem.coarsest);
+  while (2 * finest_divisions() <= most)
+    levels_.add(fem::refined(levels_.finest().mesh, problem.onto_boundary));
 }
 
-linear::Multigrid Hierarchy::multigrid(std::size_t level) const {
-  std::vector<linear::SparseMatrix> finest_first(prolongations_.begin(),
-                                                 prolongations_.begin() + static_cast<long>(level));
-  std::reverse(finest_first.begin(), finest_first.end());
-  return linear::Multigrid(levels_[level].system.matrix, std::move(finest_first));
-}
-
-std::vector<double> Hierarchy::nodal(const Level& level, const std::vector<double>& x) const {
+std::vector<double> Hierarchy::nodal(const fem::Levels::Level& level,
+                                     const std::vector<double>& x) const {
   return problem_.undetermined == fem::Undetermined::mean_zero
              ? fem::nodal_of_mean_zero(level.mesh, level.system, x)
              : level.system.nodal(x);

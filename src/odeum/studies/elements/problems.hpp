@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/fem/elliptic.hpp"
-#include "odeum/linear/multigrid.hpp"
+#include "odeum/fem/hierarchy.hpp"
 
 namespace odeum::study {
 
@@ -16,7 +15,7 @@ struct ModelProblem {
     double order;
     std::string theory;
   };
-  std::string id;
+  std::string id, title, equation, truth;
   fem::EllipticProblem problem;
   const fem::Rule* rule = &fem::degree_5_rule();
   std::function<double(fem::Point)> value = {};  ///< of the solution; empty: the centre's alone
@@ -43,22 +42,18 @@ class Hierarchy {
   /// As far as `most` divisions. `problem` must outlive the object.
   Hierarchy(const ModelProblem& problem, std::size_t most);
 
-  struct Level {
-    fem::TriangleMesh mesh;
-    fem::EllipticSystem system;
-    std::size_t divisions;
-  };
-  const std::vector<Level>& levels() const { return levels_; }
-  const Level& finest() const { return levels_.back(); }
-  /// A V-cycle for the system of a level.
-  linear::Multigrid multigrid(std::size_t level) const;
+  const fem::Levels& levels() const { return levels_; }
+  const fem::Levels::Level& finest() const { return levels_.finest(); }
+  std::size_t divisions(std::size_t level) const { return problem_.divisions << level; }
+  std::size_t finest_divisions() const { return divisions(levels_.size() - 1); }
+  /// A V-cycle for the system of the finest mesh.
+  linear::Multigrid multigrid() const { return levels_.multigrid(levels_.size() - 1); }
   /// Values at the nodes of a level from the solution of its system.
-  std::vector<double> nodal(const Level& level, const std::vector<double>& x) const;
+  std::vector<double> nodal(const fem::Levels::Level& level, const std::vector<double>& x) const;
 
  private:
   const ModelProblem& problem_;
-  std::vector<Level> levels_;
-  std::vector<linear::SparseMatrix> prolongations_;  ///< from level i to i + 1
+  fem::Levels levels_;
 };
 
 }  // namespace odeum::study

@@ -130,8 +130,9 @@ struct ElementsResult {
   }
 };
 
-/// Own option `most`: divisions of a unit length in the finest mesh, of which the largest power of
-/// two is taken; default: 128. Throws Interrupted.
+/// Own options: `problems`, globs on the ids of model problems separated by spaces, whose orders
+/// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
+/// power of two is taken, default: 128. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
 
 }  // namespace odeum::study

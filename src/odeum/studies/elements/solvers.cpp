@@ -53,8 +53,7 @@ struct Tools {
         jacobi(make(trial, std::make_unique<linear::JacobiPreconditioner>(trial.a))),
         ssor(make(trial, std::make_unique<linear::SsorPreconditioner>(trial.a))),
         cholesky(make(trial, std::make_unique<linear::IncompleteCholesky>(trial.a))),
-        multigrid(make(trial, std::make_unique<linear::Multigrid>(
-                                  hierarchy.multigrid(hierarchy.levels().size() - 1)))) {}
+        multigrid(make(trial, std::make_unique<linear::Multigrid>(hierarchy.multigrid()))) {}
 
  private:
   static Preconditioned make(const Trial& trial, std::unique_ptr<linear::Preconditioner> m) {
@@ -102,32 +101,27 @@ void measure(ElementsSolverRow& row, const Trial& trial, const Bound& bound, con
     row.status = "beyond_bound", row.detail = "more iterations than the bound allows";
 }
 
-/// Eigen's conjugate gradients show no iterate: the least number of iterations that suffices, since
-/// the energy norm of the error falls with each.
-void measure_eigen(ElementsSolverRow& row, const Trial& trial, const char* ordering) {
-  linear::EigenConjugateGradients cg(trial.a, ordering);
+/// Peers show no iterate: the least number of iterations that suffices, since the energy norm of
+/// the error falls with each.
+void measure_peer(ElementsSolverRow& row, const Trial& trial, const linear::LinearPeerInfo& info) {
+  const std::unique_ptr<linear::LinearPeer> peer = info.set_up(trial.a);
   std::vector<double> x;
-  const auto error_after = [&](int iterations) {
-    cg.solve(trial.b, x, 0, iterations);
+  const auto error_after = [&](std::size_t iterations) {
+    if (interrupted) throw Interrupted();
+    peer->solve(trial.b, x, 0, iterations);
     return trial.error(x.data());
   };
-  int low = 0, high = 1;
-  while (high < 100'000 && error_after(high) > reduction) low = high, high *= 2;
+  std::size_t low = 0, high = info.direct ? 0 : 1;
+  const std::size_t most = trial.b.size() + 50;
+  while (high > 0 && high < most && error_after(high) > reduction) low = high, high *= 2;
   while (high - low > 1) {
-    const int half = (low + high) / 2;
+    const std::size_t half = (low + high) / 2;
     (error_after(half) > reduction ? low : high) = half;
   }
-  row.status = error_after(high) <= reduction ? "ok" : "over_budget";
-  row.iterations = static_cast<std::size_t>(high);
-  row.residual = linear::residual_norm(trial.a, x, trial.b) /
-                 linear::residual_norm(trial.a, std::vector<double>(trial.b.size()), trial.b);
-}
-
-void measure_direct(ElementsSolverRow& row, const Trial& trial) {
-  std::vector<double> x(trial.b.size());
-  linear::SparseLdlt(trial.a).solve(trial.b.data(), x.data());
-  row.status = trial.error(x.data()) <= reduction ? "ok" : "inaccurate";
-  row.detail = "direct";
+  const bool done = error_after(high) <= reduction;
+  row.status = done ? "ok" : info.direct ? "inaccurate" : "over_budget";
+  if (info.direct) row.detail = "direct";
+  row.iterations = high;
   row.residual = linear::residual_norm(trial.a, x, trial.b) /
                  linear::residual_norm(trial.a, std::vector<double>(trial.b.size()), trial.b);
 }
@@ -162,9 +156,8 @@ class Systems {
     gradients("cg", tools_.none), gradients("pcg_jacobi", tools_.jacobi);
     gradients("pcg_ssor", tools_.ssor), gradients("pcg_ic0", tools_.cholesky);
     gradients("pcg_multigrid", tools_.multigrid), stationary("multigrid", tools_.multigrid);
-    measure_eigen(next("eigen/cg_ic_amd"), trial_, "amd");
-    measure_eigen(next("eigen/cg_ic_natural"), trial_, "natural");
-    measure_direct(next("eigen/simplicial_ldlt"), trial_);
+    for (const linear::LinearPeerInfo& peer : linear::linear_peers())
+      measure_peer(next(peer.id), trial_, peer);
     return std::move(rows_);
   }
 
@@ -205,7 +198,7 @@ class Systems {
 std::vector<ElementsStoppingRow> stop_early(std::size_t divisions) {
   const ModelProblem model = smooth_problem();
   const Hierarchy hierarchy(model, divisions);
-  const auto& [mesh, system, finest] = hierarchy.finest();
+  const auto& [mesh, system] = hierarchy.finest();
   const auto h1_of = [&, &of = mesh, &by = system](const std::vector<double>& x) {
     return fem::field_errors(of, by.nodal(x), model.value, model.gradient).h1;
   };
@@ -220,7 +213,7 @@ std::vector<ElementsStoppingRow> stop_early(std::size_t divisions) {
     for (int digits = 1; digits <= 10; ++digits) {
       ElementsStoppingRow& row = rows.emplace_back();
       row.problem = model.id, row.solver = std::string("odeum/") + name;
-      row.divisions = finest, row.unknowns = exact.size();
+      row.divisions = hierarchy.finest_divisions(), row.unknowns = exact.size();
       row.tolerance = std::pow(10, -digits);
       const linear::CgOutcome run = linear::preconditioned_cg(system.matrix, *tool->m, system.right,
                                                               {.relative_residual = row.tolerance});

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "odeum/cli/session.hpp"
+#include "odeum/fem/second_order_pde.hpp"
+#include "odeum/formula/parser.hpp"
+#include "odeum/record/csv.hpp"
+#include "odeum/record/output_folder.hpp"
+
+namespace odeum::cli {
+namespace {
+
+using fem::PdePoint;
+using fem::PdeType;
+
+struct ClassifyOptions {
+  std::vector<std::string> pde;
+  std::vector<double> at, region{-1, 1, -1, 1};
+  std::size_t divisions = 120;
+  std::string out;
+};
+
+fem::SecondOrderPde read_pde(const std::vector<std::string>& pde) {
+  try {
+    if (pde.size() == 1) return fem::SecondOrderPde(pde[0]);
+    if (pde.size() == 3) return fem::SecondOrderPde(pde[0], pde[1], pde[2]);
+  } catch (const formula::ExpressionError& error) {
+    throw UsageError(fmt::format("the equation, character {}: {}", error.at() + 1, error.what()));
+  }
+  throw UsageError(fmt::format(
+      "got {} arguments, expected an equation in quotes ('y*u_xx + u_yy = 0'), or three "
+      "coefficients of u_xx, u_xy and u_yy",
+      pde.size()));
+}
+
+/// The slope dy/dx of a direction.
+std::string slope(const std::array<double, 2>& direction, const std::string& second) {
+  if (direction[0] == 0) return "x = constant";
+  return fmt::format("d{}/dx = {:.6g}", second, direction[1] / direction[0] + 0.);
+}
+
+std::string characteristics(const PdePoint& point, const std::string& second) {
+  std::string text;
+  for (const auto& direction : point.characteristics)
+    text += (text.empty() ? "" : ", ") + slope(direction, second);
+  return text.empty() ? "none" : text;
+}
+
+std::string describe(const PdePoint& point, const std::string& second) {
+  std::string text = fmt::format(
+      "type             {}\ncoefficients     {:.6Lg} u_xx, {:.6Lg} u_x{}, {:.6Lg} u_{}{}\n"
+      "discriminant     b^2 - 4 a c = {:.6Lg}\ncharacteristics  {}\n",
+      to_string(point.type), point.a, point.b, second, point.c, second, second,
+      point.discriminant + 0.L, characteristics(point, second));
+  if (point.degenerate)
+    text +=
+        "degenerate       no first derivative along the characteristic: an ordinary differential "
+        "equation on lines\n";
+  if (point.type == PdeType::first_order)
+    text += "                 the second derivatives have coefficients of 0 here\n";
+  if (point.type == PdeType::undefined)
+    text += "                 a coefficient is not finite here\n";
+  return text;
+}
+
+/// A letter for each point, the highest second variable first.
+std::string letters(const fem::PdeMap& map) {
+  constexpr std::size_t columns = 60, rows = 20;
+  std::string text;
+  for (std::size_t row = 0; row <= rows; ++row) {
+    text += "  ";
+    for (std::size_t column = 0; column <= columns; ++column) {
+      const PdeType type =
+          map.point(column * map.divisions / columns, (rows - row) * map.divisions / rows).type;
+      text += type == PdeType::undefined     ? '?'
+              : type == PdeType::first_order ? '1'
+                                             : to_string(type)[0];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string describe(const fem::PdeMap& map) {
+  std::string text = fmt::format("over [{:g}, {:g}] x [{:g}, {:g}], {} points\n", map.region.x0,
+                                 map.region.x1, map.region.y0, map.region.y1, map.points.size());
+  for (const PdeType type : {PdeType::elliptic, PdeType::parabolic, PdeType::hyperbolic,
+                             PdeType::first_order, PdeType::undefined})
+    if (map.share(type) > 0)
+      text += fmt::format("  {:<12} {:.1f} %\n", to_string(type), 100 * map.share(type));
+  text += letters(map);
+  if (map.changes.empty())
+    return text + (map.share(map.points[0].type) == 1
+                       ? "the type does not change\n"
+                       : "no curve with a discriminant of 0 was found between the types\n");
+  text += fmt::format("the type changes at {} points of the grid's lines, among them",
+                      map.changes.size());
+  const std::size_t stride = std::max<std::size_t>(1, map.changes.size() / 4);
+  for (std::size_t i = stride / 2, shown = 0; i < map.changes.size() && shown < 4;
+       i += stride, ++shown)
+    text += fmt::format("{} ({:.6g}, {:.6g})", shown ? "," : "", map.changes[i][0] + 0.,
+                        map.changes[i][1] + 0.);
+  return text + '\n';
+}
+
+std::string csv_of(const fem::PdeMap& map, const std::string& second) {
+  record::CsvTable table("x," + second + ",type,discriminant,dx_1,d" + second + "_1,dx_2,d" +
+                         second + "_2");
+  for (std::size_t j = 0; j <= map.divisions; ++j)
+    for (std::size_t i = 0; i <= map.divisions; ++i) {
+      const PdePoint& point = map.point(i, j);
+      const auto place = map.place(i, j);
+      record::CsvRow row;
+      row.number(place[0]).number(place[1]).text(to_string(point.type));
+      row.number(static_cast<double>(point.discriminant));
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t d = 0; d < 2; ++d)
+          row.number(k < point.characteristics.size() ? point.characteristics[k][d] : std::nan(""));
+      table.add(row);
+    }
+  return table.text();
+}
+
+void classify(const ClassifyOptions& given) {
+  const fem::SecondOrderPde pde = read_pde(given.pde);
+  if (!given.at.empty() && given.at.size() != 2)
+    throw UsageError("--at: expected two numbers, X Y");
+  if (!given.at.empty() || pde.constant()) {
+    const std::vector<double> at = given.at.empty() ? std::vector{0., 0.} : given.at;
+    print(describe(pde.at(at[0], at[1]), pde.second()));
+  }
+  if ((!given.at.empty() || pde.constant()) && given.out.empty()) return;
+  fem::PdeMap map;
+  try {
+    const auto& r = given.region;
+    map = fem::map_types(pde, {r[0], r[1], r[2], r[3]}, given.divisions);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--region: {}", error.what()));
+  }
+  print(describe(map));
+  if (given.out.empty()) return;
+  const record::OutputFolder folder(given.out);
+  const std::string title = given.pde.size() == 1
+                                ? given.pde[0]
+                                : fmt::format("({}) u_xx + ({}) u_xy + ({}) u_yy", given.pde[0],
+                                              given.pde[1], given.pde[2]);
+  folder.write("classify.svg", fem::picture_of(map, title, pde.second()));
+  folder.write("classify.csv", csv_of(map, pde.second()));
+  remark(fmt::format("classify.svg, classify.csv are in {}", given.out));
+}
+
+}  // namespace
+
+void add_classify(CLI::App& app, int& result) {
+  const auto given = std::make_shared<ClassifyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "classify", "the type of a second-order partial differential equation, and where it changes");
+  command
+      ->add_option("pde", given->pde,
+                   "an equation in u_xx, u_xy, u_yy, u_x, u_y, u, x and y (or t in place of y), or "
+                   "the coefficients of u_xx, u_xy and u_yy: expressions in x and y")
+      ->required()
+      ->expected(1, 3);
+  command->add_option("--at", given->at, "the type at one point")->type_name("X Y")->expected(2);
+  command->add_option("--region", given->region, "where the type is mapped; default: -1 1 -1 1")
+      ->type_name("X0 X1 Y0 Y1")
+      ->expected(4);
+  command->add_option("--divisions", given->divisions, "of the map, each way; default: 120")
+      ->type_name("N")
+      ->check(CLI::Range(1, 2000));
+  command->add_option("--out", given->out, "folder for a picture and a table of the map")
+      ->type_name("DIR");
+  command->callback([given, &result] {
+    classify(*given);
+    result = success;
+  });
+}
+
+}  // namespace odeum::cli
