@@ -18,7 +18,7 @@
 namespace odeum::cli {
 namespace {
 
-constexpr std::uint64_t frames = 80;
+constexpr std::uint64_t frame_count = 80;
 
 struct Shown {
   const char* solver;
@@ -27,7 +27,7 @@ struct Shown {
   const char* why;
 };
 /// The first is drawn as exact: the truth is known at four times, where it is held against it.
-constexpr Shown shown[] = {
+constexpr Shown shown_runs[] = {
     {"odeum/verner98", 0, 1e-12, "exact"},
     {"odeum/cash_karp54", 0, 1e-3, "an explicit pair with step control"},
     {"odeum/symplectic_euler", 320, 0, "one evaluation a step, as games do"},
@@ -50,9 +50,9 @@ Request request_of(const Case& c, const Shown& what) {
   request.over_stops = true;
   request.budget.seconds = 20;
   const double length = c.stops.back() - c.t0;
-  for (std::uint64_t k = 1; k <= frames; ++k)
-    request.stops.push_back(k == frames ? c.stops.back()
-                                        : c.t0 + static_cast<double>(k) * (length / frames));
+  for (std::uint64_t k = 1; k <= frame_count; ++k)
+    request.stops.push_back(
+        k == frame_count ? c.stops.back() : c.t0 + static_cast<double>(k) * (length / frame_count));
   return request;
 }
 
@@ -135,7 +135,7 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
   const Case& c = study::find_case(replayed_case);
   const scene::SceneProblem problem(*c.problem.scene);
   std::vector<Run> runs;
-  for (const Shown& what : shown)
+  for (const Shown& what : shown_runs)
     for (const Entrant& entrant : c.entrants)
       if (entrant.info.id() == what.solver && entrant.unfit.empty())
         runs.push_back({&what, &entrant, request_of(c, what), {}});
@@ -148,9 +148,10 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
   comparison.facts = {
       {"Equation", c.equation},
       {"Colour", "how far a particle is from its exact place, from a micrometre to a decimetre"},
-      {"Exact", fmt::format("a run of {} to {:.0e}, within {:.1e} m of the truth ({}) at the times "
-                            "at which that is known",
-                            shown[0].solver, shown[0].tolerance, checked, c.truth.source)}};
+      {"Exact",
+       fmt::format("a run of {} to {:.0e}, within {:.1e} m of the truth ({}) at the times "
+                   "at which that is known",
+                   shown_runs[0].solver, shown_runs[0].tolerance, checked, c.truth.source)}};
   report::Table table("numbers");
   table.head({{"solver"}, {"setting"}, {"evaluations"}, {"largest error, m"}, {"status"}, {""}});
   const scene::RunResult exact = frames_of(c, problem, runs.front());
