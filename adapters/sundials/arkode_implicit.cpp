@@ -23,7 +23,7 @@ void solve_stages_exactly(Session& session) {
   check(ARKStepSetJacEvalFrequency(arkstep, 1), "setting the frequency of Jacobians");
 }
 
-// To a tolerance, with a dense matrix: a matrix for each stage, whose derivative follows from the
+// To a tolerance, with a direct solver: a matrix for each stage, whose derivative follows from the
 // solved stage without an evaluation (deduced), and a first iterate extrapolated from the last
 // step. The guide describes all three; over the stiff cases they take a tenth of the default's time
 // to an error of 1e-2 and a quarter to 1e-6, and solve 283 of 294 runs instead of 98
@@ -43,7 +43,7 @@ void build(Session& session, ARKODE_DIRKTableID id, Settings settings) {
   attach_linear_solver(session);
   if (session.fixed_step())
     solve_stages_exactly(session);
-  else if (settings == Settings::best && uses_dense_matrix(session))
+  else if (settings == Settings::best && factorises(session))
     solve_stages_newly(session);
 }
 

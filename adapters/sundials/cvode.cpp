@@ -17,7 +17,7 @@ void create_cvode(Session& session, int family) {
     attach_linear_solver(session);
     // The Jacobian anew at each setup of the matrix, not at each 51st step: with an exact one this
     // takes 0.6 to 0.8 of the time over the stiff cases, and no run fails (reports/peers.md).
-    if (uses_dense_matrix(session))
+    if (factorises(session))
       check(CVodeSetJacEvalFrequency(session.integrator(), 1),
             "setting the frequency of Jacobians");
   } else {

@@ -11,6 +11,7 @@
 
 #include "odeum/core/counted_solver.hpp"
 #include "odeum/kernel/newton.hpp"
+#include "sundials/structured.hpp"
 
 namespace odeum::adapters::sundials {
 namespace {
@@ -62,10 +63,16 @@ SUNLinearSolver embedded(Session& session) {
   return solver;
 }
 
-}  // namespace
+bool is_structured(const Session& session) { return session.view().sparsity != nullptr; }
 
 bool uses_dense_matrix(const Session& session) {
-  return session.dimension() <= dense_dimension_limit;
+  return !is_structured(session) && session.dimension() <= dense_dimension_limit;
+}
+
+}  // namespace
+
+bool factorises(const Session& session) {
+  return is_structured(session) || uses_dense_matrix(session);
 }
 
 void attach_linear_solver(Session& session) {
@@ -73,7 +80,13 @@ void attach_linear_solver(Session& session) {
   const OdeView& view = session.problem().view();
   Matrix matrix;
   LinearSolver solver;
-  if (uses_dense_matrix(session)) {
+  Module::Jacobian jacobian = view.jacobian ? dense_jacobian : nullptr;
+  if (is_structured(session)) {
+    StructuredSolver structured = make_structured_solver(session);
+    matrix = std::move(structured.matrix);
+    solver = std::move(structured.solver);
+    jacobian = structured.jacobian;
+  } else if (uses_dense_matrix(session)) {
     const auto n = static_cast<sunindextype>(session.dimension());
     matrix.reset(SUNDenseMatrix(n, n, session.context()));
     solver.reset(SUNLinSol_Dense(session.y(), matrix.get(), session.context()));
@@ -91,18 +104,18 @@ void attach_linear_solver(Session& session) {
   void* const integrator = session.integrator();
   check(module.set_linear_solver(integrator, solver.get(), matrix.get()),
         "attaching the linear solver");
-  if (uses_dense_matrix(session) && view.jacobian)
-    check(module.set_jacobian(integrator, dense_jacobian), "setting the Jacobian");
-  if (!uses_dense_matrix(session) && !session.shifted_solver() && view.jacobian_times)
+  if (factorises(session) && jacobian)
+    check(module.set_jacobian(integrator, jacobian), "setting the Jacobian");
+  if (!factorises(session) && !session.shifted_solver() && view.jacobian_times)
     check(module.set_jacobian_times(integrator, nullptr, jacobian_times),
           "setting the Jacobian-vector product");
   session.keep(std::move(solver), std::move(matrix));
 }
 
 double exact_solve_tolerance(const Session& session) {
-  // Fifty times rounding for the dense solver. Iterative solvers are given tolerances two hundred
+  // Fifty times rounding for the direct solvers. Iterative solvers are given tolerances two hundred
   // times smaller than this, which must stay above rounding.
-  return uses_dense_matrix(session) ? 1e-14 : 1e-11;
+  return factorises(session) ? 1e-14 : 1e-11;
 }
 
 }  // namespace odeum::adapters::sundials

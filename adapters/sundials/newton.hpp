@@ -5,14 +5,14 @@
 namespace odeum::adapters::sundials {
 
 /// Gives the session's integrator a linear solver for the library's own Newton iteration: dense LU
-/// with the problem's Jacobian (the library's difference quotient where it offers none); beyond
-/// dense_dimension_limit the problem's own solver of such systems, which own methods use too (a
-/// matrix-embedded linear solver in the library's terms), or restarted GMRES with the problem's
-/// Jacobian-vector product where it has none.
+/// with the problem's Jacobian (the library's difference quotient where it offers none); for a
+/// sparse Jacobian its band or KLU solver; beyond dense_dimension_limit the problem's own solver of
+/// such systems, which own methods use too (a matrix-embedded linear solver in the library's
+/// terms), or restarted GMRES with the problem's Jacobian-vector product where it has none.
 void attach_linear_solver(Session& session);
 
-/// Whether that is a dense matrix: settings that rebuild it more often then pay.
-bool uses_dense_matrix(const Session& session);
+/// Whether that is a direct solver of a matrix: settings that rebuild it more often then pay.
+bool factorises(const Session& session);
 
 /// Accuracy of the iteration in a fixed step, in effect relative to max(1, |y|): far below the
 /// error of the method, so that the measured order is that of the method.

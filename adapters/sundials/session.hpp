@@ -14,6 +14,8 @@
 
 namespace odeum::adapters::sundials {
 
+struct StructuredJacobian;
+
 /// One solve: the guarded problem, its state as a vector of the library, and the integrator with
 /// all that it points to.
 class Session {
@@ -31,6 +33,9 @@ class Session {
   /// The problem's own solver of linear systems, where used instead of the library's.
   void keep(std::unique_ptr<ShiftedSolver> solver) { shifted_solver_ = std::move(solver); }
   ShiftedSolver* shifted_solver() const { return shifted_solver_.get(); }
+  /// What fills the matrix of a sparse Jacobian, see structured.cpp.
+  void keep(std::shared_ptr<StructuredJacobian> jacobian) { structured_ = std::move(jacobian); }
+  StructuredJacobian* structured() const { return structured_.get(); }
 
   const Module& module() const { return module_; }
   const Request& request() const { return request_; }
@@ -41,6 +46,7 @@ class Session {
   SUNContext context() const { return context_; }
   void* integrator() const { return integrator_; }
   GuardedView& problem() { return problem_; }
+  const OdeView& view() const { return problem_.view(); }
   std::size_t dimension() const { return state_.size(); }
 
   /// From t0 to the last stop, as the request says; throws Failure.
@@ -74,6 +80,7 @@ class Session {
   LinearSolver linear_solver_;
   NonlinearSolver nonlinear_solver_;
   std::unique_ptr<ShiftedSolver> shifted_solver_;
+  std::shared_ptr<StructuredJacobian> structured_;
   void* integrator_ = nullptr;
   int warnings_ = 0;
   std::string message_;  ///< the library's last error message, kept from stderr

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "odeum/formula/print_c.hpp"
+#include "odeum/linear/ordering.hpp"
 #include "odeum/truth/system.hpp"
 #include "odeum_build_info.hpp"
 
@@ -68,6 +69,15 @@ TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
   return result;
 }
 
+/// Product of its widths in the reverse Cuthill-McKee ordering.
+double narrowest_band(const Sparsity& pattern) {
+  const std::vector<int> order = linear::reverse_cuthill_mckee(pattern);
+  std::vector<int> number(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
+  const auto [lower, upper] = linear::bandwidths(pattern, number);
+  return static_cast<double>(lower * upper);
+}
+
 truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
   const auto& structure = ode->analysis().structure;
@@ -77,8 +87,13 @@ truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
   system.y0 = problem.y0;
   system.smooth = structure.smooth;
   system.rhs = [ode](Real t, const Real* y, Real* f) { ode->rhs_extended(t, y, f); };
-  // Full matrices in extended precision take too long beyond this.
-  if (ode->size() <= 64)
+  // Full matrices in extended precision take too long beyond this, and bands beyond that.
+  constexpr std::size_t most_in_matrix = 64;
+  constexpr double widest_band = 200;
+  if (ode->view().sparsity && narrowest_band(ode->sparsity()) <= widest_band) {
+    system.sparsity = {ode, &ode->sparsity()};
+    system.entries = [ode](Real t, const Real* y, Real* v) { ode->entries_extended(t, y, v); };
+  } else if (ode->size() <= most_in_matrix)
     system.jacobian = [ode](Real t, const Real* y, Real* j) { ode->jacobian_extended(t, y, j); };
   system.work = static_cast<double>(problem.graph.needed(problem.equations).size());
   if (const auto& plan = ode->analysis().series) {

@@ -5,7 +5,8 @@
 
 #include <cmath>
 
-#include "odeum/studies/limits/spectrum.hpp"
+#include "odeum/studies/spectrum.hpp"
+#include "odeum/studies/stability/stability.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::study {
@@ -103,6 +104,37 @@ TEST(Limits, HaveAReasonWhereThereIsNoSpectrum) {
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].status, "not_applicable");
   EXPECT_NE(rows[0].detail.find("726 unknowns"), std::string::npos);
+}
+
+const StableStep& step_of(const StabilityResult& result, const std::string& solver) {
+  for (const StableStep& row : result.steps)
+    if (row.library + "/" + row.solver == solver) return row;
+  throw std::out_of_range(solver);
+}
+
+// The Jacobian is -1000, and nothing else.
+TEST(StabilityOfACase, IsThatOfItsEigenvalues) {
+  const StabilityResult result = measure_stability(
+      {.cases = {"prothero_robinson_1e3_smooth"},
+       .solvers = {"odeum/explicit_euler", "odeum/rk4", "odeum/implicit_euler", "odeum/leapfrog",
+                   "odeum/dormand_prince54", "odeum/gragg_bulirsch_stoer"}});
+  EXPECT_TRUE(result.limits.empty());
+  EXPECT_TRUE(result.regions.empty());
+  // The limit is measured to 1e-6.
+  EXPECT_NEAR(step_of(result, "odeum/explicit_euler").step, 2e-3, 3e-9);
+  EXPECT_NEAR(step_of(result, "odeum/rk4").step, 2.785293563405e-3, 3e-9);
+  EXPECT_TRUE(std::isinf(step_of(result, "odeum/implicit_euler").step));
+  EXPECT_NEAR(step_of(result, "odeum/rk4").eigenvalue.real(), -1000, 1e-9);
+  EXPECT_EQ(step_of(result, "odeum/leapfrog").status, "not_applicable");
+}
+
+// +- 141 i and +- 0.7 i: the slow pair limits nothing.
+TEST(StabilityOfACase, IsLimitedByTheFastPair) {
+  const StabilityResult result =
+      measure_stability({.cases = {"stiff_chain2_k1e4"}, .solvers = {"odeum/rk4", "odeum/heun"}});
+  // sqrt(8) on the imaginary axis; Heun's method grows everywhere on it.
+  EXPECT_NEAR(step_of(result, "odeum/rk4").step, std::sqrt(8) / 141.42, 1e-5);
+  EXPECT_EQ(step_of(result, "odeum/heun").step, 0);
 }
 
 }  // namespace

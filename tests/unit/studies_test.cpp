@@ -19,7 +19,7 @@ Options little_of(const std::string& name) {
                   .quick = true};
   if (name == "limits") options.cases = {"stiff_chain2_k1e4"};
   if (name == "drift") options.cases = {"osc_undamped", "lorenz_kehlet_logg"};
-  if (name == "stability") options.own = {{"grid", "8"}};
+  if (name == "stability") options.cases = {}, options.own = {{"grid", "8"}};
   if (name == "precision") options.own = {{"seconds", "0.01"}};
   if (name == "mesh") options.own = {{"most", "6"}};
   if (name == "elements") options.own = {{"most", "16"}};

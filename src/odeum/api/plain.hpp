@@ -111,6 +111,11 @@ class Guarded<Plain<P>> {
     problem_.taylor(t, y, order, c);
   }
   void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
+  const Sparsity* sparsity() const requires WithSparsity<P> { return problem_.sparsity(); }
+  void jacobian_entries(double t, const double* y,
+                        double* values) const requires WithJacobianEntries<P> {
+    problem_.jacobian_entries(t, y, values);
+  }
   auto shifted_solver() const requires WithShiftedSolver<P> { return problem_.shifted_solver(); }
   static constexpr bool tripped() { return false; }
 

@@ -59,7 +59,8 @@ std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Opt
 std::vector<study::Options> runs_of(const study::Study& study, const Options& options) {
   const bool takes_cases = !study.declaration().cases_help.empty();
   if (options.given.empty())
-    return narrowed(study.report_runs(options.quick), options, takes_cases);
+    return narrowed(study.report_runs(options.quick), options,
+                    takes_cases && study.declaration().on_cases);
   if (!takes_cases) return {};
   return {
       study::Options{.cases = options.given, .solvers = options.solvers, .quick = options.quick}};

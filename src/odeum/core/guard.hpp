@@ -93,6 +93,13 @@ class GuardedView {
     view_.jacobian(view_.problem, t, y, j);
     return 0;
   }
+  /// The values of view().sparsity; to be called where view().jacobian_entries is not null.
+  int jacobian_entries(double t, const double* y, double* values) {
+    if (guard_.tripped()) return 1;
+    guard_.count_jacobian();
+    view_.jacobian_entries(view_.problem, t, y, values);
+    return 0;
+  }
   /// df/dt; zeros for an autonomous problem.
   void time_derivative(double t, const double* y, double* dfdt) const {
     if (view_.time_derivative)

@@ -37,6 +37,16 @@ class Guarded {
     guard_.count_jacobian();
     problem_.jacobian(t, y, j);
   }
+  const Sparsity* sparsity() const requires WithSparsity<P> { return problem_.sparsity(); }
+  bool offers_entries() const requires WithJacobianEntries<P> {
+    if constexpr (requires { problem_.offers_entries(); }) return problem_.offers_entries();
+    return true;
+  }
+  void jacobian_entries(double t, const double* y,
+                        double* values) const requires WithJacobianEntries<P> {
+    guard_.count_jacobian();
+    problem_.jacobian_entries(t, y, values);
+  }
   void time_derivative(double t, const double* y, double* dfdt) const requires NonAutonomous<P> {
     problem_.time_derivative(t, y, dfdt);
   }

@@ -79,6 +79,13 @@ Analysis analyse(Problem& problem) {
   return analysis;
 }
 
+std::vector<Id> jacobian_roots(const Analysis& analysis) {
+  std::vector<Id> roots;
+  for (const auto& row : analysis.jacobian)
+    for (const Entry& entry : row) roots.push_back(entry.value);
+  return roots;
+}
+
 std::vector<std::string> describe(const Structure& s) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{}, {}, {}", s.linear ? "linear" : "nonlinear",
@@ -96,8 +103,10 @@ std::vector<std::string> describe(const Structure& s) {
         "same order among the states, methods of second order fit too");
   else
     lines.emplace_back("first order");
-  lines.push_back(fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal",
-                              s.entries, s.states * s.states, s.lower, s.upper));
+  lines.push_back(
+      fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal", s.entries,
+                  s.states * s.states, s.lower, s.upper) +
+      (s.is_sparse() ? ": implicit methods solve with factors of a band, or sparse ones" : ""));
   return lines;
 }
 

@@ -17,6 +17,10 @@ struct Structure {
   bool second_order = false, velocity_dependent = false;
   /// The equations would be of second order if the states stood in another order.
   bool second_order_in_other_order = false;
+
+  /// Sparse factors pay: few unknowns are solved for faster by dense matrices made for their
+  /// number.
+  bool is_sparse() const { return states >= 20 && 5 * entries <= states * states; }
 };
 
 /// The derivatives of a problem and its structure.
@@ -29,6 +33,9 @@ struct Analysis {
 
 /// Adds the derivatives to the problem's graph. Throws std::length_error where they are too many.
 Analysis analyse(Problem& problem);
+
+/// The entries of the Jacobian, row by row.
+std::vector<Id> jacobian_roots(const Analysis& analysis);
 
 /// The structure in words, a line each.
 std::vector<std::string> describe(const Structure& structure);

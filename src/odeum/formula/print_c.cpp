@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -137,29 +138,49 @@ class Printer {
 
 constexpr const char* unused = "  (void)problem; (void)t; (void)y;";
 
+/// `name` fills f with the roots; in parts, since the compiler's time grows faster than the length
+/// of a function. What two parts need is computed in both.
 void print_values(Printer& out, const char* name, const std::vector<Id>& roots, const Type& type) {
-  out.line("void {}(const void* problem, {} t, const {}* y, {}* f) {{", name, type.name, type.name,
-           type.name);
-  out.line("{}", unused);
-  out.nodes(roots, type);
-  for (std::size_t k = 0; k < roots.size(); ++k)
-    out.line("  f[{}] = {};", k, out.name(roots[k], type));
+  constexpr std::size_t most_in_part = 256;
+  const auto head = [&](const std::string& kind, const std::string& of) {
+    out.line("{}void {}(const void* problem, {} t, const {}* y, {}* f) {{", kind, of, type.name,
+             type.name, type.name);
+    out.line("{}", unused);
+  };
+  const std::size_t parts =
+      std::max<std::size_t>((roots.size() + most_in_part - 1) / most_in_part, 1);
+  for (std::size_t part = 0; part < parts; ++part) {
+    if (parts > 1)
+      head("static __attribute__((noinline)) ", fmt::format("{}_{}", name, part));
+    else
+      head("", name);
+    const std::size_t first = part * most_in_part,
+                      last = std::min(first + most_in_part, roots.size());
+    out.nodes({roots.begin() + static_cast<std::ptrdiff_t>(first),
+               roots.begin() + static_cast<std::ptrdiff_t>(last)},
+              type);
+    for (std::size_t k = first; k < last; ++k)
+      out.line("  f[{}] = {};", k, out.name(roots[k], type));
+    out.line("}}");
+  }
+  if (parts == 1) return;
+  head("", name);
+  for (std::size_t part = 0; part < parts; ++part)
+    out.line("  {}_{}(problem, t, y, f);", name, part);
   out.line("}}");
 }
 
-void print_jacobian(Printer& out, const char* name, const Analysis& analysis, const Type& type) {
+/// Dense.
+void print_jacobian(Printer& out, const Analysis& analysis) {
   const std::size_t n = analysis.structure.states;
-  out.line("void {}(const void* problem, {} t, const {}* y, {}* j) {{", name, type.name, type.name,
-           type.name);
+  out.line("void jacobian(const void* problem, double t, const double* y, double* j) {{");
   out.line("{}", unused);
-  std::vector<Id> roots;
-  for (const auto& row : analysis.jacobian)
-    for (const Entry& entry : row) roots.push_back(entry.value);
-  out.nodes(roots, type);
+  const std::vector<Id> roots = jacobian_roots(analysis);
+  out.nodes(roots, in_double);
   if (roots.size() < n * n) out.line("  for (int k = 0; k < {}; ++k) j[k] = 0;", n * n);
   for (std::size_t row = 0; row < n; ++row)
     for (const Entry& entry : analysis.jacobian[row])
-      out.line("  j[{}] = {};", row * n + entry.by, out.name(entry.value, type));
+      out.line("  j[{}] = {};", row * n + entry.by, out.name(entry.value, in_double));
   out.line("}}");
 }
 
@@ -283,13 +304,16 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
   out.line("/* y' = f(t, y) with {} states, printed from a graph of operations */",
            problem.states.size());
   print_values(out, "rhs", problem.equations, in_double);
-  print_jacobian(out, "jacobian", analysis, in_double);
+  constexpr std::size_t few_states = 64;
+  if (problem.states.size() <= few_states) print_jacobian(out, analysis);
+  const std::vector<Id> entries = jacobian_roots(analysis);
+  print_values(out, "jacobian_entries", entries, in_double);
   if (!analysis.time_derivative.empty())
     print_values(out, "time_derivative", analysis.time_derivative, in_double);
   if (analysis.structure.second_order) print_acceleration(out, problem);
   if (analysis.series) print_series(out, problem, *analysis.series);
   print_values(out, "rhs_extended", problem.equations, in_long_double);
-  print_jacobian(out, "jacobian_extended", analysis, in_long_double);
+  print_values(out, "entries_extended", entries, in_long_double);
   return std::move(out.text);
 }
 

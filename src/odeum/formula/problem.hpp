@@ -38,7 +38,7 @@ struct Problem {
   std::string equations_text;
 };
 
-inline constexpr std::size_t most_states = 1000;
+inline constexpr std::size_t most_states = 20'000;  ///< each is an equation of the C code
 inline constexpr std::size_t most_problem_bytes = 8'000'000;
 
 /// Values that replace those of parameters: name and expression.

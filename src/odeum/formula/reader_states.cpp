@@ -18,9 +18,9 @@ std::string on_one_line(std::string text) {
 
 void Reader::add_state(const Item& item, const std::string& name, const Scope& scope) {
   if (problem_.states.size() >= most_states)
-    source_.fail(item.key_place, fmt::format("states: too many; got more than {}, expected at most "
-                                             "that: their Jacobian is dense",
-                                             most_states));
+    source_.fail(
+        item.key_place,
+        fmt::format("states: too many; got more than {}, expected at most that", most_states));
   problem_.states.push_back(name);
   problem_.y0.push_back(source_.number(*item.value, "states: " + item.key, scope, problem_.graph));
 }

@@ -8,12 +8,18 @@
 namespace odeum::formula {
 namespace {
 
-std::vector<Id> jacobian_roots(const Analysis& analysis) {
-  std::vector<Id> roots;
-  for (const auto& row : analysis.jacobian)
-    for (const Entry& entry : row) roots.push_back(entry.value);
-  return roots;
+Sparsity sparsity_of(const Analysis& analysis) {
+  Sparsity sparsity;
+  for (const auto& row : analysis.jacobian) {
+    std::vector<int> columns;
+    for (const Entry& entry : row) columns.push_back(static_cast<int>(entry.by));
+    sparsity.add_row(columns);
+  }
+  return sparsity;
 }
+
+/// The exact propagator's matrix is dense.
+constexpr std::size_t most_linear_states = 256;
 
 }  // namespace
 
@@ -28,22 +34,12 @@ struct TextOde::Interpreted {
         time_derivative(problem.graph, analysis.time_derivative),
         extended_rhs(problem.graph, problem.equations),
         extended_entries(problem.graph, jacobian_roots(analysis)) {}
-
-  template <class Real>
-  static void fill_jacobian(const Analysis& analysis, const Evaluator<Real>& entries, Real t,
-                            const Real* y, Real* j) {
-    const std::size_t n = analysis.structure.states;
-    std::vector<Real> values(analysis.structure.entries);
-    entries(t, y, values.data());
-    std::fill(j, j + n * n, Real(0));
-    std::size_t at = 0;
-    for (std::size_t row = 0; row < n; ++row)
-      for (const Entry& entry : analysis.jacobian[row]) j[row * n + entry.by] = values[at++];
-  }
 };
 
 TextOde::TextOde(Problem problem, Code code)
-    : problem_(std::move(problem)), analysis_(analyse(problem_)) {
+    : problem_(std::move(problem)),
+      analysis_(analyse(problem_)),
+      sparsity_(sparsity_of(analysis_)) {
   view_.problem = this;
   view_.dimension = problem_.states.size();
   const Structure& s = analysis_.structure;
@@ -62,7 +58,21 @@ TextOde::TextOde(Problem problem, Code code)
     use(*library_);
   else
     interpret();
-  if (s.linear && s.autonomous)
+  if (s.is_sparse()) {
+    view_.sparsity = &sparsity_;
+    view_.jacobian_entries = entries_;
+  }
+  if (!view_.jacobian)
+    view_.jacobian = [](const void* p, double t, const double* y, double* j) {
+      const auto& self = *static_cast<const TextOde*>(p);
+      fill_dense(self.sparsity_, self.entries(t, y).data(), j);
+    };
+  view_.jacobian_times = [](const void* p, double t, const double* y, const double* x,
+                            double* product) {
+    const auto& self = *static_cast<const TextOde*>(p);
+    multiply(self.sparsity_, self.entries(t, y).data(), x, product);
+  };
+  if (s.linear && s.autonomous && s.states <= most_linear_states)
     view_.linear_matrix = [](const void* p, double* a) {
       const auto& self = *static_cast<const TextOde*>(p);
       const std::vector<double> zero(self.size());
@@ -73,11 +83,12 @@ TextOde::TextOde(Problem problem, Code code)
 void TextOde::use(const Library& library) {
   view_.rhs = library.function<decltype(view_.rhs)>("rhs");
   view_.jacobian = library.function<decltype(view_.jacobian)>("jacobian");
+  entries_ = library.function<decltype(entries_)>("jacobian_entries");
   view_.time_derivative = library.function<decltype(view_.time_derivative)>("time_derivative");
   view_.acceleration = library.function<decltype(view_.acceleration)>("acceleration");
   view_.taylor = library.function<decltype(view_.taylor)>("taylor");
   extended_rhs_ = library.function<Extended>("rhs_extended");
-  extended_jacobian_ = library.function<Extended>("jacobian_extended");
+  extended_entries_ = library.function<Extended>("entries_extended");
 }
 
 void TextOde::interpret() {
@@ -85,9 +96,8 @@ void TextOde::interpret() {
   view_.rhs = [](const void* p, double t, const double* y, double* f) {
     static_cast<const TextOde*>(p)->interpreted_->rhs(t, y, f);
   };
-  view_.jacobian = [](const void* p, double t, const double* y, double* j) {
-    const auto& self = *static_cast<const TextOde*>(p);
-    Interpreted::fill_jacobian(self.analysis_, self.interpreted_->entries, t, y, j);
+  entries_ = [](const void* p, double t, const double* y, double* values) {
+    static_cast<const TextOde*>(p)->interpreted_->entries(t, y, values);
   };
   if (!analysis_.time_derivative.empty())
     view_.time_derivative = [](const void* p, double t, const double* y, double* d) {
@@ -110,10 +120,25 @@ void TextOde::interpret() {
   extended_rhs_ = [](const void* p, long double t, const long double* y, long double* f) {
     static_cast<const TextOde*>(p)->interpreted_->extended_rhs(t, y, f);
   };
-  extended_jacobian_ = [](const void* p, long double t, const long double* y, long double* j) {
-    const auto& self = *static_cast<const TextOde*>(p);
-    Interpreted::fill_jacobian(self.analysis_, self.interpreted_->extended_entries, t, y, j);
+  extended_entries_ = [](const void* p, long double t, const long double* y, long double* values) {
+    static_cast<const TextOde*>(p)->interpreted_->extended_entries(t, y, values);
   };
+}
+
+void TextOde::jacobian_extended(long double t, const long double* y, long double* j) const {
+  const std::size_t n = size();
+  std::vector<long double> values(sparsity_.entries());
+  entries_extended(t, y, values.data());
+  std::fill(j, j + n * n, 0.0L);
+  for (std::size_t i = 0; i < n; ++i)
+    for (int k = sparsity_.start[i]; k < sparsity_.start[i + 1]; ++k)
+      j[i * n + static_cast<std::size_t>(sparsity_.column[k])] = values[k];
+}
+
+std::vector<double> TextOde::entries(double t, const double* y) const {
+  std::vector<double> values(sparsity_.entries());
+  entries_(this, t, y, values.data());
+  return values;
 }
 
 }  // namespace odeum::formula

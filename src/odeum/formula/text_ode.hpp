@@ -28,9 +28,14 @@ class TextOde {
   void rhs_extended(long double t, const long double* y, long double* f) const {
     extended_rhs_(this, t, y, f);
   }
-  void jacobian_extended(long double t, const long double* y, long double* j) const {
-    extended_jacobian_(this, t, y, j);
+  /// The values of sparsity().
+  void entries_extended(long double t, const long double* y, long double* values) const {
+    extended_entries_(this, t, y, values);
   }
+  /// Dense, row-major.
+  void jacobian_extended(long double t, const long double* y, long double* j) const;
+  /// Which entries of the Jacobian are not zero by form.
+  const Sparsity& sparsity() const { return sparsity_; }
 
   const Problem& problem() const { return problem_; }
   const Analysis& analysis() const { return analysis_; }
@@ -40,15 +45,18 @@ class TextOde {
   using Extended = void (*)(const void*, long double, const long double*, long double*);
   void use(const Library& library);
   void interpret();
+  std::vector<double> entries(double t, const double* y) const;
 
   Problem problem_;
   Analysis analysis_;
+  Sparsity sparsity_;
   std::string how_;
   std::shared_ptr<const Library> library_;
   struct Interpreted;
   std::shared_ptr<const Interpreted> interpreted_;
   OdeView view_;
-  Extended extended_rhs_ = nullptr, extended_jacobian_ = nullptr;
+  decltype(OdeView::jacobian_entries) entries_ = nullptr;
+  Extended extended_rhs_ = nullptr, extended_entries_ = nullptr;
 
  public:
   TextOde(const TextOde&) = delete;

@@ -84,15 +84,18 @@ class FullyImplicitRungeKutta {
   double factored_for_ = 0;
 };
 
-/// Fits problems of few unknowns. The stages couple through the dense Jacobian, while a large
-/// problem's own solver inverts I - gamma h J for real gamma h only.
+/// Fits problems of few unknowns, or with a sparse Jacobian. The stages couple through the whole
+/// Jacobian, while a large problem's own solver inverts I - gamma h J for real gamma h only.
 struct ForFewUnknowns {
   static constexpr std::string_view needs =
-      "a dense Jacobian, so 128 unknowns at most: the stages couple through the whole of it";
+      "a sparse Jacobian or a dense one, of 128 unknowns at most: the stages couple through the "
+      "whole of it";
   template <class P>
   static constexpr bool fits = Ode<P>;
   template <class P>
   static bool fits_problem(const P& problem) {
+    if constexpr (WithSparsity<P>)
+      if (problem.sparsity()) return true;
     return size_of(problem) <= dense_dimension_limit;
   }
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "odeum/kernel/stage_transform.hpp"
@@ -10,7 +11,8 @@
 
 namespace odeum {
 
-/// The stages of any fully implicit Runge-Kutta method on any problem with a dense Jacobian:
+/// The stages of any fully implicit Runge-Kutta method on a problem of few unknowns or with a
+/// sparse Jacobian:
 ///
 ///     Z_i = h sum_j a_ij f(t + c_j h, y + Z_j)
 ///
@@ -27,18 +29,32 @@ class StageSystem {
 
   explicit StageSystem(const P& problem)
       : problem_(problem),
-        real_(problem),
-        complex_(pairs, linear::ComplexInverse<P::dimension>(size_of(problem))),
+        sparse_(make_sparse_system(problem, pairs + has_real)),
+        real_(problem, !sparse_),
+        complex_(pairs, linear::ComplexInverse<P::dimension>(sparse_ ? 0 : size_of(problem))),
         argument_(make_state(problem)) {
     for (auto* states : {&z, &f_}) states->fill(argument_);
     for (auto* states : {&w_re_, &w_im_}) states->fill(argument_);
     sum_re_ = sum_im_ = argument_;
   }
 
-  void linearise(double t, const State<P>& y) { real_.linearise(t, y.data()); }
+  void linearise(double t, const State<P>& y) {
+    if (is_sparse())
+      sparse_->linearise(t, y.data());
+    else
+      real_.linearise(t, y.data());
+  }
   /// Factorises for the step h, with the Jacobian of the last linearise(); false: singular or not
   /// finite.
   bool factorise(double h) {
+    if (is_sparse()) {
+      for (std::size_t k = 0; k < pairs + has_real; ++k) {
+        std::complex<double> g = h * transform_.inverse_mu[k];
+        if (has_real && k == 0) g = g.real();
+        if (!sparse_->factorise(k, g)) return false;
+      }
+      return true;
+    }
     if constexpr (has_real)
       if (!real_.factorise(h * transform_.inverse_mu[0].real())) return false;
     for (std::size_t k = 0; k < pairs; ++k)
@@ -82,7 +98,12 @@ class StageSystem {
   }
 
   /// Overwrites x by (I - gamma0 h J)^-1 x, gamma0 the real eigenvalue of A.
-  void solve_real(State<P>& x) { real_.solve(x.data()); }
+  void solve_real(State<P>& x) {
+    if (is_sparse())
+      sparse_->solve(0, x.data(), nullptr);
+    else
+      real_.solve(x.data());
+  }
 
   std::array<State<P>, stages> z;
 
@@ -93,6 +114,11 @@ class StageSystem {
   }();
 
  private:
+  bool is_sparse() const {
+    if constexpr (WithSparsity<P>) return sparse_ != nullptr;
+    return false;
+  }
+
   /// w_k <- w_k + (I - g J)^-1 (g (T^-1 F)_k - w_k), g = h / mu_k.
   void correct(std::size_t k, double h) {
     const std::complex<double> g = h * transform_.inverse_mu[k];
@@ -106,7 +132,9 @@ class StageSystem {
       sum_re_[n] = g.real() * re - g.imag() * im - w_re_[k][n];
       sum_im_[n] = g.real() * im + g.imag() * re - w_im_[k][n];
     }
-    if (real)
+    if (is_sparse())
+      sparse_->solve(k, sum_re_.data(), real ? nullptr : sum_im_.data());
+    else if (real)
       real_.solve(sum_re_.data());
     else
       complex_[k - has_real].solve(sum_re_.data(), sum_im_.data());
@@ -118,6 +146,7 @@ class StageSystem {
 
   const P& problem_;
   const StageTransform& transform_ = stage_transform<T>();
+  std::unique_ptr<SparseSystem> sparse_;  // null: the two below
   DenseShiftedSolver<P> real_;
   std::vector<linear::ComplexInverse<P::dimension>> complex_;
   State<P> argument_, sum_re_, sum_im_;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "odeum/linear/small_inverse.hpp"
+#include "odeum/linear/sparse_system.hpp"
 #include "odeum/linear/square_matrix.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
@@ -17,9 +18,10 @@ namespace odeum {
 template <Ode P>
 class DenseShiftedSolver final : public ShiftedSolver {
  public:
-  explicit DenseShiftedSolver(const P& problem)
+  /// `used`: without it no memory is taken, and nothing may be called.
+  explicit DenseShiftedSolver(const P& problem, bool used = true)
       : problem_(problem),
-        n_(size_of(problem)),
+        n_(used ? size_of(problem) : 0),
         j_(linear::make_square<P::dimension>(n_)),
         solver_(linear::make_dense_solver<P::dimension>(n_)) {}
 
@@ -62,11 +64,24 @@ class DenseShiftedSolver final : public ShiftedSolver {
   linear::DenseSolver<P::dimension> solver_;
 };
 
-/// The problem's own solver where it offers one, else the dense default.
+/// The problem's own solver, or that of its sparse Jacobian; null: neither.
+template <Ode P>
+std::unique_ptr<ShiftedSolver> make_structured_solver([[maybe_unused]] const P& problem) {
+  if constexpr (WithShiftedSolver<P>)
+    if (std::unique_ptr<ShiftedSolver> own = problem.shifted_solver()) return own;
+  if constexpr (WithSparsity<P>)
+    if (problem.sparsity()) return make_sparse_solver(*problem.sparsity(), entries_of(problem));
+  return nullptr;
+}
+
+template <class P>
+concept MayHaveStructure = WithShiftedSolver<P> || WithSparsity<P>;
+
+/// The problem's own solver where it offers one, else the sparse or the dense default.
 template <Ode P>
 auto make_shifted_solver(const P& problem) {
-  if constexpr (WithShiftedSolver<P>) {
-    std::unique_ptr<ShiftedSolver> own = problem.shifted_solver();
+  if constexpr (MayHaveStructure<P>) {
+    std::unique_ptr<ShiftedSolver> own = make_structured_solver(problem);
     if (!own) own = std::make_unique<DenseShiftedSolver<P>>(problem);
     return own;
   } else {
@@ -95,10 +110,10 @@ class ShiftedSystem {
 };
 
 template <Ode P>
-requires WithShiftedSolver<P>
+requires MayHaveStructure<P>
 class ShiftedSystem<P> {
  public:
-  explicit ShiftedSystem(const P& problem) : own_(problem.shifted_solver()) {
+  explicit ShiftedSystem(const P& problem) : own_(make_structured_solver(problem)) {
     if (!own_) dense_ = std::make_unique<DenseShiftedSolver<P>>(problem);
   }
   void linearise(double t, const State<P>& y) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "odeum/problem/ode_view.hpp"
+#include "odeum/problem/sparsity.hpp"
 
 /// A problem is a small struct with a right-hand side and whatever else it can offer.
 ///
@@ -70,6 +71,21 @@ template <class P>
 concept WithJacobianTimes = Ode<P> &&
     requires(const P& p, double t, const double* y, const double* x, double* product) {
   p.jacobian_times(t, y, x, product);
+};
+
+/// States which entries of df/dy may differ from zero: a pointer to a Sparsity, null where that is
+/// not known or all may. Implicit methods then solve with banded or sparse factors.
+template <class P>
+concept WithSparsity = Ode<P> && requires(const P& p) {
+  { p.sparsity() } -> std::convertible_to<const Sparsity*>;
+};
+
+/// Offers the values of those entries, in the order of the Sparsity; without it they are formed by
+/// differences of f, several columns at a time.
+template <class P>
+concept WithJacobianEntries = WithSparsity<P> &&
+    requires(const P& p, double t, const double* y, double* values) {
+  p.jacobian_entries(t, y, values);
 };
 
 /// Offers df/dt. A problem without it is assumed autonomous; see is_autonomous().
@@ -164,6 +180,38 @@ void second_order_rhs(const P& problem, std::size_t degrees, RealOf<P> t, const 
   problem.acceleration(t, y, y + degrees, dydt + degrees);
 }
 
+namespace detail {
+template <WithJacobianEntries P>
+std::vector<double> entries_at(const P& problem, double t, const double* y) {
+  std::vector<double> values(problem.sparsity()->entries());
+  problem.jacobian_entries(t, y, values.data());
+  return values;
+}
+
+/// What a sparse Jacobian is known by, and its product and dense form where the problem has none.
+template <WithSparsity P>
+void view_sparsity(const P& problem, OdeView& view) {
+  view.sparsity = problem.sparsity();
+  if constexpr (WithJacobianEntries<P>) {
+    if (!view.sparsity) return;
+    view.jacobian_entries = [](const void* p, double t, const double* y, double* values) {
+      static_cast<const P*>(p)->jacobian_entries(t, y, values);
+    };
+    if (!view.jacobian)
+      view.jacobian = [](const void* p, double t, const double* y, double* j) {
+        const P& self = *static_cast<const P*>(p);
+        fill_dense(*self.sparsity(), entries_at(self, t, y).data(), j);
+      };
+    if (!view.jacobian_times)
+      view.jacobian_times = [](const void* p, double t, const double* y, const double* x,
+                               double* product) {
+        const P& self = *static_cast<const P*>(p);
+        multiply(*self.sparsity(), entries_at(self, t, y).data(), x, product);
+      };
+  }
+}
+}  // namespace detail
+
 /// The problem behind function pointers; it must outlive the view.
 template <Ode P>
 OdeView view_of(const P& problem) {
@@ -183,6 +231,7 @@ OdeView view_of(const P& problem) {
                              double* product) {
       static_cast<const P*>(p)->jacobian_times(t, y, x, product);
     };
+  if constexpr (WithSparsity<P>) detail::view_sparsity(problem, view);
   if constexpr (NonAutonomous<P>)
     view.time_derivative = [](const void* p, double t, const double* y, double* dfdt) {
       static_cast<const P*>(p)->time_derivative(t, y, dfdt);

@@ -7,6 +7,7 @@
 namespace odeum {
 
 class ShiftedSolver;
+struct Sparsity;
 
 /// A problem behind function pointers, for libraries whose own interface asks for them.
 /// Arrays are `dimension` doubles; `jacobian` fills a dense row-major dimension x dimension matrix.
@@ -19,6 +20,11 @@ struct OdeView {
   /// Product of the Jacobian with a vector, for matrix-free (Krylov) solvers.
   void (*jacobian_times)(const void* problem, double t, const double* y, const double* x,
                          double* product) = nullptr;
+  /// The structure of a sparse or banded Jacobian, see problem/sparsity.hpp, and the values of its
+  /// entries; null pointers for a dense one, and for values that are to be formed by differences.
+  const Sparsity* sparsity = nullptr;
+  void (*jacobian_entries)(const void* problem, double t, const double* y,
+                           double* values) = nullptr;
   /// df/dt; null for autonomous problems, where it is zero.
   void (*time_derivative)(const void* problem, double t, const double* y, double* dfdt) = nullptr;
 

@@ -46,6 +46,11 @@ class SharedOde {
     else
       std::fill(dfdt, dfdt + size(), 0.0);
   }
+  const Sparsity* sparsity() const { return view_.sparsity; }
+  bool offers_entries() const { return view_.jacobian_entries != nullptr; }
+  void jacobian_entries(double t, const double* y, double* values) const {
+    view_.jacobian_entries(view_.problem, t, y, values);
+  }
   std::unique_ptr<ShiftedSolver> shifted_solver() const {
     return std::unique_ptr<ShiftedSolver>(view_.shifted_solver ? view_.shifted_solver(view_.problem)
                                                                : nullptr);

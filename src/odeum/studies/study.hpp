@@ -47,6 +47,8 @@ struct Declaration {
   std::string help;  ///< one line
   int place = 0;     ///< position on the page and in the list of commands, ascending
   std::string cases_help = "cases, with * and ?; !GLOB excludes";  ///< of --case; empty: takes none
+  /// Without a choice of cases it is on all of them, else on none: a choice then asks for more.
+  bool on_cases = true;
   std::string quick_help = {};  ///< of --quick; empty: takes none
   std::string no_resume = {};   ///< reason for having no --resume; empty: it has
   std::vector<Option> options = {};

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Dense>
 #include <array>
+#include <optional>
+#include <tuple>
 
+#include "odeum/linear/banded_lu.hpp"
+#include "odeum/linear/ordering.hpp"
 #include "odeum/tableau/collocation.hpp"
 #include "odeum/truth/march.hpp"
 
@@ -13,14 +17,90 @@ using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Factors = Eigen::PartialPivLU<Matrix>;
 using Index = Eigen::Index;
 
-Matrix jacobian_of(const System& system, Real t, const State& y) {
-  const auto n = static_cast<Index>(system.states);
-  Matrix j(n, n);
-  system.jacobian(t, y.data(), j.data());
-  return j;
-}
+/// The Jacobian of a system, dense or in a band, and the factors of I - h A x J for the S x S
+/// matrix A of a method; vectors hold the stages one after the other.
+class StageFactors {
+ public:
+  explicit StageFactors(const System& system) : system_(system), n_(system.states) {
+    if (!system_.entries) return;
+    order_ = linear::reverse_cuthill_mckee(*system_.sparsity);
+    number_.resize(n_);
+    for (std::size_t k = 0; k < n_; ++k) number_[order_[k]] = static_cast<int>(k);
+    std::tie(lower_, upper_) = linear::bandwidths(*system_.sparsity, number_);
+    values_.resize(system_.sparsity->entries());
+  }
+  void linearise(Real t, const State& y) {
+    if (system_.entries) return system_.entries(t, y.data(), values_.data());
+    dense_.resize(static_cast<Index>(n_), static_cast<Index>(n_));
+    system_.jacobian(t, y.data(), dense_.data());
+  }
+  /// False where a band is singular or not finite.
+  bool factorise(Real h, const Matrix& a) {
+    stages_ = static_cast<std::size_t>(a.rows());
+    return system_.entries ? factorise_band(h, a) : factorise_dense(h, a);
+  }
+  Vector solve(const Vector& right) {
+    if (!system_.entries) return factors_.solve(right);
+    Vector x(right.size());
+    for (std::size_t s = 0; s < stages_; ++s)
+      for (std::size_t i = 0; i < n_; ++i)
+        x(static_cast<Index>(place(s, i))) = right(static_cast<Index>(s * n_ + i));
+    band_->solve(x.data(), nullptr);
+    Vector result(right.size());
+    for (std::size_t s = 0; s < stages_; ++s)
+      for (std::size_t i = 0; i < n_; ++i)
+        result(static_cast<Index>(s * n_ + i)) = x(static_cast<Index>(place(s, i)));
+    return result;
+  }
+  /// Operations of the last factorisation, and of a solution with it.
+  double factor_work() const {
+    const auto all = static_cast<double>(n_ * stages_);
+    if (!system_.entries) return all * all * all * 2 / 3;
+    return 2 * all * static_cast<double>(stages_ * (lower_ + 1)) * width();
+  }
+  double solve_work() const {
+    const auto all = static_cast<double>(n_ * stages_);
+    return 2 * all * (system_.entries ? width() + static_cast<double>(stages_ * lower_) : all);
+  }
 
-double factor_work(Index n) { return static_cast<double>(n) * static_cast<double>(n * n) * 2 / 3; }
+ private:
+  double width() const { return static_cast<double>(stages_ * (lower_ + upper_ + 1)); }
+  std::size_t place(std::size_t stage, std::size_t i) const {
+    return static_cast<std::size_t>(number_[i]) * stages_ + stage;
+  }
+  bool factorise_dense(Real h, const Matrix& a) {
+    const auto n = static_cast<Index>(n_), all = n * a.rows();
+    Matrix newton = Matrix::Identity(all, all);
+    for (Index r = 0; r < a.rows(); ++r)
+      for (Index c = 0; c < a.rows(); ++c) newton.block(r * n, c * n, n, n) -= h * a(r, c) * dense_;
+    factors_.compute(newton);
+    return true;
+  }
+  bool factorise_band(Real h, const Matrix& a) {
+    const std::size_t lower = stages_ * lower_ + stages_ - 1,
+                      upper = stages_ * upper_ + stages_ - 1;
+    band_.emplace(n_ * stages_, lower, upper);
+    const Sparsity& pattern = *system_.sparsity;
+    for (std::size_t i = 0; i < n_; ++i)
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        for (std::size_t r = 0; r < stages_; ++r)
+          for (std::size_t c = 0; c < stages_; ++c)
+            band_->re()[band_->place(place(r, i),
+                                     place(c, static_cast<std::size_t>(pattern.column[k])))] -=
+                h * a(static_cast<Index>(r), static_cast<Index>(c)) * values_[k];
+    for (std::size_t k = 0; k < n_ * stages_; ++k) band_->re()[band_->place(k, k)] += 1;
+    return band_->factorise();
+  }
+
+  const System& system_;
+  std::size_t n_, stages_ = 1;
+  Matrix dense_;
+  Factors factors_;
+  std::vector<int> order_, number_;
+  std::size_t lower_ = 0, upper_ = 0;
+  State values_;
+  std::optional<linear::BandedLu<false, Real>> band_;
+};
 
 /// Radau IIA of S stages: nodes, and A with a_ij the integral of Lagrange's polynomial j to c_i.
 template <std::size_t S>
@@ -48,14 +128,11 @@ class RadauStage {
  public:
   RadauStage(const System& system, Real tolerance) : system_(system), tolerance_(tolerance) {}
 
-  bool solve(Real t, Real h, const State& y, const State& sizes, const Matrix& j) {
+  bool solve(Real t, Real h, const State& y, const State& sizes, StageFactors& factors) {
     const auto n = static_cast<Index>(system_.states), all = n * static_cast<Index>(S);
-    Matrix newton = Matrix::Identity(all, all);
-    for (Index r = 0; r < static_cast<Index>(S); ++r)
-      for (Index c = 0; c < static_cast<Index>(S); ++c)
-        newton.block(r * n, c * n, n, n) -= h * radau_.a(r, c) * j;
-    const Factors factors(newton);
-    work_ = factor_work(all);
+    const bool regular = factors.factorise(h, radau_.a);
+    work_ = factors.factor_work();
+    if (!regular) return false;
     z_ = Vector::Zero(all);
     State stage(system_.states);
     Vector f(all), residual(all);
@@ -66,7 +143,7 @@ class RadauStage {
           stage[static_cast<std::size_t>(i)] = y[static_cast<std::size_t>(i)] + z_(s * n + i);
         system_.rhs(t + radau_.c[static_cast<std::size_t>(s)] * h, stage.data(), f.data() + s * n);
       }
-      work_ += static_cast<double>(S) * system_.work + 2.0 * static_cast<double>(all * all);
+      work_ += static_cast<double>(S) * system_.work + factors.solve_work();
       residual = -z_;
       for (Index r = 0; r < static_cast<Index>(S); ++r)
         for (Index c = 0; c < static_cast<Index>(S); ++c)
@@ -109,10 +186,12 @@ Run radau_run(const System& system, const std::vector<Real>& times, const Effort
   const Real newton = std::max(effort.tolerance / 10, 2 * std::numeric_limits<Real>::epsilon());
   RadauStage<7> method(system, newton);
   RadauStage<5> estimate(system, newton);
+  StageFactors factors(system);
   return march(system, times, effort, 9, [&](Real t, Real h, const State& y, const State& sizes) {
     Trial trial{.y = y, .work = 0};
-    const Matrix j = jacobian_of(system, t, y);
-    const bool solved = method.solve(t, h, y, sizes, j) && estimate.solve(t, h, y, sizes, j);
+    factors.linearise(t, y);
+    const bool solved =
+        method.solve(t, h, y, sizes, factors) && estimate.solve(t, h, y, sizes, factors);
     trial.work = method.work() + estimate.work();
     if (!solved) {
       trial.error = std::numeric_limits<Real>::infinity();
@@ -138,15 +217,20 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
   std::array<State, lines> table;
   State line(system.states), difference(system.states), at(system.states);
   Vector f(n);
+  const Matrix one = Matrix::Identity(1, 1);
+  StageFactors factors(system);
   return march(
       system, times, effort, lines, [&](Real t, Real h, const State& y, const State& sizes) {
         Trial trial{.y = y, .work = 0};
-        const Matrix j = jacobian_of(system, t, y);
+        factors.linearise(t, y);
         for (int row = 0; row < lines; ++row) {
           // Deuflhard, Nowak: the harmonic sequence from 2, (I - h J) d = h f(t + h, y).
           const int parts = row + 2;
           const Real part = h / parts;
-          const Factors factors(Matrix::Identity(n, n) - part * j);
+          if (!factors.factorise(part, one)) {
+            trial.error = std::numeric_limits<Real>::infinity();
+            return trial;
+          }
           std::fill(line.begin(), line.end(), 0);
           for (int k = 1; k <= parts; ++k) {
             for (std::size_t i = 0; i < line.size(); ++i) at[i] = y[i] + line[i];
@@ -154,7 +238,7 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
             const Vector d = factors.solve(part * f);
             for (Index i = 0; i < n; ++i) line[static_cast<std::size_t>(i)] += d(i);
           }
-          trial.work += factor_work(n) + parts * (system.work + 2.0 * static_cast<double>(n * n));
+          trial.work += factors.factor_work() + parts * (system.work + factors.solve_work());
           for (int k = 0; k < row; ++k) {
             const Real weight = 1 / (static_cast<Real>(parts) / (row - k - 1 + 2) - 1);
             State& above = table[static_cast<std::size_t>(k)];

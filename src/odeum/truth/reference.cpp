@@ -84,7 +84,8 @@ class Search {
 
   Comparison compare(Real tolerance) const {
     Comparison c;
-    const Effort effort{.tolerance = tolerance};
+    Effort effort{.tolerance = tolerance};
+    if (system_.states > 64) effort.budget *= 4;
     c.a = family_.first(system_, times_, effort);
     c.b = family_.second(system_, times_, effort);
     const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
@@ -117,7 +118,7 @@ class Search {
     // that has none (a root at zero) may go on without.
     for (const Family& family : {by_series, plain, implicit_family}) {
       if ((family.first == taylor_run && !series) ||
-          (family.first == radau_run && !system_.jacobian))
+          (family.first == radau_run && !system_.has_jacobian()))
         continue;
       const Run run = family.first(system_, times_, brief);
       if (run.states.size() > farthest) {

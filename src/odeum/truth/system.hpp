@@ -2,9 +2,12 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "odeum/problem/sparsity.hpp"
 
 /// References that Odeum computes for problems without a closed form: by two methods of different
 /// families in extended precision, which no competitor is (their steps, orders and programs are not
@@ -21,6 +24,10 @@ struct System {
   State y0;
   std::function<void(Real t, const Real* y, Real* f)> rhs;
   std::function<void(Real t, const Real* y, Real* j)> jacobian;  ///< dense, row-major
+  /// Many states whose Jacobian has a narrow band in some order: its pattern and values, instead of
+  /// `jacobian`.
+  std::shared_ptr<const Sparsity> sparsity;
+  std::function<void(Real t, const Real* y, Real* values)> entries;
   /// Coefficients of the Taylor series, see WithTaylorSeries; empty: none.
   std::function<void(Real t, const Real* y, int order, Real* c)> taylor;
   /// The right-hand side with every constant and initial value that rounding has moved (decimals,
@@ -29,6 +36,8 @@ struct System {
   State moved_y0;
   bool smooth = true;
   double work = 10;  ///< operations of one evaluation, for the budget
+
+  bool has_jacobian() const { return jacobian || entries; }
 };
 
 /// The states at times, as far as a run came.
@@ -52,9 +61,9 @@ Run taylor_run(const System& system, const std::vector<Real>& times, const Effor
 Run extrapolation_run(const System& system, const std::vector<Real>& times, const Effort& effort);
 /// Verner's pair 9(8), coefficients of 20 digits.
 Run verner_run(const System& system, const std::vector<Real>& times, const Effort& effort);
-/// Radau IIA of seven stages, order 13 (needs `jacobian`): for stiff problems.
+/// Radau IIA of seven stages, order 13 (needs a Jacobian): for stiff problems.
 Run radau_run(const System& system, const std::vector<Real>& times, const Effort& effort);
-/// Extrapolation of the linearly implicit Euler method, order 8 (needs `jacobian`): likewise.
+/// Extrapolation of the linearly implicit Euler method, order 8 (needs a Jacobian): likewise.
 Run implicit_extrapolation_run(const System& system, const std::vector<Real>& times,
                                const Effort& effort);
 

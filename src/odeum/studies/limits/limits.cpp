@@ -10,7 +10,7 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/stability_search.hpp"
-#include "odeum/studies/limits/spectrum.hpp"
+#include "odeum/studies/spectrum.hpp"
 
 namespace odeum::study {
 namespace {
@@ -20,60 +20,20 @@ constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
 
 /// A case and the window over which it is run, with the size of its solution and the spectrum along
 /// it.
-struct StiffWindow {
+struct StiffWindow : SpectrumAlong {
   const Case& c;
-  std::string reason;  ///< why nothing can be measured; empty: it can
-  double length = LargestStep::nan;
-  std::vector<double> sizes;                      ///< by component, the largest along the solution
-  std::vector<std::complex<double>> eigenvalues;  ///< all that lie in the left half plane
-  std::complex<double> largest{LargestStep::nan, LargestStep::nan};
+  double length;
 
-  explicit StiffWindow(const Case& each) : c(each) {
-    if (c.y0.size() > dense_dimension_limit)
-      reason = fmt::format("{} unknowns: no dense spectrum beyond {}", c.y0.size(),
-                           dense_dimension_limit);
-    else if (!c.problem.view.jacobian)
-      reason = "the case offers no Jacobian";
-    else
-      find_length();
+  explicit StiffWindow(const Case& each) : c(each), length(c.stops.back() - c.t0) {
+    // The horizon, halved until the largest eigenvalue within it allows it.
+    while (follow() && std::abs(largest) * length > longest_window) length /= 2;
+    if (!reason.empty()) length = LargestStep::nan;
   }
 
  private:
-  void find_length() {
-    // The horizon, halved until the largest eigenvalue within it allows it.
-    length = c.stops.back() - c.t0;
-    while (follow(length) && std::abs(largest) * length > longest_window) length /= 2;
-  }
-
-  /// Sizes and spectrum of the solution over a time. False where it could not be solved.
-  bool follow(double time) {
-    constexpr int points = 32;
-    Request request;
-    request.mode = Mode::adaptive;
-    set_tolerance(request, c, 1e-8);
-    for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
-    const Outcome outcome = find_solver(c.entrants, "odeum/radau_iia5").solve(request);
-    if (outcome.status != Status::ok) {
-      reason = "the solution could not be computed: " + outcome.detail;
-      return false;
-    }
-    const std::size_t n = c.y0.size();
-    sizes.assign(n, 0);
-    eigenvalues.clear();
-    largest = 0;
-    const auto visit = [&](double t, const double* y) {
-      for (std::size_t i = 0; i < n; ++i) sizes[i] = std::max(sizes[i], std::abs(y[i]));
-      for (const std::complex<double>& z : spectrum(c.problem.view, t, y)) {
-        if (std::abs(z) > std::abs(largest)) largest = z;
-        // One of each conjugate pair; rounding may put an imaginary one to the right.
-        if (z.imag() >= 0 && z.real() <= 1e-9 * std::abs(z)) eigenvalues.push_back(z);
-      }
-    };
-    visit(c.t0, c.y0.data());
-    for (int k = 0; k < points; ++k)
-      visit(request.stops[static_cast<std::size_t>(k)],
-            outcome.states.data() + static_cast<std::size_t>(k) * n);
-    return true;
+  bool follow() {
+    static_cast<SpectrumAlong&>(*this) = spectrum_along(c, length);
+    return reason.empty();
   }
 };
 

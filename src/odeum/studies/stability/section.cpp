@@ -101,6 +101,27 @@ std::string thumbnails(report::Page& page, const std::vector<StabilityRegion>& r
   return fmt::format("<h4>{}</h4>\n<div class=\"regions\">{}</div>\n", escape(library), html);
 }
 
+std::string steps_table(const std::vector<StableStep>& steps) {
+  report::Table table("numbers");
+  table.head({{"case, solver"}, {"largest step"}, {"limiting eigenvalue"}, {"|z| on its ray"}});
+  for (const StableStep& row : steps) {
+    const std::string name = fmt::format("{}, {}/{}", row.case_id, row.library, row.solver);
+    if (row.status != "ok")
+      table.row({name}, {{.text = row.status, .style = "dim", .title = row.detail, .columns = 3}});
+    else
+      table.row({name}, {{.text = show_number(row.step, 4), .title = row.detail},
+                         {fmt::format("{} {:+.3g}i", show_number(row.eigenvalue.real(), 4),
+                                      row.eigenvalue.imag())},
+                         {show_number(row.limit, 5)}});
+  }
+  return fmt::format(
+      "<h3>Largest steps by the spectrum</h3>\n<p>The largest step h for which h times each "
+      "eigenvalue of the Jacobian along the solution lies where the running code does not grow; "
+      "eigenvalues with a positive real part, where the solution grows itself, are left "
+      "out.</p>\n{}",
+      table.html());
+}
+
 constexpr const char* limits_text =
     "<p>Measured on the running code: the largest x with no growth on [−x, 0], the largest y with "
     "none on [0, iy], and the largest ωh for which an undamped oscillator stays bounded; ∞ where "
@@ -119,9 +140,12 @@ constexpr std::pair<const char*, const char*> planes[] = {
 
 void add_section(report::Page& page, const StabilityResult& result, const report::Origin& origin) {
   const std::vector<std::string> libraries = page.facts().library_names();
-  const bool empty = result.limits.empty() && result.regions.empty();
+  const bool no_regions = result.limits.empty() && result.regions.empty();
+  const bool empty = no_regions && result.steps.empty();
   std::string html = report::origin_text(origin, empty);
-  if (!empty) html += limits_text;
+  for (const StableStep& row : result.steps) page.count_row(row.status);
+  if (!result.steps.empty()) html += steps_table(result.steps);
+  if (!no_regions) html += limits_text;
   for (const StabilityLimit& limit : result.limits) page.count_row(limit.status);
   std::vector<const StabilityLimit*> limits;
   for (const StabilityLimit& limit : result.limits) limits.push_back(&limit);

@@ -206,6 +206,7 @@ std::vector<Task> select_tasks(const Options& options) {
 }  // namespace
 
 StabilityResult measure_stability(const Options& options, const Runner& runner) {
+  if (!options.cases.empty()) return measure_steps(options, runner);
   const std::vector<Task> tasks = select_tasks(options);
   return runner.run(
       "stability", tasks, [](const Task& task) { return key_of(task); },

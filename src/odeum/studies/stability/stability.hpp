@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <complex>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -64,16 +65,41 @@ struct StabilityRegion {
   }
 };
 
+/// What the region of a solver means for a problem: the largest step h for which h lambda lies
+/// within it, for every eigenvalue lambda of the Jacobian along the solution that has no positive
+/// real part. A line of stability_steps.csv.
+struct StableStep {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::string case_id, library, solver;
+  std::string status, detail;  ///< a Status or not_applicable
+  /// The eigenvalue that limits the step; where none does, the largest.
+  std::complex<double> eigenvalue{nan, nan};
+  double limit = nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
+  double step = nan;   ///< limit / |eigenvalue|; infinity: any
+
+  static constexpr const char* file = "stability_steps.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail), visit("eigenvalue", row.eigenvalue);
+    visit("limit", row.limit), visit("step", row.step);
+  }
+};
+
 struct StabilityResult {
   std::vector<StabilityLimit> limits;
   std::vector<StabilityRegion> regions;
-  static auto lists(auto& result) { return std::tie(result.limits, result.regions); }
+  std::vector<StableStep> steps;
+  static auto lists(auto& result) { return std::tie(result.limits, result.regions, result.steps); }
 };
 
 /// Stability regions and limits of every solver with a fixed step. Own options: `plane` is lambda
 /// or oscillator (both), `grid` the points along the first axis (own methods 257 where vectorised,
-/// else 129; peers 65), `peer-grid` the same for peers only. Throws Interrupted.
+/// else 129; peers 65), `peer-grid` the same for peers only. Where cases are selected, the steps
+/// that regions allow on them are measured instead. Throws Interrupted.
 StabilityResult measure_stability(const Options& options, const Runner& runner = Runner());
+
+/// The part of it for the selected cases.
+StabilityResult measure_steps(const Options& options, const Runner& runner);
 
 /// Writes the file of a region's growth: a header and a line with schema, plane, columns, rows,
 /// first_low, first_high, second_low, second_high; then `rows` lines of `columns` growths per step

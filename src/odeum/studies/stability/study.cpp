@@ -12,7 +12,9 @@ class Stability final : public StudyOf<StabilityResult> {
       : StudyOf({.name = "stability",
                  .help = "stability regions and limits, measured on the running code",
                  .place = 30,
-                 .cases_help = "",
+                 .cases_help = "the steps that the regions allow on these cases, with * and ?; "
+                               "default: the regions themselves",
+                 .on_cases = false,
                  .options = {{.name = "plane",
                               .help = "lambda or oscillator; default: both",
                               .words = {"lambda", "oscillator"}},
@@ -39,12 +41,25 @@ class Stability final : public StudyOf<StabilityResult> {
   }
 
   std::string table() const override {
-    return record::table_of(result().limits, {{"solver", "{library}/{solver}"},
-                                              {"axis", "{axis}"},
-                                              {"limit", "{limit:.7g}"},
-                                              {"theory", "{theory:.7g}"},
-                                              {"status", "{status}: {detail}"}})
-        .text();
+    const StabilityResult& all = result();
+    std::string text;
+    if (!all.steps.empty())
+      text = record::table_of(all.steps,
+                              {{"case", "{case}"},
+                               {"solver", "{library}/{solver}"},
+                               {"largest step", "{step:.4g}"},
+                               {"by the eigenvalue", "{eigenvalue_re:.3g} {eigenvalue_im:+.3g}i"},
+                               {"limit on its ray", "{limit:.5g}"},
+                               {"status", "{status}: {detail}"}})
+                 .text();
+    if (all.steps.empty() || !all.limits.empty())
+      text += record::table_of(all.limits, {{"solver", "{library}/{solver}"},
+                                            {"axis", "{axis}"},
+                                            {"limit", "{limit:.7g}"},
+                                            {"theory", "{theory:.7g}"},
+                                            {"status", "{status}: {detail}"}})
+                  .text();
+    return text;
   }
 
   void section(report::Page& page) const override { add_section(page, result(), origin()); }

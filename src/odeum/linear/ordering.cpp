@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/linear/ordering.hpp"
+
+namespace odeum::linear {
+namespace {
+
+/// By unknown: its neighbours in the pattern or its transpose, each once, without itself.
+std::vector<std::vector<int>> neighbours_of(const Sparsity& pattern) {
+  std::vector<std::vector<int>> of(pattern.unknowns());
+  for (std::size_t i = 0; i < pattern.unknowns(); ++i)
+    for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+      const auto j = static_cast<std::size_t>(pattern.column[k]);
+      if (i == j) continue;
+      of[i].push_back(static_cast<int>(j));
+      of[j].push_back(static_cast<int>(i));
+    }
+  for (std::vector<int>& list : of) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  for (std::vector<int>& list : of)
+    std::stable_sort(list.begin(), list.end(),
+                     [&](int a, int b) { return of[a].size() < of[b].size(); });
+  return of;
+}
+
+struct Levels {
+  std::vector<int> order;  ///< breadth first
+  int depth = 0;           ///< of the last
+};
+
+/// From `start`; `seen` is restored.
+Levels levels_from(int start, const std::vector<std::vector<int>>& neighbours,
+                   std::vector<int>& level) {
+  Levels found;
+  found.order = {start};
+  level[start] = 0;
+  for (std::size_t at = 0; at < found.order.size(); ++at)
+    for (const int next : neighbours[found.order[at]])
+      if (level[next] < 0) {
+        level[next] = level[found.order[at]] + 1;
+        found.order.push_back(next);
+      }
+  found.depth = level[found.order.back()];
+  for (const int node : found.order) level[node] = -1;
+  return found;
+}
+
+}  // namespace
+
+std::vector<int> reverse_cuthill_mckee(const Sparsity& pattern) {
+  const auto neighbours = neighbours_of(pattern);
+  std::vector<int> order, level(pattern.unknowns(), -1);
+  std::vector<bool> placed(pattern.unknowns(), false);
+  order.reserve(pattern.unknowns());
+  for (std::size_t first = 0; first < pattern.unknowns(); ++first) {
+    if (placed[first]) continue;
+    Levels best = levels_from(static_cast<int>(first), neighbours, level);
+    while (true) {
+      Levels farther = levels_from(best.order.back(), neighbours, level);
+      const bool deeper = farther.depth > best.depth;
+      best = std::move(farther);
+      if (!deeper) break;
+    }
+    for (const int node : best.order) placed[node] = true;
+    order.insert(order.end(), best.order.begin(), best.order.end());
+  }
+  std::reverse(order.begin(), order.end());
+  return order;
+}
+
+std::pair<std::size_t, std::size_t> bandwidths(const Sparsity& pattern,
+                                               const std::vector<int>& number) {
+  int lower = 0, upper = 0;
+  for (std::size_t i = 0; i < pattern.unknowns(); ++i)
+    for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+      const int above = number[pattern.column[k]] - number[i];
+      lower = std::max(lower, -above);
+      upper = std::max(upper, above);
+    }
+  return {static_cast<std::size_t>(lower), static_cast<std::size_t>(upper)};
+}
+
+}  // namespace odeum::linear

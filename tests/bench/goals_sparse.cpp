@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Brusselator with diffusion of 100,000 unknowns: own implicit methods beside CVODE with its
+// direct solvers at equal error, and how time and memory grow with the unknowns.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "goals.hpp"
+#include "problems/two_species.hpp"
+#include "support/stage.hpp"
+
+namespace odeum::bench {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double end = 2;
+
+Case reaction(std::size_t cells) {
+  Case c;
+  c.y0 = cases::brusselator_1d_start(cells);
+  c.stops = {end};
+  cases::set_stage(c, cases::brusselator_1d_problem(cells));
+  return c;
+}
+
+Outcome solve(const Case& c, const std::string& id, double tolerance) {
+  Request request;
+  request.mode = Mode::adaptive;
+  request.tolerance = tolerance;
+  request.stops = c.stops;
+  request.budget.evaluations = 20'000;
+  for (const Entrant& entrant : c.entrants)
+    if (entrant.info.id() == id) return entrant.solve(request);
+  return {};
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
+}
+
+struct Choice {
+  std::string id;
+  double tolerance = 0, error = 0, seconds = std::numeric_limits<double>::infinity();
+};
+
+/// The fastest of the runs whose error is at most `wanted`.
+Choice fastest(const Case& c, const std::vector<std::string>& ids, double wanted,
+               const std::vector<double>& truth) {
+  Choice best;
+  for (const std::string& id : ids)
+    for (double tolerance = 1e-3; tolerance > 1e-11; tolerance /= std::sqrt(10.0)) {
+      Outcome outcome;
+      const Timing once = interleave({[&] { outcome = solve(c, id, tolerance); }}, 0, true);
+      if (outcome.status != Status::ok) break;
+      const double error = distance(outcome.states, truth);
+      if (error > wanted) continue;
+      if (once.min < best.seconds) best = {id, tolerance, error, once.min};
+      break;
+    }
+  return best;
+}
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+void add_growth(std::vector<Row>& rows) {
+  constexpr std::size_t small = 12'500, large = 50'000;
+  std::vector<Timing> times;
+  std::vector<double> bytes;
+  for (const std::size_t cells : {small, large}) {
+    const double before = peak_bytes();
+    const Case c = reaction(cells);
+    times.push_back(interleave({[&] { solve(c, "odeum/radau_iia5", 1e-5); }}, 0));
+    bytes.push_back((peak_bytes() - before) / static_cast<double>(2 * cells));
+  }
+  rows.push_back(
+      {.what = "time of radau_iia5, 100,000 / 25,000 unknowns",
+       .goal = 4.8,
+       .measured = times[1].min / times[0].min,
+       .at_most = true,
+       .note = fmt::format("{:.3g} s / {:.3g} s; 4 is linear", times[1].min, times[0].min)});
+  rows.push_back({.what = "memory of radau_iia5 an unknown, 100,000 / 25,000 unknowns",
+                  .goal = 1.3,
+                  .measured = bytes[1] / bytes[0],
+                  .at_most = true,
+                  .note = fmt::format("{:.0f} / {:.0f} bytes an unknown", bytes[1], bytes[0])});
+}
+
+}  // namespace
+
+std::vector<Row> sparse_rows() {
+  std::vector<Row> rows;
+  add_growth(rows);  // first: a peak of memory is seen once
+  const Case c = reaction(50'000);
+  const Outcome tight = solve(c, "odeum/radau_iia5", 1e-10), other = solve(c, "cvode/bdf", 1e-10);
+  const double known = distance(tight.states, other.states);
+  for (const double wanted : {1e-3, 1e-6}) {
+    Row row{.what = fmt::format("Brusselator, 100,000 unknowns, at {:.0e}: CVODE / own", wanted),
+            .goal = 2,
+            .measured = nan,
+            .note = fmt::format("two families agree to {:.1e}", known)};
+    if (known < wanted / 10) {
+      const Choice own = fastest(c,
+                                 {"odeum/rodas5p", "odeum/radau_iia5", "odeum/radau_iia9",
+                                  "odeum/seulex", "odeum/bdf_variable"},
+                                 wanted, tight.states);
+      const Choice peer = fastest(c, {"cvode/bdf"}, wanted, tight.states);
+      if (!own.id.empty() && !peer.id.empty()) {
+        const std::vector<Timing> times = interleave(
+            {[&] { solve(c, own.id, own.tolerance); }, [&] { solve(c, peer.id, peer.tolerance); }},
+            0);
+        row = compare(row.what, row.goal, times[0], times[1],
+                      fmt::format("{} in {:.3g} s, errors {:.1e} and {:.1e}; {}", own.id,
+                                  times[0].min, own.error, peer.error, row.note));
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace odeum::bench
