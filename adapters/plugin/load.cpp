@@ -11,20 +11,14 @@
 #include <set>
 
 #include "odeum/contest/late.hpp"
-#include "plugin/apart.hpp"
-#include "plugin/names.hpp"
-#include "plugin/problem.hpp"
+#include "odeum/foreign/apart.hpp"
+#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 #include "plugin/solver.hpp"
 
 namespace odeum {
 namespace adapters::plugin {
 namespace {
-
-bool is_name(const std::string& name) {
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
-}
 
 /// The description in a shared object, or a sentence that says why there is none.
 const odeum_plugin* open(const std::string& file, std::string& why) {
@@ -51,7 +45,8 @@ std::string fault_of_plugin(const odeum_plugin& plugin) {
         "is of version {} of the interface, this Odeum has version {}: compile it "
         "with the odeum/plugin.h of this Odeum",
         plugin.version, ODEUM_PLUGIN_VERSION);
-  if (const std::string fault = fault_of_name("plug-in", plugin.name); !fault.empty()) return fault;
+  if (const std::string fault = foreign::fault_of_name("plug-in", plugin.name); !fault.empty())
+    return fault;
   constexpr std::size_t most = 1000;
   if (plugin.solver_count > most || plugin.problem_count > most)
     return fmt::format("has {} solvers and {} problems, expected at most {}", plugin.solver_count,
@@ -66,10 +61,11 @@ std::string fault_of_plugin(const odeum_plugin& plugin) {
       return fmt::format("has two solvers of the name {}", plugin.solvers[i].name);
   }
   for (std::size_t i = 0; i < plugin.problem_count; ++i) {
-    if (std::string fault = fault_of(plugin.problems[i]); !fault.empty()) return fault;
+    if (std::string fault = foreign::fault_of(plugin.problems[i]); !fault.empty()) return fault;
     if (!problems.insert(plugin.problems[i].name).second)
       return fmt::format("has two problems of the name {}", plugin.problems[i].name);
-    if (std::string fault = Problem(plugin.problems[i]).fault(); !fault.empty()) return fault;
+    if (std::string fault = foreign::Problem(plugin.problems[i]).fault(); !fault.empty())
+      return fault;
   }
   return {};
 }
@@ -84,32 +80,24 @@ std::string mark_of(const std::string& file) {
   return fmt::format("{:x}", std::hash<std::string>()(bytes));
 }
 
-void isolate(Case& c) {
-  const std::size_t n = c.y0.size();
-  for (Entrant& entrant : c.entrants)
-    if (entrant.solve)
-      entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-        return solve_apart(solve, request, n);
-      };
+/// The problem as a case is made of it.
+foreign::Given given(const odeum_problem& p, const std::string& library, const std::string& mark) {
+  const auto text = [](const char* said, const std::string& otherwise) {
+    return said ? foreign::cleaned(said) : otherwise;
+  };
+  foreign::Given given;
+  given.functions = p;
+  given.id = library + "_" + p.name;
+  given.title = text(p.title, given.id);
+  given.equation = text(p.equation, "of the plug-in " + library);
+  given.source = text(p.source, "the plug-in " + library);
+  given.provider = "the plug-in";
+  given.tag = "plugin";
+  given.content = given.id + " " + mark;
+  return given;
 }
 
 }  // namespace
-
-std::string fault_of_name(const char* what, const char* name) {
-  if (!name) return fmt::format("a {} has a null pointer for its name", what);
-  if (!is_name(name))
-    return fmt::format("{} name: got \"{}\", expected 1 to 64 characters of a-z, 0-9 and _", what,
-                       cleaned(name));
-  return {};
-}
-
-std::string cleaned(const char* text) {
-  std::string clean;
-  for (; *text && clean.size() < 300; ++text)
-    clean += static_cast<unsigned char>(*text) < 32 || *text == 127 ? ' ' : *text;
-  return clean;
-}
-
 }  // namespace adapters::plugin
 
 void add_plugin(const std::string& file) {
@@ -119,7 +107,7 @@ void add_plugin(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(file, "is no file");
   // Whatever it does when it is loaded, it does first in a process of its own.
-  const std::string fault = try_apart([&] {
+  const auto [ended, fault] = foreign::text_apart([&] {
     std::string why;
     const odeum_plugin* const plugin = open(path, why);
     return plugin ? fault_of_plugin(*plugin) : why;
@@ -137,13 +125,12 @@ void add_plugin(const std::string& file) {
     for (std::size_t i = 0; i < plugin->solver_count; ++i)
       entrants.push_back(entrant_of(plugin->solvers[i], name, contest));
   };
-  library.cases = [plugin, name] {
-    std::vector<Case> cases;
+  library.problems = [plugin, name, mark = library.mark] {
+    std::vector<foreign::Given> problems;
     for (std::size_t i = 0; i < plugin->problem_count; ++i)
-      cases.push_back(case_of(plugin->problems[i], name));
-    return cases;
+      problems.push_back(given(plugin->problems[i], name, mark));
+    return problems;
   };
-  library.finish = isolate;
   add_late_library(std::move(library));
 }
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "odeum/contest/dense_jacobian.hpp"
-#include "plugin/apart.hpp"
-#include "plugin/names.hpp"
+#include "odeum/foreign/apart.hpp"
+#include "odeum/foreign/names.hpp"
 
 namespace odeum::adapters::plugin {
 namespace {
@@ -24,7 +24,7 @@ struct System {
 
 /// The callbacks' result: 0, or 1 once the budget is spent, after which calls are no sign of work.
 int working(int answer) {
-  if (answer == 0) alive();
+  if (answer == 0) foreign::alive();
   return answer;
 }
 
@@ -186,7 +186,8 @@ std::string unfit(const odeum_solver& solver, const OdeView& view) {
 }  // namespace
 
 std::string fault_of(const odeum_solver& solver) {
-  if (const std::string fault = fault_of_name("solver", solver.name); !fault.empty()) return fault;
+  if (const std::string fault = foreign::fault_of_name("solver", solver.name); !fault.empty())
+    return fault;
   const std::string who = fmt::format("solver {}: ", solver.name);
   if (!solver.create) return who + "create is a null pointer";
   if (!solver.step && !solver.solve) return who + "step and solve are both null pointers";
@@ -206,12 +207,12 @@ Entrant entrant_of(const odeum_solver& solver, const std::string& library,
   SolverInfo& info = entrant.info;
   info.library = library;
   info.method = solver.name;
-  info.family = solver.family ? cleaned(solver.family) : "plugin";
+  info.family = solver.family ? foreign::cleaned(solver.family) : "plugin";
   info.order = solver.order;
   info.fixed = solver.step != nullptr;
   info.adaptive = solver.solve != nullptr;
   if (info.adaptive) info.controller = "the plug-in's own";
-  info.source = solver.source ? cleaned(solver.source) : "a plug-in";
+  info.source = solver.source ? foreign::cleaned(solver.source) : "a plug-in";
   if (solver.needs & ODEUM_NEEDS_SEPARABLE)
     info.needs = "a second-order problem q'' = a(t, q)";
   else if (solver.needs & ODEUM_NEEDS_SECOND_ORDER)
@@ -221,8 +222,9 @@ Entrant entrant_of(const odeum_solver& solver, const std::string& library,
   entrant.unfit = unfit(solver, contest.view);
   if (!entrant.unfit.empty()) return entrant;
   entrant.solve = [&solver, contest](const Request& request) {
-    return solve_apart([&](const Request& inner) { return Solve(solver, contest, inner)(); },
-                       request, contest.view.dimension);
+    return foreign::solve_apart(
+        [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
+        contest.view.dimension);
   };
   return entrant;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "odeum/contest/solver.hpp"
-#include "plugin/plugin.h"
+#include "odeum/plugin.h"
 
 namespace odeum::adapters::plugin {
 

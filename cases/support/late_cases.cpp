@@ -4,19 +4,16 @@
 #include <utility>
 
 #include "odeum/contest/late.hpp"
-#include "support/stage.hpp"
+#include "support/foreign_case.hpp"
 
 namespace odeum::cases {
 
 std::vector<Case> late_cases() {
   std::vector<Case> all;
   for (const LateLibrary& library : late_libraries()) {
-    if (!library.cases) continue;
-    for (Case& c : library.cases()) {
-      c.entrants = enroll(c.problem);
-      if (library.finish) library.finish(c);
-      all.push_back(std::move(c));
-    }
+    if (!library.problems) continue;
+    for (foreign::Given& given : library.problems())
+      all.push_back(foreign_case(std::move(given)).c);
   }
   return all;
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "odeum/formula/print_c.hpp"
 #include "odeum/linear/ordering.hpp"
@@ -117,32 +118,13 @@ truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
   return system;
 }
 
-/// The reference of the cache, or a new one that is put there.
-truth::Reference kept_or_computed(const std::shared_ptr<const TextOde>& ode) {
+/// What a reference depends on, as text.
+std::string content_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
   std::string content = formula::print_c(problem, ode->analysis());
   content += fmt::format("\n{}", problem.t0);
   for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
-  content += fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(problem.stops, " "),
-                         fmt::join(problem.scale, " "));
-  const std::string folder = formula::cache_folder();
-  const fs::path file = fs::path(folder) / (formula::content_key(content) + ".reference");
-  if (!folder.empty()) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (auto held = truth::from_text(text, ode->size())) return std::move(*held);
-  }
-  truth::Reference reference =
-      truth::compute_reference(system_of(ode), problem.stops, problem.scale);
-  if (!folder.empty()) {
-    const fs::path part = file.string() + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out << truth::to_text(reference);
-    out.close();
-    std::error_code ignored;
-    if (out.good()) fs::rename(part, file, ignored);
-  }
-  return reference;
+  return content;
 }
 
 /// The place of a time in a reference, which was computed from the same problem: a time that
@@ -153,12 +135,40 @@ std::size_t place_of(const truth::Reference& reference, double t) {
   return reference.times.size();
 }
 
-TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
-  const formula::Problem& problem = ode->problem();
-  const auto reference = std::make_shared<const truth::Reference>(kept_or_computed(ode));
+}  // namespace
+
+std::optional<truth::Reference> kept_or_computed(
+    std::string content, std::size_t states, const std::vector<double>& stops,
+    const std::vector<double>& scale,
+    const std::function<std::optional<truth::Reference>()>& compute) {
+  content +=
+      fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
+  const std::string folder = formula::cache_folder();
+  const fs::path file = fs::path(folder) / (formula::content_key(content) + ".reference");
+  if (!folder.empty()) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    if (auto held = truth::from_text(text, states)) return held;
+  }
+  std::optional<truth::Reference> reference = compute();
+  if (reference && !folder.empty()) {
+    const fs::path part = file.string() + ".part";
+    std::ofstream out(part, std::ios::binary);
+    out << truth::to_text(*reference);
+    out.close();
+    std::error_code ignored;
+    if (out.good()) fs::rename(part, file, ignored);
+  }
+  return reference;
+}
+
+TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
+                     const std::vector<double>& scale, const std::string& what) {
+  const auto reference = std::make_shared<const truth::Reference>(std::move(computed));
+  const std::size_t n = reference->states.empty() ? 0 : reference->states.front().size();
   TextTruth result;
   result.known_until = reference->known_until;
-  for (const double stop : problem.stops)
+  for (const double stop : stops)
     if (place_of(*reference, stop) < reference->times.size()) result.stops.push_back(stop);
   if (result.stops.empty() && !reference->times.empty())
     result.stops.push_back(reference->times.back());
@@ -166,8 +176,9 @@ TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
   for (std::size_t k = 0; k < reference->times.size(); ++k) {
     if (!result.stops.empty() && reference->times[k] > result.stops.back()) break;
     result.extended_floor = std::max(result.extended_floor, reference->floors[k]);
-    for (std::size_t i = 0; i < ode->size(); ++i)
-      largest = std::max(largest, std::abs(reference->states[k][i]) / scale_of(problem, i));
+    for (std::size_t i = 0; i < n; ++i)
+      largest =
+          std::max(largest, std::abs(reference->states[k][i]) / (scale.empty() ? 1 : scale[i]));
   }
   result.truth.floor = result.extended_floor + static_cast<double>(0x1p-53L * largest);
   result.extended = [reference](double t, long double* y) {
@@ -176,13 +187,13 @@ TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
     std::copy(reference->states[k].begin(), reference->states[k].end(), y);
     return true;
   };
-  result.truth.at = [at = result.extended, n = ode->size()](double t, double* y) {
+  result.truth.at = [at = result.extended, n](double t, double* y) {
     std::vector<long double> state(n);
     if (!at(t, state.data())) return false;
     std::copy(state.begin(), state.end(), y);
     return true;
   };
-  result.truth.source = "computed from " + problem.file + " by " + reference->methods;
+  result.truth.source = "computed from " + what + " by " + reference->methods;
   result.words = fmt::format("computed by {}, which agree to {:.1e}; known to {:.1e}",
                              reference->methods, reference->disagreement, result.truth.floor);
   if (!reference->end.empty())
@@ -191,10 +202,14 @@ TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
   return result;
 }
 
-}  // namespace
-
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
-  return ode->problem().exact.empty() ? computed(ode) : closed_form(ode);
+  const formula::Problem& problem = ode->problem();
+  if (!problem.exact.empty()) return closed_form(ode);
+  return truth_from(
+      *kept_or_computed(
+          content_of(ode), ode->size(), problem.stops, problem.scale,
+          [&] { return truth::compute_reference(system_of(ode), problem.stops, problem.scale); }),
+      problem.stops, problem.scale, problem.file);
 }
 
 }  // namespace odeum::cases

@@ -3,7 +3,7 @@
 #   enable_testing()
 #   find_package(Odeum REQUIRED COMPONENTS laboratory)
 #   odeum_add_accuracy_test(TARGET mine SOLVER my_stepper.hpp ORDER 4 CASES smooth
-#                           [STABILITY real 2.78])
+#                           [STABILITY real 2.78] [BESIDE cvode/adams])
 # SOLVER is a header with a struct of the same name, `my_stepper`, which has either
 #   template <class F> void step(F& f, double t, double h, std::vector<double>& y);
 # that advances y from t to t + h and calls f(t, y.data(), dydt.data()), or what a method of Odeum has
@@ -11,9 +11,10 @@
 # The target is a program; each case is a test mine.<case>, red where the measured order is another than
 # ORDER, skipped where no verdict is possible, and each STABILITY axis (real or imaginary) is one, red
 # where the limit is another than what is given, by more than one unit of its last digit. The measured
-# errors are in the folder mine_accuracy of the build folder: convergence.csv and orders.csv by case.
+# errors, and those of the solvers that BESIDE names (`odeum list solvers`), are in the folder
+# mine_accuracy of the build folder: convergence.csv and orders.csv by case.
 function(odeum_add_accuracy_test)
-  cmake_parse_arguments(A "" "TARGET;SOLVER;ORDER" "CASES;STABILITY" ${ARGN})
+  cmake_parse_arguments(A "" "TARGET;SOLVER;ORDER" "CASES;STABILITY;BESIDE" ${ARGN})
   foreach(needed IN ITEMS TARGET SOLVER ORDER CASES)
     if(NOT A_${needed})
       message(FATAL_ERROR "odeum_add_accuracy_test: ${needed} is missing")
@@ -21,7 +22,7 @@ function(odeum_add_accuracy_test)
   endforeach()
   if(A_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "odeum_add_accuracy_test: unknown ${A_UNPARSED_ARGUMENTS}; "
-                        "known are TARGET, SOLVER, ORDER, CASES and STABILITY")
+                        "known are TARGET, SOLVER, ORDER, CASES, STABILITY and BESIDE")
   endif()
   if(NOT A_ORDER MATCHES "^[1-9][0-9]*$")
     message(FATAL_ERROR "odeum_add_accuracy_test: ORDER: got ${A_ORDER}, expected a whole number of 1 or more")
@@ -48,7 +49,7 @@ function(odeum_add_accuracy_test)
   odeum_cases_of("${A_CASES}" names)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${A_TARGET}_accuracy)
   foreach(name IN LISTS names)
-    add_test(NAME ${A_TARGET}.${name} COMMAND ${A_TARGET} order ${name} ${folder}/${name})
+    add_test(NAME ${A_TARGET}.${name} COMMAND ${A_TARGET} order ${name} ${folder}/${name} ${A_BESIDE})
     set_tests_properties(${A_TARGET}.${name} PROPERTIES SKIP_RETURN_CODE 77)
   endforeach()
   while(A_STABILITY)

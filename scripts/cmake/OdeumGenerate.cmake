@@ -365,7 +365,7 @@ function(odeum_generate_build_info)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
   # What references are computed by: those that other code computed are not taken from the cache.
   file(GLOB truth_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/truth/* ${PROJECT_SOURCE_DIR}/src/odeum/formula/*
-       ${PROJECT_SOURCE_DIR}/cases/support/text_truth.cpp ${PROJECT_SOURCE_DIR}/src/odeum/methods/verner98.hpp
+       ${PROJECT_SOURCE_DIR}/cases/support/text_truth.cpp ${PROJECT_SOURCE_DIR}/src/odeum/methods/verner98.hpp ${PROJECT_SOURCE_DIR}/src/odeum/foreign/reference.cpp
        ${PROJECT_SOURCE_DIR}/src/odeum/linear/banded_lu.hpp ${PROJECT_SOURCE_DIR}/src/odeum/linear/ordering.cpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${truth_files})
   set(hashes "")

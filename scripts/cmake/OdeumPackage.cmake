@@ -42,7 +42,7 @@ set_target_properties(odeum_plugin_interface PROPERTIES EXPORT_NAME plugin)
 install(TARGETS odeum_integrators odeum_integrators_eigen odeum_plugin_interface EXPORT OdeumIntegrators)
 install(EXPORT OdeumIntegrators NAMESPACE Odeum:: DESTINATION ${odeum_package})
 
-set(odeum_lab odeum_core odeum_cases odeum_study odeum_plugins)
+set(odeum_lab odeum_core odeum_cases odeum_study odeum_plugins odeum_fmi)
 foreach(adapter IN LISTS ODEUM_ADAPTERS_BUILT)
   list(APPEND odeum_lab odeum_adapter_${adapter})
 endforeach()
@@ -58,7 +58,8 @@ install(TARGETS ${odeum_lab} EXPORT OdeumLaboratory ARCHIVE DESTINATION ${CMAKE_
 install(EXPORT OdeumLaboratory NAMESPACE Odeum:: DESTINATION ${odeum_package})
 
 install(DIRECTORY src/odeum DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN cli EXCLUDE)
+        FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
+install(FILES src/odeum/foreign/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odeum)
 install(DIRECTORY cases/support DESTINATION ${odeum_lab_headers} FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${ODEUM_GENERATED}/odeum_methods.hpp ${ODEUM_GENERATED}/odeum_build_info.hpp
         DESTINATION ${odeum_lab_headers})
@@ -109,5 +110,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_STRIP_FILES ON)
 # To build against the static libraries; the program needs none of them.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libfmt-dev, libyaml-cpp-dev, libgmp-dev, zlib1g-dev, libsundials-dev, libgsl-dev, libboost-dev, libbullet-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libeigen3-dev, libfmt-dev, libyaml-cpp-dev, libgmp-dev, zlib1g-dev, libsundials-dev, libgsl-dev, libboost-dev, libbullet-dev, libzip-dev, libpugixml-dev")
 include(CPack)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>
@@ -18,24 +19,60 @@ namespace {
 
 enum Code { holds = 0, fails = 1, usage = 2, skipped = 77 };
 
-int check_order(const std::string& case_id, const std::string& folder) {
+/// For each solver the evaluations of its cheapest run below an error.
+void print_costs(const study::ConvergenceResult& result) {
+  constexpr double errors[] = {1e-2, 1e-4, 1e-6, 1e-8};
+  fmt::print("evaluations below an error of{:11.0e}{:10.0e}{:10.0e}{:10.0e}\n", errors[0],
+             errors[1], errors[2], errors[3]);
+  for (const study::OrderRow& row : result.orders) {
+    const auto same = [&](const study::ConvergenceRow& run) {
+      return run.library == row.library && run.solver == row.solver && run.mode == row.mode &&
+             run.status == "ok";
+    };
+    std::string line = fmt::format("{}/{} {}", row.library, row.solver, to_string(row.mode));
+    line = fmt::format("{:<30}", line);
+    for (const double error : errors) {
+      std::uint64_t least = 0;
+      for (const study::ConvergenceRow& run : result.rows)
+        if (same(run) && run.error_max <= error &&
+            (least == 0 || run.counters.rhs_evaluations < least))
+          least = run.counters.rhs_evaluations;
+      line += fmt::format("{:>10}", least == 0 ? "-" : std::to_string(least));
+    }
+    fmt::print("{}\n", line);
+  }
+}
+
+/// Of the solver that is tested; those of `beside` stand in the files and are compared by cost.
+int check_order(const std::string& case_id, const std::string& folder,
+                const std::vector<std::string>& beside) {
   const Case& c = study::find_case(case_id);
   const Entrant& entrant = c.entrants.back();
   if (!entrant.unfit.empty()) {
     fmt::print("{}: not tested: {}\n", case_id, entrant.unfit);
     return skipped;
   }
-  const study::ConvergenceResult result = study::converge(
+  study::ConvergenceResult result = study::converge(
       {.cases = {case_id}, .solvers = {entrant.info.id()}, .own = {{"mode", "fixed"}}});
+  const study::OrderRow row = result.orders.front();
+  const std::vector<study::ConvergenceRow> runs = result.rows;
+  if (!beside.empty()) {
+    const study::ConvergenceResult peers = study::converge({.cases = {case_id}, .solvers = beside});
+    if (peers.orders.empty())
+      throw std::invalid_argument(fmt::format("no solver is named {}", fmt::join(beside, ", ")));
+    result.rows.insert(result.rows.end(), peers.rows.begin(), peers.rows.end());
+    result.times.insert(result.times.end(), peers.times.begin(), peers.times.end());
+    result.orders.insert(result.orders.end(), peers.orders.begin(), peers.orders.end());
+  }
   record::write(result, record::OutputFolder(folder));
-  const study::OrderRow& row = result.orders.front();
   const judge::OrderFit& fit = row.fit;
   fmt::print("{}: claimed order {}, measured {:.3f} (95 %: {:.3f} to {:.3f}), {}{}{}\n", case_id,
              row.claimed_order, fit.order, fit.low, fit.high, judge::to_string(fit.verdict),
              fit.reason.empty() ? "" : ": ", fit.reason);
   fmt::print("{:>12}  {:>10}  status\n", "step", "error");
-  for (const study::ConvergenceRow& run : result.rows)
+  for (const study::ConvergenceRow& run : runs)
     fmt::print("{:12.6g}  {:10.3e}  {} {}\n", run.step, run.error_max, run.status, run.detail);
+  if (!beside.empty()) print_costs(result);
   fmt::print("the same rows are in {}/convergence.csv\n", folder);
   switch (fit.verdict) {
     case judge::Verdict::confirmed:
@@ -83,9 +120,11 @@ int check_stability(const std::string& axis, const std::string& claimed) {
 int run(LateLibrary library, int argc, char** argv) try {
   add_late_library(std::move(library));
   const std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() == 3 && words[0] == "order") return check_order(words[1], words[2]);
+  if (words.size() >= 3 && words[0] == "order")
+    return check_order(words[1], words[2], {words.begin() + 3, words.end()});
   if (words.size() == 3 && words[0] == "stability") return check_stability(words[1], words[2]);
-  fmt::print(stderr, "usage: {} order CASE FOLDER | stability real|imaginary LIMIT\n", argv[0]);
+  fmt::print(stderr, "usage: {} order CASE FOLDER [SOLVER...] | stability real|imaginary LIMIT\n",
+             argv[0]);
   return usage;
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());

@@ -75,7 +75,8 @@ LateLibrary library_of(const std::string& name, double order) {
   return library;
 }
 
-/// The program of odeum_add_accuracy_test: `order CASE FOLDER` or `stability AXIS LIMIT`. Returns
+/// The program of odeum_add_accuracy_test: `order CASE FOLDER [SOLVER...]`, with solvers to
+/// compare with, or `stability AXIS LIMIT`. Returns
 /// its exit code: 0 the claim holds, 1 it does not, 2 usage, 77 no verdict is possible.
 int run(LateLibrary library, int argc, char** argv);
 

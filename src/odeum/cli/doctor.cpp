@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/contest/late.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -15,6 +16,9 @@ void add_doctor(CLI::App& app, int&) {
                           info.built
                               ? info.version
                               : fmt::format("not built in; configure with -D{}=ON", info.option));
+    const std::string fmi = fmi_support();
+    text += fmt::format("{:<10} {}\n", "fmi",
+                        fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);
     std::size_t solvers = all_cases().front().entrants.size();
     text += fmt::format("cases      {}\nsolvers    {}\n", all_cases().size(), solvers);
     print(text);

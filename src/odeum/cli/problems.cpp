@@ -10,8 +10,10 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/contest/given_cases.hpp"
+#include "odeum/contest/late.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/facts.hpp"
+#include "support/foreign_case.hpp"
 #include "support/text_case.hpp"
 
 namespace odeum::cli {
@@ -38,19 +40,33 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
   return overrides;
 }
 
-/// The file's name without folder and extension; with _text where a case has that name, and a
+bool is_fmu(const std::string& word) { return word.ends_with(".fmu"); }
+
+/// The file's name without folder and extension; with `otherwise` where a case has that name, and a
 /// number where a file before had it.
-std::string unused_id(const std::string& path) {
+std::string unused_id(const std::string& path, const std::string& otherwise) {
   const std::string stem = report::file_stem(std::filesystem::path(path).stem().string());
   const auto taken = [](const std::string& id) {
     const auto known = known_cases();
     return std::any_of(known.begin(), known.end(), [&](const Case* c) { return c->id == id; });
   };
   if (!taken(stem)) return stem;
-  if (!taken(stem + "_text")) return stem + "_text";
+  if (!taken(stem + otherwise)) return stem + otherwise;
   int number = 2;
-  while (taken(fmt::format("{}_text{}", stem, number))) ++number;
-  return fmt::format("{}_text{}", stem, number);
+  while (taken(fmt::format("{}{}{}", stem, otherwise, number))) ++number;
+  return fmt::format("{}{}{}", stem, otherwise, number);
+}
+
+GivenProblem load_fmu(const std::string& path, const std::vector<std::string>& sets) {
+  try {
+    foreign::Given given = open_fmu(path, overrides_of(sets));
+    given.id = unused_id(path, "_fmu");
+    mark() += " " + given.content;
+    cases::TextCase made = cases::foreign_case(std::move(given));
+    return {&add_given_case(std::move(made.c)), std::move(made.facts)};
+  } catch (const LateError& error) {
+    throw UsageError(error.what());
+  }
 }
 
 }  // namespace
@@ -58,8 +74,9 @@ std::string unused_id(const std::string& path) {
 void add_problem_options(CLI::App& command, ProblemOptions& options, bool words) {
   if (words)
     command
-        .add_option("problem", options.words, "cases, with * and ?, and files of your own problems")
-        ->type_name("CASE|PROBLEM.yaml");
+        .add_option("problem", options.words,
+                    "cases, with * and ?, and files of your own problems and FMUs")
+        ->type_name("CASE|PROBLEM.yaml|MODEL.fmu");
   command
       .add_option("--set", options.sets,
                   "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
@@ -68,6 +85,7 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words)
 }
 
 bool is_problem_file(const std::string& path) {
+  if (is_fmu(path)) return true;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
   try {
@@ -79,10 +97,11 @@ bool is_problem_file(const std::string& path) {
 }
 
 GivenProblem load_problem(const std::string& path, const std::vector<std::string>& sets) {
+  if (is_fmu(path)) return load_fmu(path, sets);
   try {
     const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
-    cases::TextCase made =
-        cases::text_case(unused_id(path), formula::read_problem(path, text, overrides_of(sets)));
+    cases::TextCase made = cases::text_case(unused_id(path, "_text"),
+                                            formula::read_problem(path, text, overrides_of(sets)));
     mark() += fmt::format(" {} {}", formula::content_key(text), sets);
     return {&add_given_case(std::move(made.c)), std::move(made.facts)};
   } catch (const InputError& error) {
@@ -108,7 +127,7 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
     loaded = true;
   }
   if (!loaded && !options.sets.empty())
-    throw UsageError("--set: parameters are those of a problem file, and none was given");
+    throw UsageError("--set: parameters are those of a problem file or an FMU, and none was given");
   return globs;
 }
 

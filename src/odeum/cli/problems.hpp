@@ -17,7 +17,8 @@ struct ProblemOptions {
 /// Adds `--set`, and unless `words` is false the problems themselves.
 void add_problem_options(CLI::App& command, ProblemOptions& options, bool words = true);
 
-/// Whether that is a file whose text is that of a problem: with states or equations.
+/// Whether that is a file whose text is that of a problem, with states or equations, or an FMU by
+/// its name.
 bool is_problem_file(const std::string& path);
 
 /// A case made of a problem file and what was found in it.

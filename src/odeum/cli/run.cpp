@@ -6,12 +6,13 @@ namespace odeum::cli {
 void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
-      app.add_subcommand("run", "one case, scene or problem file with one or more solvers");
+      app.add_subcommand("run", "one case, scene, problem file or FMU with one or more solvers");
   command
-      ->add_option("case", options->what,
-                   "a case, a scene (its file, or a name of odeum list), or a problem's file")
+      ->add_option(
+          "case", options->what,
+          "a case, a scene (its file, or a name of odeum list), a problem's file, or an FMU")
       ->required()
-      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml");
+      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
   command
       ->add_option("--solver", options->solvers,
                    "a solver; several are compared; default: the scene's own")

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "odeum/contest/case.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum {
 
@@ -17,10 +19,8 @@ struct LateLibrary {
   std::string mark;  ///< what identifies its code: results of another one are not resumed
   /// Adds its solvers as entrants of a contest; empty: it has none.
   std::function<void(const ErasedContest&, std::vector<Entrant>&)> enroll = {};
-  /// Its cases, without entrants; empty: it has none.
-  std::function<std::vector<Case>()> cases = {};
-  /// Called with each of its cases once all solvers are enrolled; may be empty.
-  std::function<void(Case&)> finish = {};
+  /// Its problems; empty: it has none.
+  std::function<std::vector<foreign::Given>()> problems = {};
 };
 
 /// A library that cannot be added: the message says why.
@@ -29,9 +29,17 @@ class LateError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Adds the plug-in in a shared object (adapters/plugin/plugin.h). Throws LateError where it cannot
+/// Adds the plug-in in a shared object (foreign/plugin.h). Throws LateError where it cannot
 /// be used, or has the name of a library that is there.
 void add_plugin(const std::string& file);
+
+/// The problem in an FMU (adapters/fmi), with other values of parameters as NAME=VALUE. Its code
+/// was tried in a process of its own. Throws LateError where it cannot be used.
+foreign::Given open_fmu(const std::string& file,
+                        const std::map<std::string, std::string>& values = {});
+
+/// What is read of FMI and by which libraries; empty: nothing.
+std::string fmi_support();
 
 /// Throws LateError where a library of that name is there. To be called before the first call of
 /// all_cases() or all_libraries(), which are built once; throws std::logic_error afterwards.

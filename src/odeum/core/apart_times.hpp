@@ -3,8 +3,8 @@
 
 namespace odeum {
 
-/// What solves in processes of their own (adapters/plugin) cost the thread that waited for them. A
-/// clock leaves out `isolation_ns` and a meter of processor time adds `processor_s`, so that both
+/// What solves in processes of their own (foreign/apart.hpp) cost the thread that waited for them.
+/// A clock leaves out `isolation_ns` and a meter of processor time adds `processor_s`, so that both
 /// see the solve as if the thread had made it.
 struct ApartTimes {
   double isolation_ns = 0;  ///< wall time that was spent on anything but the timed solve

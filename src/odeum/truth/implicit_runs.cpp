@@ -183,7 +183,7 @@ class RadauStage {
 Run radau_run(const System& system, const std::vector<Real>& times, const Effort& effort) {
   // The method of fewer stages estimates the error; of its order, but damped like the solution
   // where components are stiff.
-  const Real newton = std::max(effort.tolerance / 10, 2 * std::numeric_limits<Real>::epsilon());
+  const Real newton = std::max(effort.tolerance / 10, 2 * system.rounding);
   RadauStage<7> method(system, newton);
   RadauStage<5> estimate(system, newton);
   StageFactors factors(system);
@@ -212,7 +212,7 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
                                const Effort& effort) {
   constexpr int lines = 8;
   // The weights of the table amplify rounding by some hundreds.
-  const Real tolerance = std::max(effort.tolerance, 1e-16L);
+  const Real tolerance = std::max(effort.tolerance, 1e-16L * (system.rounding / 0x1p-63L));
   const auto n = static_cast<Index>(system.states);
   std::array<State, lines> table;
   State line(system.states), difference(system.states), at(system.states);

@@ -54,7 +54,8 @@ class Noise {
   Real ratio(Real t, Real h, const State& y, const State& error, const State& sizes,
              Real tolerance) {
     // The weights of the methods' estimates amplify it.
-    constexpr Real relative = 0x1p-52L, unit = 0x1p-63L, amplified = 16;
+    constexpr Real amplified = 16;
+    const Real unit = system_.rounding, relative = 0x1p11L * unit;
     system_.rhs(t, y.data(), f_.data());
     // To both sides: beyond a jump of f, the difference is not that of rounding.
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 + relative);

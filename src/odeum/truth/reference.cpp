@@ -62,8 +62,10 @@ class Search {
 
   Reference find() {
     choose();
-    Comparison best = compare(1e-14L);
-    for (const Real tolerance : {1e-16L, 2e-18L, 4e-19L}) {
+    const bool in_double = system_.rounding > 0x1p-60L;
+    Comparison best = compare(in_double ? 1e-11L : 1e-14L);
+    for (const Real tolerance : in_double ? std::vector<Real>{1e-13L, 1e-15L}
+                                          : std::vector<Real>{1e-16L, 2e-18L, 4e-19L}) {
       // Far below the rounding of double.
       if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
       Comparison finer = compare(tolerance);

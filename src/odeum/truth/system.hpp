@@ -35,7 +35,8 @@ struct System {
   std::function<void(Real t, const Real* y, Real* f)> moved_rhs;
   State moved_y0;
   bool smooth = true;
-  double work = 10;  ///< operations of one evaluation, for the budget
+  Real rounding = 0x1p-63L;  ///< of the right-hand side, relative: that of double for foreign code
+  double work = 10;          ///< operations of one evaluation, for the budget
 
   bool has_jacobian() const { return jacobian || entries; }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugin/problem.hpp"
+#include "odeum/foreign/problem.hpp"
 
 #include <fmt/format.h>
 
@@ -7,28 +7,14 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/foreign/apart.hpp"
+#include "odeum/foreign/names.hpp"
 #include "odeum/linear/dense_limit.hpp"
-#include "plugin/apart.hpp"
-#include "plugin/names.hpp"
 
-namespace odeum::adapters::plugin {
+namespace odeum::foreign {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// The least number of equal steps with a step at every stop; 0: more than 10,000.
-std::uint64_t steps_that_meet(const odeum_problem& p) {
-  const double length = p.stops[p.stop_count - 1] - p.t0;
-  for (std::uint64_t n = 1; n <= 10'000; ++n) {
-    bool met = true;
-    for (std::size_t k = 0; k < p.stop_count && met; ++k) {
-      const double at = (p.stops[k] - p.t0) / length * static_cast<double>(n);
-      met = std::abs(at - std::round(at)) < 1e-9 && std::round(at) >= 1;
-    }
-    if (met) return n;
-  }
-  return 0;
-}
-
 }  // namespace
 
 std::string fault_of(const odeum_problem& p) {
@@ -222,36 +208,4 @@ std::string Problem::fault_of_exact() const {
   return {};
 }
 
-Case case_of(const odeum_problem& p, const std::string& library) {
-  const auto text = [](const char* given, const std::string& otherwise) {
-    return given ? cleaned(given) : otherwise;
-  };
-  const auto problem = std::make_shared<const Problem>(p);
-  Case c;
-  c.id = library + "_" + p.name;
-  c.title = text(p.title, c.id);
-  c.equation = text(p.equation, "of the plug-in " + library);
-  c.source = text(p.source, "the plug-in " + library);
-  c.tags = {p.time_derivative ? "non_autonomous" : "autonomous", "plugin"};
-  if (p.acceleration) c.tags.emplace_back("second_order");
-  c.t0 = p.t0;
-  c.y0.assign(p.y0, p.y0 + p.dimension);
-  c.stops.assign(p.stops, p.stops + p.stop_count);
-  c.truth.at = [problem](double t, double* y) { return problem->exact(t, y); };
-  c.truth.source =
-      p.exact ? "the plug-in's exact solution" : "none: the plug-in has no exact solution";
-  if (!p.exact) c.settings.no_convergence = "no truth is known: the plug-in has no exact solution";
-  // To the rounding of what the plug-in computes it with.
-  for (const double y : c.y0) c.truth.floor = std::max(c.truth.floor, 1e-15 * std::abs(y));
-  c.settings.steps_multiple = std::max<std::uint64_t>(steps_that_meet(p), 1);
-  if (steps_that_meet(p) == 0)
-    c.settings.no_fixed_steps = "no number of equal steps up to 10000 meets every stop";
-  c.settings.coarsest_steps = std::max<std::uint64_t>(16, c.settings.steps_multiple);
-  c.settings.finest_steps = std::max<std::uint64_t>(16384, 64 * c.settings.steps_multiple);
-  if (p.energy) c.energy = [problem](const double* y) { return problem->energy(y); };
-  c.problem = {problem->view(), problem, c.t0, std::make_shared<const std::vector<double>>(c.y0),
-               nullptr};
-  return c;
-}
-
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

@@ -2,15 +2,17 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "plugin/evaluator.hpp"
-#include "plugin/plugin.h"
+#include "odeum/foreign/evaluator.hpp"
+#include "odeum/plugin.h"
+#include "odeum/problem/ode_view.hpp"
 
-namespace odeum::adapters::plugin {
+namespace odeum::foreign {
 
-/// A plug-in's problem: called directly in a process of a solve, through an Evaluator elsewhere.
+/// The problem of a plug-in or an FMU: called directly in a process of a solve, through an
+/// Evaluator elsewhere.
 class Problem {
  public:
   explicit Problem(const odeum_problem& description);
@@ -43,7 +45,17 @@ class Problem {
 /// What is wrong with the description, in a sentence; empty where nothing is.
 std::string fault_of(const odeum_problem& problem);
 
-/// The case of a problem, without entrants.
-Case case_of(const odeum_problem& problem, const std::string& library);
+/// A problem of a plug-in or an FMU, and what is said of it.
+struct Given {
+  odeum_problem functions{};
+  std::shared_ptr<const void> keep_alive;  ///< what the functions need; may be null
+  std::string id, title, equation, source;
+  std::string provider;  ///< for sentences: "the plug-in", "the FMU"
+  std::string tag;
+  std::string content;                                     ///< identifies its code and parameters
+  std::vector<std::string> components;                     ///< their names; may be empty
+  std::vector<double> scale;                               ///< by component; empty: 1
+  std::vector<std::pair<std::string, std::string>> facts;  ///< name and text, for people
+};
 
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

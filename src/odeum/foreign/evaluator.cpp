@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugin/evaluator.hpp"
+#include "odeum/foreign/evaluator.hpp"
 
 #include <poll.h>
 #include <signal.h>
@@ -15,9 +15,9 @@
 #include <new>
 #include <utility>
 
-#include "plugin/apart.hpp"
+#include "odeum/foreign/apart.hpp"
 
-namespace odeum::adapters::plugin {
+namespace odeum::foreign {
 
 struct Evaluator::Memory {
   int function = 0, answer = 0;
@@ -107,4 +107,4 @@ bool Evaluator::call(int function, double t, const double* in, std::size_t n_in,
   return false;
 }
 
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

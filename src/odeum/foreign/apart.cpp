@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugin/apart.hpp"
+#include "odeum/foreign/apart.hpp"
 
 #include <poll.h>
 #include <stdio_ext.h>
@@ -27,7 +27,7 @@
 #include "odeum/core/apart_times.hpp"
 #include "odeum/core/interrupt.hpp"
 
-namespace odeum::adapters::plugin {
+namespace odeum::foreign {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -120,10 +120,10 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
       why = "interrupted";
     else if (since(last_sign) > longest_silence)
       why = fmt::format(
-          "the plug-in evaluated no right-hand side within its budget for {} s and was ended",
+          "foreign code evaluated no right-hand side within its budget for {} s and was ended",
           longest_silence);
     else if (since(start) > seconds + longest_silence)
-      why = fmt::format("the plug-in did not return within {} s after the budget and was ended",
+      why = fmt::format("foreign code did not return within {} s after the budget and was ended",
                         longest_silence);
     if (why.empty()) continue;
     over_budget = true;
@@ -137,10 +137,10 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
   // Processes that it left behind.
   kill(-process, SIGKILL);
   if (WIFSIGNALED(state))
-    return fmt::format("the plug-in crashed: {} (signal {})", strsignal(WTERMSIG(state)),
+    return fmt::format("foreign code crashed: {} (signal {})", strsignal(WTERMSIG(state)),
                        WTERMSIG(state));
   if (!report.done)
-    return fmt::format("the plug-in ended its process with exit code {}", WEXITSTATUS(state));
+    return fmt::format("foreign code ended its process with exit code {}", WEXITSTATUS(state));
   return {};
 }
 
@@ -157,11 +157,11 @@ std::string run_apart(Report& report, double seconds, bool& over_budget,
     report.done = true;
   } catch (const std::exception& error) {
     report.status = static_cast<int>(Status::refused);
-    report.say(fmt::format("the plug-in threw {}", error.what()));
+    report.say(fmt::format("foreign code threw {}", error.what()));
     report.done = true;
   } catch (...) {
     report.status = static_cast<int>(Status::refused);
-    report.say("the plug-in threw something that is no std::exception");
+    report.say("foreign code threw something that is no std::exception");
     report.done = true;
   }
   _exit(0);
@@ -254,13 +254,20 @@ Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const R
   return outcome;
 }
 
-std::string try_apart(const std::function<std::string()>& work) {
-  Shared shared(0);
+std::pair<bool, std::string> text_apart(const std::function<std::string()>& work, std::size_t room,
+                                        double seconds) {
+  Shared shared(room / sizeof(double) + 1);
   Report& report = shared.report();
   bool over_budget = false;
-  const std::string why =
-      run_apart(report, longest_silence, over_budget, [&] { report.say(work()); });
-  return why.empty() ? std::string(report.detail) : why;
+  const std::string why = run_apart(report, seconds, over_budget, [&] {
+    const std::string text = work();
+    report.states = std::min(text.size(), room);
+    std::memcpy(report.values(), text.data(), report.states);
+  });
+  if (!why.empty()) return {false, why};
+  if (report.detail[0] != 0) return {false, report.detail};
+  return {true, std::string(reinterpret_cast<const char*>(report.values()),
+                            std::min<std::size_t>(report.states, room))};
 }
 
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

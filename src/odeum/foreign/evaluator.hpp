@@ -6,9 +6,9 @@
 #include <functional>
 #include <mutex>
 
-namespace odeum::adapters::plugin {
+namespace odeum::foreign {
 
-/// A process that calls the functions of a plug-in's problem for those parts of a study that are no
+/// A process that calls the functions of a foreign problem for those parts of a study that are no
 /// solve: errors, gains, spectra. About 10 microseconds a call. A call that fails, crashes or hangs
 /// gives NaN; the process is started anew, a limited number of times.
 class Evaluator {
@@ -41,4 +41,4 @@ class Evaluator {
   int starts_ = 0;
 };
 
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

@@ -2,11 +2,14 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "odeum/core/outcome.hpp"
 
-/// Work in a process of its own, so that whatever it does costs nothing but its result.
-namespace odeum::adapters::plugin {
+/// Work of foreign code (a plug-in, an FMU) in a process of its own, so that whatever it does costs
+/// nothing but its result.
+namespace odeum::foreign {
 
 /// Whether this is such a process.
 bool inside();
@@ -21,7 +24,10 @@ inline constexpr double longest_silence = 5;
 Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
                     std::size_t dimension);
 
-/// work() in a process of its own; empty, or a sentence that says how it ended.
-std::string try_apart(const std::function<std::string()>& work);
+/// work() in a process of its own: its text, of which at most `room` bytes come back, and true; or
+/// false and a sentence that says how the process ended. It is ended after `seconds`, and where it
+/// shows no sign of work.
+std::pair<bool, std::string> text_apart(const std::function<std::string()>& work,
+                                        std::size_t room = 2000, double seconds = longest_silence);
 
-}  // namespace odeum::adapters::plugin
+}  // namespace odeum::foreign

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/contest/late.hpp"
+
+namespace odeum {
+
+foreign::Given open_fmu(const std::string& file, const std::map<std::string, std::string>&) {
+  throw LateError(file +
+                  ": this Odeum was built without FMI; install libzip and pugixml and configure it "
+                  "with -DODEUM_WITH_FMI=ON");
+}
+
+std::string fmi_support() { return {}; }
+
+}  // namespace odeum

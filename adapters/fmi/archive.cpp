@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fmi/archive.hpp"
+
+#include <unistd.h>
+#include <zip.h>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "odeum/contest/late.hpp"
+#include "odeum/foreign/names.hpp"
+
+namespace odeum::adapters::fmi {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t most_bytes = 1'000'000'000;
+constexpr zip_int64_t most_entries = 100'000;
+
+struct CloseZip {
+  void operator()(zip_t* zip) const { zip_discard(zip); }
+  void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+/// Whether a name stays in the folder into which it is unpacked.
+bool stays_inside(const std::string& name) {
+  if (name.empty() || name.front() == '/' || name.find('\\') != std::string::npos ||
+      name.find(':') != std::string::npos)
+    return false;
+  for (const fs::path& part : fs::path(name))
+    if (part == "..") return false;
+  return true;
+}
+
+bool is_wanted(const std::string& name) {
+  return name == "modelDescription.xml" || name.starts_with("binaries/") ||
+         name.starts_with("resources/");
+}
+
+/// Writes one entry; `budget` is what may still be unpacked, in bytes.
+void unpack_entry(zip_t* zip, zip_uint64_t index, const fs::path& to, std::uint64_t& budget) {
+  fs::create_directories(to.parent_path());
+  const std::unique_ptr<zip_file_t, CloseZip> file(zip_fopen_index(zip, index, 0));
+  if (!file)
+    throw LateError(
+        fmt::format("{} in it cannot be read: {}", to.filename().string(), zip_strerror(zip)));
+  std::ofstream out(to, std::ios::binary);
+  std::vector<char> part(1 << 16);
+  for (;;) {
+    const zip_int64_t n = zip_fread(file.get(), part.data(), part.size());
+    if (n < 0)
+      throw LateError(fmt::format("{} in it is damaged: {}", to.filename().string(),
+                                  zip_file_strerror(file.get())));
+    if (n == 0) break;
+    if (static_cast<std::uint64_t>(n) > budget)
+      throw LateError(fmt::format("it unpacks to more than {} bytes", most_bytes));
+    budget -= static_cast<std::uint64_t>(n);
+    out.write(part.data(), n);
+  }
+  out.close();
+  if (!out) throw LateError(fmt::format("{} cannot be written", to.string()));
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "odeum_fmu_XXXXXX").string();
+  if (!mkdtemp(name.data()))
+    throw LateError(fmt::format("no folder {} could be made: {}", name, std::strerror(errno)));
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void unpack(const std::string& archive, const fs::path& folder) {
+  int code = 0;
+  const std::unique_ptr<zip_t, CloseZip> zip(zip_open(archive.c_str(), ZIP_RDONLY, &code));
+  if (!zip) {
+    zip_error_t error;
+    zip_error_init_with_code(&error, code);
+    const std::string why = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    throw LateError(fmt::format("is no whole ZIP archive: {}", why));
+  }
+  const zip_int64_t entries = zip_get_num_entries(zip.get(), 0);
+  if (entries > most_entries)
+    throw LateError(fmt::format("has {} entries, at most {} are read", entries, most_entries));
+  std::uint64_t budget = most_bytes;
+  for (zip_int64_t i = 0; i < entries; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    const char* const raw = zip_get_name(zip.get(), index, 0);
+    const std::string name = raw ? raw : "";
+    if (!stays_inside(name))
+      throw LateError(fmt::format("has an entry that would be written outside of its folder: {}",
+                                  foreign::cleaned(name.c_str())));
+    if (is_wanted(name) && name.back() != '/')
+      unpack_entry(zip.get(), index, folder / name, budget);
+  }
+}
+
+}  // namespace odeum::adapters::fmi

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fmi/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "odeum/contest/late.hpp"
+#include "odeum/foreign/names.hpp"
+
+namespace odeum::adapters::fmi {
+namespace {
+
+using Node = pugi::xml_node;
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw LateError("modelDescription.xml: " + why);
+}
+
+std::string text_of(const Node& node, const char* attribute) {
+  return foreign::cleaned(node.attribute(attribute).as_string());
+}
+
+/// A number in an attribute, or `otherwise` where there is none.
+template <class Number>
+Number number_of(const Node& node, const char* attribute, Number otherwise) {
+  const pugi::xml_attribute found = node.attribute(attribute);
+  if (!found) return otherwise;
+  const char* first = found.value();
+  if (*first == '+') ++first;
+  const char* const last = first + std::strlen(first);
+  Number value{};
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc{} || end != last)
+    refuse(fmt::format("{}: got \"{}\", expected a number", attribute,
+                       foreign::cleaned(found.value())));
+  return value;
+}
+
+bool flag(const Node& node, const char* attribute) {
+  const std::string value = node.attribute(attribute).as_string();
+  return value == "true" || value == "1";
+}
+
+Variable variable_of(const Node& node, const Node& typed) {
+  Variable v;
+  v.name = text_of(node, "name");
+  v.type = typed.name();
+  v.reference = number_of<std::uint32_t>(node, "valueReference", 0);
+  v.start = typed.attribute("start").as_string();
+  v.nominal = std::abs(number_of<double>(typed, "nominal", 0));
+  const std::string causality = node.attribute("causality").as_string(),
+                    variability = node.attribute("variability").as_string(),
+                    initial = node.attribute("initial").as_string();
+  v.is_time = causality == "independent";
+  v.is_parameter = causality == "parameter";
+  v.is_input = causality == "input";
+  v.is_array = !!node.child("Dimension");
+  v.settable = variability != "constant" && !v.is_time &&
+               (v.is_parameter || v.is_input || initial == "exact" || initial == "approx");
+  return v;
+}
+
+void read_variables(const Node& root, Description& d) {
+  for (const Node& node : root.child("ModelVariables").children()) {
+    if (node.type() != pugi::node_element) continue;
+    Node typed = node;
+    if (d.version == 2)
+      for (const char* type : {"Real", "Integer", "Boolean", "String", "Enumeration"})
+        if (const Node child = node.child(type)) typed = child;
+    if (d.version == 3 && std::strcmp(node.name(), "Clock") == 0)
+      refuse("the model has clocks, that is, events, which are not followed");
+    d.variables.push_back(variable_of(node, typed));
+  }
+}
+
+/// The states and derivatives among the variables.
+class Structure {
+ public:
+  explicit Structure(Description& d) : d_(d) {
+    for (std::size_t i = 0; i < d.variables.size(); ++i)
+      by_reference_.emplace(d.variables[i].reference, i);
+  }
+
+  /// FMI 2 counts variables from 1, FMI 3 has value references.
+  std::size_t place(std::uint32_t number) const {
+    if (d_.version == 2) {
+      if (number == 0 || number > d_.variables.size())
+        refuse(fmt::format("index {}: there are {} variables", number, d_.variables.size()));
+      return number - 1;
+    }
+    const auto found = by_reference_.find(number);
+    if (found == by_reference_.end())
+      refuse(fmt::format("no variable has the reference {}", number));
+    return found->second;
+  }
+
+  bool names_time(const Node& unknown) const {
+    std::istringstream numbers(unknown.attribute("dependencies").value());
+    for (std::uint32_t number = 0; numbers >> number;)
+      if (d_.variables[place(number)].is_time) return true;
+    return false;
+  }
+
+  void add_derivative(const Node& unknown, const Node& variable) {
+    const std::size_t at =
+        place(number_of<std::uint32_t>(unknown, d_.version == 2 ? "index" : "valueReference", 0));
+    if (!variable.attribute("derivative"))
+      refuse(fmt::format("{} is listed as a derivative, but of no state", d_.variables[at].name));
+    const std::size_t state = place(number_of<std::uint32_t>(variable, "derivative", 0));
+    d_.derivatives.push_back(at);
+    d_.states.push_back(state);
+    d_.has_arrays = d_.has_arrays || d_.variables[state].is_array;
+    d_.names_time = d_.names_time || names_time(unknown);
+  }
+
+ private:
+  Description& d_;
+  std::map<std::uint32_t, std::size_t> by_reference_;
+};
+
+void read_structure(const Node& root, Description& d) {
+  std::vector<Node> typed;
+  for (const Node& node : root.child("ModelVariables").children())
+    if (node.type() == pugi::node_element)
+      typed.push_back(d.version == 2 ? node.child("Real") : node);
+  Structure structure(d);
+  const Node model = root.child("ModelStructure");
+  const auto add = [&](const Node& unknown) {
+    const std::size_t at = structure.place(
+        number_of<std::uint32_t>(unknown, d.version == 2 ? "index" : "valueReference", 0));
+    structure.add_derivative(unknown, typed[at]);
+  };
+  if (d.version == 2)
+    for (const Node& unknown : model.child("Derivatives").children("Unknown")) add(unknown);
+  else
+    for (const Node& unknown : model.children("ContinuousStateDerivative")) add(unknown);
+}
+
+void refuse_events(const Node& root, int version) {
+  const std::uint32_t indicators =
+      version == 2 ? number_of<std::uint32_t>(root, "numberOfEventIndicators", 0)
+                   : static_cast<std::uint32_t>(std::distance(
+                         root.child("ModelStructure").children("EventIndicator").begin(),
+                         root.child("ModelStructure").children("EventIndicator").end()));
+  if (indicators > 0)
+    refuse(fmt::format("the model has state events ({} event indicators), which are not followed",
+                       indicators));
+}
+
+void read_experiment(const Node& root, Description& d) {
+  const Node experiment = root.child("DefaultExperiment");
+  d.t0 = number_of<double>(experiment, "startTime", 0);
+  d.stop_is_given = !!experiment.attribute("stopTime");
+  d.stop = number_of<double>(experiment, "stopTime", d.t0 + 1);
+  if (!std::isfinite(d.t0) || !std::isfinite(d.stop) || !(d.stop > d.t0))
+    refuse(fmt::format("DefaultExperiment: the time from {} to {} is no interval", d.t0, d.stop));
+  if (experiment.attribute("tolerance"))
+    d.tolerance = number_of<double>(experiment, "tolerance", 0);
+}
+
+}  // namespace
+
+Description read_description(const std::string& xml) {
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(
+      xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_auto);
+  if (!parsed) refuse(fmt::format("byte {}: {}", parsed.offset, parsed.description()));
+  for (const Node& node : document.children())
+    if (node.type() == pugi::node_doctype)
+      refuse("has a document type declaration, whose entities are not expanded");
+  const Node root = document.child("fmiModelDescription");
+  if (!root) refuse("has no element fmiModelDescription");
+  Description d;
+  const std::string version = text_of(root, "fmiVersion");
+  if (version != "2.0" && !version.starts_with("3."))
+    refuse(fmt::format("fmiVersion is \"{}\", expected 2.0 or 3.0", version));
+  d.version = version == "2.0" ? 2 : 3;
+  const Node exchange = root.child("ModelExchange");
+  if (!exchange)
+    refuse(root.child("CoSimulation")
+               ? "the model is for co-simulation only: it brings its own integrator"
+               : "the model is not for Model Exchange");
+  d.model = text_of(root, "modelName");
+  d.text = text_of(root, "description");
+  d.identifier = exchange.attribute("modelIdentifier").as_string();
+  if (d.identifier.empty() || d.identifier.find_first_of("/\\") != std::string::npos)
+    refuse(fmt::format("modelIdentifier: got \"{}\", expected a name",
+                       foreign::cleaned(d.identifier.c_str())));
+  d.token = root.attribute(d.version == 2 ? "guid" : "instantiationToken").as_string();
+  d.directional_derivatives = flag(exchange, d.version == 2 ? "providesDirectionalDerivative"
+                                                            : "providesDirectionalDerivatives");
+  if (flag(exchange, "needsExecutionTool"))
+    refuse("the model needs its simulation tool beside it (needsExecutionTool)");
+  if (flag(exchange, "needsCompletedIntegratorStep"))
+    refuse(
+        "the model acts at the end of steps (needsCompletedIntegratorStep): it is no "
+        "differential equation alone");
+  refuse_events(root, d.version);
+  read_experiment(root, d);
+  read_variables(root, d);
+  read_structure(root, d);
+  return d;
+}
+
+}  // namespace odeum::adapters::fmi

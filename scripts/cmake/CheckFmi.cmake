@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Part of CheckPackage.cmake: FMUs are made of C outside of the tree and put before the installed program.
+set(ENV{XDG_CACHE_HOME} ${FOLDER})
+run(${PREFIX}/bin/odeum doctor)
+if(output MATCHES "fmi +not built in")
+  message("not checked: this build is without FMI")
+  return()
+endif()
+configure(fmi fmi_build)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${output}")
+endif()
+must(${CMAKE_COMMAND} --build ${FOLDER}/fmi_build)
+set(at ${FOLDER}/fmi_build)
+
+foreach(version IN ITEMS 2 3)
+  set(fmu ${at}/oscillator${version}.fmu)
+  expect(0 "run ${fmu}" "Oscillator .FMI ${version}.0, Model Exchange" "set mu = 1, a = 0, fault = 0" "states 2: x, v"
+         "truth computed by .* known to [0-9.]+e-1[2-5]")
+  expect(0 "run ${fmu} --set mu=0 --solver odeum/rodas4 cvode/bdf --tol 1e-8" "set mu = 0" "odeum/rodas4 .*status ok .*error [0-9.]+e-0[789]"
+         "cvode/bdf .*status ok")
+endforeach()
+# The FMU beside a case of the project, in each kind of study.
+expect(0 "converge ${fmu} lotka_volterra --mode fixed --solver odeum/rk4 --solver odeum/rodas4 --solver gsl/rk4 --out ${FOLDER}/out"
+       "oscillator3 odeum/rk4 fixed 4 (3\\.9|4\\.0)[0-9]+ confirmed" "oscillator3 odeum/rodas4 fixed 4 [34]\\.[0-9]+ confirmed"
+       "oscillator3 gsl/rk4 fixed 4 (3\\.9|4\\.0)[0-9]+ confirmed" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")
+expect(0 "limits ${fmu} --solver odeum/rk4 --out ${FOLDER}/out" "oscillator3 odeum/rk4")
+expect(0 "drift ${fmu} --solver odeum/rk4 --out ${FOLDER}/out" "no invariant of the case is known")
+# Its work-precision diagram, by the report's page.
+expect(0 "report ${fmu} --solver odeum/rk4 --solver odeum/dormand_prince54 --solver cvode/adams --out ${FOLDER}/report")
+file(STRINGS ${FOLDER}/report/precision.csv rows REGEX "oscillator3,.*,ok,")
+list(LENGTH rows count)
+if(count LESS 20)
+  message(FATAL_ERROR "the report has ${count} points of precision for the FMU")
+endif()
+foreach(page IN ITEMS precision.html cases/oscillator3.html)
+  file(READ ${FOLDER}/report/${page} text)
+  if(NOT text MATCHES "oscillator3" OR NOT text MATCHES "<svg")
+    message(FATAL_ERROR "${page} has no diagram of the FMU")
+  endif()
+endforeach()
+# What is refused; reasons are tested in tests/adapter/fmi_test.cpp.
+expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is no file")
+expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
+expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")
+expect(2 "run ${fmu} --set fault=9" "foreign code crashed: Aborted")
+expect(3 "run ${fmu} --set fault=3 --solver odeum/rk4 --step 0.01" "foreign code crashed: Aborted")

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cases of problems in foreign code, and the references that are computed for those without an
+// exact solution.
+#include "support/foreign_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "odeum/foreign/reference.hpp"
+
+namespace odeum {
+namespace {
+
+/// A problem of two unknowns from (1, 0), or whatever `y0` has.
+foreign::Given given(int (*rhs)(void*, double, const double*, double*), double horizon,
+                     std::vector<double> start = {1, 0}) {
+  struct Numbers {
+    std::vector<double> y0, stops;
+  };
+  const auto numbers = std::make_shared<const Numbers>(
+      Numbers{std::move(start), {horizon / 4, horizon / 2, 3 * horizon / 4, horizon}});
+  foreign::Given given;
+  given.functions.name = "test";
+  given.functions.dimension = numbers->y0.size();
+  given.functions.y0 = numbers->y0.data();
+  given.functions.stops = numbers->stops.data();
+  given.functions.stop_count = numbers->stops.size();
+  given.functions.rhs = rhs;
+  given.keep_alive = numbers;
+  given.id = "test";
+  given.provider = "the test";
+  given.tag = "plugin";
+  given.source = "a test";
+  return given;
+}
+
+int oscillator(void*, double, const double* y, double* f) {
+  f[0] = y[1];
+  f[1] = -y[0];
+  return 0;
+}
+/// Eigenvalues -1 and -1e5, y0 = exp(-t) once the fast part is over.
+int stiff(void*, double, const double* y, double* f) {
+  f[0] = -y[0];
+  f[1] = 1e5 * (y[0] * y[0] - y[1]);
+  return 0;
+}
+/// y' = cos t, z' = 2 t y with a long horizon: depends on t.
+int in_time(void*, double t, const double* y, double* f) {
+  f[0] = std::cos(t);
+  f[1] = 2 * t * y[0];
+  return 0;
+}
+int aborts(void*, double, const double* y, double* f) {
+  if (y[0] < 0.5) std::abort();
+  return oscillator(nullptr, 0, y, f);
+}
+int lorenz(void*, double, const double* y, double* f) {
+  f[0] = 10 * (y[1] - y[0]);
+  f[1] = y[0] * (28 - y[2]) - y[1];
+  f[2] = y[0] * y[1] - 8 * y[2] / 3;
+  return 0;
+}
+
+truth::Reference reference(const foreign::Given& problem) {
+  std::string why;
+  auto found = foreign::reference_of(problem, why);
+  if (!found) throw std::runtime_error(why);
+  return *found;
+}
+
+/// The largest error at a time that is known, over the bound that is claimed there.
+template <class Exact>
+double worst_over_claim(const truth::Reference& r, std::size_t component, Exact exact) {
+  double worst = 0;
+  for (std::size_t k = 0; k < r.times.size(); ++k) {
+    const long double error =
+        std::abs(r.states[k][component] - exact(static_cast<long double>(r.times[k])));
+    worst = std::max(worst, static_cast<double>(error) / r.floors[k]);
+  }
+  return worst;
+}
+
+TEST(ForeignReference, KeepsWhatItClaimsForAnOscillator) {
+  const truth::Reference r = reference(given(oscillator, 50));
+  EXPECT_EQ(r.known_until, 50) << r.end;
+  EXPECT_LE(worst_over_claim(r, 0, [](long double t) { return std::cos(t); }), 1);
+  // Rounding of double in 50 units of time.
+  EXPECT_LT(r.floors.back(), 1e-12);
+}
+
+TEST(ForeignReference, KeepsWhatItClaimsForAStiffProblem) {
+  const truth::Reference r = reference(given(stiff, 2));
+  EXPECT_EQ(r.known_until, 2) << r.end;
+  EXPECT_NE(r.methods.find("Radau"), std::string::npos) << r.methods;
+  EXPECT_LE(worst_over_claim(r, 0, [](long double t) { return std::exp(-t); }), 1);
+  // z' = k (exp(-2t) - z): z = k / (k - 2) (exp(-2 t) - exp(-k t)).
+  EXPECT_LE(worst_over_claim(r, 1,
+                             [](long double t) {
+                               const long double k = 1e5L;
+                               return k / (k - 2) * (std::exp(-2 * t) - std::exp(-k * t));
+                             }),
+            1);
+  EXPECT_LT(r.floors.back(), 1e-10);
+}
+
+TEST(ForeignReference, KeepsWhatItClaimsWhereTimeMatters) {
+  const truth::Reference r = reference(given(in_time, 20, {0, 0}));
+  EXPECT_EQ(r.known_until, 20) << r.end;
+  EXPECT_LE(worst_over_claim(r, 0, [](long double t) { return std::sin(t); }), 1);
+  EXPECT_LE(
+      worst_over_claim(r, 1, [](long double t) { return 2 * (std::sin(t) - t * std::cos(t)); }), 1);
+}
+
+TEST(ForeignReference, SaysFromWhereOnNothingIsKnown) {
+  const truth::Reference r = reference(given(lorenz, 100, {1, 1, 1}));
+  // Errors grow by e each unit of time or so: 1e-15 is 1e-6 after some 25.
+  EXPECT_GT(r.known_until, 10);
+  EXPECT_LT(r.known_until, 50);
+  EXPECT_NE(r.end.find("agree on less"), std::string::npos) << r.end;
+}
+
+TEST(ForeignReference, CodeThatEndsItsProcessHasNone) {
+  std::string why;
+  EXPECT_FALSE(foreign::reference_of(given(aborts, 5), why));
+  EXPECT_NE(why.find("crashed: Aborted"), std::string::npos) << why;
+  EXPECT_FALSE(foreign::reference_of(given(oscillator, 5, std::vector<double>(1001, 1)), why));
+  EXPECT_NE(why.find("up to 1000 unknowns"), std::string::npos) << why;
+}
+
+TEST(ForeignCase, WithoutAnExactSolutionHasAComputedTruthAndSteps) {
+  foreign::Given problem = given(oscillator, 10);
+  problem.content = "ForeignCase oscillator";
+  const cases::TextCase made = cases::foreign_case(problem);
+  const Case& c = made.c;
+  double y[2];
+  ASSERT_TRUE(c.truth.at(10, y));
+  EXPECT_NEAR(y[0], std::cos(10.0), c.truth.floor);
+  EXPECT_TRUE(c.settings.no_convergence.empty()) << c.settings.no_convergence;
+  EXPECT_TRUE(c.settings.no_fixed_steps.empty()) << c.settings.no_fixed_steps;
+  EXPECT_EQ(made.facts.back().first, "truth");
+}
+
+TEST(ForeignCase, WithoutATruthSaysSo) {
+  foreign::Given problem = given(aborts, 5);
+  problem.content = "ForeignCase aborts";
+  const Case c = cases::foreign_case(problem).c;
+  double y[2];
+  EXPECT_FALSE(c.truth.at(5, y));
+  EXPECT_NE(c.settings.no_convergence.find("no truth is known"), std::string::npos);
+  EXPECT_NE(c.settings.no_convergence.find("crashed: Aborted"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace odeum
