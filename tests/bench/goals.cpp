@@ -81,13 +81,14 @@ int main(int argc, char** argv) {
       {"fixed", "Fixed-step RK4 against the better of odeint's two", fixed_step_rows},
       {"precision", "At equal error: time of the best peer / of the best own solver",
        precision_rows},
-      {"sparse", "Implicit methods on many unknowns", sparse_rows}};
+      {"sparse", "Implicit methods on many unknowns", sparse_rows},
+      {"fem", "Linear finite elements on a million triangles", fem_rows}};
   for (int i = 1; i < argc; ++i)
     if (std::none_of(std::begin(groups), std::end(groups),
                      [&](const Group& g) { return std::string(g.name) == argv[i]; })) {
       fmt::print(stderr,
                  "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, fixed, "
-                 "precision or sparse\n",
+                 "precision, sparse or fem\n",
                  argv[i], argv[i]);
       return 2;
     }

@@ -37,5 +37,6 @@ std::vector<Row> cloth_error_rows();
 std::vector<Row> fixed_step_rows();
 std::vector<Row> precision_rows();
 std::vector<Row> sparse_rows();
+std::vector<Row> fem_rows();
 
 }  // namespace odeum::bench

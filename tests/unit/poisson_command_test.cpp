@@ -43,6 +43,11 @@ TEST(PoissonCommand, SolvesOnAMeshFileAndWritesVtk) {
   const std::string vtk = tests::text_of(out + "/solution.vtk");
   EXPECT_NE(vtk.find("CELL_TYPES 8192"), std::string::npos);
   EXPECT_NE(vtk.find("SCALARS error"), std::string::npos);
+  const std::string svg = tests::text_of(out + "/solution.svg");
+  std::size_t triangles = 0;
+  for (std::size_t k = svg.find("<path"); k != std::string::npos; k = svg.find("<path", k + 1))
+    ++triangles;
+  EXPECT_EQ(triangles, 8192U);
 }
 
 // u = 1 - y: 0 on the upper edge by a group, flux 1 through the lower one and 0 through the sides.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/fem/field_picture.hpp"
 #include "odeum/fem/gmsh_reader.hpp"
 #include "odeum/fem/hierarchy.hpp"
 #include "odeum/fem/plane_function.hpp"
@@ -177,6 +178,9 @@ class Solution {
     }
     return fem::vtk_of(mesh, "-div(a grad u) = " + given_.load, fields);
   }
+  std::string picture(const fem::TriangleMesh& mesh) const {
+    return fem::field_picture(mesh, nodal_, "u");
+  }
   std::string summary() const {
     const auto [low, high] = std::minmax_element(nodal_.begin(), nodal_.end());
     return fmt::format("u lies between {:.6g} and {:.6g} at the nodes\n", *low, *high);
@@ -212,8 +216,12 @@ void solve(const PoissonOptions& given) {
   }
   print(solution.summary());
   if (given.out.empty()) return;
-  record::OutputFolder(given.out).write("solution.vtk", solution.vtk(levels.finest().mesh));
-  remark(fmt::format("solution.vtk is in {}", given.out));
+  const record::OutputFolder folder(given.out);
+  folder.write("solution.vtk", solution.vtk(levels.finest().mesh));
+  // A browser shows no more triangles at once.
+  const bool drawn = levels.finest().mesh.triangles.size() <= 20'000;
+  if (drawn) folder.write("solution.svg", solution.picture(levels.finest().mesh));
+  remark(fmt::format("solution.vtk{} in {}", drawn ? ", solution.svg are" : " is", given.out));
 }
 
 }  // namespace
@@ -242,7 +250,8 @@ void add_poisson(CLI::App& app, int& result) {
       ->check(CLI::Range(0, 10));
   command->add_option("--tolerance", given->tolerance, "of the residual; default: 1e-10")
       ->check(CLI::Range(1e-15, 1.0));
-  command->add_option("--out", given->out, "folder for solution.vtk")->type_name("DIR");
+  command->add_option("--out", given->out, "folder for solution.vtk and a picture")
+      ->type_name("DIR");
   command->callback([given, &result] {
     try {
       solve(*given);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -32,6 +33,39 @@ Tensor diffusion_at(const EllipticProblem& problem, Point at) {
   return a;
 }
 
+/// The matrix of the unknowns that share a triangle, all entries 0: rows are counted, filled and
+/// sorted, which takes a tenth of the time that sorting all entries takes.
+linear::SparseMatrix structure_of(const TriangleMesh& mesh, const std::vector<int>& unknown,
+                                  int n) {
+  linear::SparseMatrix a;
+  a.rows = a.columns = n;
+  std::vector<int> begin(static_cast<std::size_t>(n) + 1);
+  for (const auto& ids : mesh.triangles)
+    for (const std::size_t i : ids)
+      if (unknown[i] >= 0) begin[static_cast<std::size_t>(unknown[i]) + 1] += 3;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  // Each neighbour as often as it shares a triangle.
+  std::vector<int> columns(static_cast<std::size_t>(begin.back())), end(begin.begin(), begin.end());
+  for (const auto& ids : mesh.triangles)
+    for (const std::size_t i : ids) {
+      if (unknown[i] < 0) continue;
+      for (const std::size_t j : ids)
+        if (unknown[j] >= 0)
+          columns[static_cast<std::size_t>(end[static_cast<std::size_t>(unknown[i])]++)] =
+              unknown[j];
+    }
+  a.start.reserve(begin.size());
+  a.column.reserve(columns.size() / 2);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    std::sort(columns.begin() + begin[i], columns.begin() + end[i]);
+    const auto last = std::unique(columns.begin() + begin[i], columns.begin() + end[i]);
+    a.column.insert(a.column.end(), columns.begin() + begin[i], last);
+    a.start.push_back(static_cast<int>(a.column.size()));
+  }
+  a.value.assign(a.column.size(), 0);
+  return a;
+}
+
 /// One assembly.
 class Assembly {
  public:
@@ -57,14 +91,11 @@ class Assembly {
   }
 
   EllipticSystem run(const Rule& rule) {
-    std::vector<linear::Triplet> entries;
-    entries.reserve(9 * mesh_.triangles.size());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) add_triangle(t, rule, entries);
+    system_.matrix = structure_of(mesh_, system_.unknown, static_cast<int>(system_.right.size()));
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) add_triangle(t, rule);
     if (!determined_) balance();
     for (std::size_t i = 0; i < load_.size(); ++i)
       if (system_.unknown[i] >= 0) system_.right[system_.unknown[i]] += load_[i];
-    const auto n = static_cast<int>(system_.right.size());
-    system_.matrix = linear::from_triplets(n, n, entries);
     return std::move(system_);
   }
 
@@ -93,7 +124,7 @@ class Assembly {
     }
   }
 
-  void add_triangle(std::size_t t, const Rule& rule, std::vector<linear::Triplet>& entries) {
+  void add_triangle(std::size_t t, const Rule& rule) {
     const Element element(mesh_, t);
     const auto& ids = mesh_.triangles[t];
     for (const Rule::Node& node : rule.nodes) {
@@ -109,10 +140,17 @@ class Assembly {
       if (row < 0) continue;
       for (std::size_t j = 0; j < 3; ++j)
         if (const int column = system_.unknown[ids[j]]; column >= 0)
-          entries.push_back({row, column, stiffness[i][j]});
+          entry(row, column) += stiffness[i][j];
         else
           system_.right[row] -= stiffness[i][j] * system_.given[ids[j]];
     }
+  }
+
+  /// One of the few of its row.
+  double& entry(int row, int column) {
+    int k = system_.matrix.start[row];
+    while (system_.matrix.column[k] != column) ++k;
+    return system_.matrix.value[k];
   }
 
   /// Subtracts from the load what it adds up to.
