@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -98,6 +99,21 @@ TEST(Times, ProcessorTimeStandsStillWhileTheThreadWaits) {
   EXPECT_TRUE(disturbed(-0.1, 1));
   EXPECT_FALSE(disturbed(0.04, 0.96));
   EXPECT_FALSE(disturbed(std::nan(""), std::nan("")));
+}
+
+// One fixed step of RK4 is exact on a free fall: the same two runs are the fastest at every error.
+TEST(Precision, EqualLinesOfItsTableAreOne) {
+  for (const auto& study : make_studies()) {
+    if (study->declaration().name != "precision") continue;
+    study->measure({.cases = {"free_fall"},
+                    .solvers = {"odeum/rk4", "odeum/explicit_euler"},
+                    .own = {{"seconds", "0.01"}, {"attempts", "1"}}},
+                   Runner());
+    const std::string table = study->table();
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2) << table;
+    EXPECT_NE(table.find("1e-12  odeum/rk4"), std::string::npos) << table;
+    EXPECT_EQ(table.find("nan"), std::string::npos) << table;
+  }
 }
 
 // A first-order method at fine tolerances takes 1e5 steps where one of order 9 takes ten.

@@ -124,7 +124,7 @@ const failureText = (runs) => {
     const list = ended.filter((run) => run.status === status), fixed = list.filter((run) => size(run) > 0);
     const least = fixed.reduce((a, b) => (!a || size(b) < size(a) ? b : a), null), most = fixed.reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
     const good = least && runs.filter((run) => run.status === 'ok' && size(run) < size(least)).reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
-    if (status === 'non_finite' && least) texts.push(`unstable from ${setting(least)}${good ? `, finite at ${setting(good)}` : ' at every step tried'}`);
+    if (status === 'non_finite' && least) texts.push(good ? `unstable from ${setting(least)}, finite at ${setting(good)}` : `unstable at every step that was run to its end, down to ${setting(least)}`);
     else if (status === 'over_budget') texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
     else texts.push(`${endings[status] || status} at ${setting(least || list[0])}: ${shorten(list[0].detail, 110)}`);
   }

@@ -184,11 +184,12 @@ void time_once(const Stage& stage, const Contender& contender, Trial& trial) {
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }
 
-/// Behind another one of its library by so much in guarded runs, a trial cannot be the fastest at
-/// its error: a guard and a call through a pointer cost less than this factor.
-constexpr double far_behind = 20;
+/// So many times behind another one of its library in guarded runs, a trial cannot be the fastest
+/// at its error: guard and pointer cost up to 4.5 times an inlined right-hand side, little where
+/// evaluations are long, and other programs may double a single time.
+double far_behind(const Case& c) { return c.y0.size() > dense_dimension_limit ? 4 : 10; }
 
-void mark_far(std::vector<Contender>& contenders) {
+void mark_far(const Case& c, std::vector<Contender>& contenders) {
   std::vector<std::pair<const std::string*, Trial*>> trials;
   for (Contender& contender : contenders)
     for (Trial& trial : contender.trials)
@@ -199,14 +200,13 @@ void mark_far(std::vector<Contender>& contenders) {
   for (const auto& [library, trial] : trials) {
     double& known = least.try_emplace(*library, trial->guarded_ns).first->second;
     known = std::min(known, trial->guarded_ns);
-    trial->far = trial->guarded_ns > far_behind * known;
+    trial->far = trial->guarded_ns > far_behind(c) * known;
   }
 }
 
-/// Interleaved repetitions: one round over all solvers at a setting, then the next round. What is
-/// far behind is timed once.
+/// Interleaved repetitions: round after round over all solvers at a setting; one of what is far.
 void time_all(const Stage& stage, std::vector<Contender>& contenders, double seconds) {
-  mark_far(contenders);
+  mark_far(stage.c, contenders);
   double once = 0;
   std::size_t most_settings = 0;
   for (const Contender& contender : contenders) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "odeum/record/table.hpp"
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/precision/section.hpp"
@@ -40,18 +42,33 @@ class Precision final : public StudyOf<PrecisionResult> {
                      {"attempts", "1"}}}};
   }
 
-  /// One line a case and error.
+  /// One line a case and pair of solvers, with the smallest error at which they are the fastest.
   std::string table() const override {
-    return record::table_of(result().summary, {{"case", "{case}"},
-                                               {"error", "{error:.0e}"},
-                                               {"fastest own", "{own}"},
-                                               {"ns", "{own_ns:.0f}"},
-                                               {"fastest peer", "{peer}"},
-                                               {"ns", "{peer_ns:.0f}"},
-                                               {"peer / own", "{ratio:.2f}"},
-                                               {"least", "{ratio_low:.2f}"},
-                                               {"most", "{ratio_high:.2f}"},
-                                               {"reason", "{reason}"}})
+    std::vector<PrecisionSummary> lines;
+    // A time that is not known is as good as another.
+    const auto equal = [](double a, double b) {
+      return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    for (const PrecisionSummary& row : result().summary) {
+      const bool same = !lines.empty() && lines.back().case_id == row.case_id &&
+                        lines.back().own == row.own && lines.back().peer == row.peer &&
+                        equal(lines.back().own_ns, row.own_ns) &&
+                        equal(lines.back().peer_ns, row.peer_ns);
+      if (same)
+        lines.back() = row;
+      else
+        lines.push_back(row);
+    }
+    return record::table_of(lines, {{"case", "{case}"},
+                                    {"down to error", "{error:.0e}"},
+                                    {"fastest own", "{own}"},
+                                    {"ns", "{own_ns:.0f}"},
+                                    {"fastest peer", "{peer}"},
+                                    {"ns", "{peer_ns:.0f}"},
+                                    {"peer / own", "{ratio:.2f}"},
+                                    {"least", "{ratio_low:.2f}"},
+                                    {"most", "{ratio_high:.2f}"},
+                                    {"reason", "{reason}"}})
         .text();
   }
 
