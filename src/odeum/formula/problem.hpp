@@ -34,6 +34,8 @@ struct Problem {
   std::vector<double> scale;  ///< by state; empty: 1
   /// The equations as text, for people: `x' = ...`, in the order of the file.
   std::string equations_text;
+  Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
+  std::string mass_text;        ///< M, for people
 };
 
 inline constexpr std::size_t most_states = 1000;
