@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {
 
-constexpr double g = 9.81;  // m/s^2
-
 /// y'' = g - k y'^2, y downwards.
 struct Drag {
   static constexpr std::size_t dimension = 2;
   static constexpr bool velocity_dependent = true;
-  static constexpr double k = 0.01;
+  double g = 9.81, k = 0.01;
 
-  void acceleration(double, const double*, const double* v, double* a) const {
+  template <class R>
+  void acceleration(R, const R*, const R* v, R* a) const {
     a[0] = g - k * v[0] * v[0];
   }
   void rhs(double t, const double* y, double* dydt) const {
@@ -30,8 +30,10 @@ struct Drag {
 struct Projectile {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = false;
+  double g = 9.81;  // m/s^2
 
-  void acceleration(double, const double*, const double*, double* a) const {
+  template <class R>
+  void acceleration(R, const R*, const R*, R* a) const {
     a[0] = 0;
     a[1] = -g;
   }
@@ -47,41 +49,58 @@ struct Projectile {
   double energy(const double* y) const { return (y[2] * y[2] + y[3] * y[3]) / 2 + g * y[1]; }
 };
 
+Case make_drag(const Values& values) {
+  Case c;
+  c.id = "freefall_drag";
+  c.title = "Fall with drag";
+  c.equation = "y'' = g - k y'^2, y(0) = 0, y'(0) = v0";
+  c.source = "quadratic drag, any mechanics text";
+  c.tags = {"nonlinear", "autonomous", "second_order", "mechanical"};
+  c.y0 = {0, values[2]};
+  c.components = {"y", "v"};
+  c.stops = {1, 5, 10};
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 20;
+  c.settings.finest_steps = 2560;
+  c.settings.evaluation_budget = 30'000;
+  c.truth = reference_truth("freefall_drag", 6.1e-15);
+  set_stage(c, Drag{values[0], values[1]});
+  return c;
+}
+
+Case make_projectile(const Values& values) {
+  Case c;
+  c.id = "projectile";
+  c.title = "Projectile";
+  c.equation = "x'' = 0, y'' = -g, from (0, 0) at (vx, vy)";
+  c.source = "Galilei 1638";
+  c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical"};
+  c.y0 = {0, 0, values[1], values[2]};
+  c.components = {"x", "y", "vx", "vy"};
+  c.stops = {1, 2, 4};
+  c.settings.steps_multiple = 4;
+  c.settings.coarsest_steps = 8;
+  c.settings.finest_steps = 1024;
+  c.settings.evaluation_budget = 30'000;
+  c.truth = reference_truth("projectile", 1.5e-14);  // 9.81 is not a double
+  c.invariants = {{"momentum_x", [](const double* y) { return y[2]; }}};
+  set_stage(c, Projectile{values[0]});
+  return c;
+}
+
 }  // namespace
 
 /// Fall with quadratic drag, and a projectile without drag.
 std::vector<Case> ballistics() {
-  Case drag;
-  drag.id = "freefall_drag";
-  drag.title = "Fall with drag";
-  drag.equation = "y'' = 9.81 - 0.01 y'^2, y(0) = y'(0) = 0";
-  drag.source = "quadratic drag, any mechanics text";
-  drag.tags = {"nonlinear", "autonomous", "second_order", "mechanical"};
-  drag.y0 = {0, 0};
-  drag.stops = {1, 5, 10};
-  drag.settings.steps_multiple = 10;
-  drag.settings.coarsest_steps = 20;
-  drag.settings.finest_steps = 2560;
-  drag.settings.evaluation_budget = 30'000;
-  drag.truth = reference_truth("freefall_drag", 6.1e-15);
-  set_stage(drag, Drag{});
-
-  Case projectile;
-  projectile.id = "projectile";
-  projectile.title = "Projectile";
-  projectile.equation = "x'' = 0, y'' = -9.81, from (0, 0) at (30, 40) m/s";
-  projectile.source = "Galilei 1638";
-  projectile.tags = {"linear", "autonomous", "second_order", "separable", "mechanical"};
-  projectile.y0 = {0, 0, 30, 40};
-  projectile.stops = {1, 2, 4};
-  projectile.settings.steps_multiple = 4;
-  projectile.settings.coarsest_steps = 8;
-  projectile.settings.finest_steps = 1024;
-  projectile.settings.evaluation_budget = 30'000;
-  projectile.truth = reference_truth("projectile", 1.5e-14);  // 9.81 is not a double
-  projectile.invariants = {{"momentum_x", [](const double* y) { return y[2]; }}};
-  set_stage(projectile, Projectile{});
-  return {drag, projectile};
+  const Parameter g{"g", 9.81, "gravity, m/s^2"};
+  return {
+      with_tabled_parameters({g,
+                              {"k", 0.01, "drag over mass, 1/m"},
+                              {"v0", 0, "velocity at the start, downwards, m/s"}},
+                             make_drag),
+      with_tabled_parameters(
+          {g, {"vx", 30, "velocity at the start, m/s"}, {"vy", 40, "velocity at the start, m/s"}},
+          make_projectile)};
 }
 
 }  // namespace odeum::cases

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <limits>
 
+#include "support/parameters.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::cases {
@@ -9,31 +12,42 @@ namespace {
 /// y' = y^2.
 struct BlowUp {
   static constexpr std::size_t dimension = 1;
-  void rhs(double, const double* y, double* dydt) const { dydt[0] = y[0] * y[0]; }
+  template <class R>
+  void rhs(R, const R* y, R* dydt) const {
+    dydt[0] = y[0] * y[0];
+  }
   void jacobian(double, const double* y, double* j) const { j[0] = 2 * y[0]; }
 };
+
+Case make_case(const Values& values) {
+  const double start = values[0];
+  require_positive("y0", start);
+  Case c;
+  c.id = "blow_up";
+  c.title = "Solution that ends at a pole";
+  c.equation = fmt::format(
+      "y' = y^2, y(0) = y0: y = y0 / (1 - y0 t) for t < 1 / y0, and no solution from there on; y0 "
+      "= {}",
+      start);
+  c.source = "by separation of variables";
+  c.tags = {"nonlinear", "autonomous", "ends"};
+  c.y0 = {start};
+  c.components = {"y"};
+  c.stops = {0.5, 2};
+  c.settings.steps_multiple = 4;
+  c.truth.source = "closed form";
+  c.truth.at = [start](double t, double* y) {
+    y[0] = start * t < 1 ? start / (1 - start * t) : std::numeric_limits<double>::infinity();
+    return true;
+  };
+  set_stage(c, BlowUp{});
+  return c;
+}
 
 }  // namespace
 
 /// A solution that ends at a pole, t = 1, within the interval: a solver that reports success at the
 /// end has stepped over it, to the other branch of 1 / (1 - t).
-std::vector<Case> blow_up() {
-  Case c;
-  c.id = "blow_up";
-  c.title = "Solution that ends at a pole";
-  c.equation = "y' = y^2, y(0) = 1: y = 1 / (1 - t) for t < 1, and no solution from there on";
-  c.source = "by separation of variables";
-  c.tags = {"nonlinear", "autonomous", "ends"};
-  c.y0 = {1};
-  c.stops = {0.5, 2};
-  c.settings.steps_multiple = 4;
-  c.truth.source = "closed form";
-  c.truth.at = [](double t, double* y) {
-    y[0] = t < 1 ? 1 / (1 - t) : std::numeric_limits<double>::infinity();
-    return true;
-  };
-  set_stage(c, BlowUp{});
-  return {c};
-}
+std::vector<Case> blow_up() { return {with_parameters({{"y0", 1, "at the start"}}, make_case)}; }
 
 }  // namespace odeum::cases

@@ -16,7 +16,10 @@ struct DahlquistReal {
   static constexpr std::size_t dimension = 1;
   double lambda = -1;
 
-  void rhs(double, const double* y, double* dydt) const { dydt[0] = lambda * y[0]; }
+  template <class R>
+  void rhs(R, const R* y, R* dydt) const {
+    dydt[0] = lambda * y[0];
+  }
   void jacobian(double, const double*, double* j) const { j[0] = lambda; }
   void linear_matrix(double* a) const { jacobian(0, nullptr, a); }
 };
@@ -26,7 +29,8 @@ struct DahlquistComplex {
   static constexpr std::size_t dimension = 2;
   double re = -1, im = 0;
 
-  void rhs(double, const double* y, double* dydt) const {
+  template <class R>
+  void rhs(R, const R* y, R* dydt) const {
     dydt[0] = re * y[0] - im * y[1];
     dydt[1] = im * y[0] + re * y[1];
   }
@@ -51,8 +55,8 @@ scene::Scene as_scene(std::complex<double> lambda, bool complex) {
 }
 
 // y_n = R(h lambda)^n for the schemes whose R is written down here.
-bool scheme_of(std::complex<double> lambda, const std::string& solver, double h, double n,
-               double* y) {
+bool scheme_of(std::complex<double> lambda, bool complex, const std::string& solver, double h,
+               double n, double* y) {
   const std::complex<double> z = lambda * h;
   std::complex<double> r;
   if (solver == "odeum/explicit_euler")
@@ -69,12 +73,12 @@ bool scheme_of(std::complex<double> lambda, const std::string& solver, double h,
     return false;
   const std::complex<double> exact = n == 0 ? 1.0 : std::pow(r, n);
   y[0] = exact.real();
-  if (lambda.imag() != 0) y[1] = exact.imag();
+  if (complex) y[1] = exact.imag();
   return true;
 }
 
-Case describe(const char* id, const char* title, const char* equation,
-              std::complex<double> lambda) {
+Case describe(const char* id, const char* title, const char* equation, std::complex<double> lambda,
+              bool complex) {
   Case c;
   c.id = std::string("dahlquist_") + id;
   c.title = title;
@@ -84,14 +88,14 @@ Case describe(const char* id, const char* title, const char* equation,
   c.stops = {4};
   c.settings.coarsest_steps = 16;
   c.settings.finest_steps = 16384;
-  c.scheme = [lambda](const std::string& solver, double h, double steps, double* y) {
-    return scheme_of(lambda, solver, h, steps, y);
+  c.scheme = [lambda, complex](const std::string& solver, double h, double steps, double* y) {
+    return scheme_of(lambda, complex, solver, h, steps, y);
   };
   c.truth.source = "closed form";
-  c.truth.at = [lambda](double t, double* y) {
+  c.truth.at = [lambda, complex](double t, double* y) {
     const std::complex<double> exact = std::exp(lambda * t);
     y[0] = exact.real();
-    if (lambda.imag() != 0) y[1] = exact.imag();
+    if (complex) y[1] = exact.imag();
     return true;
   };
   return c;
@@ -100,7 +104,7 @@ Case describe(const char* id, const char* title, const char* equation,
 Case real_case_of(const char* id, const char* title, double lambda) {
   const std::string equation =
       lambda == -1 ? "y' = -y, y(0) = 1" : fmt::format("y' = {} y, y(0) = 1", lambda);
-  Case c = describe(id, title, equation.c_str(), lambda);
+  Case c = describe(id, title, equation.c_str(), lambda, false);
   c.y0 = {1};
   c.components = {"y"};
   set_stage(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
@@ -112,14 +116,23 @@ Case real_case(const char* id, const char* title, double lambda) {
                          [=](const Values& values) { return real_case_of(id, title, values[0]); });
 }
 
-Case complex_case(const char* id, const char* title, const char* equation,
-                  std::complex<double> lambda) {
-  Case c = describe(id, title, equation, lambda);
+Case complex_case_of(const char* id, const char* title, std::complex<double> lambda) {
+  const std::string equation =
+      fmt::format("y' = ({} + {}i) y, y(0) = 1", lambda.real(), lambda.imag());
+  Case c = describe(id, title, equation.c_str(), lambda, true);
   c.y0 = {1, 0};
   c.components = {"re", "im"};
   set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
             std::make_shared<scene::Scene>(as_scene(lambda, true)));
   return c;
+}
+
+Case complex_case(const char* id, const char* title, std::complex<double> lambda) {
+  return with_parameters({{"re", lambda.real(), "real part of lambda, 1/s"},
+                          {"im", lambda.imag(), "imaginary part of lambda, 1/s"}},
+                         [=](const Values& values) {
+                           return complex_case_of(id, title, {values[0], values[1]});
+                         });
 }
 
 Probe lambda_probe() {
@@ -135,13 +148,11 @@ Probe lambda_probe() {
 
 /// Dahlquist's test equation: real, complex and imaginary lambda.
 std::vector<Case> dahlquist() {
-  Case complex = complex_case("complex", "Dahlquist's equation, damped rotation",
-                              "y' = (-0.5 + 2i) y, y(0) = 1", {-0.5, 2});
+  Case complex = complex_case("complex", "Dahlquist's equation, damped rotation", {-0.5, 2});
   complex.plane = "lambda";
   complex.probe = lambda_probe;
-  return {
-      real_case("real", "Dahlquist's equation, decay", -1), complex,
-      complex_case("imaginary", "Dahlquist's equation, rotation", "y' = 2i y, y(0) = 1", {0, 2})};
+  return {real_case("real", "Dahlquist's equation, decay", -1), complex,
+          complex_case("imaginary", "Dahlquist's equation, rotation", {0, 2})};
 }
 
 }  // namespace odeum::cases

@@ -21,7 +21,8 @@ struct Oscillator {
   static constexpr bool velocity_dependent = Damped;
   double m = 1, d = 0, k = 5, rest = 0;
 
-  void acceleration(double, const double* q, const double* v, double* a) const {
+  template <class R>
+  void acceleration(R, const R* q, const R* v, R* a) const {
     a[0] = -k / m * (q[0] - rest);
     if constexpr (Damped) a[0] -= d / m * v[0];
   }

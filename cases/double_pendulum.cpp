@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -14,12 +15,13 @@ namespace {
 struct DoublePendulum {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = true;
-  static constexpr double g = 9.81;
+  double g = 9.81;
 
-  void acceleration(double, const double* q, const double* v, double* a) const {
-    const double c = std::cos(q[0] - q[1]), s = std::sin(q[0] - q[1]);
-    const double first = -v[1] * v[1] * s - 2 * g * std::sin(q[0]);
-    const double second = v[0] * v[0] * s - g * std::sin(q[1]);
+  template <class R>
+  void acceleration(R, const R* q, const R* v, R* a) const {
+    const R c = std::cos(q[0] - q[1]), s = std::sin(q[0] - q[1]);
+    const R first = -v[1] * v[1] * s - 2 * g * std::sin(q[0]);
+    const R second = v[0] * v[0] * s - g * std::sin(q[1]);
     solve(c, first, second, a[0], a[1]);
   }
   void rhs(double t, const double* y, double* dydt) const {
@@ -46,34 +48,45 @@ struct DoublePendulum {
   }
 
  private:
-  static void solve(double c, double first, double second, double& x, double& y) {
-    const double determinant = 2 - c * c;
+  template <class R>
+  static void solve(R c, R first, R second, R& x, R& y) {
+    const R determinant = 2 - c * c;
     x = (first - c * second) / determinant;
     y = (2 * second - c * first) / determinant;
   }
 };
 
-}  // namespace
-
-/// A double pendulum at small amplitudes, where its motion is regular.
-std::vector<Case> double_pendulum() {
+Case make_case(const Values& values) {
   Case c;
   c.id = "double_pendulum_mild";
   c.title = "Double pendulum";
   c.equation =
       "2 a'' + b'' cos(a-b) + b'^2 sin(a-b) + 2 g sin a = 0, b'' + a'' cos(a-b) - a'^2 sin(a-b) + "
-      "g sin b = 0, a(0) = 0.5, b(0) = -0.25";
+      "g sin b = 0";
   c.source = "Lagrange's equations, any mechanics text";
   c.tags = {"nonlinear", "autonomous", "second_order", "mechanical"};
-  c.y0 = {0.5, -0.25, 0, 0};
+  c.y0 = {values[1], values[2], values[3], values[4]};
+  c.components = {"a", "b", "a_rate", "b_rate"};
   c.stops = {1, 2, 5};
   c.settings.steps_multiple = 5;
   c.settings.coarsest_steps = 80;
   c.settings.finest_steps = 5120;
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("double_pendulum_mild", 2e-15);
-  set_stage(c, DoublePendulum{});
-  return {c};
+  set_stage(c, DoublePendulum{values[0]});
+  return c;
+}
+
+}  // namespace
+
+/// A double pendulum at small amplitudes, where its motion is regular.
+std::vector<Case> double_pendulum() {
+  return {with_tabled_parameters({{"g", 9.81, "gravity over length, 1/s^2"},
+                                  {"a0", 0.5, "upper angle at the start, rad"},
+                                  {"b0", -0.25, "lower angle at the start, rad"},
+                                  {"a_rate0", 0, "its rate, rad/s"},
+                                  {"b_rate0", 0, "its rate, rad/s"}},
+                                 make_case)};
 }
 
 }  // namespace odeum::cases

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -13,10 +14,11 @@ namespace {
 struct ElasticPendulum {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = true;
-  static constexpr double g = 9.81, l0 = 1;
   double k;  ///< per unit mass, 1/s^2
+  double g = 9.81, l0 = 1;
 
-  void acceleration(double, const double* q, const double* v, double* a) const {
+  template <class R>
+  void acceleration(R, const R* q, const R* v, R* a) const {
     a[0] = q[0] * v[1] * v[1] + g * std::cos(q[1]) - k * (q[0] - l0);
     a[1] = -(g * std::sin(q[1]) + 2 * v[0] * v[1]) / q[0];
   }
@@ -42,35 +44,44 @@ struct ElasticPendulum {
   }
 };
 
-Case make_variant(const char* id, const char* title, const char* equation, double k,
-                  std::vector<double> stops) {
+Case make_case(const char* id, const char* title, std::vector<double> stops, const Values& values) {
   Case c;
   c.id = id;
   c.title = title;
-  c.equation = equation;
+  c.equation = "r'' = r th'^2 + g cos th - k (r - l0), th'' = -(g sin th + 2 r' th') / r";
   c.source = "elastic pendulum, any mechanics text";
   c.tags = {"nonlinear", "autonomous", "second_order", "mechanical", "oscillatory", "stiff"};
-  c.y0 = {1, 1, 0, 0};
+  c.y0 = {values[3], values[4], 0, 0};
+  c.components = {"r", "th", "r_rate", "th_rate"};
   c.settings.steps_multiple = stops.size() > 1 ? 10 : 1;
   c.stops = std::move(stops);
   c.settings.coarsest_steps = 160;
   c.settings.finest_steps = 5120;
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth(id, 3e-16);
-  set_stage(c, ElasticPendulum{k});
+  set_stage(c, ElasticPendulum{values[0], values[1], values[2]});
   return c;
+}
+
+Case make_variant(const char* id, const char* title, double k, const std::vector<double>& stops) {
+  return with_tabled_parameters({{"k", k, "stiffness over mass, 1/s^2"},
+                                 {"g", 9.81, "gravity, m/s^2"},
+                                 {"l0", 1, "length at rest, m"},
+                                 {"r0", 1, "length at the start, m"},
+                                 {"th0", 1, "angle at the start, rad"}},
+                                [=](const Values& values) {
+                                  require_positive("r0", values[3]);
+                                  return make_case(id, title, stops, values);
+                                });
 }
 
 }  // namespace
 
 /// A pendulum whose rod is a stiff spring: a fast radial vibration and a slow swing.
 std::vector<Case> elastic_pendulum() {
-  return {make_variant("elastic_pendulum_k1e4", "Elastic pendulum",
-                       "r'' = r th'^2 + g cos th - 1e4 (r - 1), th'' = -(g sin th + 2 r' th') / r",
-                       1e4, {0.1, 1}),
-          make_variant("elastic_pendulum_k1e6", "Elastic pendulum, a hundred times stiffer",
-                       "r'' = r th'^2 + g cos th - 1e6 (r - 1), th'' = -(g sin th + 2 r' th') / r",
-                       1e6, {0.1})};
+  return {make_variant("elastic_pendulum_k1e4", "Elastic pendulum", 1e4, {0.1, 1}),
+          make_variant("elastic_pendulum_k1e6", "Elastic pendulum, a hundred times stiffer", 1e6,
+                       {0.1})};
 }
 
 }  // namespace odeum::cases

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -15,10 +16,11 @@ struct Chain {
   static constexpr bool velocity_dependent = false;
   double alpha, beta;
 
-  void acceleration(double, const double* q, const double*, double* a) const {
-    double before = force(q[0]);
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
+    R before = force(q[0]);
     for (std::size_t j = 0; j < masses; ++j) {
-      const double after = force((j + 1 < masses ? q[j + 1] : 0) - q[j]);
+      const R after = force((j + 1 < masses ? q[j + 1] : 0) - q[j]);
       a[j] = after - before;
       before = after;
     }
@@ -47,20 +49,25 @@ struct Chain {
     }
     return sum;
   }
-  double force(double d) const { return d * (1 + d * (alpha + d * beta)); }
+  template <class R>
+  R force(R d) const {
+    return d * (1 + d * (alpha + d * beta));
+  }
   double stiffness(double d) const { return 1 + d * (2 * alpha + 3 * beta * d); }
 };
 
-Case make_variant(const char* id, const char* title, const char* equation, Chain chain) {
+Case make_case(const char* id, const char* title, const Values& values) {
   Case c;
   c.id = id;
   c.title = title;
-  c.equation = equation;
+  c.equation =
+      "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + alpha d^2 + beta d^3, in the first "
+      "mode";
   c.source = "Fermi, Pasta, Ulam, Tsingou, Los Alamos report LA-1940 (1955)";
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
   c.y0.resize(Chain::dimension);
   for (std::size_t j = 0; j < Chain::masses; ++j)
-    c.y0[j] = std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
+    c.y0[j] = values[2] * std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
   c.stops = {10, 50};
   c.settings.no_convergence = "64 unknowns; smaller cases show the same orders";
   c.settings.steps_multiple = 5;
@@ -68,20 +75,23 @@ Case make_variant(const char* id, const char* title, const char* equation, Chain
   c.settings.finest_steps = 2560;
   c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth(id, 3.5e-16);
-  set_stage(c, chain);
+  set_stage(c, Chain{.alpha = values[0], .beta = values[1]});
   return c;
+}
+
+Case make_variant(const char* id, const char* title, double alpha, double beta) {
+  return with_tabled_parameters({{"alpha", alpha, "quadratic part of the springs"},
+                                 {"beta", beta, "cubic part of the springs"},
+                                 {"amplitude", 1, "of the first mode at the start"}},
+                                [=](const Values& values) { return make_case(id, title, values); });
 }
 
 }  // namespace
 
 /// A nonlinear chain with its energy initially in the longest mode, and the recurrence.
 std::vector<Case> fput() {
-  return {make_variant("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic",
-                       "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + d^2 / 4",
-                       {.alpha = 0.25, .beta = 0}),
-          make_variant("fput_beta", "Fermi, Pasta, Ulam and Tsingou's chain, cubic",
-                       "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + d^3",
-                       {.alpha = 0, .beta = 1})};
+  return {make_variant("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic", 0.25, 0),
+          make_variant("fput_beta", "Fermi, Pasta, Ulam and Tsingou's chain, cubic", 0, 1)};
 }
 
 }  // namespace odeum::cases

@@ -14,7 +14,10 @@ struct FreeFall {
   static constexpr bool velocity_dependent = false;
   double g = -9.81;  // m/s^2
 
-  void acceleration(double, const double*, const double*, double* a) const { a[0] = g; }
+  template <class R>
+  void acceleration(R, const R*, const R*, R* a) const {
+    a[0] = g;
+  }
   void rhs(double t, const double* y, double* dydt) const {
     second_order_rhs(*this, 1, t, y, dydt);
   }

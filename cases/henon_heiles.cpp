@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -10,7 +11,8 @@ struct HenonHeiles {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = false;
 
-  void acceleration(double, const double* q, const double*, double* a) const {
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
     a[0] = -q[0] - 2 * q[0] * q[1];
     a[1] = -q[1] - q[0] * q[0] + q[1] * q[1];
   }
@@ -30,17 +32,15 @@ struct HenonHeiles {
   }
 };
 
-}  // namespace
-
-/// Henon and Heiles's model of a star in a galaxy, at an energy where the orbit is regular.
-std::vector<Case> henon_heiles() {
+Case make_case(const Values& values) {
   Case c;
   c.id = "henon_heiles_regular";
   c.title = "Henon and Heiles's star";
-  c.equation = "x'' = -x - 2 x y, y'' = -y - x^2 + y^2, (x, y, x', y')(0) = (0.1, 0, 0, 0.4)";
+  c.equation = "x'' = -x - 2 x y, y'' = -y - x^2 + y^2";
   c.source = "Henon, Heiles, Astron. J. 69 (1964) 73";
   c.tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial", "smooth"};
-  c.y0 = {0.1, 0, 0, 0.4};
+  c.y0 = values;
+  c.components = {"x", "y", "vx", "vy"};
   c.stops = {10};
   c.settings.coarsest_steps = 40;
   c.settings.finest_steps = 40960;
@@ -48,7 +48,18 @@ std::vector<Case> henon_heiles() {
   c.settings.timed_floor = 6e-16;
   c.truth = reference_truth("henon_heiles_regular", 2e-16);
   set_stage(c, HenonHeiles{});
-  return {c};
+  return c;
+}
+
+}  // namespace
+
+/// Henon and Heiles's model of a star in a galaxy, at an energy where the orbit is regular.
+std::vector<Case> henon_heiles() {
+  return {with_tabled_parameters({{"x0", 0.1, "x at the start"},
+                                  {"y0", 0, "y at the start"},
+                                  {"vx0", 0, "x' at the start"},
+                                  {"vy0", 0.4, "y' at the start"}},
+                                 make_case)};
 }
 
 }  // namespace odeum::cases

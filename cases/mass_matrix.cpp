@@ -28,10 +28,11 @@ struct SumAndDifference {
   double k_sum() const { return (k1 + k2) / 4; }
   double k_difference() const { return (k1 + k2) / 4 + k12; }
 
-  void acceleration(double, const double* q, const double*, double* a) const {
-    const double force_s = -k_sum() * q[0] - k_cross() * q[1];
-    const double force_d = -k_cross() * q[0] - k_difference() * q[1];
-    const double determinant = m_same() * m_same() - m_cross() * m_cross();
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
+    const R force_s = -k_sum() * q[0] - k_cross() * q[1];
+    const R force_d = -k_cross() * q[0] - k_difference() * q[1];
+    const R determinant = m_same() * m_same() - m_cross() * m_cross();
     a[0] = (m_same() * force_s - m_cross() * force_d) / determinant;
     a[1] = (m_same() * force_d - m_cross() * force_s) / determinant;
   }

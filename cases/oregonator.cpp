@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -8,9 +9,10 @@ namespace {
 /// The Belousov-Zhabotinsky reaction in three unknowns.
 struct Oregonator {
   static constexpr std::size_t dimension = 3;
-  static constexpr double s = 77.27, q = 8.375e-6, w = 0.161;
+  double s = 77.27, q = 8.375e-6, w = 0.161;
 
-  void rhs(double, const double* y, double* f) const {
+  template <class R>
+  void rhs(R, const R* y, R* f) const {
     f[0] = s * (y[1] + y[0] * (1 - q * y[0] - y[1]));
     f[1] = (y[2] - (1 + y[0]) * y[1]) / s;
     f[2] = w * (y[0] - y[2]);
@@ -28,16 +30,13 @@ struct Oregonator {
   }
 };
 
-}  // namespace
-
-/// An oscillating chemical reaction whose components change by five decades.
-std::vector<Case> oregonator() {
+Case make_case(const Values& values) {
   Case c;
   c.id = "oregonator";
   c.title = "Oregonator";
   c.equation =
-      "y1' = 77.27 (y2 + y1 (1 - 8.375e-6 y1 - y2)), y2' = (y3 - (1 + y1) y2) / 77.27, y3' = 0.161 "
-      "(y1 - y3), y(0) = (1, 2, 3)";
+      "y1' = s (y2 + y1 (1 - q y1 - y2)), y2' = (y3 - (1 + y1) y2) / s, y3' = w (y1 - y3), y(0) = "
+      "(1, 2, 3)";
   c.source =
       "Field, Noyes, J. Chem. Phys. 60 (1974) 1877; Hairer, Wanner, Solving ODEs II, (IV.10.15)";
   c.tags = {"nonlinear", "autonomous", "stiff", "oscillatory", "chemistry"};
@@ -46,8 +45,18 @@ std::vector<Case> oregonator() {
   c.settings.no_fixed_steps = "a fixed step would have to resolve jumps of five decades throughout";
   c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth("oregonator", 6e-13);
-  set_stage(c, Oregonator{});
-  return {c};
+  set_stage(c, Oregonator{values[0], values[1], values[2]});
+  return c;
+}
+
+}  // namespace
+
+/// An oscillating chemical reaction whose components change by five decades.
+std::vector<Case> oregonator() {
+  return {with_tabled_parameters({{"s", 77.27, "ratio of rates"},
+                                  {"q", 8.375e-6, "ratio of rates"},
+                                  {"w", 0.161, "ratio of rates"}},
+                                 make_case)};
 }
 
 }  // namespace odeum::cases

@@ -16,7 +16,8 @@ struct RcCircuit {
   static constexpr std::size_t dimension = 1;
   double tau = 1e-3, amplitude = 5, w = 100 * std::numbers::pi;
 
-  void rhs(double t, const double* y, double* dydt) const {
+  template <class R>
+  void rhs(R t, const R* y, R* dydt) const {
     dydt[0] = (amplitude * std::sin(w * t) - y[0]) / tau;
   }
   void jacobian(double, const double*, double* j) const { j[0] = -1 / tau; }

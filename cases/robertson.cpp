@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/robertson.hpp"
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -11,8 +12,7 @@ Case describe(const char* id, const char* title) {
   c.id = id;
   c.title = title;
   c.equation =
-      "y1' = -0.04 y1 + 1e4 y2 y3, y2' = 0.04 y1 - 1e4 y2 y3 - 3e7 y2^2, y3' = 3e7 y2^2, y(0) = "
-      "(1, 0, 0)";
+      "y1' = -k1 y1 + k3 y2 y3, y2' = k1 y1 - k3 y2 y3 - k2 y2^2, y3' = k2 y2^2, y(0) = (1, 0, 0)";
   c.source = "Robertson 1966; Hairer, Wanner, Solving ODEs II, (IV.1.4)";
   c.tags = {"nonlinear", "autonomous", "stiff", "chemistry"};
   c.y0 = {1, 0, 0};
@@ -25,22 +25,33 @@ Case describe(const char* id, const char* title) {
   return c;
 }
 
-}  // namespace
+Case make_brief(const Values& values) {
+  Case c = describe("robertson_40", "Robertson's reactions");
+  c.stops = {4, 40};
+  c.settings.steps_multiple = 10;
+  c.settings.coarsest_steps = 1000;
+  c.settings.finest_steps = 16000;
+  set_stage(c, Robertson{values[0], values[1], values[2]});
+  return c;
+}
 
-/// Robertson's reactions to t = 40, and to equilibrium at t = 4e11.
-std::vector<Case> robertson() {
-  Case brief = describe("robertson_40", "Robertson's reactions");
-  brief.stops = {4, 40};
-  brief.settings.steps_multiple = 10;
-  brief.settings.coarsest_steps = 1000;
-  brief.settings.finest_steps = 16000;
-  set_stage(brief, Robertson{});
+Case make_long(const Values& values) {
   Case c = describe("robertson", "Robertson's reactions to equilibrium");
   c.stops = {0.4, 40, 4e3, 4e5, 4e7, 4e9, 4e11};
   c.settings.no_fixed_steps =
       "twelve decades of time: no fixed step resolves the first and reaches the last";
-  set_stage(c, Robertson{});
-  return {brief, c};
+  set_stage(c, Robertson{values[0], values[1], values[2]});
+  return c;
+}
+
+}  // namespace
+
+/// Robertson's reactions to t = 40, and to equilibrium at t = 4e11.
+std::vector<Case> robertson() {
+  const std::vector<Parameter> rates{{"k1", 0.04, "rate of y1 to y2, 1/s"},
+                                     {"k2", 3e7, "rate of y2 and y2 to y3, 1/s"},
+                                     {"k3", 1e4, "rate of y2 and y3 to y1, 1/s"}};
+  return {with_tabled_parameters(rates, make_brief), with_tabled_parameters(rates, make_long)};
 }
 
 }  // namespace odeum::cases

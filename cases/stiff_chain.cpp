@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/parameters.hpp"
 #include "support/reference.hpp"
 #include "support/stage.hpp"
 
@@ -9,10 +10,11 @@ namespace {
 struct StiffChain {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = false;
-  static constexpr double k1 = 1, k2 = 1e4;
+  double k1 = 1, k2 = 1e4;
 
-  void acceleration(double, const double* q, const double*, double* a) const {
-    const double pull = k2 * (q[1] - q[0]);
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
+    const R pull = k2 * (q[1] - q[0]);
     a[0] = pull - k1 * q[0];
     a[1] = -pull;
   }
@@ -32,26 +34,35 @@ struct StiffChain {
   }
 };
 
-}  // namespace
-
-/// A fast vibration of small amplitude superposed on a slow one.
-std::vector<Case> stiff_chain() {
+Case make_case(const Values& values) {
   Case c;
   c.id = "stiff_chain2_k1e4";
   c.title = "Two masses and a stiff spring";
-  c.equation = "x1'' = -x1 + 1e4 (x2 - x1), x2'' = -1e4 (x2 - x1), x(0) = (1, 1.001) at rest";
+  c.equation = "x1'' = -k1 x1 + k2 (x2 - x1), x2'' = -k2 (x2 - x1), x(0) = (x1, x2) at rest";
   c.source = "two-mass chain, any mechanics text";
   c.tags = {"linear",     "autonomous",  "second_order", "separable",
             "mechanical", "oscillatory", "stiff"};
-  c.y0 = {1, 1.001, 0, 0};
+  c.y0 = {values[2], values[3], 0, 0};
+  c.components = {"x1", "x2", "v1", "v2"};
   c.stops = {0.1, 1};
   c.settings.steps_multiple = 10;
   c.settings.coarsest_steps = 200;
   c.settings.finest_steps = 12800;
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("stiff_chain2_k1e4", 1.1e-14);
-  set_stage(c, StiffChain{});
-  return {c};
+  set_stage(c, StiffChain{values[0], values[1]});
+  return c;
+}
+
+}  // namespace
+
+/// A fast vibration of small amplitude superposed on a slow one.
+std::vector<Case> stiff_chain() {
+  return {with_tabled_parameters({{"k1", 1, "stiffness to the wall, 1/s^2"},
+                                  {"k2", 1e4, "stiffness between the masses, 1/s^2"},
+                                  {"x1", 1, "at the start"},
+                                  {"x2", 1.001, "at the start"}},
+                                 make_case)};
 }
 
 }  // namespace odeum::cases

@@ -8,8 +8,9 @@ namespace odeum::cases {
 struct Hires {
   static constexpr std::size_t dimension = 8;
 
-  void rhs(double, const double* y, double* f) const {
-    const double bind = 280 * y[5] * y[7];
+  template <class R>
+  void rhs(R, const R* y, R* f) const {
+    const R bind = 280 * y[5] * y[7];
     f[0] = -1.71 * y[0] + 0.43 * y[1] + 8.32 * y[2] + 0.0007;
     f[1] = 1.71 * y[0] - 8.75 * y[1];
     f[2] = -10.03 * y[2] + 0.43 * y[3] + 0.035 * y[4];

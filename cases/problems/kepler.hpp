@@ -12,9 +12,10 @@ struct Kepler {
   static constexpr std::size_t dimension = 4;
   static constexpr bool velocity_dependent = false;
 
-  void acceleration(double, const double* q, const double*, double* a) const {
-    const double r2 = q[0] * q[0] + q[1] * q[1];
-    const double pull = -1 / (r2 * std::sqrt(r2));
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
+    const R r2 = q[0] * q[0] + q[1] * q[1];
+    const R pull = -1 / (r2 * std::sqrt(r2));
     a[0] = pull * q[0];
     a[1] = pull * q[1];
   }

@@ -11,7 +11,8 @@ struct UnitOscillator {
   static constexpr bool velocity_dependent = Damped;
   double c = 0;
 
-  void acceleration(double, const double* q, const double* v, double* a) const {
+  template <class R>
+  void acceleration(R, const R* q, const R* v, R* a) const {
     a[0] = -q[0];
     if constexpr (Damped) a[0] -= c * v[0];
   }

@@ -11,15 +11,16 @@ struct Pleiades {
   static constexpr std::size_t dimension = 28, stars = 7;
   static constexpr bool velocity_dependent = false;
 
-  void acceleration(double, const double* q, const double*, double* a) const {
-    const double *const x = q, *const y = q + stars;
+  template <class R>
+  void acceleration(R, const R* q, const R*, R* a) const {
+    const R *const x = q, *const y = q + stars;
     for (std::size_t i = 0; i < 2 * stars; ++i) a[i] = 0;
     for (std::size_t i = 0; i < stars; ++i)
       for (std::size_t k = i + 1; k < stars; ++k) {
-        const double dx = x[k] - x[i], dy = y[k] - y[i];
-        const double r2 = dx * dx + dy * dy;
-        const double pull = 1 / (r2 * std::sqrt(r2));
-        const double on_i = mass(k) * pull, on_k = mass(i) * pull;
+        const R dx = x[k] - x[i], dy = y[k] - y[i];
+        const R r2 = dx * dx + dy * dy;
+        const R pull = 1 / (r2 * std::sqrt(r2));
+        const R on_i = mass(k) * pull, on_k = mass(i) * pull;
         a[i] += on_i * dx;
         a[stars + i] += on_i * dy;
         a[k] -= on_k * dx;

@@ -7,10 +7,11 @@ namespace odeum::cases {
 /// Three species; reaction rates that span nine decades.
 struct Robertson {
   static constexpr std::size_t dimension = 3;
-  static constexpr double k1 = 0.04, k2 = 3e7, k3 = 1e4;
+  double k1 = 0.04, k2 = 3e7, k3 = 1e4;
 
-  void rhs(double, const double* y, double* f) const {
-    const double first = k1 * y[0], second = k2 * y[1] * y[1], third = k3 * y[1] * y[2];
+  template <class R>
+  void rhs(R, const R* y, R* f) const {
+    const R first = k1 * y[0], second = k2 * y[1] * y[1], third = k3 * y[1] * y[2];
     f[0] = -first + third;
     f[1] = first - third - second;
     f[2] = second;

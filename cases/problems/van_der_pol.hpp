@@ -9,7 +9,8 @@ struct VanDerPol {
   static constexpr std::size_t dimension = 2;
   double mu = 1, eps = 1;
 
-  void rhs(double, const double* y, double* f) const {
+  template <class R>
+  void rhs(R, const R* y, R* f) const {
     f[0] = y[1];
     f[1] = (mu * (1 - y[0] * y[0]) * y[1] - y[0]) / eps;
   }

@@ -22,6 +22,20 @@ Case with_parameters(std::vector<Parameter> parameters,
   return c;
 }
 
+Case with_tabled_parameters(std::vector<Parameter> parameters,
+                            const std::function<Case(const Values&)>& make) {
+  return with_parameters(parameters, [=](const Values& values) {
+    Case c = make(values);
+    bool usual = true;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      c.equation += fmt::format("{} {} = {}", i ? "," : ";", parameters[i].name, values[i]);
+      usual = usual && values[i] == parameters[i].value;
+    }
+    if (!usual) c.truth = unknown_truth();
+    return c;
+  });
+}
+
 void require_positive(const std::string& name, double value) {
   if (!(value > 0))
     throw std::invalid_argument(fmt::format("{}: got {}, expected a positive number", name, value));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -13,6 +14,30 @@ namespace odeum::cases {
 /// called.
 std::vector<Entrant> enroll(const ErasedContest& contest);
 
+/// A problem whose right-hand side (acceleration, of second order) is written for any real type.
+template <class P>
+concept InExtendedPrecision = Ode<P> &&(
+    requires(const P& p, const long double* y, long double* f) { p.rhs(0.0L, y, f); } ||
+    requires(const P& p, const long double* q, long double* a) { p.acceleration(0.0L, q, q, a); });
+
+/// That problem in extended precision, without a truth.
+template <InExtendedPrecision P>
+ExtendedProblem in_extended_precision(std::shared_ptr<const P> problem,
+                                      const std::vector<double>& y0) {
+  ExtendedProblem extended;
+  extended.y0.assign(y0.begin(), y0.end());
+  extended.f = [p = std::move(problem)](long double t, const long double* y, long double* f) {
+    if constexpr (SecondOrder<P>) {
+      const std::size_t half = size_of(*p) / 2;
+      std::copy_n(y + half, half, f);
+      p->acceleration(t, y, y + half, f + half);
+    } else {
+      p->rhs(t, y, f);
+    }
+  };
+  return extended;
+}
+
 /// Sets the problem of case `c`, and its scene for physics engines where it has one.
 template <Ode P>
 void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = nullptr) {
@@ -22,6 +47,9 @@ void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = n
   contest.y0 = std::make_shared<const std::vector<double>>(c.y0);
   contest.scene = std::move(scene);
   c.problem = erase(contest);
+  if constexpr (InExtendedPrecision<P>)
+    c.extended =
+        std::make_shared<const ExtendedProblem>(in_extended_precision<P>(contest.problem, c.y0));
   c.entrants = enroll(c.problem);
   if constexpr (WithEnergy<P>)
     c.energy = [p = contest.problem](const double* y) { return p->energy(y); };

@@ -47,6 +47,21 @@ void add_invariants(Case& c, const std::shared_ptr<const TextOde>& ode, const Te
   }
 }
 
+/// v M v / 2 at the start and at the stops, of the exact solution.
+std::string kinetic_energies(const formula::Problem& p, const TextTruth& truth) {
+  const formula::Evaluator<long double> energy(p.graph, {p.kinetic_energy});
+  std::vector<long double> y = p.y0;
+  long double value = 0;
+  energy(p.t0, y.data(), &value);
+  std::string text = fmt::format("energy v M v / 2 = {:.9Lg} at t = {:.6Lg}", value, p.t0);
+  for (const double stop : truth.stops) {
+    if (!truth.extended(stop, y.data())) continue;
+    energy(stop, y.data(), &value);
+    text += fmt::format(", {:.9Lg} at t = {:.6g}", value, stop);
+  }
+  return text;
+}
+
 void add_tags(Case& c, const formula::Structure& s) {
   c.tags = {s.linear ? "linear" : "nonlinear", s.autonomous ? "autonomous" : "non_autonomous"};
   if (s.second_order) c.tags.emplace_back("second_order");
@@ -68,6 +83,12 @@ TextCase text_case(const std::string& id, formula::Problem problem, TextOde::Cod
   c.source = p.file;
   c.t0 = static_cast<double>(p.t0);
   c.y0.assign(p.y0.begin(), p.y0.end());
+  // Names of other columns of the files would stand there twice.
+  const std::vector<std::string> columns{"schema", "case",   "library", "solver",
+                                         "time",   "energy", "error"};
+  if (std::find_first_of(p.states.begin(), p.states.end(), columns.begin(), columns.end()) ==
+      p.states.end())
+    c.components = p.states;
   c.stops = truth.stops.empty() ? p.stops : truth.stops;
   c.truth = truth.truth;
   c.scale = p.scale;
@@ -98,6 +119,10 @@ TextCase text_case(const std::string& id, formula::Problem problem, TextOde::Cod
     made.facts.emplace_back("found", line);
   if (c.has_tag("stiff"))
     made.facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  if (p.kinetic_energy != formula::no_node) {
+    made.facts.emplace_back("mass", p.mass_text);
+    made.facts.emplace_back("kinetic", kinetic_energies(p, truth));
+  }
   made.facts.emplace_back("code", ode->how());
   made.facts.emplace_back("truth", truth.words);
   return made;

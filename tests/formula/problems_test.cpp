@@ -65,7 +65,8 @@ TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
       {"van_der_pol", "vdp_mu1"},       {"van_der_pol", "vdp_mu1000", {{"mu", "1000"}}},
       {"kepler", "kepler_e06"},         {"hires", "hires"},
       {"lorenz", "lorenz_kehlet_logg"}, {"lotka_volterra", "lotka_volterra"},
-      {"brusselator", "brusselator2"},  {"robertson", "robertson_40"}};
+      {"brusselator", "brusselator2"},  {"two_masses_sum", "mass_matrix"},
+      {"robertson", "robertson_40"}};
   std::mt19937 random(3);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same points each time
   std::uniform_real_distribution<double> near(0.5, 1.5);
   for (const Twin& twin : twins) {

@@ -56,10 +56,21 @@ TEST(ExtendedPrecision, IsTheCasesOwnEquation) {
     std::vector<long double> f_extended(y.size());
     c.problem.view.rhs(c.problem.view.problem, c.t0, y.data(), f.data());
     c.extended->rhs(c.t0, y_extended.data(), f_extended.data());
-    // Accelerations of up to 1e2 are sums of some twenty forces over 0.02 kg.
-    for (std::size_t i = 0; i < y.size(); ++i)
-      EXPECT_NEAR(f[i], static_cast<double>(f_extended[i]), 1e-12) << c.id << " " << i;
     EXPECT_EQ(c.extended->y0, std::vector<long double>(c.y0.begin(), c.y0.end())) << c.id;
+    // It is not evaluated in double anywhere: changes below the rounding of double are seen.
+    std::vector<long double> moved = y_extended, f_moved(y.size());
+    for (long double& component : moved) component *= 1 + 0x1p-60L;
+    c.extended->rhs(c.t0, moved.data(), f_moved.data());
+    EXPECT_NE(f_moved, f_extended) << c.id;
+    // Accelerations of up to 1e2 are sums of some twenty forces over 0.02 kg; where terms cancel, a
+    // change of y by some roundings of double shows how much.
+    for (long double& component : moved) component *= 1 + 0x1p-50L;
+    c.extended->rhs(c.t0, moved.data(), f_moved.data());
+    for (std::size_t i = 0; i < y.size(); ++i)
+      EXPECT_NEAR(f[i], static_cast<double>(f_extended[i]),
+                  1e-12 + static_cast<double>(std::abs(f_moved[i] - f_extended[i])))
+          << c.id << " " << i;
+    if (!c.extended->truth) continue;
     std::vector<long double> truth(y.size());
     ASSERT_TRUE(c.extended->truth(c.stops.front(), truth.data()));
     for (std::size_t i = 0; i < y.size(); ++i) EXPECT_EQ(y[i], static_cast<double>(truth[i]));

@@ -108,6 +108,20 @@ TEST_P(OutputBetween, IsAsAccurateAsTheEndsOfTheSteps) {
   }
 }
 
+// Steps aside go to the nodes of a step, not to each output.
+TEST(OutputBetween, CostOfExtrapolationDoesNotGrowWithTheOutputs) {
+  for (const char* id : {"odeum/gragg_bulirsch_stoer", "odeum/seulex"}) {
+    const Case& c = find_case("damped_oscillator_underdamped");
+    const auto evaluations = [&](std::size_t count) {
+      const Outcome run = find_entrant(c, id).solve(dense_request(1e-7, evenly(count, 5)));
+      EXPECT_EQ(run.status, Status::ok) << id;
+      return static_cast<double>(run.counters.rhs_evaluations);
+    };
+    // The first steps are so short that a thousand outputs leave some without one.
+    EXPECT_LE(evaluations(4000), 1.05 * evaluations(1000)) << id;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Adaptive, OutputBetween, testing::ValuesIn(adaptive_methods()),
                          [](const auto& test) {
                            return test.param.substr(test.param.find('/') + 1);

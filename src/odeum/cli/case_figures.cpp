@@ -33,6 +33,7 @@ class Figures {
       for (std::size_t i = 0; i < std::min<std::size_t>(n_ / 2, 2); ++i) plane(i, n_ / 2 + i);
     else if (n_ > 1)
       plane(0, 1);
+    if (second_order() && n_ / 2 >= 2) plane(0, 1, "Path");
     error();
     if (c_.energy) energy();
     steps();
@@ -100,8 +101,8 @@ class Figures {
   void component(std::size_t i) {
     draw({.title = names_[i] + " over time", .x = "time", .y = names_[i]}, time, component_of(i));
   }
-  void plane(std::size_t i, std::size_t j) {
-    draw({.title = fmt::format("State plane: {} against {}", names_[j], names_[i]),
+  void plane(std::size_t i, std::size_t j, const char* title = "State plane") {
+    draw({.title = fmt::format("{}: {} against {}", title, names_[j], names_[i]),
           .x = names_[i],
           .y = names_[j]},
          component_of(i), component_of(j));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "odeum/cli/assignments.hpp"
@@ -14,6 +15,7 @@
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/html.hpp"
+#include "support/computed_truth.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -46,15 +48,32 @@ Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& s
   }
 }
 
-CaseRun run_one(const Case& c, const std::string& solver, const RunOptions& options) {
+CaseRun prepare(const Case& c, const std::string& solver, const RunOptions& options) {
   const Entrant& entrant = find_entrant(c, solver);
   CaseRun run{&entrant,
               make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info),
               {}};
   if (!options.out.empty() || options.settings.every)
     ask_for_output(run.request, options.settings, c.t0, c.y0.size());
-  run.outcome = entrant.solve(run.request);
   return run;
+}
+
+// Computes the truth at the outputs where the case does not know it. On stiff problems that takes
+// many seconds, and is done only where nothing is known at the end.
+Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
+  constexpr std::size_t most = 5000;  // outputs, of which a reference costs a second
+  std::set<double> times(c.stops.begin(), c.stops.end());
+  double end = c.t0;
+  for (const CaseRun& run : runs) {
+    const std::vector<double>& stops = run.request.stops;
+    end = std::max(end, stops.back());
+    const std::size_t apart = 1 + stops.size() / most;
+    for (std::size_t k = stops.size(); k > 0; k -= std::min(k, apart)) times.insert(stops[k - 1]);
+  }
+  times.erase(times.upper_bound(end), times.end());
+  std::vector<double> state(c.y0.size());
+  if (c.has_tag("stiff") && c.truth.at(end, state.data())) return c.truth;
+  return cases::truth_at(c, {times.begin(), times.end()});
 }
 
 // The error at the end, and whether the tolerance explains it.
@@ -140,8 +159,10 @@ report::Table table_of(const Case& c, const std::vector<CaseRun>& runs) {
   return table;
 }
 
-std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
-                        const RunOptions& options) {
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
+std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const RunOptions& options,
+                        const Facts& facts) {
   const record::OutputFolder folder(options.out);
   const ExactStates exact = exact_states(c, runs);
   folder.write("solution.csv", case_solution_csv(c, runs));
@@ -151,6 +172,7 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
   page.title = c.title;
   page.lead = c.id;
   page.facts = {{"Equation", c.equation}, {"Source", c.source}, {"Truth", c.truth.source}};
+  for (const auto& [name, fact] : facts) page.facts.emplace_back(name, report::plain(fact));
   for (const Parameter& parameter : c.parameters)
     page.facts.emplace_back(parameter.name,
                             record::format_number(parameter.value) + ", " + parameter.meaning);
@@ -166,7 +188,9 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs,
   return text;
 }
 
-int run_solvers(const Case& c, RunOptions options) {
+using Sets = std::vector<std::pair<std::string, double>>;
+
+int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts = {}) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
   options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
@@ -178,16 +202,19 @@ int run_solvers(const Case& c, RunOptions options) {
                   make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info)));
     return success;
   }
-  print(fmt::format("case    {}: {}\n", c.id, c.equation));
   std::vector<CaseRun> runs;
+  for (const std::string& solver : options.solvers) runs.push_back(prepare(c, solver, options));
+  for (const auto& [name, value] : sets) print(fmt::format("set     {} = {}\n", name, value));
+  print(fmt::format("case    {}: {}\n", c.id, c.equation));
+  c.truth = truth_of(c, runs);
   bool any_ok = false;
-  for (const std::string& solver : options.solvers) {
-    runs.push_back(run_one(c, solver, options));
+  for (CaseRun& run : runs) {
+    run.outcome = run.entrant->solve(run.request);
     if (interrupted) return interrupted_code;
-    print(describe(c, runs.back()));
-    any_ok = any_ok || runs.back().outcome.status == Status::ok;
+    print(describe(c, run));
+    any_ok = any_ok || run.outcome.status == Status::ok;
   }
-  if (!options.out.empty()) print(write_files(c, runs, options));
+  if (!options.out.empty()) print(write_files(c, runs, options, facts));
   return any_ok ? success : solver_failed;
 }
 
@@ -196,15 +223,14 @@ int run_solvers(const Case& c, RunOptions options) {
 int run_case(const RunOptions& options) {
   const Case& original = find_case(options.what);
   const auto sets = parse_assignments("--set", options.problems.sets);
-  if (sets.empty()) return run_solvers(original, options);
+  if (sets.empty()) return run_solvers(original, {}, options);
   if (options.code) throw UsageError("--code takes a case with its own parameters, without --set");
-  for (const auto& [name, value] : sets) print(fmt::format("set     {} = {}\n", name, value));
-  return run_solvers(changed(original, sets), options);
+  return run_solvers(changed(original, sets), sets, options);
 }
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
-  const GivenProblem given = load_problem(options.what, options.problems.sets);
+  GivenProblem given = load_problem(options.what, options.problems.sets);
   std::string text;
   for (const auto& [name, fact] : given.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
@@ -213,7 +239,11 @@ int run_problem(const RunOptions& options) {
   print(text);
   const bool asked = has_setting(options.settings) || !options.out.empty();
   if (options.solvers.empty() && !asked) return success;
-  return run_solvers(*given.c, options);
+  // The page has the equation and the truth of every case.
+  std::erase_if(given.facts, [](const auto& fact) {
+    return fact.first == "problem" || fact.first == "truth" || fact.first == "code";
+  });
+  return run_solvers(*given.c, {}, options, given.facts);
 }
 
 }  // namespace odeum::cli

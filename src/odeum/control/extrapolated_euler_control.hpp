@@ -7,6 +7,7 @@
 
 #include "odeum/control/adaptive.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
+#include "odeum/kernel/inner_nodes.hpp"
 #include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
@@ -59,18 +60,34 @@ class ExtrapolatedEulerControl {
     return error <= 1 ? accept(h) : reject(h);
   }
 
-  /// A step aside by the column of the step made.
+  /// Interpolation with steps aside to its nodes by the column of the step made. Without slopes: f
+  /// magnifies the errors of stiff components.
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
-    table_.linearise(step.t, step.before);
-    double contraction = 0;
-    for (std::size_t j = 0; j <= used_; ++j)
-      if (!table_.add_row(j, step.t, time - step.t, step.before, contraction))
-        return Status::newton_failed;
-    y = table_.column(used_);
+    if (!nodes_.hold(step.t, step.h) && !fill_nodes(step)) return Status::newton_failed;
+    nodes_.by_states(step.share(time), y);
     return Status::ok;
   }
 
  private:
+  bool fill_nodes(const StepMade<State<P>>& step) {
+    // Column k, from 0, has order k + 1. A polynomial of degree k would keep that over a whole run,
+    // but be three times as far off as the ends of the steps on Robertson's reactions.
+    nodes_.begin(step.t, step.h, static_cast<int>(used_), step.before);
+    const std::size_t end = nodes_.size() - 1;
+    nodes_.state(0) = step.before;
+    nodes_.state(end) = step.after;
+    table_.linearise(step.t, step.before);
+    double contraction = 0;
+    for (std::size_t k = 1; k < end; ++k) {
+      for (std::size_t j = 0; j <= used_; ++j)
+        if (!table_.add_row(j, step.t, nodes_.share(k) * step.h, step.before, contraction))
+          return false;
+      nodes_.state(k) = table_.column(used_);
+    }
+    nodes_.filled();
+    return true;
+  }
+
   static constexpr std::size_t columns = ExtrapolatedEulerTable<P>::max_columns, last = columns - 1;
 
   Decision unusable(double h) {
@@ -114,6 +131,7 @@ class ExtrapolatedEulerControl {
   ExtrapolatedEulerTable<P> table_;
   State<P> scale_;
   ErrorScale<State<P>> error_scale_;
+  InnerNodes<State<P>> nodes_;
   std::size_t target_ = 2, used_ = 0;  ///< columns, from 0
   bool first_ = true, rejected_ = false, moved_ = true;
   std::array<double, columns> work_{}, step_{}, cost_{};

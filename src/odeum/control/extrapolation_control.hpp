@@ -7,6 +7,7 @@
 
 #include "odeum/control/adaptive.hpp"
 #include "odeum/kernel/extrapolation.hpp"
+#include "odeum/kernel/inner_nodes.hpp"
 #include "odeum/kernel/quick_power.hpp"
 
 namespace odeum {
@@ -130,21 +131,41 @@ class ExtrapolationTrial {
     repeated_ = !decision.accept;
     return decision;
   }
-  /// A step aside with as many lines as the step made.
+  /// Hermite's interpolation with steps aside to its nodes, of as many lines as the step made,
+  /// whose order is twice their number.
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
-    table_.begin(step.t, time - step.t, step.before, control_.line() + 1);
-    for (int line = 0; line <= control_.line(); ++line) table_.add_line(line);
-    table_.result(control_.line(), y);
+    if (!nodes_.hold(step.t, step.h)) fill_nodes(step);
+    nodes_.by_slopes(step.share(time), y);
     return Status::ok;
   }
 
  private:
+  void fill_nodes(const StepMade<State<P>>& step) {
+    const int used = control_.line() + 1;
+    nodes_.begin(step.t, step.h, used - 2, step.before);
+    const std::size_t end = nodes_.size() - 1;
+    nodes_.state(0) = step.before;
+    nodes_.state(end) = step.after;
+    table_.begin(step.t, nodes_.share(1) * step.h, step.before, used);
+    nodes_.slope(0) = table_.slope();
+    for (std::size_t k = 1; k < end; ++k) {
+      if (k > 1) table_.begin_again(nodes_.share(k) * step.h, used);
+      for (int line = 0; line < used; ++line) table_.add_line(line);
+      table_.result(used - 1, nodes_.state(k));
+    }
+    for (std::size_t k = 1; k <= end; ++k)
+      problem_.rhs(step.t + nodes_.share(k) * step.h, nodes_.state(k).data(),
+                   nodes_.slope(k).data());
+    nodes_.filled();
+  }
+
   static constexpr int lines = 10;  // up to order 20
   const Guarded<P>& problem_;
   ExtrapolationTable<Guarded<P>, lines> table_;
   OrderAndStepControl<lines> control_;
   State<P> difference_;
   ErrorScale<State<P>> scale_;
+  InnerNodes<State<P>> nodes_;
   bool repeated_ = false;
 };
 

@@ -36,6 +36,8 @@ struct Problem {
   std::vector<double> absolute;  ///< tolerance by state, or one for all; empty: none given
   /// The equations as text, for people: `x' = ...`, in the order of the file.
   std::string equations_text;
+  Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
+  std::string mass_text;        ///< M, for people
 };
 
 inline constexpr std::size_t most_states = 20'000;  ///< each is an equation of the C code

@@ -16,7 +16,7 @@ namespace {
 
 const std::vector<std::string> known_keys = {"name",       "parameters", "definitions", "states",
                                              "equations",  "boundaries", "time",        "exact",
-                                             "invariants", "scale",      "tolerance"};
+                                             "invariants", "scale",      "tolerance",   "mass"};
 
 }  // namespace
 
@@ -52,6 +52,7 @@ Problem Reader::read() {
   read_definitions(all);
   read_boundaries(all);
   read_equations(all);
+  read_mass(all);
   read_exact();
   read_invariants(all);
   read_scale();

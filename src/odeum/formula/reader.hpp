@@ -91,6 +91,11 @@ class Reader {
   std::vector<Id> read_by_state(const std::string& in, Scope scope, std::vector<Place>& places);
   void require_all(const std::string& in, const std::vector<Id>& nodes);
   void read_equations(const Scope& scope);
+  /// Solves M v' = F for the equations of the states that have a mass: reader_mass.cpp.
+  void read_mass(Scope& scope);
+  void apply_mass(const std::vector<std::size_t>& at,
+                  const std::vector<std::vector<long double>>& m,
+                  const std::vector<std::vector<long double>>& inverse, Scope& scope);
   void read_exact();
   void read_invariants(const Scope& scope);
   void read_scale();

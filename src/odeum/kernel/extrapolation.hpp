@@ -56,6 +56,8 @@ class ExtrapolationTable {
     }
     table_[static_cast<std::size_t>(line)] = now;
   }
+  /// f(t, y) of begin().
+  const State<P>& slope() const { return f0_; }
   /// The new state by the last entry of `line`.
   void result(int line, State<P>& y) const {
     const State<P>& increment = table_[static_cast<std::size_t>(line)];

@@ -48,7 +48,7 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
 
 std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t rounding_steps) {
   const Case& c = *pair.c;
-  if (!c.extended || !pair.entrant->extended ||
+  if (!c.extended || !c.extended->truth || !pair.entrant->extended ||
       half_unit >= std::numeric_limits<double>::epsilon() / 2)
     return std::nullopt;
   // Seven numbers of steps, from before the rounding of double to a third beyond it.

@@ -23,20 +23,20 @@ std::vector<record::TableColumn> columns() {
           {"status", "{status}: {detail}"}};
 }
 
-/// The factor against the number of particles, a curve for each scaling of the structural springs.
-std::string factor_chart(const std::vector<MeshRow>& rows) {
+/// A column against the number of particles, a curve for each scaling of the structural springs.
+std::string chart_of(const std::vector<MeshRow>& rows, const char* name, double MeshRow::*column) {
   report::Axis across, up;
   std::map<std::string, std::vector<report::ChartPoint>> curves;
   for (const MeshRow& row : rows) {
     if (row.springs != "structural" || row.status != "ok") continue;
-    across.include(static_cast<double>(row.particles)), up.include(row.factor);
-    curves[row.scaling].emplace_back(row.particles, row.factor);
+    across.include(static_cast<double>(row.particles)), up.include(row.*column);
+    curves[row.scaling].emplace_back(row.particles, row.*column);
   }
   if (curves.empty()) return {};
   report::Chart chart(report::large_chart, across.widened(1.1), up.widened(1.3),
                       {.x = "particles along an edge",
-                       .y = "factor",
-                       .description = "factor against the number of particles"});
+                       .y = name,
+                       .description = std::string(name) + " against the number of particles"});
   std::vector<report::Key> keys;
   for (const auto& [scaling, points] : curves) {
     chart.curve(points, keys.size());
@@ -82,7 +82,14 @@ class Mesh final : public StudyOf<MeshResult> {
                  "further with "
                  "every refinement: a membrane does not carry a load in a point, and no stiffness "
                  "makes up for it.</p>\n" +
-                 factor_chart(result().rows) + report::html_of(rows)});
+                 chart_of(result().rows, "factor", &MeshRow::factor) +
+                 "<p>What the wrong scalings look like: the same sheet under its own weight is "
+                 "shorter or longer by the mesh alone. The scenes <code>sheet_coarse</code>, "
+                 "<code>sheet_fine</code> (scaled rightly) and <code>sheet_fine_heavy</code> "
+                 "(particles of the coarse sheet's mass in the fine one) show it: <code>odeum run "
+                 "sheet_fine_heavy --out DIR</code> writes a replay.</p>\n" +
+                 chart_of(result().rows, "extension, m", &MeshRow::extension) +
+                 report::html_of(rows)});
   }
 
  protected:
