@@ -202,7 +202,8 @@ TEST(StepDoubling, KeepsBothItsBounds) {
     ASSERT_EQ(second.t, whole.t + whole.h / 2);
     std::array<double, 2> difference{};
     for (std::size_t n = 0; n < 2; ++n) difference[n] = whole.after[n] - second.after[n];
-    const double norm = scaled_error_norm(difference, whole.before, second.after, ErrorScale(1e-6, difference));
+    const double norm =
+        scaled_error_norm(difference, whole.before, second.after, ErrorScale(1e-6, difference));
     const bool ends = next.t + next.h >= 10;  // shortened to end at the stop
     if (norm > 1) {
       EXPECT_EQ(next.t, whole.t) << "repeated";
