@@ -100,7 +100,7 @@ TEST(Adaptive, ShortensAStepThatFailsAndGivesUpTruthfully) {
 
 TEST(Adaptive, ErrorNormIsTheRootMeanSquareOfScaledErrors) {
   const std::array<double, 2> error{3e-6, -4e-6}, y{0, 1}, y_new{-2, 0.5};
-  const ErrorScale scale(1e-6, y);  // 1e-6 (1 + 2) and 1e-6 (1 + 1)
+  const ErrorScale scale(1e-6, y);  // 3e-6, 2e-6
   EXPECT_DOUBLE_EQ(scaled_error_norm(error, y, y_new, scale), std::sqrt((1 + 4) / 2.));
   for (const double bad : {std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_FALSE(std::isfinite(scaled_error_norm(error, y, {0, bad}, scale)));
@@ -202,7 +202,7 @@ TEST(StepDoubling, KeepsBothItsBounds) {
     ASSERT_EQ(second.t, whole.t + whole.h / 2);
     std::array<double, 2> difference{};
     for (std::size_t n = 0; n < 2; ++n) difference[n] = whole.after[n] - second.after[n];
-    const double norm = scaled_error_norm(difference, whole.before, second.after, ErrorScale(1e-6, difference));
+    const double norm = scaled_error_norm(difference, whole.before, second.after, {1e-6, {}});
     const bool ends = next.t + next.h >= 10;  // shortened to end at the stop
     if (norm > 1) {
       EXPECT_EQ(next.t, whole.t) << "repeated";

@@ -31,7 +31,7 @@ const SameTableau tableaus[] = {
       "arkode/erkstep_cash_karp_6_4_5", "arkode/erkstep_user_cash_karp54"}},
     {"Fehlberg 4(5)", {"odeum/fehlberg45", "gsl/rkf45", "arkode/erkstep_fehlberg_6_4_5"}},
     {"Fehlberg 7(8)",
-     {"odeum/fehlberg78", "odeint/runge_kutta_fehlberg78", "arkode/erkstep_fehlberg_13_7_8"}},
+     {"odeum/fehlberg78", "odeint/runge_kutta_fehlberg78", "arkode/arkstep_fehlberg_13_7_8"}},
 };
 
 // What controllers explain of the number of steps: the norm of the scaled error (root mean square
@@ -40,11 +40,13 @@ const SameTableau tableaus[] = {
 // at most; a tolerance that is taken for another, an estimate that is missing a factor or a step
 // that is limited without need changes the count by more.
 constexpr double explained = 1.6;
-// ARKODE's PID controller keeps a step that could grow by less than 1.5, which it computes from the
-// error to the power 0.47/7 or 0.47/4: errors of 1/400 of the tolerance or 1/30 leave the step as
-// it is, a factor of 2 in the steps; and over the 7 to 16 steps that its competitors take of order
-// 8 on Kepler's ellipse it does not grow to its own length (reports/findings/sundials.md).
-constexpr double explained_arkode = 5;
+// ARKODE's controller keeps a step that could grow by less than 1.5, which it computes from the
+// error to the power of about 0.47/4 (order 5) or 0.47/7: errors of 1/30 or 1/400 of the tolerance
+// leave a step as it is, a factor of 2 in the steps; and over the 7 to 16 steps that others take of
+// order 8 on Kepler's ellipse it does not grow to its own length. Of Fehlberg's 7(8) ERKStep takes
+// twice ARKStep's steps, since it evaluates the first stage at another state
+// (reports/findings/sundials.md).
+constexpr double explained_arkode = 3.2;
 
 TEST(Agreement, SameTableauSameSteps) {
   std::size_t compared = 0;

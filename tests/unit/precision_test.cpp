@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <string>
 #include <thread>
 
 #include "odeum/studies/stopwatch.hpp"
@@ -162,8 +164,19 @@ TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
     // Timed and counted runs are one and the same here, whatever the machine.
     EXPECT_EQ(each.detail.find("ended"), std::string::npos) << each.detail;
   }
-  EXPECT_EQ(ok % 18, 0);  // ten tolerances and eight steps each
+  // Ten tolerances and eight steps each, and looser tolerances up to an error of 1e-2.
   EXPECT_GE(ok, 18);
+  std::map<std::string, const PrecisionRow*> loosest;
+  for (const PrecisionRow& each : result.rows)
+    if (each.status == "ok" && each.mode == Mode::adaptive)
+      if (const PrecisionRow*& found = loosest[each.library + each.solver];
+          !found || each.setting > found->setting)
+        found = &each;
+  EXPECT_GE(loosest.size(), 1U);
+  for (const auto& [solver, row] : loosest) {
+    EXPECT_GE(row->setting, 1e-3) << solver;
+    EXPECT_TRUE(row->error >= 1e-2 || row->setting > 0.09) << solver << ' ' << row->setting;
+  }
   EXPECT_EQ(unfit, 1);
   EXPECT_EQ(result.summary.size(), 11U);
 }

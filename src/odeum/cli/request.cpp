@@ -72,7 +72,7 @@ RunSettings settings_for(const Case& c, RunSettings settings) {
 }
 
 std::string text_of_tolerance(const Request& request) {
-  if (request.absolute.empty()) return fmt::format("tolerance {}", request.tolerance);
+  if (request.absolute.empty()) return fmt::format("{}", request.tolerance);
   constexpr std::size_t most = 8;
   const auto shown = std::min(request.absolute.size(), most);
   return fmt::format("rtol {}, atol {}{}", request.tolerance,

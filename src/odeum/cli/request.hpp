@@ -23,7 +23,7 @@ bool has_setting(const RunSettings& settings);
 /// The settings for a case: without one the tolerance that its author asks for, and a tolerance
 /// alone with the absolute ones of its thresholds.
 RunSettings settings_for(const Case& c, RunSettings settings);
-/// `rtol R, atol A` or `tolerance R`, for people.
+/// `rtol R, atol A`, or `R` where it is one number, for people.
 std::string text_of_tolerance(const Request& request);
 
 /// The request for a solver over [t0, until or `horizon`], with the only stop at the end;

@@ -2,6 +2,33 @@
 #include "odeum/cli/run.hpp"
 
 namespace odeum::cli {
+namespace {
+
+void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
+  CLI::Option* step = command.add_option("--step", settings.step, "fixed step")->type_name("H");
+  CLI::Option* tol = command
+                         .add_option("--tol", settings.tolerance,
+                                     "relative and absolute tolerance, or with a case's own "
+                                     "absolute ones in proportion")
+                         ->type_name("R")
+                         ->excludes(step);
+  CLI::Option* rtol =
+      command.add_option("--rtol", settings.relative, "relative tolerance, with --atol")
+          ->type_name("R")
+          ->excludes(step)
+          ->excludes(tol);
+  CLI::Option* atol =
+      command
+          .add_option("--atol", settings.absolute,
+                      "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
+          ->type_name("A")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->needs(rtol);
+  rtol->needs(atol);
+}
+
+}  // namespace
 
 void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
@@ -18,28 +45,7 @@ void add_run(CLI::App& app, int& result) {
                    "a solver; several are compared; default: the scene's own")
       ->type_name("ID...");
   add_problem_options(*command, options->problems, false);
-  CLI::Option* step =
-      command->add_option("--step", options->settings.step, "fixed step")->type_name("H");
-  CLI::Option* tol = command
-                         ->add_option("--tol", options->settings.tolerance,
-                                      "relative and absolute tolerance, or with a case's or "
-                                      "scene's own absolute ones in proportion")
-                         ->type_name("R")
-                         ->excludes(step);
-  CLI::Option* rtol =
-      command->add_option("--rtol", options->settings.relative, "relative tolerance, with --atol")
-          ->type_name("R")
-          ->excludes(step)
-          ->excludes(tol);
-  CLI::Option* atol =
-      command
-          ->add_option("--atol", options->settings.absolute,
-                       "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
-          ->type_name("A")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->needs(rtol);
-  rtol->needs(atol);
+  add_step_and_tolerances(*command, options->settings);
   command->add_option("--until", options->settings.until, "end time; default: the horizon")
       ->type_name("T");
   command

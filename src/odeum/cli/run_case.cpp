@@ -178,7 +178,7 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
                             record::format_number(parameter.value) + ", " + parameter.meaning);
   page.facts.emplace_back("Setting", options.settings.step
                                          ? fmt::format("step {}", *options.settings.step)
-                                         : text_of_tolerance(runs.front().request));
+                                         : "tolerance " + text_of_tolerance(runs.front().request));
   page.table = table_of(c, runs);
   page.figures = case_figures(c, runs, exact);
   folder.write("comparison.html", report::comparison_page(page));

@@ -44,12 +44,14 @@ int main() {
   for (const double bad : {0.0, -1.0, nan, infinity}) {
     right = refused({1}, 0, 1, odeum::Step{bad}) && right;
     right = refused({1}, 0, 1, odeum::Tolerance{bad}) && right;
+    right = refused({1}, 0, 1, odeum::Tolerance{1e-3, bad}) && right;
   }
   right = refused({1}, 0, 1, odeum::Step{1e-300}) && right;
   for (const double end : {0.0, -1.0, nan, infinity})
     right = refused({1}, 0, end, odeum::Step{0.1}) && right;
   right = refused({1, 2}, 0, 1, odeum::Step{0.1}) && right;
   right = refused({}, 0, 1, odeum::Tolerance{0.1}) && right;
+  right = refused({1}, 0, 1, odeum::Tolerance{0.1, {0.1, 0.1}}) && right;
   right = fails<rk4>(odeum::Step{0.01}, odeum::Status::non_finite) && right;
   right = fails<dormand_prince54>(odeum::Tolerance{1e-6}, odeum::Status::step_too_small) && right;
   return right ? 0 : 1;
