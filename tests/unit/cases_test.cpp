@@ -112,8 +112,11 @@ TEST_P(EveryCase, JacobianIsTheDerivative) {
   for (const auto& [t, y] : along(*GetParam())) {
     std::vector<double> j(n * n);
     p.jacobian(p.problem, t, y.data(), j.data());
+    const double most = largest(j);
     std::vector<double> moved = y;
-    for (std::size_t k = 0; k < n; ++k) {
+    // Of many unknowns some columns, all kinds of neighbours among them.
+    const std::size_t stride = n > 200 ? 37 : 1;
+    for (std::size_t k = 0; k < n; k += stride) {
       // Components may be tiny where the solution is stiff: steps relative to their own size.
       const double reach = 1e-3 * std::max(std::abs(y[k]), 1e-6 * std::max(1.0, largest(y)));
       const Difference d = difference(n, reach, [&](double h, double* f) {
@@ -126,7 +129,7 @@ TEST_P(EveryCase, JacobianIsTheDerivative) {
         EXPECT_NEAR(entry, d.value[i], d.uncertainty[i] + 1e-9 * std::abs(entry))
             << "d f_" << i << " / d y_" << k << " at t = " << t;
         // So that the test can fail: the bound on a relevant entry is below a tenth of it.
-        if (std::abs(entry) > 1e-3 * largest(j) && largest(j) < 1e9) {
+        if (std::abs(entry) > 1e-3 * most && most < 1e9) {
           EXPECT_LT(d.uncertainty[i], 0.1 * std::abs(entry)) << i << ", " << k << " at t = " << t;
         }
       }

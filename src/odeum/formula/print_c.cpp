@@ -311,7 +311,10 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
   if (!analysis.time_derivative.empty())
     print_values(out, "time_derivative", analysis.time_derivative, in_double);
   if (analysis.structure.second_order) print_acceleration(out, problem);
-  if (analysis.series) print_series(out, problem, *analysis.series);
+  // One function of all steps: the compiler takes minutes for more.
+  constexpr std::size_t most_compiled = 600;
+  if (analysis.series && analysis.series->steps.size() <= most_compiled)
+    print_series(out, problem, *analysis.series);
   print_values(out, "rhs_extended", problem.equations, in_long_double);
   print_values(out, "entries_extended", entries, in_long_double);
   return std::move(out.text);
