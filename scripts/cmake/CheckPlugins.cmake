@@ -8,6 +8,7 @@ endif()
 must(${CMAKE_COMMAND} --build ${FOLDER}/plugin_build)
 set(at ${FOLDER}/plugin_build)
 
+set(ENV{XDG_CACHE_HOME} ${FOLDER})
 set(good "--plugin ${at}/libmy_rk4.so --plugin ${at}/libmy_pendulum.so")
 
 expect(0 "list solvers ${good}" "mine/rk4 +explicit_rk +4")
@@ -19,6 +20,11 @@ expect(0 "converge ${good} --case lotka_volterra --case models_* --solver mine/*
        "models_chain mine/rk4 fixed 4 [34]\\.[0-9]+ confirmed" "models_driven odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed"
        "lotka_volterra mine/rk4 adaptive 4 [34]\\.[0-9]+ confirmed" "lotka_volterra cvode/adams")
 expect(0 "run models_chain ${good} --solver odeum/rodas4 --tol 1e-8" "status ok" "error [0-9.]+e-(09|10|11)")
+# A problem without an exact solution has a computed one.
+expect(0 "run models_pendulum ${good} --solver odeum/dormand_prince853 --tol 1e-10" "status ok"
+       "error [0-9.]+e-(09|10|11|12) .* against computed from the plug-in models by")
+expect(0 "converge ${good} --case models_pendulum --mode fixed --solver odeum/rk4 --out ${FOLDER}/out"
+       "models_pendulum odeum/rk4 fixed 4 (3\\.9|4\\.0)[0-9]+ confirmed")
 expect(0 "run models_driven ${good} --solver odeum/velocity_verlet --step 0.01" "status ok")
 expect(0 "limits ${good} --case models_chain --solver odeum/rk4 --out ${FOLDER}/out")
 expect(0 "stability ${good} --solver mine/rk4 --out ${FOLDER}/out" "rk4 +real +2\\.785")
@@ -51,6 +57,9 @@ foreach(fault IN ITEMS "crash|crashed: Segmentation fault" "exit_process|ended i
   expect(3 "run lotka_volterra --plugin ${at}/libbad_${name}.so --solver bad/euler --step 0.01" "${sentence}")
 endforeach()
 expect(3 "run lotka_volterra --plugin ${at}/libbad_backwards.so --solver bad/euler --tol 1e-3" "moved t backwards")
+# It goes on to evaluate after its budget.
+expect(0 "converge --plugin ${at}/libbad_ignore_budget.so --mode fixed --case lotka_volterra --solver bad/euler --out ${FOLDER}/out"
+       "bad/euler fixed 1 nan undetermined.*no right-hand side within its budget for 5 s and was ended")
 expect(0 "converge --plugin ${at}/libbad_crash.so --mode fixed --case lotka_volterra --case bad_decay --solver bad/euler --solver odeum/rk4 --out ${FOLDER}/out"
        "lotka_volterra bad/euler fixed 1 nan failed" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed"
        "bad_decay odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")

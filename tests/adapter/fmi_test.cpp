@@ -1,98 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // FMUs that the build makes of tests/package/fmi: what runs, and what is refused with which reason.
-#include <gtest/gtest.h>
-#include <unistd.h>
-#include <zip.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <utility>
-#include <vector>
+#include <stdexcept>
 
-#include "odeum/contest/late.hpp"
-#include "support/foreign_case.hpp"
+#include "fmi_stage.hpp"
 
-namespace odeum {
+namespace odeum::fmi_tests {
 namespace {
-
-namespace fs = std::filesystem;
-using Values = std::map<std::string, std::string>;
-using Entries = std::vector<std::pair<std::string, std::string>>;
-using Edit = std::function<void(std::string& xml)>;
-
-std::string read(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  EXPECT_TRUE(in) << file;
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void replace(std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  ASSERT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-}
-
-class Fmus : public testing::TestWithParam<int> {
- protected:
-  Fmus() { fs::create_directories(folder_); }
-  ~Fmus() override { fs::remove_all(folder_); }
-
-  /// A ZIP archive with these entries.
-  std::string archive(const Entries& entries) {
-    const std::string file = (folder_ / "model.fmu").string();
-    zip_t* const zip = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
-    EXPECT_TRUE(zip);
-    for (const auto& [name, text] : entries)
-      EXPECT_GE(zip_file_add(zip, name.c_str(), zip_source_buffer(zip, text.data(), text.size(), 0),
-                             ZIP_FL_ENC_UTF_8),
-                0);
-    EXPECT_EQ(zip_close(zip), 0) << zip_strerror(zip);
-    return file;
-  }
-  static bool three() { return GetParam() == 3; }
-  static std::string binary_name() {
-    return three() ? "binaries/" ODEUM_PROCESSOR "-linux/oscillator.so"
-                   : "binaries/linux64/oscillator.so";
-  }
-  static Entries entries(const Edit& edit = {}, const std::string& binary = {}) {
-    std::string xml = read(std::string(ODEUM_SOURCE_DIR "/tests/package/fmi/fmi") +
-                           (three() ? "3.xml" : "2.xml"));
-    if (edit) edit(xml);
-    return {{"modelDescription.xml", xml},
-            {binary_name(), read(!binary.empty() ? binary
-                                 : three()       ? ODEUM_FMI3
-                                                 : ODEUM_FMI2)}};
-  }
-  std::string fmu(const Edit& edit = {}) { return archive(entries(edit)); }
-
-  static std::string refusal(const std::string& file, const Values& values = {}) {
-    try {
-      open_fmu(file, values);
-    } catch (const LateError& error) {
-      return error.what();
-    }
-    return "it was not refused";
-  }
-  void expect_refused(const std::string& file, const std::string& why, const Values& values = {}) {
-    const std::string said = refusal(file, values);
-    EXPECT_NE(said.find(why), std::string::npos) << said << "\nexpected: " << why;
-    EXPECT_TRUE(said.starts_with(file)) << said;
-  }
-  void expect_refused_xml(const std::string& from, const std::string& to, const std::string& why) {
-    expect_refused(fmu([&](std::string& xml) { replace(xml, from, to); }), why);
-  }
-  Case made(const Values& values = {}) {
-    foreign::Given given = open_fmu(fmu(), values);
-    given.id = "model";
-    return cases::foreign_case(std::move(given)).c;
-  }
-
-  fs::path folder_ = fs::temp_directory_path() / ("odeum_fmi_test_" + std::to_string(getpid()) +
-                                                  "_" + std::to_string(GetParam()));
-};
 
 const Entrant& entrant(const Case& c, const std::string& id) {
   for (const Entrant& e : c.entrants)
@@ -168,60 +82,6 @@ TEST_P(Fmus, ValuesThatCannotBeSetAreRefused) {
   expect_refused(file, "expected a whole number", {{"fault", "1.5"}});
 }
 
-TEST_P(Fmus, DamagedArchivesAreRefused) {
-  expect_refused((folder_ / "none.fmu").string(), "is no file");
-  const std::string file = fmu();
-  const std::string whole = read(file);
-  for (const double part : {0.0, 0.3, 0.99}) {
-    std::ofstream(file, std::ios::binary)
-        << whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size())));
-    expect_refused(file, "is no whole ZIP archive");
-  }
-  std::string flipped = whole;
-  flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 0x55);
-  std::ofstream(file, std::ios::binary) << flipped;
-  expect_refused(file, "is damaged");
-  expect_refused(archive({{"readme", "nothing"}}), "has no modelDescription.xml");
-}
-
-TEST_P(Fmus, ArchivesThatPointOutOfTheirFolderAreRefused) {
-  const fs::path outside = folder_.parent_path() / "odeum_fmi_escaped";
-  for (const char* name : {"../odeum_fmi_escaped", "resources/../../odeum_fmi_escaped",
-                           "/odeum_fmi_escaped", "resources\\..\\..\\odeum_fmi_escaped", "C:/x"}) {
-    Entries all = entries();
-    all.emplace_back(name, "x");
-    expect_refused(archive(all), "would be written outside of its folder");
-  }
-  EXPECT_FALSE(fs::exists(outside));
-}
-
-TEST_P(Fmus, BrokenDescriptionsAreRefused) {
-  expect_refused_xml("</ModelVariables>", "", "modelDescription.xml: byte");
-  expect_refused_xml("<fmiModelDescription", "<!DOCTYPE x [<!ENTITY a \"b\">]><fmiModelDescription",
-                     "document type declaration");
-  expect_refused_xml(three() ? "fmiVersion=\"3.0\"" : "fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"",
-                     "fmiVersion is \"1.0\"");
-  expect_refused_xml("ModelExchange", "CoSimulation", "co-simulation only");
-  expect_refused_xml("modelIdentifier=\"oscillator\"", "modelIdentifier=\"../oscillator\"",
-                     "modelIdentifier");
-  expect_refused_xml("stopTime=\"8\"", "stopTime=\"-8\"", "is no interval");
-  expect_refused_xml("stopTime=\"8\"", "stopTime=\"soon\"", "expected a number");
-  if (three()) {
-    expect_refused_xml("derivative=\"3\"", "derivative=\"99\"", "no variable has the reference 99");
-    expect_refused_xml("<ModelStructure>", "<ModelStructure><EventIndicator valueReference=\"1\"/>",
-                       "state events (1 event indicators)");
-    expect_refused_xml("modelIdentifier=", "needsCompletedIntegratorStep=\"true\" modelIdentifier=",
-                       "acts at the end of steps");
-    expect_refused_xml("</ModelVariables>",
-                       "<Clock name=\"c\" valueReference=\"9\"/></ModelVariables>", "clocks");
-  } else {
-    expect_refused_xml("index=\"5\"", "index=\"99\"", "index 99: there are 8 variables");
-    expect_refused_xml("index=\"5\"", "index=\"1\"", "but of no state");
-    expect_refused_xml("numberOfEventIndicators=\"0\"", "numberOfEventIndicators=\"2\"",
-                       "state events (2 event indicators)");
-  }
-}
-
 TEST_P(Fmus, OtherBinariesAreRefused) {
   Entries other = entries();
   other[1].first = "binaries/win64/oscillator.dll";
@@ -287,4 +147,4 @@ TEST_P(Fmus, AModelThatHangsIsEnded) {
 INSTANTIATE_TEST_SUITE_P(Versions, Fmus, testing::Values(2, 3));
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::fmi_tests

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Two problems: a driven oscillator q'' = -4 q + 3 sin t, q = sin t, and a linear chain of cooling
- * rods with a banded Jacobian. */
+/* Three problems: a driven oscillator q'' = -4 q + 3 sin t, q = sin t, a linear chain of cooling
+ * rods with a banded Jacobian, and a pendulum q'' = -sin q, whose solution Odeum computes. */
 #include <math.h>
 #include <odeum/plugin.h>
 
@@ -50,11 +50,17 @@ static int chain_exact(void* data, double t, double* y) {
   return 0;
 }
 
+static int swing(void* data, double t, const double* y, double* dydt) {
+  (void)data, (void)t;
+  dydt[0] = y[1], dydt[1] = -sin(y[0]);
+  return 0;
+}
+
 static const double start[] = {0, 1}, stops[] = {2, 5, 10};
 static double chain_start[rods];
-static odeum_problem problems[2];
+static odeum_problem problems[3];
 static const odeum_plugin plugin = {
-    .version = ODEUM_PLUGIN_VERSION, .name = "models", .problem_count = 2, .problems = problems};
+    .version = ODEUM_PLUGIN_VERSION, .name = "models", .problem_count = 3, .problems = problems};
 
 const odeum_plugin* odeum_plugin_entry(void) {
   const odeum_problem driven = {.name = "driven",
@@ -79,8 +85,16 @@ const odeum_plugin* odeum_plugin_entry(void) {
                                .upper = 1,
                                .banded_jacobian = chain_jacobian,
                                .exact = chain_exact};
+  const odeum_problem pendulum = {.name = "pendulum",
+                                  .equation = "q'' = -sin q, q(0) = 0, q'(0) = 1",
+                                  .dimension = 2,
+                                  .y0 = start,
+                                  .stops = stops,
+                                  .stop_count = 3,
+                                  .rhs = swing};
   for (size_t i = 0; i < rods; ++i) chain_start[i] = shape(i);
   problems[0] = driven;
   problems[1] = chain;
+  problems[2] = pendulum;
   return &plugin;
 }
