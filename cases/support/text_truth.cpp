@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "odeum/formula/print_c.hpp"
 #include "odeum/truth/system.hpp"
@@ -161,7 +162,12 @@ TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
     std::copy(reference->states[k].begin(), reference->states[k].end(), y);
     return true;
   };
-  result.truth.at = [at = result.extended, n = ode->size()](double t, double* y) {
+  result.truth.at = [at = result.extended, n = ode->size(), ends_at = reference->ends_at](
+                        double t, double* y) {
+    if (t > ends_at) {
+      std::fill_n(y, n, std::numeric_limits<double>::infinity());
+      return true;
+    }
     std::vector<long double> state(n);
     if (!at(t, state.data())) return false;
     std::copy(state.begin(), state.end(), y);
@@ -173,6 +179,9 @@ TextTruth computed(const std::shared_ptr<const TextOde>& ode) {
   if (!reference->end.empty())
     result.words += fmt::format(" up to t = {:.6g}, and no verdict is given beyond: {}",
                                 result.known_until, reference->end);
+  if (std::isfinite(reference->ends_at))
+    result.words += fmt::format("; its slope is unbounded: a state after t = {:.6g} is wrong",
+                                reference->ends_at);
   return result;
 }
 
