@@ -2,6 +2,7 @@
 #include "odeint/catalogue.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -92,6 +93,19 @@ const Row& row_of(std::string_view method, int& number) {
   throw std::logic_error("odeint has no stepper " + std::string(method));
 }
 
+/// The sum of the moduli of the weights with which extrapolation_stepper of an order adds up the
+/// states of its midpoint runs of 2, 4, ..., `order` sub-steps; their rounding is multiplied by it.
+double extrapolation_weights(int order) {
+  double sum = 0;
+  for (double j = 2; j <= order; j += 2) {
+    double weight = 1;
+    for (double i = 2; i <= order; i += 2)
+      if (i != j) weight *= j * j / (j * j - i * i);
+    sum += std::abs(weight);
+  }
+  return sum;
+}
+
 }  // namespace
 
 SolverInfo info_of(std::string_view method) {
@@ -104,6 +118,8 @@ SolverInfo info_of(std::string_view method) {
   info.order = row.order + number;
   info.fixed = row.modes != adaptive_only;
   info.adaptive = row.modes != fixed_only;
+  if (row.name == std::string_view("extrapolation_stepper"))
+    info.rounding = extrapolation_weights(number);
   info.controller = row.controller;
   info.needs = row.needs;
   info.source = "Boost 1.74, Numeric.Odeint, the stepper's header";

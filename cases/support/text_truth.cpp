@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "odeum/formula/print_c.hpp"
@@ -187,7 +188,11 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
     std::copy(reference->states[k].begin(), reference->states[k].end(), y);
     return true;
   };
-  result.truth.at = [at = result.extended, n](double t, double* y) {
+  result.truth.at = [at = result.extended, n, ends_at = reference->ends_at](double t, double* y) {
+    if (t > ends_at) {
+      std::fill_n(y, n, std::numeric_limits<double>::infinity());
+      return true;
+    }
     std::vector<long double> state(n);
     if (!at(t, state.data())) return false;
     std::copy(state.begin(), state.end(), y);
@@ -199,6 +204,9 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
   if (!reference->end.empty())
     result.words += fmt::format(" up to t = {:.6g}, and no verdict is given beyond: {}",
                                 result.known_until, reference->end);
+  if (std::isfinite(reference->ends_at))
+    result.words += fmt::format("; its slope is unbounded: a state after t = {:.6g} is wrong",
+                                reference->ends_at);
   return result;
 }
 

@@ -88,7 +88,8 @@ ${calls}    return list;
   set(ODEUM_METHOD_FILES ${units} ${ODEUM_GENERATED}/own/catalogue.cpp PARENT_SCOPE)
 endfunction()
 
-# odeum_cases.cpp: all_cases() from every file in cases/, its stem the function that makes it.
+# odeum_cases.cpp: all_cases() from every file in cases/, its stem the function that makes it, and
+# case_files(), which names them.
 function(odeum_generate_cases)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
   set(declarations "")
@@ -96,28 +97,38 @@ function(odeum_generate_cases)
   foreach(file IN LISTS files)
     get_filename_component(stem ${file} NAME_WE)
     string(APPEND declarations "std::vector<Case> ${stem}();\n")
-    string(APPEND calls "    add(cases::${stem}());\n")
+    string(APPEND calls "    add(cases::${stem}(), \"${stem}\");\n")
   endforeach()
   odeum_write(${ODEUM_GENERATED}/odeum_cases.cpp
-"#include <iterator>
-#include <utility>
+"#include <utility>
 
 #include \"odeum/contest/case.hpp\"
+#include \"odeum/contest/case_files.hpp\"
 #include \"support/late_cases.hpp\"
 
 namespace odeum {
 namespace cases {
 ${declarations}}
+namespace {
+std::map<std::string, std::string> files;
+}
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
-    const auto add = [&](std::vector<Case> more) {
-      std::move(more.begin(), more.end(), std::back_inserter(list));
+    const auto add = [&](std::vector<Case> more, const char* file) {
+      for (Case& c : more) {
+        if (file) files[c.id] = file;
+        list.push_back(std::move(c));
+      }
     };
-${calls}    add(cases::late_cases());
+${calls}    add(cases::late_cases(), nullptr);
     return list;
   }();
   return all;
+}
+const std::map<std::string, std::string>& case_files() {
+  all_cases();
+  return files;
 }
 }
 ")
@@ -489,4 +500,22 @@ function(odeum_adapter)
     set(row "    {\"${A_NAME}\", {${quoted}}, \"${A_OPTION}\", false, \"\"},\n")
   endif()
   set_property(GLOBAL APPEND_STRING PROPERTY ODEUM_LIBRARY_ROWS "${row}")
+endfunction()
+
+# odeum_units.cpp, see HashUnits.cmake, as a source of the program; made of the object files of the targets
+# that are named, anew whenever one of them changes.
+function(odeum_hash_units program)
+  set(objects "")
+  foreach(target IN LISTS ARGN)
+    list(APPEND objects $<TARGET_OBJECTS:${target}>)
+  endforeach()
+  file(GENERATE OUTPUT ${ODEUM_GENERATED}/odeum_objects.txt CONTENT "$<JOIN:${objects},\n>\n")
+  add_custom_command(
+    OUTPUT ${ODEUM_GENERATED}/odeum_units.cpp
+    COMMAND ${CMAKE_COMMAND} -DOBJECTS=${ODEUM_GENERATED}/odeum_objects.txt -DOUTPUT=${ODEUM_GENERATED}/odeum_units.cpp
+            -P ${PROJECT_SOURCE_DIR}/scripts/cmake/HashUnits.cmake
+    DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/scripts/cmake/HashUnits.cmake
+    VERBATIM)
+  set_source_files_properties(${ODEUM_GENERATED}/odeum_units.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  target_sources(${program} PRIVATE ${ODEUM_GENERATED}/odeum_units.cpp)
 endfunction()

@@ -25,6 +25,22 @@ TEST(Odeint, EachStepperIsHonest) {
     if (entrant.unfit.empty()) expect_honest(entrant, enrolled);
 }
 
+// By Aitken and Neville: 4/3 - 1/3 for runs of 2 and 4 sub-steps, and 1/24 - 16/15 + 81/40 for 2, 4
+// and 6.
+TEST(Odeint, ExtrapolationAmplifiesRoundingByItsWeights) {
+  int checked = 0;
+  for (const Entrant& entrant : enrolled({})) {
+    const bool fourth = entrant.info.method == "extrapolation_stepper_4";
+    if (fourth || entrant.info.method == "extrapolation_stepper_6") {
+      EXPECT_NEAR(entrant.info.rounding, fourth ? 5. / 3 : 1. / 24 + 16. / 15 + 81. / 40, 1e-14);
+      ++checked;
+    } else if (entrant.info.family != "extrapolation") {
+      EXPECT_EQ(entrant.info.rounding, 1) << entrant.info.method;
+    }
+  }
+  EXPECT_EQ(checked, 2);
+}
+
 TEST(Odeint, ErrorFallsWithTolerance) {
   for (const Entrant& entrant : enrolled({})) {
     // Of orders 10 and 12, these do better than asked at any tolerance here: that is judged.

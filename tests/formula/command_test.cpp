@@ -120,6 +120,10 @@ TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
   write("blow_up.yaml", "states: {x: 1}\nequations: {x: x^2}\ntime: {end: 2, stops: [0.5, 2]}\n");
   expect("run blow_up.yaml", 0, "no verdict is given beyond");
   expect("run blow_up.yaml --solver dormand_prince54 --tol 1e-6 --until 2", 3, "status  ");
+  // Past the pole at t = 1 a fixed step goes on.
+  const char* const past = " --step 0.05 --until 1.05";
+  for (const char* solver : {"rk4", "heun", "rodas4", "implicit_euler_linearised"})
+    expect("run blow_up.yaml --solver " + std::string(solver) + past, 0, "answer  wrong: ");
   write("root.yaml", "states: {y: 1, s: 0}\nequations: {y: -sqrt(1 - s), s: 1}\ntime: {end: 2}\n");
   expect("run root.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Computed references against those of cases/reference, which have 25 digits: what is claimed to be
 // known is known.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,6 +76,34 @@ TEST(TruthLimits, BlowUpIsKnownToItsTime) {
   long double x = 0;
   ASSERT_TRUE(truth.extended(0.5, &x));
   EXPECT_NEAR(static_cast<double>(x), 2, truth.extended_floor);
+  double y = 0;
+  EXPECT_FALSE(truth.truth.at(0.99, &y)) << "not looked at";
+  ASSERT_TRUE(truth.truth.at(1.01, &y));
+  EXPECT_TRUE(std::isinf(y)) << "there is no solution";
+  EXPECT_NE(truth.words.find("after t = 1 is wrong"), std::string::npos) << truth.words;
+}
+
+// x = sqrt(1 - 2 t) ends at 1/2 in zero, x = -log(1 - t) at 1, where it is 41 when steps vanish.
+TEST(TruthLimits, ASolutionEndsWhereItsSlopeIsUnbounded) {
+  for (const auto& [equation, end] :
+       {std::pair{"-1/x", 0.5}, std::pair{"exp(x - 1)", 1.0}, std::pair{"x^1.5", 2.0}}) {
+    const cases::TextTruth truth = computed_truth(
+        fmt::format("states: {{x: 1}}\nequations: {{x: \"{}\"}}\ntime: {{end: 4}}\n", equation));
+    double x = 0;
+    ASSERT_TRUE(truth.truth.at(end + 0.01, &x)) << equation << ' ' << truth.words;
+    EXPECT_TRUE(std::isinf(x)) << equation;
+    EXPECT_FALSE(truth.truth.at(end - 0.01, &x) && std::isinf(x)) << equation;
+  }
+}
+
+// Steps are short there too, but the slope is bounded: along x = 0 after t = 2, and beyond a jump.
+TEST(TruthLimits, NoSolutionEndsAtAKink) {
+  for (const char* equation : {"-sqrt(abs(x))", "if(x < 2, 1, 3)"}) {
+    const cases::TextTruth truth = computed_truth(
+        fmt::format("states: {{x: 1}}\nequations: {{x: \"{}\"}}\ntime: {{end: 4}}\n", equation));
+    double x = 0;
+    EXPECT_FALSE(truth.truth.at(3.99, &x) && std::isinf(x)) << equation << ' ' << truth.words;
+  }
 }
 
 TEST(TruthLimits, TheRootOfANegativeNumberEndsWhatIsKnown) {
@@ -123,6 +152,7 @@ TEST(TruthStore, IsReadBackOrRefused) {
   r.states = {{1 / 3.0L, -2e-30L}, {4, 5}};
   r.floors = {1e-17, 2e-16};
   r.known_until = 2;
+  r.ends_at = 3;
   r.methods = "two methods";
   const std::string text = truth::to_text(r);
   const auto read = truth::from_text(text, 2);
@@ -130,6 +160,9 @@ TEST(TruthStore, IsReadBackOrRefused) {
   EXPECT_EQ(read->times, r.times);
   EXPECT_EQ(read->states, r.states);
   EXPECT_EQ(read->floors, r.floors);
+  EXPECT_EQ(read->ends_at, r.ends_at);
+  EXPECT_EQ(truth::from_text(truth::to_text({}), 2)->ends_at,
+            std::numeric_limits<double>::infinity());
   EXPECT_EQ(truth::to_text(*read), text);
   EXPECT_FALSE(truth::from_text(text, 3));
   for (std::size_t size = 0; size + 1 < text.size(); ++size)

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
 #include "source_tree.hpp"
@@ -50,6 +52,31 @@ TEST(Rules, IncludesPointDown) {
 TEST(Rules, FilesAreShort) { expect_only_known(long_files(root), "file"); }
 
 TEST(Rules, FunctionsAreShort) { expect_only_known(long_functions(root), "function"); }
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A result of a solver on a case depends on own methods that the judge or its study measures with;
+// when their code changes it must not be taken from the store.
+TEST(Rules, KeptResultsDependOnTheMethodsThatTheyAreMeasuredWith) {
+  const std::string kept = text_of(root / "src/odeum/cli/kept_results.cpp");
+  const std::regex quoted("\"(?:odeum/)?(([a-z]+)[a-z0-9_]*)\"");
+  std::set<std::string> found;
+  for (const std::string& file :
+       sources_of(root, {"src/odeum/judge", "src/odeum/studies/convergence",
+                         "src/odeum/studies/drift", "src/odeum/studies/limits"})) {
+    const std::string text = text_of(root / file);
+    for (std::sregex_iterator each(text.begin(), text.end(), quoted), end; each != end; ++each) {
+      if (!fs::exists(root / "src/odeum/methods" / ((*each)[1].str() + ".hpp"))) continue;
+      found.insert((*each)[2]);
+      EXPECT_NE(kept.find("\"own/" + (*each)[2].str() + "\""), std::string::npos)
+          << file << " uses " << (*each)[1];
+    }
+  }
+  EXPECT_GE(found.size(), 2U) << "the sources were not read";
+}
 
 /// A checkout of a few files in a folder of its own.
 class Checkout : public testing::Test {

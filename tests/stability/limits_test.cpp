@@ -178,23 +178,23 @@ TEST(Stability, DoesNotDependOnTheNumberOfJobs) {
     EXPECT_EQ(growth_text(two.regions[i]), growth_text(own().regions[i]));
 }
 
-TEST(Stability, AnInterruptedRunResumesToTheSameFiles) {
+TEST(Stability, ResultsThatWereKeptAreThoseThatWereMeasured) {
   const std::filesystem::path path =
       std::filesystem::path(::testing::TempDir()) / "odeum_stability_resume";
   std::filesystem::remove_all(path);
-  const record::OutputFolder folder(path);
   Options options;
   options.solvers = {"odeum/heun", "odeum/velocity_verlet", "odeum/implicit_euler_fixed_point"};
   options.own = {{"grid", "9"}};
   {
-    record::Journal journal(folder, "stability", "same", false);
+    record::Store store(path);
     Options first = options;
     first.solvers = {"odeum/heun", "odeum/implicit_euler_fixed_point"};
-    measure_stability(first, Runner(1, &journal));
+    measure_stability(first, Runner(1, {.store = &store, .maker = "same"}));
   }
-  record::Journal journal(folder, "stability", "same", true);
-  EXPECT_EQ(journal.size(), 10U);  // two solvers, three axes and two planes
-  const StabilityResult resumed = measure_stability(options, Runner(1, &journal));
+  record::Store store(path);
+  const StabilityResult resumed =
+      measure_stability(options, Runner(1, {.store = &store, .maker = "same"}));
+  EXPECT_EQ(store.taken(), 10U);  // two solvers, three axes and two planes
   const StabilityResult fresh = measure_stability(options);
   ASSERT_EQ(resumed.limits.size(), fresh.limits.size());
   for (std::size_t i = 0; i < fresh.limits.size(); ++i) {

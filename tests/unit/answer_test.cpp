@@ -76,7 +76,7 @@ TEST(Amplification, OfManyUnknownsIsTakenFromRandomDirections) {
 }
 
 TEST(Answer, IsWrongBeyondWhatIsExplainedAndNeverBelow) {
-  const judge::Amplification amplification{.at_stops = {2, 50}, .unknown = {}};
+  const judge::Amplification amplification{.at_stops = {2, 50}, .controls = {}, .unknown = {}};
   const auto judged = [&](double first, double second, double steps) {
     return judge::judge_answer({{.time = 1, .error_max = first}, {.time = 2, .error_max = second}},
                                amplification, 1e-6, steps, 1e-9, 1);
@@ -94,6 +94,41 @@ TEST(Answer, IsWrongBeyondWhatIsExplainedAndNeverBelow) {
   EXPECT_EQ(judged(1e-9, std::nan(""), 10).answer, Answer::explained)
       << "by the stop that is known";
   EXPECT_EQ(judged(std::nan(""), std::nan(""), 10).answer, Answer::undetermined);
+}
+
+// The linear bound is 2.4 at a solution of 2: it explained an error of 1.6.
+TEST(Answer, OfTheSizeOfTheSolutionIsExplainedByNoLinearBound) {
+  const Case& c = find_case("vdp_eps1e_6");
+  const judge::Judge judge(c, c.stops);
+  const judge::Amplification found = judge::measure_amplification(c, c.stops);
+  ASSERT_EQ(found.unknown, "");
+  ASSERT_GE(found.controls.size(), 4U);
+  const auto judged = [&](double error) {
+    std::vector<judge::StopError> errors;
+    for (const double stop : c.stops) errors.push_back({.time = stop, .error_max = 1e-9});
+    errors.back().error_max = error;
+    return judge::judge_answer(errors, found, 1e-4, 4000, c.truth.floor, judge.scale());
+  };
+  const double linear = 1e-4 * 4000 * found.at_stops.back();
+  ASSERT_GT(linear, 1.6) << "else it is no test";
+  EXPECT_EQ(judged(1.6).answer, Answer::wrong);
+  EXPECT_NE(judged(1.6).reason.find("half of the solution"), std::string::npos);
+  // What implicit Euler comes to there.
+  EXPECT_EQ(judged(0.02).answer, Answer::explained);
+}
+
+// An error of one tolerance, 1e-4, grows to 33 beside the saddle, whatever a method of high order
+// comes to.
+TEST(Answer, OfTheSizeOfTheSolutionIsExplainedWhereOneStepMayLeadToIt) {
+  const Case c = saddle_to(12);
+  const judge::Judge judge(c, c.stops);
+  const judge::Amplification found = judge::measure_amplification(c, c.stops);
+  ASSERT_EQ(found.unknown, "");
+  const auto judged =
+      judge::judge_answer({{.time = 6, .error_max = 1e-3}, {.time = 12, .error_max = 2}}, found,
+                          1e-4, 100, 0, judge.scale());
+  EXPECT_EQ(judged.answer, Answer::explained);
+  EXPECT_NE(judged.reason.find("size of the solution"), std::string::npos) << judged.reason;
 }
 
 /// The answers of a solver that meets `looser` times the tolerance that it is asked for.

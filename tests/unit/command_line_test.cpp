@@ -195,8 +195,8 @@ constexpr const char* study =
     "odeum converge --case 'dahlquist*' --case lotka_volterra --solver 'odeum/*' ";
 
 TEST_F(CommandLine, ResultsDoNotDependOnTheNumberOfJobs) {
-  ASSERT_EQ(shell(study + ("--quick --jobs 1 --out " + in("one"))).code, 0);
-  ASSERT_EQ(shell(study + ("--quick --jobs 3 --out " + in("three"))).code, 0);
+  ASSERT_EQ(shell(study + ("--no-cache --quick --jobs 1 --out " + in("one"))).code, 0);
+  ASSERT_EQ(shell(study + ("--no-cache --quick --jobs 3 --out " + in("three"))).code, 0);
   for (const char* file : {"convergence.csv", "convergence_times.csv.gz", "orders.csv"}) {
     EXPECT_FALSE(read(folder_ / "one" / file).empty());
     EXPECT_EQ(read(folder_ / "one" / file), read(folder_ / "three" / file)) << file;
@@ -204,20 +204,48 @@ TEST_F(CommandLine, ResultsDoNotDependOnTheNumberOfJobs) {
 }
 
 TEST_F(CommandLine, GoesOnAfterAKillToTheSameBytes) {
-  ASSERT_EQ(shell(study + ("--quick --out " + in("whole"))).code, 0);
-  // Killed as soon as two results are journaled, of some two hundred.
-  const std::string journal = in("killed") + "/.converge.journal";
-  shell("'" ODEUM_BINARY
+  ASSERT_EQ(shell(study + ("--no-cache --quick --out " + in("whole"))).code, 0);
+  // Killed as soon as there are kept results, of some two hundred.
+  const std::string cache = "XDG_CACHE_HOME=" + in("cache") + " ";
+  shell(cache +
+        "'" ODEUM_BINARY
         "' converge --case 'dahlquist*' --case lotka_volterra --solver 'odeum/*' --quick --jobs 1 "
         "--out " +
-        in("killed") + " & run=$!; until [ $(cat " + journal +
-        " 2>/dev/null | wc -l) -ge 3 ] || ! kill -0 $run; do sleep 0.01; done; "
+        in("killed") + " & run=$!; until [ $(cat " + in("cache") +
+        "/odeum/results/* 2>/dev/null | wc -l) -ge 9 ] || ! kill -0 $run; do sleep 0.01; done; "
         "kill -KILL $run; wait $run");
-  const std::string kept = read(folder_ / "killed" / ".converge.journal");
-  ASSERT_GE(std::count(kept.begin(), kept.end(), '\n'), 2) << "killed too early or too late";
-  ASSERT_EQ(shell(study + ("--quick --resume --out " + in("killed"))).code, 0);
+  ASSERT_FALSE(fs::exists(folder_ / "killed" / "orders.csv")) << "killed too late";
+  const Result result =
+      shell("export " + cache + "; " + study + "--quick --resume --out " + in("killed"));
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("results are those of earlier runs"), std::string::npos);
   for (const char* file : {"convergence.csv", "convergence_times.csv.gz", "orders.csv"})
     EXPECT_EQ(read(folder_ / "whole" / file), read(folder_ / "killed" / file)) << file;
+}
+
+TEST_F(CommandLine, KeptResultsAreThoseOfTheSameSettings) {
+  const std::string some =
+      "export XDG_CACHE_HOME=" + in("cache") + "; odeum converge lotka_volterra ";
+  const auto kept = [&](const std::string& options) {
+    const Result result = shell(some + options + " --out " + in("out"));
+    EXPECT_EQ(result.code, 0) << result.output;
+    const std::size_t at = result.output.find(" results are those of earlier runs");
+    if (at == std::string::npos) return std::string("none");
+    const std::size_t line = result.output.rfind('\n', at) + 1;
+    return result.output.substr(line, at - line);
+  };
+  EXPECT_EQ(kept("--solver heun --mode fixed --quick"), "none");
+  EXPECT_EQ(kept("--solver heun --mode fixed --quick"), "1 of 1");
+  EXPECT_EQ(kept("--solver heun --solver rk4 --mode fixed --quick"), "1 of 2") << "by pairs";
+  EXPECT_EQ(kept("--solver heun --mode fixed"), "none") << "other settings";
+  EXPECT_EQ(kept("--solver heun --mode fixed --no-cache"), "none");
+  EXPECT_NE(shell("odeum converge free_fall --resume --no-cache --out " + in("out")).code, 0);
+  // Nothing can be kept there: the run goes on.
+  const Result closed = shell(
+      "export XDG_CACHE_HOME=/dev/null/x; odeum converge free_fall --solver "
+      "heun --quick --out " +
+      in("out"));
+  EXPECT_EQ(closed.code, 0) << closed.output;
 }
 
 TEST_F(CommandLine, AnInterruptIs130AndLeavesNoHalfFile) {
@@ -226,7 +254,7 @@ TEST_F(CommandLine, AnInterruptIs130AndLeavesNoHalfFile) {
                               "' converge --case 'cloth*' --solver 'odeum/*' --out " +
                               in("out") + "; echo code $?");
   // timeout itself answers 124 where it had to send the signal; the program's word is its sentence.
-  EXPECT_NE(result.output.find("--resume continues"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("the same command continues"), std::string::npos) << result.output;
   EXPECT_FALSE(fs::exists(folder_ / "out" / "convergence.csv"));
 }
 

@@ -2,11 +2,14 @@
 // Runs in extended precision: orders that double does not resolve, and the same equation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "odeum/contest/case.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/methods/verner98.hpp"
+#include "odeum/studies/convergence/pair_runs.hpp"
 
 namespace odeum {
 namespace {
@@ -77,6 +80,48 @@ TEST(ExtendedPrecision, IsTheCasesOwnEquation) {
     ++compared;
   }
   EXPECT_GT(compared, 0);
+}
+
+/// The order of a solver whose runs in double have none and in extended precision are `run`.
+study::OrderRow order_of(const Case& c, const ExtendedRun& run) {
+  Entrant entrant;
+  entrant.info.order = 9;
+  entrant.solve = [](const Request&) {
+    Outcome outcome;
+    outcome.status = Status::over_budget;  // no order in double
+    return outcome;
+  };
+  entrant.extended = run;
+  const study::CaseMeasures measures{.gain = 1, .amplification = {}};
+  return study::converge_pair({&c, &entrant, Mode::fixed}, measures, false).orders.front();
+}
+
+// It read "higher: order nan in extended precision".
+TEST(ExtendedPrecision, AnOrderWithoutANumberIsNoVerdict) {
+  const auto found = std::find_if(all_cases().begin(), all_cases().end(),
+                                  [](const Case& each) { return each.extended != nullptr; });
+  ASSERT_NE(found, all_cases().end());
+  const Case& c = *found;
+  using States = std::vector<long double>;
+  const auto exact = [&](const ExtendedProblem& p, double, const std::vector<double>& stops,
+                         std::uint64_t) {
+    States states;
+    for (const double stop : stops) {
+      States y(p.size());
+      p.truth(stop, y.data());
+      states.insert(states.end(), y.begin(), y.end());
+    }
+    return states;
+  };
+  const auto failing = [&](const ExtendedProblem& p, double, const std::vector<double>& stops,
+                           std::uint64_t) {
+    return States(stops.size() * p.size(), std::numeric_limits<long double>::quiet_NaN());
+  };
+  for (const ExtendedRun& run : {ExtendedRun(exact), ExtendedRun(failing)}) {
+    const study::OrderRow row = order_of(c, run);
+    EXPECT_EQ(row.fit.verdict, judge::Verdict::undetermined) << row.fit.reason;
+    EXPECT_EQ(row.fit.reason.find("nan"), std::string::npos) << row.fit.reason;
+  }
 }
 
 }  // namespace

@@ -6,8 +6,11 @@
 #include <array>
 #include <limits>
 
+#include "odeum/methods/esdirk43.hpp"
 #include "odeum/methods/implicit_euler.hpp"
 #include "odeum/methods/implicit_euler_fixed_point.hpp"
+#include "odeum/methods/sdirk2.hpp"
+#include "odeum/methods/sdirk4.hpp"
 
 namespace odeum::tests {
 namespace {
@@ -133,6 +136,28 @@ TEST(Newton, SolvesRobertsonsFirstStepWithoutStepControl) {
     std::array<double, 3> f;
     problem.rhs(0, y.data(), f.data());
     EXPECT_NEAR(y[0], 1 + h * f[0], 1e-12) << h;
+  }
+}
+
+// A guess by the slope of the previous stage lay beyond zero, where Newton's method finds the other
+// root of the quadratic reaction: y[1] was negative after these steps.
+template <class Method>
+void expect_the_positive_root(double h) {
+  const Robertson problem;
+  typename Method::template Stepper<Robertson> stepper(problem);
+  std::array<double, 3> y{1, 0, 0};
+  for (int step = 0; step < 20; ++step) {
+    ASSERT_EQ(stepper.step(h * step, h, y), Status::ok) << Method::info.id << ' ' << h;
+    // Quasi-steady: 3e7 y1^2 = 0.04 y0 within a factor of 4, while y2 is small.
+    EXPECT_GT(y[1], 0.4e-5) << Method::info.id << ' ' << h << " step " << step;
+    EXPECT_LT(y[1], 8e-5) << Method::info.id << ' ' << h << " step " << step;
+  }
+}
+TEST(Newton, StagesFollowTheSolutionNotTheOtherRoot) {
+  for (const double h : {0.02, 0.04, 0.1, 1.0, 10.0}) {
+    expect_the_positive_root<methods::sdirk2>(h);
+    expect_the_positive_root<methods::sdirk4>(h);
+    expect_the_positive_root<methods::esdirk43>(h);
   }
 }
 

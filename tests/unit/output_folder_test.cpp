@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <thread>
 #include <vector>
 
 #include "odeum/record/gzip.hpp"
@@ -18,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using record::FileError;
-using record::Journal;
 using record::OutputFolder;
 
 /// The message of the FileError that `work` throws; empty where it throws none.
@@ -188,97 +186,6 @@ TEST(OutputFolder, AFailedWriteLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{".lock", "a.csv"}));
   folder.write("a.csv", large);
   EXPECT_EQ(text_of(folder.path() / "a.csv"), large);
-}
-
-TEST(Journal, HoldsWhatWasAddedWhateverItsCharacters) {
-  const TemporaryFolder temporary;
-  const OutputFolder folder(temporary.path());
-  const std::vector<std::string> texts{
-      "plain", "",       "tab\there", "two\nlines\n", "back\\slash\\", "\\n is not a line",
-      "\\",    "nul\0!", "\r\n",      "h\xc3\xa4"};
-  {
-    Journal journal(folder, "study", "options \t\n\\", false);
-    for (const std::string& key : texts)
-      for (const std::string& result : texts) journal.add(key + "/" + result, result + key);
-  }
-  const Journal resumed(folder, "study", "options \t\n\\", true);
-  EXPECT_EQ(resumed.size(), texts.size() * texts.size());
-  for (const std::string& key : texts)
-    for (const std::string& result : texts)
-      EXPECT_EQ(resumed.find(key + "/" + result), result + key);
-  EXPECT_EQ(resumed.find("never added"), std::nullopt);
-}
-
-TEST(Journal, IsUsedOnlyToResumeTheSameRun) {
-  const TemporaryFolder temporary;
-  const OutputFolder folder(temporary.path());
-  const auto started = [&](const std::string& fingerprint) {
-    Journal(folder, "study", fingerprint, false).add("key", "result");
-  };
-  started("one");
-  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 1U);
-  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 1U) << "resuming twice";
-  EXPECT_EQ(Journal(folder, "other", "one", true).size(), 0U);
-  EXPECT_EQ(Journal(folder, "study", "one more", true).size(), 0U);
-  EXPECT_EQ(Journal(folder, "study", "one", true).size(), 0U) << "the other run replaced it";
-  started("one");
-  EXPECT_EQ(Journal(folder, "study", "one", false).size(), 0U);
-}
-
-TEST(Journal, IgnoresALineThatWasNotWrittenWhole) {
-  const TemporaryFolder temporary;
-  const OutputFolder folder(temporary.path());
-  {
-    Journal journal(folder, "study", "f", false);
-    journal.add("first", "1");
-    journal.add("second", "2");
-  }
-  const fs::path path = folder.path() / ".study.journal";
-  const std::string whole = text_of(path);
-  for (std::size_t length = 0; length <= whole.size(); ++length) {
-    write_text(path, whole.substr(0, length));
-    Journal resumed(folder, "study", "f", true);
-    const bool first = length >= whole.find("second"), second = length == whole.size();
-    EXPECT_EQ(resumed.find("first"), first ? std::optional<std::string>("1") : std::nullopt);
-    EXPECT_EQ(resumed.find("second"), second ? std::optional<std::string>("2") : std::nullopt);
-    resumed.add("third", "3");
-    EXPECT_EQ(Journal(folder, "study", "f", true).find("third"), "3") << "after " << length;
-  }
-}
-
-TEST(Journal, AFailedAddLeavesNoHalfLineToJoinTheNext) {
-  const TemporaryFolder temporary;
-  const OutputFolder folder(temporary.path());
-  {
-    Journal journal(folder, "study", "f", false);
-    journal.add("before", "1");
-    {
-      const FullDisk full(1 << 10);
-      EXPECT_NE(error_of([&] { journal.add("lost", std::string(1 << 16, 'x')); }), "");
-    }
-    journal.add("after", "2");
-  }
-  const Journal resumed(folder, "study", "f", true);
-  EXPECT_EQ(resumed.size(), 2U);
-  EXPECT_EQ(resumed.find("before"), "1");
-  EXPECT_EQ(resumed.find("after"), "2");
-}
-
-TEST(Journal, TakesResultsFromSeveralThreadsAndGoesWhenFinished) {
-  const TemporaryFolder temporary;
-  const OutputFolder folder(temporary.path());
-  Journal journal(folder, "study", "f", false);
-  {
-    std::vector<std::jthread> threads;
-    for (int thread = 0; thread < 4; ++thread)
-      threads.emplace_back([&journal, thread] {
-        for (int i = 0; i < 100; ++i)
-          journal.add(std::to_string(thread) + ":" + std::to_string(i), std::string(50, 'x'));
-      });
-  }
-  EXPECT_EQ(Journal(folder, "study", "f", true).size(), 400U);
-  journal.finish();
-  EXPECT_EQ(names_in(folder.path()), std::vector<std::string>{".lock"});
 }
 
 }  // namespace

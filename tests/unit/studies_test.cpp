@@ -47,14 +47,14 @@ TEST(Studies, ReadTheirFilesBackToTheSameBytes) {
   }
 }
 
-TEST(Studies, AnInterruptedOneResumesToTheSameFiles) {
+TEST(Studies, ResultsThatWereKeptMakeTheSameFiles) {
   for (const std::string name : {"converge", "stability", "limits", "drift", "proof"}) {
     const tests::TemporaryFolder root;
     const record::OutputFolder folder(root.path());
-    const auto files_of = [&](const Options& options, record::Journal* journal) {
+    const auto files_of = [&](const Options& options, record::Store* store) {
       for (const auto& study : make_studies()) {
         if (study->declaration().name != name) continue;
-        study->measure(options, Runner(1, journal));
+        study->measure(options, Runner(1, {.store = store, .maker = "same"}));
         study->write(folder);
         std::string texts;
         for (const std::string& file : study->files()) texts += text_of(folder.path() / file);
@@ -65,13 +65,12 @@ TEST(Studies, AnInterruptedOneResumesToTheSameFiles) {
     const Options whole = little_of(name);
     Options part = whole;
     part.solvers = {"odeum/rk4"};
-    {
-      record::Journal journal(folder, name, "same", false);
-      files_of(part, &journal);
-    }
-    record::Journal journal(folder, name, "same", true);
-    EXPECT_GT(journal.size(), 0U) << name;
-    EXPECT_EQ(files_of(whole, &journal), files_of(whole, nullptr)) << name;
+    record::Store before(root.path() / "store");
+    files_of(part, &before);
+    EXPECT_GT(before.added(), 0U) << name;
+    record::Store store(root.path() / "store");
+    EXPECT_EQ(files_of(whole, &store), files_of(whole, nullptr)) << name;
+    EXPECT_EQ(store.taken(), before.added()) << name;
   }
 }
 

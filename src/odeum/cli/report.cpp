@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <list>
 
+#include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/report_scenes.hpp"
 #include "odeum/cli/report_solutions.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/cli/study_command.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/studies/convergence/section.hpp"
@@ -77,28 +76,20 @@ std::vector<Case> cases_of(const Options& options) {
 /// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
 /// writes the files of what was measured.
 void run_studies(const study::Studies& studies, const Options& options,
-                 const record::OutputFolder& folder) {
-  std::list<record::Journal> journals;
+                 const record::OutputFolder& folder, record::Store* store) {
   for (const auto& study : studies) {
     const study::Declaration& declaration = study->declaration();
     const std::vector<study::Options> runs = runs_of(*study, options);
-    record::Journal* journal = nullptr;
-    if (!runs.empty() && declaration.no_resume.empty()) {
-      study::Options mark{.quick = options.quick};
-      for (const study::Options& run : runs) mark.own["report"] += run.text();
-      journal =
-          &journals.emplace_back(folder, declaration.name, journal_mark(mark), options.resume);
-    }
     bool partial = runs.empty();
     for (const study::Options& run : runs) {
-      study->measure(run, study::Runner(options.jobs_or_cores(), journal));
+      record::Store* const kept = declaration.no_resume.empty() ? store : nullptr;
+      study->measure(run, study::Runner(options.jobs_or_cores(), keeping_of(kept, run)));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
     }
     if (partial && options.given.empty()) study->add_earlier(folder.path());
   }
   for (const auto& study : studies)
     if (study->measured()) study->write(folder);
-  for (record::Journal& journal : journals) journal.finish();
 }
 
 void run(const Options& options) {
@@ -107,10 +98,11 @@ void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(options.out);
   const study::Studies studies = study::make_studies();
+  const auto store = open_store(options);
   try {
-    run_studies(studies, options, folder);
+    run_studies(studies, options, folder, store.get());
   } catch (const Interrupted&) {
-    throw Stopped("the same command with --resume continues");
+    throw Stopped(what_continues(store.get()));
   }
   report::Page page(report::describe(cases_of(options), all_libraries()), folder);
   for (const auto& study : studies)
@@ -125,6 +117,7 @@ void run(const Options& options) {
   if (options.quick) command += " --quick";
   for (const std::string& glob : options.cases) command += " --case '" + glob + "'";
   for (const std::string& glob : options.solvers) command += " --solver '" + glob + "'";
+  if (store) page.manifest("results_of_earlier_runs", store->taken());
   page.write(
       {.command_line = command,
        .quick = options.quick,
@@ -132,6 +125,7 @@ void run(const Options& options) {
   print(study::summary_text(page.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));
+  remark_on(store.get());
 }
 
 }  // namespace

@@ -147,7 +147,13 @@ void add_study_options(CLI::App& command, StudyOptions& options, bool with_solve
   command.add_option("--jobs", options.jobs, "solves at a time; default: the number of cores")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--resume", options.resume, "continue an interrupted run");
+  CLI::Option* resume = command.add_flag(
+      "--resume", options.resume,
+      "continue an interrupted run, as the same command does without it: results are kept");
+  command
+      .add_flag("--no-cache", options.no_cache,
+                "measure all, and neither use nor keep the results of earlier runs")
+      ->excludes(resume);
 }
 
 }  // namespace odeum::cli

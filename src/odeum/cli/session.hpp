@@ -56,8 +56,9 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 struct StudyOptions {
   std::vector<std::string> solvers;
   std::string out = "reports/out";
-  unsigned jobs = 0;  ///< 0: the number of cores
-  bool resume = false;
+  unsigned jobs = 0;      ///< 0: the number of cores
+  bool resume = false;    ///< said by the user; results are kept in any case
+  bool no_cache = false;  ///< neither take nor keep results
   unsigned jobs_or_cores() const;
 };
 void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers = true);

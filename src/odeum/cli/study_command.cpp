@@ -7,32 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
 #include <memory>
-#include <optional>
 
+#include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/contest/given_cases.hpp"
 #include "odeum/contest/late.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/studies/elements/problems.hpp"
-#include "odeum_build_info.hpp"
 
 namespace odeum::cli {
 namespace {
-
-/// A hash of the program's file: results of other code or flags are not resumed.
-std::string program_mark() {
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
-                                 std::hash<std::string>()(bytes));
-  for (const LateLibrary& library : late_libraries()) mark += " " + library.mark;
-  return mark;
-}
 
 void add_own_option(CLI::App& command, const study::Option& option, study::Options& into) {
   CLI::Option* added = command.add_option("--" + option.name, into.own[option.name], option.help);
@@ -58,17 +44,15 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   options.solvers = common.solvers;
   check_solver_globs(options.solvers);
   const record::OutputFolder folder(common.out);
-  std::optional<record::Journal> journal;
-  if (declaration.no_resume.empty())
-    journal.emplace(folder, declaration.name, journal_mark(options), common.resume);
+  const auto store = declaration.no_resume.empty() ? open_store(common) : nullptr;
   try {
-    study.measure(options, study::Runner(common.jobs_or_cores(), journal ? &*journal : nullptr));
+    study.measure(options, study::Runner(common.jobs_or_cores(), keeping_of(store.get(), options)));
   } catch (const Interrupted&) {
-    throw Stopped(journal ? "the same command with --resume continues" : "no file was written");
+    throw Stopped(what_continues(store.get()));
   }
   study.write(folder);
-  if (journal) journal->finish();
   print(study.table());
+  remark_on(store.get());
   std::vector<std::string> files = study.files();
   // Without rows a file is not written.
   std::erase_if(files, [&](const std::string& file) {
@@ -120,11 +104,6 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
 }
 
 }  // namespace
-
-std::string journal_mark(const study::Options& options) {
-  static const std::string program = program_mark();
-  return program + ' ' + options.text() + given_mark();
-}
 
 void add_study(CLI::App& app, study::Study& study, int& result) {
   struct Given {

@@ -16,7 +16,7 @@ namespace odeum {
 /// built in, its cases follow those of the project.
 struct LateLibrary {
   LibraryInfo info;
-  std::string mark;  ///< what identifies its code: results of another one are not resumed
+  std::string mark;  ///< what identifies its code: results of another one are not used
   /// Adds its solvers as entrants of a contest; empty: it has none.
   std::function<void(const ErasedContest&, std::vector<Entrant>&)> enroll = {};
   /// Its problems; empty: it has none.

@@ -145,10 +145,26 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
     result.at_stops[stop] = std::max(result.at_stops[stop], root);  // an error of the last step
 }
 
+std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector<double>& stops,
+                              double finest) {
+  const Judge judge(c, stops);
+  std::vector<Control> all;
+  for (double exponent = -2; std::pow(10, exponent) >= 0.99 * finest; --exponent) {
+    Outcome outcome;
+    const double to = std::pow(10, exponent);
+    outcome.states = flow.states(stops, to);
+    if (outcome.states.empty()) continue;
+    Control control{to, {}};
+    for (const StopError& error : judge.errors(outcome)) control.errors.push_back(error.error_max);
+    all.push_back(std::move(control));
+  }
+  return all;
+}
+
 }  // namespace
 
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops) {
-  Amplification result{.at_stops = States(stops.size(), 0), .unknown = {}};
+  Amplification result{.at_stops = States(stops.size(), 0), .controls = {}, .unknown = {}};
   try {
     const bool many = c.y0.size() > most_columns;
     Flow flow(c, stops.back(), many ? "dormand_prince54" : "dormand_prince853",
@@ -157,6 +173,7 @@ Amplification measure_amplification(const Case& c, const std::vector<double>& st
       by_random_directions(c, flow, stops, result);
     else
       by_all_columns(c, flow, stops, result);
+    result.controls = controls(c, flow, stops, many ? 1e-5 : 1e-8);
   } catch (const std::runtime_error& error) {
     result.unknown = std::string("the amplification of errors is not known: ") + error.what();
   }

@@ -8,6 +8,12 @@
 
 namespace odeum::judge {
 
+/// What a method of order 5 or 8 misses a case's truth by.
+struct Control {
+  double tolerance = 0;
+  std::vector<double> errors;  ///< by stop, the largest of a component
+};
+
 /// How a case carries errors made along its solution to its stops.
 struct Amplification {
   /// By stop: the effect of an error of one tolerance, relative and absolute, in all components at
@@ -16,6 +22,10 @@ struct Amplification {
   /// |y_i(t)|)|, in the Euclidean norm, n components. What local errors of a solver come to, if its
   /// root mean square of scaled errors, or the largest of them, is the tolerance.
   std::vector<double> at_stops;
+  /// The errors of the method by which this is measured, at tolerances from coarse to fine: what
+  /// the case leaves possible where at_stops, which is linear in the errors, comes to the size of
+  /// the solution.
+  std::vector<Control> controls;
   std::size_t directions = 0;  ///< random directions instead of all columns of Phi; 0: all of them
   std::string unknown;         ///< why it could not be measured, in a sentence; empty: it was
 };

@@ -11,7 +11,8 @@ namespace odeum::judge {
 
 /// The answer of a run, against the truth.
 /// - `explained`: its error is what tolerance, steps and the case's amplification explain.
-/// - `wrong`: it ended `ok`, and its error is larger; at a fixed step: ten times the solution's
+/// - `wrong`: it ended `ok`, and its error is larger, or of the size of the solution, see
+///   explained_error; at a fixed step: ten times the solution's
 ///   size; in either case: it has a state past the end of the solution.
 /// - `undetermined`: truth or amplification are not known.
 /// - `none`: the run did not end `ok`, and so claims no answer.
@@ -31,8 +32,12 @@ struct JudgedAnswer {
 /// What a run of that tolerance and number of steps may miss the truth by: a controller holds the
 /// error of each step to the tolerance, so that the sum over the steps, amplified, bounds the
 /// error. A hundred are allowed in any case: an estimate may be ten times too small, and so may the
-/// component that the controller's norm averages away.
-double explained_error(double tolerance, double steps, double amplification, double floor);
+/// component that the controller's norm averages away. The bound is linear in the errors, and over
+/// thousands of steps comes to the size of the solution, where it explains any answer. So more than
+/// a hundred steps explain half of that size at most, unless the control, a method of order 5 or 8
+/// at the same tolerance, is off by a hundredth of the error.
+double explained_error(double tolerance, double steps, const Amplification& amplification,
+                       std::size_t stop, double floor, double scale);
 
 /// At a fixed step.
 JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale);

@@ -94,6 +94,13 @@ std::vector<double> Flow::solve(double start, const std::vector<double>& y,
   return std::move(outcome.states);
 }
 
+std::vector<double> Flow::states(const std::vector<double>& stops, double tolerance) const {
+  Outcome outcome =
+      run(method_, tolerance, case_, case_.t0, case_.y0, stops, implicit_budget, nullptr);
+  if (outcome.status != Status::ok) return {};
+  return std::move(outcome.states);
+}
+
 std::vector<double> Flow::checkpoints(const std::vector<double>& stops, std::size_t count) const {
   std::vector<double> times = stops;
   times.push_back(case_.t0);

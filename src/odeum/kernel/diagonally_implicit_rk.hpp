@@ -37,7 +37,9 @@ class DiagonallyImplicitRungeKutta {
         newton_(problem, newton_weight),
         base_(make_state(problem)),
         stage_(base_),
-        before_(base_) {
+        before_(base_),
+        by_slope_(base_),
+        slope_is_closer_(base_) {
     k_.fill(base_);
   }
 
@@ -89,17 +91,30 @@ class DiagonallyImplicitRungeKutta {
         stage_ = base_;
         continue;
       }
-      // Initial guess: the slope of the previous stage; otherwise its state, which is closer where
-      // stiff components follow the others.
       before_ = i > 0 ? stage_ : base_;
       stage_ = base_;
-      if (i > 0)
-        for (std::size_t n = 0; n < y.size(); ++n) stage_[n] += gamma_h * k_[i - 1][n];
+      if (i > 0) guess(gamma_h, k_[i - 1]);
       const Status status = newton_.solve(stage_time, gamma_h, base_, stage_, before_);
       if (status != Status::ok) return status;
+      if (i > 0) compare_guesses();
       for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = newton_.increment()[n] / gamma_h;
     }
     return Status::ok;
+  }
+
+  /// The initial guess of a component: by the slope of the previous stage, or its state, which is
+  /// closer where a stiff component follows the others; whichever was closer in the last stage. A
+  /// guess beyond the solution may lead to another one.
+  void guess(double gamma_h, const State<P>& slope) {
+    for (std::size_t n = 0; n < stage_.size(); ++n) {
+      by_slope_[n] = base_[n] + gamma_h * slope[n];
+      stage_[n] = slope_is_closer_[n] != 0 ? by_slope_[n] : before_[n];
+    }
+  }
+  void compare_guesses() {
+    for (std::size_t n = 0; n < stage_.size(); ++n)
+      slope_is_closer_[n] =
+          std::abs(stage_[n] - by_slope_[n]) < std::abs(stage_[n] - before_[n]) ? 1 : 0;
   }
 
   void finish(double h, State<P>& y) {
@@ -117,7 +132,8 @@ class DiagonallyImplicitRungeKutta {
   const P& problem_;
   Newton<P> newton_;
   std::array<State<P>, stages> k_;
-  State<P> base_, stage_, before_;
+  State<P> base_, stage_, before_, by_slope_;
+  State<P> slope_is_closer_;
 };
 
 /// Base of a method that is a diagonally implicit tableau and nothing else.

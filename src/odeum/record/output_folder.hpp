@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
-#include <map>
-#include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -55,31 +52,6 @@ class OutputFolder {
  private:
   std::filesystem::path path_;
   OpenFile lock_;
-};
-
-/// The results of a study so far, in its output folder, so that `--resume` can continue after a
-/// kill. One line per finished task: a key and its result. An incomplete line is ignored. The first
-/// line is a fingerprint of program and options: a journal with another one is not used.
-class Journal {
- public:
-  /// Opens `<folder>/.<study>.journal`; truncates it unless `resume` and the fingerprint agrees.
-  Journal(const OutputFolder& folder, const std::string& study, const std::string& fingerprint,
-          bool resume);
-  /// The result stored for a key. Key and result may have any characters.
-  std::optional<std::string> find(const std::string& key) const;
-  /// Appends a result and flushes it; where that fails (FileError), the file is unchanged. Safe to
-  /// call from several threads.
-  void add(const std::string& key, const std::string& result);
-  /// Removes the file: the study is complete.
-  void finish();
-  std::size_t size() const { return held_.size(); }
-
- private:
-  std::filesystem::path path_;
-  std::map<std::string, std::string> held_;
-  std::mutex mutex_;
-  OpenFile file_;
-  std::size_t length_ = 0;  ///< of the complete lines in the file
 };
 
 }  // namespace odeum::record

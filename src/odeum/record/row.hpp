@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-/// A row names its file and columns once; CSV, reader, journal and tables follow from that:
+/// A row names its file and columns once; CSV, reader, store and tables follow from that:
 ///
 ///   struct OrderRow {
 ///     std::string case_id;
@@ -45,7 +45,7 @@ struct Words {
 template <class T>
 Words(T&, const char*, const char*) -> Words<T>;
 
-/// Numbers that are in the journal, without a column in the file.
+/// Numbers that are in the store, without a column in the file.
 template <class T>
 struct Unlisted {
   T& values;

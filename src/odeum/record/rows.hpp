@@ -43,7 +43,7 @@ std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>&
 std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
                      const Fields& blank, const std::function<void(FieldSource&)>& read);
 
-/// Consecutive fields as in the journal: exact, with any characters but 0x1f.
+/// Consecutive fields as in the store: exact, with any characters but 0x1f.
 void add_to_record(const Fields& fields, std::string& record);
 class RecordSource : public FieldSource {
  public:
@@ -164,7 +164,7 @@ void add_earlier(Result& result, Result earlier, Known&& known) {
   });
 }
 
-/// A result as a text for the journal, and back. Throws BadField for another text.
+/// A result as a text for the store, and back. Throws BadField for another text.
 template <class Result>
 std::string to_record(const Result& result) {
   std::string record;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,8 +8,8 @@
 #include "odeum/contest/case.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/record/output_folder.hpp"
 #include "odeum/record/rows.hpp"
+#include "odeum/record/store.hpp"
 
 namespace odeum::study {
 
@@ -29,7 +30,7 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
 const Case& find_case(const std::string& id);
 const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id);
 
-/// The names of a pair, for the journal.
+/// The names of a pair, by which its results are kept.
 std::string key_of(const Pair& pair);
 
 /// A row with the names of its case and solver.
@@ -54,25 +55,36 @@ Row not_applicable(Row row, const std::string& reason) {
   return row;
 }
 
-/// Runs the tasks of a study: several at a time, with progress, and with a journal from which a
-/// killed run continues.
+/// Where a run keeps results and takes those of earlier runs from, and what they depend on.
+struct Keeping {
+  record::Store* store = nullptr;  ///< null: nowhere
+  /// What any result of the run depends on: the whole program and all options.
+  std::string maker = {};
+  /// What a result of this case and solver depends on; empty: `maker` for them too.
+  std::function<std::string(const Case&, const SolverInfo&)> maker_of_pair = {};
+};
+
+/// Runs the tasks of a study: several at a time, with progress, and keeps their results, so that
+/// they need not be measured again, by a run that continues a killed one or by any later one.
 class Runner {
  public:
-  explicit Runner(unsigned jobs = 1, record::Journal* journal = nullptr)
-      : jobs_(jobs), journal_(journal) {}
+  explicit Runner(unsigned jobs = 1, Keeping keeping = {})
+      : jobs_(jobs), keeping_(std::move(keeping)) {}
 
   /// Calls work(task), which returns a Result (record/rows.hpp), for each task and joins the
   /// results in the order of the tasks, so that they do not depend on the number of jobs. A task
-  /// found in the journal is not measured again: key(task) must be unique within a run, and `what`
-  /// names the part of the study. Throws Interrupted.
+  /// with a result in the store is not measured again: key(task) must be unique within a run, and
+  /// `what` names the part of the study. Results of tasks other than a Pair are kept for the very
+  /// program and options; those of a Pair must depend on nothing but its case, its solver and the
+  /// options that are no globs. Throws Interrupted.
   template <class Task, class Key, class Work>
   auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
     using Result = decltype(work(tasks.front()));
     std::vector<Result> results(tasks.size());
     Progress progress(what, static_cast<double>(tasks.size()));
     parallel_for(tasks.size(), jobs_, [&](std::size_t i) {
-      results[i] =
-          held_or([&] { return what + ' ' + key(tasks[i]); }, [&] { return work(tasks[i]); });
+      results[i] = kept_or(
+          tasks[i], [&] { return what + ' ' + key(tasks[i]); }, [&] { return work(tasks[i]); });
       progress.advance();
     });
     Result all;
@@ -80,25 +92,32 @@ class Runner {
     return all;
   }
 
-  /// For timed tasks, which are neither journaled nor run in parallel.
+  /// For timed tasks, which are neither kept nor run in parallel.
   unsigned jobs() const { return jobs_; }
 
  private:
-  template <class Key, class Work>
-  auto held_or(Key&& key, Work&& work) const {
+  const std::string& maker_of(const auto&) const { return keeping_.maker; }
+  std::string maker_of(const Pair& pair) const {
+    return keeping_.maker_of_pair ? keeping_.maker_of_pair(*pair.c, pair.entrant->info)
+                                  : keeping_.maker;
+  }
+
+  template <class Task, class Key, class Work>
+  auto kept_or(const Task& task, Key&& key, Work&& work) const {
     using Result = decltype(work());
-    if (!journal_) return work();
-    const std::string name = key();
-    if (const auto held = journal_->find(name)) return record::from_record<Result>(*held);
+    if (!keeping_.store) return work();
+    const std::string name = key(), maker = maker_of(task);
+    if (const auto kept = keeping_.store->take(maker, name))
+      return record::from_record<Result>(*kept);
     Result result = work();
     // An interrupted task has no result.
     if (interrupted) throw Interrupted();
-    journal_->add(name, record::to_record(result));
+    keeping_.store->add(maker, name, record::to_record(result));
     return result;
   }
 
   unsigned jobs_;
-  record::Journal* journal_;
+  Keeping keeping_;
 };
 
 }  // namespace odeum::study

@@ -13,7 +13,7 @@
 
 /// A study is a folder, studies/<name>/: its rows, their measurement, its section of the page, and
 /// `std::unique_ptr<Study> make_<name>()`, which CMake finds. Its command, its part of the report,
-/// its files and its journal follow from that.
+/// its files and the keeping of its results follow from that.
 namespace odeum::report {
 class Page;
 }
@@ -29,7 +29,7 @@ struct Options {
 
   double number(const std::string& name, double otherwise) const;
   std::string word(const std::string& name) const;  ///< empty where not given
-  /// A text that identifies the options, for the journal.
+  /// A text that identifies the options, by which results are kept.
   std::string text() const;
 };
 
@@ -43,14 +43,14 @@ struct Option {
 
 /// A study as the command line needs it.
 struct Declaration {
-  std::string name;  ///< of the command and of the journal
+  std::string name;  ///< of the command
   std::string help;  ///< one line
   int place = 0;     ///< position on the page and in the list of commands, ascending
   std::string cases_help = "cases, with * and ?; !GLOB excludes";  ///< of --case; empty: takes none
   /// Without a choice of cases it is on all of them, else on none: a choice then asks for more.
   bool on_cases = true;
   std::string quick_help = {};  ///< of --quick; empty: takes none
-  std::string no_resume = {};   ///< reason for having no --resume; empty: it has
+  std::string no_resume = {};   ///< why its results are not kept; empty: they are
   std::vector<Option> options = {};
 };
 

@@ -33,6 +33,12 @@ inline void see(State& sizes, const State& y) {
   for (Real& size : sizes) size = std::max(size, 1e-6L * largest);
 }
 
+inline Real size_of(const State& y) {
+  Real largest = 0;
+  for (const Real x : y) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
 inline Real largest_ratio(const State& error, const State& sizes) {
   Real worst = 0;
   for (std::size_t i = 0; i < error.size(); ++i) {
@@ -91,6 +97,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   Real t = system.t0;
   const Real span = times.back() - t;
   const Real slope = largest_ratio(f, sizes);
+  Real last_slope = size_of(f);  // at the last of the times
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / 50);
   for (const Real time : times) {
     while (t < time) {
@@ -104,6 +111,10 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
             "the steps vanish at t = {:.9Lg}: the solution or the equations end "
             "there",
             t);
+        system.rhs(t, y.data(), f.data());
+        // At a kink, where steps vanish too, it is bounded.
+        constexpr Real unbounded = 1e6L;
+        if (!(size_of(f) <= unbounded * last_slope)) run.ends_at = t;
         return run;
       }
       const bool last = t + h * (1 + 1e-6L) >= time;
@@ -125,6 +136,8 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       h = std::min(last ? std::max(h, next) : next, span / 50);
     }
     run.states.push_back(y);
+    system.rhs(t, y.data(), f.data());
+    last_slope = size_of(f);
   }
   return run;
 }

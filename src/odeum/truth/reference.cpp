@@ -159,6 +159,10 @@ class Search {
       r.floors.push_back(static_cast<double>(safety * apart + 10 * constants + least * largest));
     }
     if (best.known < times_.size()) r.end = why(best);
+    const Real first = best.a.ends_at, second = best.b.ends_at;
+    const Real margin = 1e-6L * (times_.back() - system_.t0);
+    if (std::isfinite(first) && std::abs(first - second) <= margin)
+      r.ends_at = static_cast<double>(std::max(first, second) + margin);
     return r;
   }
 

@@ -10,7 +10,7 @@
 namespace odeum::truth {
 namespace {
 
-constexpr const char* mark = "odeum computed reference 1";
+constexpr const char* mark = "odeum computed reference 2";
 
 // Reads numbers up to the end of a line.
 template <class Number>
@@ -25,8 +25,8 @@ bool read(std::string_view& rest, Number& value) {
 }  // namespace
 
 std::string to_text(const Reference& r) {
-  std::string text = fmt::format("{}\n{}\n{}\n{} {} {}\n", mark, r.methods, r.end, r.known_until,
-                                 r.disagreement, r.times.size());
+  std::string text = fmt::format("{}\n{}\n{}\n{} {} {} {}\n", mark, r.methods, r.end, r.known_until,
+                                 r.ends_at, r.disagreement, r.times.size());
   for (std::size_t k = 0; k < r.times.size(); ++k) {
     fmt::format_to(std::back_inserter(text), "{} {}", r.times[k], r.floors[k]);
     for (const Real x : r.states[k]) fmt::format_to(std::back_inserter(text), " {:.21Lg}", x);
@@ -44,8 +44,8 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states) 
       !std::getline(in, r.end) || !std::getline(in, line))
     return std::nullopt;
   std::string_view rest = line;
-  if (!read(rest, r.known_until) || !read(rest, r.disagreement) || !read(rest, count) ||
-      count > 100'000)
+  if (!read(rest, r.known_until) || !read(rest, r.ends_at) || !read(rest, r.disagreement) ||
+      !read(rest, count) || count > 100'000)
     return std::nullopt;
   for (std::size_t k = 0; k < count; ++k) {
     if (!std::getline(in, line)) return std::nullopt;

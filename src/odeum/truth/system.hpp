@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,9 @@ struct Run {
   std::vector<State> states;  ///< one a time; fewer where the run ended early
   std::string end;            ///< why it ended early; empty: it did not
   double work = 0;            ///< operations spent
+  /// Where the slope of the solution grows without bound, at a pole or a root: it ends there.
+  /// Infinite: nowhere that is known.
+  Real ends_at = std::numeric_limits<Real>::infinity();
 };
 
 /// What a run may cost and how accurate each of its steps is to be.
@@ -76,8 +80,10 @@ struct Reference {
                                ///< extended precision
   double known_until = 0;      ///< the last time that was looked at and is known
   std::string end;             ///< why nothing is known beyond; empty: all is known
-  std::string methods;         ///< which two, in words
-  double disagreement = 0;     ///< largest over the times, of a component over its scale
+  /// After this time there is no solution: its slope grows without bound; infinite: not known.
+  double ends_at = std::numeric_limits<double>::infinity();
+  std::string methods;      ///< which two, in words
+  double disagreement = 0;  ///< largest over the times, of a component over its scale
 };
 
 /// The exact states at the times (ascending) to as many digits as two methods agree on. The

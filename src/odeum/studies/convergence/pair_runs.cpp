@@ -172,6 +172,8 @@ class PairRuns {
       if (other == runs_.end()) {
         fit.verdict = judge::Verdict::undetermined;
         fit.reason = "no step size could be solved within the budget: " + runs_.front().row.detail;
+      } else if (other->row.status == to_string(Status::ok)) {
+        fit.reason += ": unstable at all of them, with errors too large for a number";
       } else {
         fit.reason += fmt::format(": {}, {}", other->row.status, other->row.detail);
       }

@@ -42,7 +42,7 @@ Rays rays_of(const Case& c) {
   return rays;
 }
 
-/// A unit of work and of the journal.
+/// A unit of work.
 struct Task {
   const Rays* rays;
   const Case* plane;  ///< of y' = z y

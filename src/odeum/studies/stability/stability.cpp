@@ -65,7 +65,7 @@ constexpr Question questions[] = {
      .window = {0, 4, 0, 2}},
 };
 
-/// A unit of work and of the journal.
+/// A unit of work, whose result is kept.
 struct Task {
   const Question* question;
   const Case* c;

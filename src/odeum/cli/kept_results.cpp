@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/kept_results.hpp"
+
+#include <fmt/format.h>
+#include <link.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+
+#include "odeum/cli/problems.hpp"
+#include "odeum/cli/units.hpp"
+#include "odeum/contest/case_files.hpp"
+#include "odeum/contest/late.hpp"
+#include "odeum/core/machine.hpp"
+#include "odeum/formula/compile.hpp"
+#include "odeum_build_info.hpp"
+
+namespace odeum::cli {
+namespace {
+
+/// A hash of the program's file, and what is loaded besides.
+std::string mark_of_program() {
+  std::ifstream file("/proc/self/exe", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
+                                 std::hash<std::string>()(bytes));
+  for (const LateLibrary& library : late_libraries()) mark += " " + library.mark;
+  return mark;
+}
+
+/// The processor, and the shared libraries (the C library's functions among them).
+std::string mark_of_machine() {
+  std::string mark = cpu_model();
+  ::dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* data) {
+        const std::filesystem::path path = info->dlpi_name;
+        std::error_code none;
+        const auto size = std::filesystem::file_size(path, none);
+        if (none) return 0;  // the program, and what the kernel adds
+        const auto time = std::filesystem::last_write_time(path, none).time_since_epoch().count();
+        *static_cast<std::string*>(data) += fmt::format(" {} {} {}", path.string(), size, time);
+        return 0;
+      },
+      &mark);
+  return mark;
+}
+
+/// The unit of a solver: that of its family, the first word of its name, or its adapter.
+std::string unit_of(const SolverInfo& solver) {
+  if (solver.library == "odeum")
+    return "own/" +
+           solver.method.substr(0, solver.method.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+  for (const LibraryInfo& adapter : all_libraries())
+    if (std::count(adapter.libraries.begin(), adapter.libraries.end(), solver.library) > 0)
+      return "adapter/" + adapter.name;
+  return "";
+}
+
+const std::map<std::string, std::string>& units() {
+  static const std::map<std::string, std::string> all(build::units.begin(), build::units.end());
+  return all;
+}
+
+}  // namespace
+
+study::Keeping keeping_of(record::Store* store, const study::Options& options) {
+  static const std::string program = mark_of_program(), machine = mark_of_machine();
+  const std::string run = program + ' ' + machine + ' ' + options.text() + given_mark();
+  study::Options settings = options;
+  settings.cases.clear();
+  settings.solvers.clear();
+  const auto of_pair = [run, others = machine + ' ' + settings.text()](const Case& c,
+                                                                       const SolverInfo& solver) {
+    std::string maker = others;
+    const bool built_in = &c >= all_cases().data() && &c < all_cases().data() + all_cases().size();
+    const auto file = case_files().find(c.id);
+    if (!built_in || file == case_files().end()) return run;
+    // The judge measures amplifications, and the study of limits its windows, by the last two.
+    for (const std::string& unit : {std::string("rest"), "case/" + file->second, unit_of(solver),
+                                    std::string("own/dormand"), std::string("own/radau")}) {
+      const auto found = units().find(unit);
+      if (found == units().end()) return run;
+      maker += ' ' + unit + ' ' + found->second;
+    }
+    return maker;
+  };
+  return {.store = store, .maker = run, .maker_of_pair = of_pair};
+}
+
+std::unique_ptr<record::Store> open_store(const StudyOptions& options) {
+  const std::string folder = options.no_cache ? "" : formula::cache_folder();
+  return folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/results");
+}
+
+void remark_on(const record::Store* store) {
+  if (!store) return;
+  if (!store->problem().empty())
+    remark("results are not kept: " + store->problem());
+  else if (store->taken() > 0)
+    remark(fmt::format("{} of {} results are those of earlier runs, from {}; --no-cache measures",
+                       store->taken(), store->taken() + store->added(), store->folder().string()));
+}
+
+std::string what_continues(const record::Store* store) {
+  return store && store->problem().empty() ? "the same command continues" : "no file was written";
+}
+
+}  // namespace odeum::cli
