@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: every capability of a case
 // Each case's Jacobian, invariants and other capabilities agree with its right-hand side, and its
 // data with the independent reference.
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: one test of each solver and of what follows from a sparsity
 // Direct solvers of band and sparse matrices against a dense one, and runs of every solver on a
 // problem that states its sparsity against the same problem without it.
 #include "odeum/linear/sparse_system.hpp"

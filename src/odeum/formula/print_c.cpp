@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: one printer of all functions of a problem
 #include "odeum/formula/print_c.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: dense and sparse systems of the same stages
 #pragma once
 #include <array>
 #include <complex>
