@@ -132,6 +132,9 @@ and evaluations are sums over the solved runs. Errors reached: of 1e-2, 1e-4 and
 any tolerance. Processor time: the least to each of these errors, as a geometric mean relative to the
 first row over what both reach.
 
+Times of the present table are from a busy machine and a build with little optimisation: ratios below 1.2
+say nothing; steps, evaluations and runs solved do not depend on it.
+
 Settings that need no measurement:
 
 - **Linear algebra**: dense LU with the exact Jacobian up to 128 unknowns, the problem's own solver of
