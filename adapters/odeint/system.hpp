@@ -40,7 +40,8 @@ struct SymplecticSystem {
   const double* step_start = nullptr;
 
   void operator()(const Half<P>& q, Half<P>& a) const {
-    problem->acceleration(*step_start, q.data(), nullptr, a.data());
+    const double* const no_velocity = nullptr;  // typed: the problem's function may be a template
+    problem->acceleration(*step_start, q.data(), no_velocity, a.data());
     if (problem->tripped()) throw Tripped{};
   }
 };

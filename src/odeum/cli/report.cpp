@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/precision/timing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
+
+namespace odeum::study {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t most_repetitions = 15;
+constexpr double longest_repeated_ns = 2e7;
+
+/// Times a trial once with the bare right-hand side, and checks that it ends at the state of the
+/// counted run: to a tenth of that run's error, or to rounding.
+void time_once(const TimedCase& stage, const TimedSolver& solver, TimedRun& trial) {
+  const auto& solve = solver.inlined ? solver.inlined->solve : solver.entrant->solve;
+  trial.row.inlined = solver.inlined != nullptr;
+  Request request = trial.request;
+  request.budget.watched = false;
+  Outcome outcome;
+  trial.times.ns.push_back(time_call([&] { outcome = solve(request); }, trial.times.ns.empty()
+                                                                            ? trial.guarded_ns / 2
+                                                                            : trial.times.min()));
+  double apart = outcome.states.size() == trial.states.size() ? 0 : nan;
+  for (std::size_t i = 0; i < trial.states.size() && !std::isnan(apart); ++i)
+    apart = std::max(apart, std::abs(outcome.states[i] - trial.states[i]));
+  const double allowed = 0.1 * trial.row.error + stage.floor + 1e-12 * stage.judge.scale();
+  if (!(apart <= allowed))
+    trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
+}
+
+/// So many times behind another one of its library in guarded runs, a trial cannot be the fastest
+/// at its error: guard and pointer cost up to 4.5 times an inlined right-hand side, little where
+/// evaluations are long, and other programs may double a single time.
+double far_behind(const Case& c) { return c.y0.size() > dense_dimension_limit ? 4 : 10; }
+
+void mark_far(const Case& c, std::vector<TimedSolver>& solvers) {
+  std::vector<std::pair<const std::string*, TimedRun*>> trials;
+  for (TimedSolver& solver : solvers)
+    for (TimedRun& trial : solver.trials)
+      if (trial.ok()) trials.emplace_back(&solver.entrant->info.library, &trial);
+  const auto smaller = [](auto& a, auto& b) { return a.second->row.error < b.second->row.error; };
+  std::stable_sort(trials.begin(), trials.end(), smaller);
+  std::map<std::string, double> least;  // by library, of those of no larger error
+  for (const auto& [library, trial] : trials) {
+    double& known = least.try_emplace(*library, trial->guarded_ns).first->second;
+    known = std::min(known, trial->guarded_ns);
+    trial->far = trial->guarded_ns > far_behind(c) * known;
+  }
+}
+
+}  // namespace
+
+void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds) {
+  mark_far(stage.c, solvers);
+  double once = 0;
+  std::size_t most_settings = 0;
+  for (const TimedSolver& solver : solvers) {
+    most_settings = std::max(most_settings, solver.trials.size());
+    for (const TimedRun& trial : solver.trials)
+      if (trial.ok() && !trial.far) once += std::max(trial.guarded_ns, 20'000.0);
+  }
+  const auto rounds = static_cast<std::uint64_t>(
+      std::clamp(seconds * 1e9 / std::max(once, 1.0), 2.0, double(most_repetitions)));
+  const Pinned pinned;
+  for (std::size_t k = 0; k < most_settings; ++k)
+    for (std::uint64_t round = 0; round < rounds; ++round)
+      for (TimedSolver& solver : solvers) {
+        if (k >= solver.trials.size() || !solver.trials[k].ok()) continue;
+        if (interrupted) throw Interrupted();
+        TimedRun& trial = solver.trials[k];
+        if (round > 0 && trial.far) continue;
+        // A long run averages disturbances: two repetitions suffice.
+        if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
+        time_once(stage, solver, trial);
+      }
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "odeum/judge/amplification.hpp"
+#include "odeum/judge/errors.hpp"
+#include "odeum/studies/precision/precision.hpp"
+#include "odeum/studies/stopwatch.hpp"
+
+/// The timed runs of the solvers of one case.
+namespace odeum::study {
+
+/// A setting of a solver: its row, and the data for a timed run.
+struct TimedRun {
+  PrecisionRow row;
+  Request request;
+  std::vector<double> states;
+  double guarded_ns = 0;  ///< of the guarded run: an estimate
+  bool far = false;       ///< see mark_far
+  Times times;
+
+  bool ok() const { return row.status == to_string(Status::ok); }
+};
+
+/// A solver on a case in one mode, with its settings from coarse to fine.
+struct TimedSolver {
+  const Entrant* entrant;
+  Mode mode;
+  const Entrant* inlined;  ///< the same for timed runs; null where there is none
+  std::vector<TimedRun> trials;
+};
+
+struct TimedCase {
+  const Case& c;
+  std::vector<double> stops;
+  double floor;
+  judge::Judge judge;
+  judge::Amplification amplification;
+
+  explicit TimedCase(const Case& each)
+      : c(each),
+        stops(each.timed_stops()),
+        floor(each.timed_floor()),
+        judge(each, stops),
+        amplification(judge::measure_amplification(each, stops)) {}
+
+  /// The ratio of the horizon to that of other studies.
+  double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
+};
+
+/// Interleaved repetitions: round after round over all solvers at a setting, for about `seconds` in
+/// all; one of what cannot be the fastest. Throws Interrupted.
+void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds);
+
+}  // namespace odeum::study
