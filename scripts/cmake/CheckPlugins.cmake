@@ -59,12 +59,12 @@ endforeach()
 expect(3 "run lotka_volterra --plugin ${at}/libbad_backwards.so --solver bad/euler --tol 1e-3" "moved t backwards")
 # It goes on to evaluate after its budget.
 expect(0 "converge --plugin ${at}/libbad_ignore_budget.so --mode fixed --case lotka_volterra --solver bad/euler --out ${FOLDER}/out"
-       "bad/euler fixed 1 nan undetermined.*no right-hand side within its budget for 5 s and was ended")
+       "bad/euler fixed 1 - undetermined.*no right-hand side within its budget for 5 s and was ended")
 expect(0 "converge --plugin ${at}/libbad_crash.so --mode fixed --case lotka_volterra --case bad_decay --solver bad/euler --solver odeum/rk4 --out ${FOLDER}/out"
-       "lotka_volterra bad/euler fixed 1 nan failed" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed"
+       "lotka_volterra bad/euler fixed 1 - failed" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed"
        "bad_decay odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")
 
 # A problem that fails only later, for whoever solves it and for what else looks at it.
 expect(3 "run bad_decay --plugin ${at}/libbad_rhs_hang.so --solver odeum/rk4 --step 0.1" "no right-hand side within its budget for 5 s")
 expect(0 "converge --plugin ${at}/libbad_rhs_crash.so --mode fixed --case lotka_volterra --case bad_decay --solver gsl/rk4 --solver odeum/rk4 --out ${FOLDER}/out"
-       "bad_decay odeum/rk4 fixed 4 nan failed.*crashed: Aborted" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")
+       "bad_decay odeum/rk4 fixed 4 - failed.*crashed: Aborted" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")
