@@ -176,5 +176,15 @@ TEST(Table, ChoosesColumnsByNameAndAlignsNumbers) {
   EXPECT_ANY_THROW(table_of(some_rows().other, {{"x", "{no_such_column}"}}));
 }
 
+TEST(Table, ShowsADashForWhatIsNotKnown) {
+  std::vector<AnyRow> rows(2);
+  rows[0].number = nan;
+  rows[0].z = {nan, nan};
+  rows[1].z = {1, 2};
+  const Table table =
+      table_of(rows, {{"number", "{number:.1f}"}, {"z", "{z_re:.3g} {z_im:+.3g}i"}});
+  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"-", "-"}, {"0.0", "1 +2i"}}));
+}
+
 }  // namespace
 }  // namespace odeum::record

@@ -53,7 +53,8 @@ Table detail::make_table(const std::vector<TableColumn>& columns,
     auto& cells = table.rows.emplace_back();
     for (const TableColumn& column : columns) {
       cells.push_back(fmt::vformat(column.cell, values));
-      if (cells.back() == "nan") cells.back() = "-";  // not known, or none
+      // Not known, or none; of a complex number both parts.
+      if (cells.back() == "nan" || cells.back().starts_with("nan ")) cells.back() = "-";
       if (cells.back().ends_with(": ")) cells.back().resize(cells.back().size() - 2);
     }
   }
