@@ -90,6 +90,8 @@ TEST(ProblemReader, NamesAndEquations) {
                "4:8: ", "did you mean speed?");
   expect_fault("states: {x: 1, y: 2}\nequations: {x: y}\ntime: {end: 1}\n",
                "1:16: equations: missing", "none for y");
+  expect_fault("states: {x: 1}\nequations: {x': 1}\ntime: {end: 1}\n",
+               "2:13: equations: not a name", "got x', expected x: an equation's entry");
   expect_fault("states: {t: 1}\nequations: {t: 1}\ntime: {end: 1}\n", "1:10: states: ", "the time");
   expect_fault("states: {x: 1}\nequations: {x: 1, y: x}\ntime: {end: 1}\n",
                "2:19: equations: no state", "got y");

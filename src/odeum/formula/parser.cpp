@@ -328,9 +328,14 @@ class Parser {
 
 std::string fault_of_name(std::string_view name) {
   if (name.empty() || !begins_name(name[0]) ||
-      !std::all_of(name.begin(), name.end(), continues_name))
+      !std::all_of(name.begin(), name.end(), continues_name)) {
+    const std::string_view bare = name.substr(0, name.find_last_not_of('\'') + 1);
+    if (bare.size() < name.size() && !bare.empty() && fault_of_name(bare).empty())
+      return fmt::format("not a name; got {}, expected {}: an equation's entry is the derivative",
+                         name, bare);
     return fmt::format("not a name; got {}, expected letters, digits and _, a letter first",
                        shown(name));
+  }
   if (name.size() > 60)
     return fmt::format("a long name; got {} characters, expected 60 at most", name.size());
   const bool reserved = name == "t" || name == "pi" || name == "e" || functions().contains(name);
