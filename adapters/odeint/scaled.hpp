@@ -10,7 +10,7 @@
 /// relative (1 + |z_i|), that is |e_i| to absolute_i + relative |y_i|.
 namespace odeum::adapters::odeint {
 
-/// The problem of `contest` in units of its thresholds; lives as long as the run.
+/// The problem of `contest` in units of its thresholds; must outlive the run.
 class ScaledProblem {
  public:
   ScaledProblem(const Contest<SharedOde>& contest, const Request& request);

@@ -18,8 +18,8 @@ std::string damaged(std::string text, std::mt19937& random) {
       "-1",  "/0", "if(",  "sqrt(", "(",  ")",  ",",   "*",    "\xff", "&a ",  "*a",
       "nan", "..", "1e-9", "pi",    "i",  "<",  "===", "\"",   "'",    "#"};
   const auto below = [&](std::size_t n) { return n ? random() % n : 0; };
-  const std::size_t wounds = 1 + below(3);
-  for (std::size_t k = 0; k < wounds; ++k) {
+  const std::size_t damages = 1 + below(3);
+  for (std::size_t k = 0; k < damages; ++k) {
     const std::size_t at = below(text.size() + 1), length = below(12);
     switch (below(5)) {
       case 0:

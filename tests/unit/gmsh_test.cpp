@@ -118,7 +118,7 @@ TEST(Gmsh, DamagedMeshesAreReadOrRefused) {
   for (const std::string& whole : {std::string(gmsh_square), tests::gmsh_text(unit_square(2))})
     for (int k = 0; k < 4000; ++k) {
       std::string text = whole;
-      for (std::size_t wounds = 1 + below(2); wounds > 0; --wounds) {
+      for (std::size_t damages = 1 + below(2); damages > 0; --damages) {
         const std::size_t at = below(text.size() + 1);
         switch (below(4)) {
           case 0:

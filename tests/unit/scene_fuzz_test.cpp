@@ -16,8 +16,8 @@ std::string damaged(std::string text, std::mt19937& random) {
       "!!x ", "#", "\"",    "'", "|\n",  "? ",   "1e999", "-1", ".nan",        "010",
       "\xff", ",", "---\n", "%", "<<: ", "null", "true",  "~",  "\xe2\x80\xa8"};
   const auto below = [&](std::size_t n) { return n ? random() % n : 0; };
-  const std::size_t wounds = 1 + below(3);
-  for (std::size_t k = 0; k < wounds; ++k) {
+  const std::size_t damages = 1 + below(3);
+  for (std::size_t k = 0; k < damages; ++k) {
     const std::size_t at = below(text.size() + 1), length = below(12);
     switch (below(5)) {
       case 0:

@@ -186,7 +186,7 @@ std::string cache_folder() {
   std::error_code failed;
   fs::create_directories(folder, failed);
   struct stat status {};
-  // Code is loaded from here: nobody else may have put it there.
+  // Code is loaded from here: no other user may have put it there.
   if (::stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
       status.st_uid != ::geteuid())
     return "";

@@ -83,7 +83,7 @@ class Parser {
                   peek() == '\0' ? " (within { } of YAML, quote an expression with a comma)" : ""));
   }
 
-  /// Counts levels of nesting for as long as it lives.
+  /// Counts levels of nesting while it exists.
   class Level {
    public:
     explicit Level(Parser& parser) : depth_(parser.depth_) {
