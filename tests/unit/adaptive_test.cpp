@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/control/adaptive.hpp"
+#include "odeum/control/one_step.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "odeum/contest/enroll_method.hpp"
@@ -84,8 +83,7 @@ TEST(Adaptive, RepeatsARejectedStepWithTheControllersNextOne) {
 
 TEST(Adaptive, ShortensAStepThatFailsAndGivesUpTruthfully) {
   const auto always = [](double h, double) { return Decision{true, h}; };
-  for (const double error :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double error : {std::nan(""), HUGE_VAL}) {
     std::vector<TrialStep> trials;
     const Outcome outcome = walk({1}, 0.5, trials, always, error);
     EXPECT_EQ(outcome.status, Status::step_too_small);
@@ -102,7 +100,7 @@ TEST(Adaptive, ErrorNormIsTheRootMeanSquareOfScaledErrors) {
   const std::array<double, 2> error{3e-6, -4e-6}, y{0, 1}, y_new{-2, 0.5};
   const ErrorScale scale(1e-6, y);  // 3e-6, 2e-6
   EXPECT_DOUBLE_EQ(scaled_error_norm(error, y, y_new, scale), std::sqrt((1 + 4) / 2.));
-  for (const double bad : {std::numeric_limits<double>::infinity(), std::nan("")})
+  for (const double bad : {HUGE_VAL, std::nan("")})
     EXPECT_FALSE(std::isfinite(scaled_error_norm(error, y, {0, bad}, scale)));
 }
 
@@ -190,7 +188,8 @@ TEST(StepDoubling, KeepsBothItsBounds) {
   Guard guard(2, request.budget);
   const Guarded<Prey> guarded(problem, guard);
   Recording::calls.clear();
-  const Outcome outcome = run_step_doubling<Recording>(guarded, 0, {1, 1}, request, 2);
+  StepDoubling<Recording, Prey> steps(guarded, request.tolerances(), 2);
+  const Outcome outcome = run_adaptive(guarded, 0, {1, 1}, request, 1e-3, steps);
   ASSERT_EQ(outcome.status, Status::ok);
   const auto& calls = Recording::calls;
   ASSERT_EQ(calls.size(), 3 * (outcome.counters.steps + outcome.counters.rejected_steps));

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "odeum/control/one_step.hpp"
+#include "odeum/control/run_method.hpp"
 #include "odeum/kernel/dense_output.hpp"
 #include "odeum_methods.hpp"
 #include "support/order.hpp"
@@ -125,9 +125,7 @@ Counters adaptive_run(double tolerance, double& error) {
   request.stops = {1, 7.5, 20};
   Guard guard(4, request.budget);
   const Guarded<Kepler> guarded(problem, guard);
-  Outcome outcome = run_embedded_pair<typename M::template Stepper<Guarded<Kepler>>,
-                                      typename ControlFor<M::info.control>::type>(
-      guarded, 0, Kepler::exact(0), request, std::min(M::info.order, M::info.order_embedded));
+  Outcome outcome = run_method<M>(guarded, 0, Kepler::exact(0), request);
   guard.conclude(request, outcome);
   EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
   State<Kepler> end{};

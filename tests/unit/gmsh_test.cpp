@@ -6,6 +6,7 @@
 #include "fuzz/read_any_mesh.hpp"
 #include "odeum/fem/shapes.hpp"
 #include "odeum/fem/vtk_writer.hpp"
+#include "support/damage.hpp"
 #include "support/gmsh_text.hpp"
 
 namespace odeum::fem {
@@ -99,42 +100,24 @@ TEST(Gmsh, OtherFilesAreRefusedWithTheLine) {
 
 TEST(Gmsh, DamagedMeshesAreReadOrRefused) {
   std::mt19937 random(16);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same run each time
-  const auto below = [&](std::size_t n) { return n ? random() % n : 0; };
-  const std::string pieces[] = {"-1",
-                                "1e999",
-                                "nan",
-                                "$",
-                                "$Nodes\n",
-                                "\"",
-                                "0",
-                                " ",
-                                "\n",
-                                "4",
-                                "2",
-                                "\xff",
-                                "18446744073709551615",
-                                "$End"};
+  constexpr std::string_view pieces[] = {"-1",
+                                         "1e999",
+                                         "nan",
+                                         "$",
+                                         "$Nodes\n",
+                                         "\"",
+                                         "0",
+                                         " ",
+                                         "\n",
+                                         "4",
+                                         "2",
+                                         "\xff",
+                                         "18446744073709551615",
+                                         "$End"};
   std::size_t read = 0;
   for (const std::string& whole : {std::string(gmsh_square), tests::gmsh_text(unit_square(2))})
     for (int k = 0; k < 4000; ++k) {
-      std::string text = whole;
-      for (std::size_t damages = 1 + below(2); damages > 0; --damages) {
-        const std::size_t at = below(text.size() + 1);
-        switch (below(4)) {
-          case 0:
-            text.insert(at, pieces[below(std::size(pieces))]);
-            break;
-          case 1:
-            text.erase(at, below(8));
-            break;
-          case 2:
-            if (at < text.size()) text[at] = static_cast<char>('0' + below(10));
-            break;
-          default:
-            text.insert(at, text.substr(below(text.size() + 1), below(30)));
-            break;
-        }
-      }
+      const std::string text = tests::damaged(whole, pieces, random);
       ASSERT_TRUE(fuzz::read_any_mesh(text)) << text;
       read += error_of(text) == "no error";
     }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/control/one_step.hpp"
+#include "odeum/control/run_method.hpp"
 #include "support/second_order_methods.hpp"
 
 namespace odeum::tests {
@@ -86,8 +86,7 @@ void expect_pair_to_adapt() {
     request.stops = {3, 20};
     Guard guard(4, request.budget);
     const Guarded<Kepler> guarded(problem, guard);
-    Outcome outcome = run_embedded_pair<typename M::template Stepper<Guarded<Kepler>>>(
-        guarded, 0, Kepler::exact(0), request, M::info.order_embedded);
+    Outcome outcome = run_method<M>(guarded, 0, Kepler::exact(0), request);
     guard.conclude(request, outcome);
     EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
     counters = outcome.counters;

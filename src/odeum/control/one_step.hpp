@@ -76,15 +76,6 @@ class EmbeddedPair {
   ErrorScale<State<P>> scale_;
 };
 
-template <class Stepper, class StepControl = IntegralControl, class M = void, Ode P>
-Outcome run_embedded_pair(const Guarded<P>& problem, double t0, const State<P>& y0,
-                          const Request& request, int order) {
-  const Tolerance tolerance = request.tolerances();
-  const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
-  return run_adaptive(problem, t0, y0, request, first,
-                      EmbeddedPair<Stepper, StepControl, P, M>(problem, tolerance, order));
-}
-
 /// Step doubling over any one-step method: one step of h against two of h/2. Above the upper bound
 /// the step is repeated with h/2; below the lower bound the next one is 2h. The two half steps are
 /// kept, without extrapolation, so the order stays the method's own. A stepper that makes an effort
@@ -137,14 +128,5 @@ class StepDoubling {
   ErrorScale<State<P>> scale_;
   double lower_;
 };
-
-template <class Stepper, Ode P>
-Outcome run_step_doubling(const Guarded<P>& problem, double t0, const State<P>& y0,
-                          const Request& request, int order) {
-  const Tolerance tolerance = request.tolerances();
-  const double first = initial_step(problem, t0, y0, request.stops.back(), order, tolerance);
-  return run_adaptive(problem, t0, y0, request, first,
-                      StepDoubling<Stepper, P>(problem, tolerance, order));
-}
 
 }  // namespace odeum
