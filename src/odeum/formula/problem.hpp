@@ -46,11 +46,11 @@ inline constexpr std::size_t most_problem_bytes = 8'000'000;
 /// Values that replace those of parameters: name and expression.
 using Overrides = std::map<std::string, std::string>;
 
-/// Reads a problem file (the README has the format). Throws InputError with the place for every
-/// mistake: an unknown name or key, a state without an equation, a definition that needs a later
-/// one, what the limits of formula/parser.hpp exclude, an equation that is not finite at the start,
-/// an `exact` that does not fulfil the equations or the initial values, an invariant that changes
-/// at the start.
+/// Reads a problem file (cases/problems/README.md has the format). Throws InputError with the place
+/// for every mistake: an unknown name or key, a state without an equation, a definition that needs
+/// a later one, what the limits of formula/parser.hpp exclude, an equation that is not finite at
+/// the start, an `exact` that does not fulfil the equations or the initial values, an invariant
+/// that changes at the start.
 Problem read_problem(const std::string& file, const std::string& text,
                      const Overrides& overrides = {});
 Problem read_problem_file(const std::string& file, const Overrides& overrides = {});

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the documents refer to is there.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace odeum::rules {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = ODEUM_SOURCE_DIR;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found;
+  for (const char* folder : {"", "reports", "cases/problems", "cases/scenes", "cases/tableaus"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+std::set<std::string> all_matches(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (std::sregex_iterator each(text.begin(), text.end(), pattern), end; each != end; ++each)
+    found.insert((*each)[1]);
+  return found;
+}
+
+/// The address that a heading has: small letters, digits and hyphens.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : heading) {
+    if (c == ' ') anchor += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return anchor;
+}
+
+bool has_heading(const std::string& text, const std::string& anchor) {
+  static const std::regex heading("(?:^|\n)#+ ([^\n]+)");
+  for (const std::string& each : all_matches(text, heading))
+    if (anchor_of(each) == anchor) return true;
+  return false;
+}
+
+TEST(Documents, LinksLeadSomewhere) {
+  static const std::regex link("\\]\\(([^)\\s]+)\\)");
+  std::size_t links = 0;
+  for (const fs::path& document : documents()) {
+    const std::string text = text_of(document);
+    for (const std::string& target : all_matches(text, link)) {
+      if (target.find("://") != std::string::npos) continue;
+      ++links;
+      const std::size_t hash = std::min(target.find('#'), target.size());
+      const fs::path file = hash ? document.parent_path() / target.substr(0, hash) : document;
+      EXPECT_TRUE(fs::exists(file)) << document << " links to " << target;
+      if (hash < target.size()) {
+        EXPECT_TRUE(has_heading(text_of(file), target.substr(hash + 1)))
+            << document << " links to " << target << ", no such heading";
+      }
+    }
+  }
+  EXPECT_GE(links, 20U) << "the documents were not read";
+}
+
+// Paths of the tree in backquotes: `src/odeum/judge/rounding.hpp`.
+TEST(Documents, FilesThatAreNamedExist) {
+  static const std::regex path(
+      "`((?:src|cases|adapters|tests|reports|scripts)/[a-zA-Z0-9_./-]*[a-zA-Z0-9_])`");
+  std::size_t paths = 0;
+  for (const fs::path& document : documents()) {
+    if (document.filename() == "CHANGELOG.md") continue;  // names what was there at its time
+    for (const std::string& each : all_matches(text_of(document), path)) {
+      if (each.starts_with("reports/out")) continue;  // written by a run
+      ++paths;
+      EXPECT_TRUE(fs::exists(root / each)) << document << " names " << each;
+    }
+  }
+  EXPECT_GE(paths, 20U) << "the documents were not read";
+}
+
+}  // namespace
+}  // namespace odeum::rules
