@@ -24,8 +24,8 @@ struct ReadScene {
   bool duration_given = true;         ///< false: the duration is the default
 };
 
-/// Reads a scene file; cases/scenes/README.md describes its format. Throws InputError for everything that
-/// is wrong with the path, the text or the numbers.
+/// Reads a scene file; cases/scenes/README.md describes its format. Throws InputError for
+/// everything that is wrong with the path, the text or the numbers.
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options = {});
 /// The same from a text; `file` is its name in errors.
 ReadScene read_scene(const std::string& file, const std::string& text,
