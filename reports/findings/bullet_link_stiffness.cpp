@@ -26,7 +26,7 @@ struct World {
     body.m_cfg.collisions = 0;
     body.setActivationState(DISABLE_DEACTIVATION);
     world.addSoftBody(&body);
-    for (double t = 0; t < seconds; t += h) world.stepSimulation(h, 0);
+    for (int k = 0; k * h < seconds; ++k) world.stepSimulation(h, 0);
     world.removeSoftBody(&body);
   }
 };
@@ -51,9 +51,10 @@ double sag(double h, int sweeps) {
 /// neighbours one and two away, its middle with an initial 7.5 m/s along each axis.
 double energy_left(double h) {
   constexpr int n = 11;
+  constexpr std::size_t nodes = std::size_t{n} * n;
   World world(0);
   std::vector<btVector3> positions;
-  const std::vector<btScalar> masses(n * n, 3.0 / (n * n));
+  const std::vector<btScalar> masses(nodes, 3.0 / nodes);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) positions.emplace_back(i / 10.0, j / 10.0, 0);
   btSoftBody body(&world.world.getWorldInfo(), n * n, positions.data(), masses.data());

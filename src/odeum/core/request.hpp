@@ -46,7 +46,7 @@ struct Request {
   std::map<std::string, double> options = {};
 
   /// Relative and absolute tolerance of an adaptive run.
-  Tolerance tolerances() const { return Tolerance(tolerance, absolute); }
+  Tolerance tolerances() const { return {tolerance, absolute}; }
   double largest_tolerance() const {
     double largest = tolerance;
     for (const double each : absolute) largest = each > largest ? each : largest;

@@ -43,7 +43,7 @@ Link link_at(std::string_view text) {
 }
 
 std::string link_html(const Link& link) {
-  const std::string shown = inline_html(link.text);
+  std::string shown = inline_html(link.text);
   if (!link.target.starts_with("https://") && !link.target.starts_with("http://")) return shown;
   return fmt::format("<a href=\"{}\">{}</a>", escape(link.target), shown);
 }

@@ -60,7 +60,7 @@ class GridSprings {
  public:
   GridSprings(const GridLayout& layout, const std::vector<SpringKind>& kinds);
   GridSprings(const GridSprings&) = delete;  // neighbours point into the masks
-  GridSprings(GridSprings&&) = default;
+  GridSprings(GridSprings&&) noexcept = default;
   GridSprings& operator=(const GridSprings&) = delete;
 
   const GridLayout& layout() const { return layout_; }
