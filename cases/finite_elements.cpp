@@ -5,68 +5,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "odeum/fem/semi_discrete.hpp"
 #include "odeum/fem/shapes.hpp"
-#include "support/stage.hpp"
+#include "support/element_stage.hpp"
 
 namespace odeum::cases {
 namespace {
 
 using System = std::shared_ptr<const fem::SemiDiscrete>;
-
-/// M u' = -K u + f.
-struct Heat {
-  static constexpr std::size_t dimension = dynamic;
-  System system;
-
-  std::size_t size() const { return system->size(); }
-  void rhs(double, const double* u, double* dudt) const { system->rate(u, dudt); }
-  void jacobian(double, const double*, double* j) const { linear_matrix(j); }
-  void jacobian_times(double, const double*, const double* x, double* product) const {
-    system->rate(x, product);
-    for (std::size_t i = 0; i < size(); ++i) product[i] -= system->source[i];
-  }
-  void linear_matrix(double* a) const {
-    std::copy(system->operator_matrix.begin(), system->operator_matrix.end(), a);
-  }
-  std::unique_ptr<ShiftedSolver> shifted_solver() const { return fem::heat_solver(*system); }
-};
-
-/// M u'' = -K u.
-struct Wave {
-  static constexpr std::size_t dimension = dynamic;
-  static constexpr bool velocity_dependent = false;
-  System system;
-
-  std::size_t size() const { return 2 * system->size(); }
-  void acceleration(double, const double* q, const double*, double* a) const { system->rate(q, a); }
-  void rhs(double t, const double* y, double* dydt) const {
-    second_order_rhs(*this, system->size(), t, y, dydt);
-  }
-  void jacobian(double, const double*, double* j) const { linear_matrix(j); }
-  void jacobian_times(double t, const double*, const double* x, double* product) const {
-    rhs(t, x, product);
-  }
-  void linear_matrix(double* a) const {
-    const std::size_t n = system->size(), all = 2 * n;
-    std::fill(a, a + all * all, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-      a[i * all + n + i] = 1;
-      for (std::size_t j = 0; j < n; ++j) a[(n + i) * all + j] = system->operator_matrix[i * n + j];
-    }
-  }
-  std::unique_ptr<ShiftedSolver> shifted_solver() const { return fem::wave_solver(*system); }
-  double energy(const double* y) const {
-    const std::size_t n = system->size();
-    std::vector<double> product(n);
-    double sum = 0;
-    system->mass.multiply(y + n, product.data());
-    for (std::size_t i = 0; i < n; ++i) sum += y[n + i] * product[i] / 2;
-    system->stiffness.multiply(y, product.data());
-    for (std::size_t i = 0; i < n; ++i) sum += y[i] * product[i] / 2;
-    return sum;
-  }
-};
 
 /// The coordinates of a state in the modes: phi^T M u.
 std::vector<long double> in_modes(const fem::SemiDiscrete& system, const std::vector<double>& u) {
@@ -146,7 +91,7 @@ Case heat(const char* id, const char* title, const char* mass, const System& sys
   };
   // Rounding of M^-1 K in double where M is consistent: 1e-16 of its norm of 1500, times 0.04.
   c.truth.floor = 1e-14;
-  set_stage(c, Heat{system});
+  set_heat_stage(c, system);
   return c;
 }
 
@@ -175,7 +120,7 @@ Case wave(const char* id, const char* title, const char* mass, const System& sys
   c.y0.resize(2 * n);
   c.stops = {0.25, 0.5, 1};
   c.settings.coarsest_steps = 32;
-  set_stage(c, Wave{system});
+  set_wave_stage(c, system);
   return c;
 }
 

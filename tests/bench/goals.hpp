@@ -38,5 +38,6 @@ std::vector<Row> fixed_step_rows();
 std::vector<Row> precision_rows();
 std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();
+std::vector<Row> cloth_multigrid_rows();
 
 }  // namespace odeum::bench

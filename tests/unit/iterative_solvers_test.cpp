@@ -8,6 +8,7 @@
 #include <set>
 
 #include "odeum/contest/case.hpp"
+#include "odeum/fem/shapes.hpp"
 #include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/linear/tridiagonal.hpp"
 #include "odeum/studies/elements/problems.hpp"
@@ -181,6 +182,25 @@ TEST_F(FivePoint, StopsWhereItIsToldTo) {
 }
 
 // A tridiagonal matrix has no fill: the incomplete factors are the complete ones.
+// More rows than a block, so that threads share the sweeps.
+TEST(Threads, MakeNoDifferenceToTheBits) {
+  const fem::EllipticProblem problem{.load = [](fem::Point p) { return p.x * (1 - p.y); }};
+  fem::Levels levels(problem, fem::vertex_rule());
+  levels.add(fem::unit_square(11));
+  for (int k = 0; k < 4; ++k) levels.add(fem::refined(levels.finest().mesh));
+  const auto& system = levels.finest().system;
+  ASSERT_GT(system.right.size(), 16384U);
+  const auto solve = [&](std::size_t threads) {
+    const Multigrid m = levels.multigrid(levels.size() - 1, threads);
+    return preconditioned_cg(system.matrix, m, system.right, {}, {}, threads);
+  };
+  const CgOutcome one = solve(1), two = solve(2);
+  EXPECT_EQ(one.status, IterationStatus::converged);
+  EXPECT_LE(one.iterations, 10U);
+  EXPECT_EQ(one.residuals, two.residuals);
+  EXPECT_EQ(one.x, two.x);
+}
+
 TEST(IncompleteCholesky, IsExactWithoutFill) {
   const SparseMatrix a = dense({{2, -1, 0, 0}, {-1, 2, -1, 0}, {0, -1, 2, -1}, {0, 0, -1, 2}});
   const IncompleteCholesky m(a);

@@ -86,6 +86,23 @@ TEST(SemiDiscrete, ConsistentMassIsAboveTheEigenvalueAndLumpedMassBelow) {
   }
 }
 
+// Peers are handed the sparse Jacobian where the mass is lumped; its inverse else is dense.
+TEST(SemiDiscrete, JacobiansAreSparseWhereTheMassIsLumped) {
+  for (const char* id : {"fem_heat", "fem_wave", "fem_heat_rough", "fem_wave_consistent"}) {
+    const OdeView& view = case_of(id).problem.view;
+    const bool lumped = std::string(id) == "fem_heat" || std::string(id) == "fem_wave";
+    ASSERT_EQ(view.sparsity != nullptr, lumped) << id;
+    if (!lumped) continue;
+    std::vector<double> values(view.sparsity->entries()), y(view.dimension),
+        dense(y.size() * y.size()), filled(dense.size());
+    EXPECT_LT(values.size(), 7 * view.dimension) << id;
+    view.jacobian_entries(view.problem, 0, y.data(), values.data());
+    fill_dense(*view.sparsity, values.data(), filled.data());
+    view.jacobian(view.problem, 0, y.data(), dense.data());
+    EXPECT_EQ(filled, dense) << id;
+  }
+}
+
 // h <= 2 / lambda_max.
 TEST(FemHeat, ExplicitEulerIsStableToItsLimit) {
   for (const auto& [id, mass] :

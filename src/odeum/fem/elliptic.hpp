@@ -57,9 +57,9 @@ enum class Undetermined {
 /// orders 1 in H1 and 2 in L2. Throws MeshError (see `check`), and ProblemError where f, a, a
 /// boundary value or a flux is not finite, a is not positive definite, or u is given nowhere (with
 /// `mean_zero`: where load and flux do not add up to 0 within 1 %, which quadrature on a coarse
-/// mesh may miss).
+/// mesh may miss). Several threads call f and a at once; the system is the same bits.
 EllipticSystem assemble(const TriangleMesh& mesh, const EllipticProblem& problem, const Rule& load,
-                        Undetermined undetermined = Undetermined::refuse);
+                        Undetermined undetermined = Undetermined::refuse, std::size_t threads = 1);
 
 /// The solution shifted to a mean of 0 over the mesh.
 std::vector<double> nodal_of_mean_zero(const TriangleMesh& mesh, const EllipticSystem& system,

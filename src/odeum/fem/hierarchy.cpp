@@ -16,10 +16,10 @@ void Levels::add(Refined finer) {
   levels_.push_back({std::move(finer.mesh), std::move(system)});
 }
 
-linear::Multigrid Levels::multigrid(std::size_t level) const {
+linear::Multigrid Levels::multigrid(std::size_t level, std::size_t threads) const {
   return linear::Multigrid(
       levels_[level].system.matrix,
-      {prolongations_.rend() - static_cast<long>(level), prolongations_.rend()});
+      {prolongations_.rend() - static_cast<long>(level), prolongations_.rend()}, threads);
 }
 
 }  // namespace odeum::fem

@@ -28,7 +28,7 @@ class Levels {
   const Level& operator[](std::size_t level) const { return levels_[level]; }
   const Level& finest() const { return levels_.back(); }
   /// A V-cycle for the system of a level. The object and the levels must outlive it.
-  linear::Multigrid multigrid(std::size_t level) const;
+  linear::Multigrid multigrid(std::size_t level, std::size_t threads = 1) const;
 
  private:
   const EllipticProblem& problem_;

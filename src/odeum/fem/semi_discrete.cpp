@@ -35,12 +35,18 @@ SparseMatrix mass_of(const TriangleMesh& mesh, const EllipticSystem& system, Mas
   return linear::from_triplets(n, n, entries);
 }
 
+void count(const SemiDiscrete& system, double multiplications) {
+  if (system.multiplications) *system.multiplications += multiplications;
+}
+
 class Solver final : public ShiftedSolver {
  public:
   Solver(const SemiDiscrete& system, bool wave) : system_(system), wave_(wave) {}
 
   bool factorise(double, const double*, double gamma_h) override {
+    if (ldlt_ && gamma_h == gamma_h_) return true;
     gamma_h_ = gamma_h;
+    ldlt_.reset();
     const double factor = wave_ ? gamma_h * gamma_h : gamma_h;
     if (!std::isfinite(factor)) return false;
     try {
@@ -48,12 +54,14 @@ class Solver final : public ShiftedSolver {
     } catch (const std::invalid_argument&) {
       return false;
     }
+    count(system_, ldlt_->multiplications_to_factorise());
     return true;
   }
   bool solve(double* x, double) override {
     const std::size_t n = system_.size();
     right_.assign(x, x + n), product_.resize(n);
     double* const v = x + n;
+    count(system_, ldlt_->multiplications_to_solve());
     if (wave_)
       for (std::size_t i = 0; i < n; ++i) right_[i] += gamma_h_ * v[i];
     system_.mass.multiply(right_.data(), product_.data());
@@ -76,10 +84,36 @@ class Solver final : public ShiftedSolver {
   std::vector<double> right_, product_;
 };
 
+void set_operator(SemiDiscrete& system) {
+  const std::size_t n = system.size();
+  const SparseMatrix& k = system.stiffness;
+  system.source.resize(n);
+  if (system.lumped) {
+    system.pattern.start = k.start, system.pattern.column = k.column;
+    system.entries.resize(k.value.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      system.source[i] = system.load[i] / system.mass.value[i];
+      for (int e = k.start[i]; e < k.start[i + 1]; ++e)
+        system.entries[e] = -k.value[e] / system.mass.value[i];
+    }
+    return;
+  }
+  const linear::SparseLdlt ldlt(system.mass);
+  ldlt.solve(system.load.data(), system.source.data());
+  system.operator_matrix.resize(n * n);
+  std::vector<double> column(n), solved(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) column[i] = -k.at(static_cast<int>(i), static_cast<int>(j));
+    ldlt.solve(column.data(), solved.data());
+    for (std::size_t i = 0; i < n; ++i) system.operator_matrix[i * n + j] = solved[i];
+  }
+}
+
 }  // namespace
 
 void SemiDiscrete::rate(const double* u, double* dudt) const {
   const std::size_t n = size();
+  count(*this, static_cast<double>(lumped ? stiffness.value.size() : n * n));
   if (lumped) {
     stiffness.multiply(u, dudt);
     for (std::size_t i = 0; i < n; ++i) dudt[i] = (load[i] - dudt[i]) / mass.value[i];
@@ -92,7 +126,8 @@ void SemiDiscrete::rate(const double* u, double* dudt) const {
   }
 }
 
-SemiDiscrete semi_discrete(const TriangleMesh& mesh, const EllipticProblem& problem, Mass mass) {
+SemiDiscrete semi_discrete(const TriangleMesh& mesh, const EllipticProblem& problem, Mass mass,
+                           bool with_modes) {
   EllipticSystem system = assemble(mesh, problem, vertex_rule());
   SemiDiscrete result;
   result.lumped = mass == Mass::lumped;
@@ -100,20 +135,10 @@ SemiDiscrete semi_discrete(const TriangleMesh& mesh, const EllipticProblem& prob
   result.stiffness = std::move(system.matrix), result.load = std::move(system.right);
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     if (system.unknown[i] >= 0) result.nodes.push_back(mesh.nodes[i]);
-  const std::size_t n = result.size();
-  const linear::SparseLdlt ldlt(result.mass);
-  result.source.resize(n);
-  ldlt.solve(result.load.data(), result.source.data());
-  result.operator_matrix.resize(n * n);
-  std::vector<double> column(n), solved(n);
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i)
-      column[i] = -result.stiffness.at(static_cast<int>(i), static_cast<int>(j));
-    ldlt.solve(column.data(), solved.data());
-    for (std::size_t i = 0; i < n; ++i) result.operator_matrix[i * n + j] = solved[i];
-  }
-  result.modes = std::make_shared<const linear::Modes>(
-      linear::generalized_modes(result.stiffness, result.mass));
+  set_operator(result);
+  if (with_modes)
+    result.modes = std::make_shared<const linear::Modes>(
+        linear::generalized_modes(result.stiffness, result.mass));
   return result;
 }
 

@@ -65,8 +65,6 @@ class Check {
   }
 
   void triangle(std::size_t t) const {
-    // Half of the digits: beyond that the gradients of its elements are rounding.
-    constexpr double degenerate = 1e-8;
     const auto& ids = mesh_.triangles[t];
     for (const std::size_t id : ids)
       if (id >= mesh_.nodes.size())
@@ -77,7 +75,7 @@ class Check {
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, distance(mesh_.nodes[ids[k]], mesh_.nodes[ids[(k + 1) % 3]]));
     const double doubled = doubled_area(mesh_, t);
-    if (!(std::abs(doubled) > degenerate * longest * longest))
+    if (!(std::abs(doubled) > degenerate_area * longest * longest))
       refuse(t, "is degenerate: its nodes lie on a line");
     if (doubled < 0) refuse(t, "is inverted: its nodes run clockwise");
   }
@@ -157,6 +155,10 @@ double doubled_area(const TriangleMesh& mesh, std::size_t triangle) {
   const auto& ids = mesh.triangles[triangle];
   const Point a = mesh.nodes[ids[0]], b = mesh.nodes[ids[1]], c = mesh.nodes[ids[2]];
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
+
+void check_triangle(const TriangleMesh& mesh, std::size_t triangle) {
+  Check(mesh, {}).triangle(triangle);
 }
 
 void check(const TriangleMesh& mesh, const MeshTags& tags) {

@@ -46,6 +46,12 @@ struct MeshTags {
 /// more than one piece. `tags` are their names in messages.
 void check(const TriangleMesh& mesh, const MeshTags& tags = {});
 
+/// Twice the area over the square of the longest edge, below which a triangle is degenerate: half
+/// of the digits, beyond which the gradients of its elements are rounding.
+constexpr double degenerate_area = 1e-8;
+/// Throws as `check` where a triangle is wrong by itself.
+void check_triangle(const TriangleMesh& mesh, std::size_t triangle);
+
 /// Twice the area, positive where counterclockwise.
 double doubled_area(const TriangleMesh& mesh, std::size_t triangle);
 

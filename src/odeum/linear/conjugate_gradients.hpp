@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include "odeum/core/team.hpp"
 
 namespace odeum::linear {
 
@@ -24,7 +27,10 @@ class ConjugateGradients {
     bool operator()(const Iteration&) const { return true; }
   };
 
-  explicit ConjugateGradients(std::size_t n) : n_(n), r_(n), z_(n), p_(n), ap_(n) {}
+  /// `team`: its threads share vectors of more than a block; results are the same bits. Null: the
+  /// caller alone.
+  explicit ConjugateGradients(std::size_t n, Team* team = nullptr)
+      : n_(n), team_(team), r_(n), z_(n), p_(n), ap_(n), parts_((n + block - 1) / block) {}
 
   template <class Apply, class Precondition, class Watch = Unwatched>
   bool solve(Apply&& apply, Precondition&& precondition, const double* b, double* x,
@@ -47,10 +53,12 @@ class ConjugateGradients {
       const double curvature = dot(p_.data(), ap_.data());
       if (!(curvature > 0)) return false;
       const double alpha = rz / curvature;
-      for (std::size_t i = 0; i < n_; ++i) {
-        x[i] += alpha * p_[i];
-        r_[i] -= alpha * ap_[i];
-      }
+      each_block([&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          x[i] += alpha * p_[i];
+          r_[i] -= alpha * ap_[i];
+        }
+      });
       const double residual_squared = dot(r_.data(), r_.data());
       const bool goes_on = watch(Iteration{x, residual_squared, alpha, rz});
       if (residual_squared <= target) return true;
@@ -59,7 +67,9 @@ class ConjugateGradients {
       const double rz_next = dot(r_.data(), z_.data());
       const double beta = rz_next / rz;
       rz = rz_next;
-      for (std::size_t i = 0; i < n_; ++i) p_[i] = z_[i] + beta * p_[i];
+      each_block([&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) p_[i] = z_[i] + beta * p_[i];
+      });
     }
     return false;
   }
@@ -68,20 +78,42 @@ class ConjugateGradients {
   std::uint64_t products() const { return products_; }
 
  private:
+  static constexpr std::size_t block = 16384;
+
+  template <class Work>
+  void each_block(Work&& work) {
+    const auto share = [&](std::size_t first, std::size_t end) {
+      for (std::size_t k = first; k < end; ++k) work(k * block, std::min(n_, (k + 1) * block));
+    };
+    if (team_)
+      team_->run(parts_.size(), share);
+    else
+      share(0, parts_.size());
+  }
+  /// The sum of those of the blocks, in their order.
+  double dot(const double* a, const double* b) {
+    each_block([&](std::size_t begin, std::size_t end) {
+      parts_[begin / block] = dot_of(a, b, begin, end);
+    });
+    double sum = 0;
+    for (const double part : parts_) sum += part;
+    return sum;
+  }
   // Sixteen independent sums, since one would be bound by the latency of additions.
-  double dot(const double* a, const double* b) const {
+  static double dot_of(const double* a, const double* b, std::size_t begin, std::size_t end) {
     constexpr std::size_t lanes = 16;
     double sums[lanes] = {};
-    std::size_t i = 0;
-    for (; i + lanes <= n_; i += lanes)
+    std::size_t i = begin;
+    for (; i + lanes <= end; i += lanes)
       for (std::size_t k = 0; k < lanes; ++k) sums[k] += a[i + k] * b[i + k];
-    for (; i < n_; ++i) sums[0] += a[i] * b[i];
+    for (; i < end; ++i) sums[0] += a[i] * b[i];
     double sum = 0;
     for (const double part : sums) sum += part;
     return sum;
   }
   std::size_t n_;
-  std::vector<double> r_, z_, p_, ap_;
+  Team* team_;
+  std::vector<double> r_, z_, p_, ap_, parts_;
   std::uint64_t products_ = 0;
 };
 

@@ -36,6 +36,21 @@ void SparseLdlt::solve(const double* b, double* x) const {
   Eigen::Map<Eigen::VectorXd>(x, n) = factors_->ldlt.solve(as_vector(b, n));
 }
 
+double SparseLdlt::multiplications_to_factorise() const {
+  const auto& lower = factors_->ldlt.matrixL().nestedExpression();
+  double sum = 0;
+  for (Eigen::Index j = 0; j < lower.cols(); ++j) {
+    const double below = lower.outerIndexPtr()[j + 1] - lower.outerIndexPtr()[j];
+    sum += below * (below + 3) / 2;  // what the column adds to later ones, and its division
+  }
+  return sum;
+}
+
+double SparseLdlt::multiplications_to_solve() const {
+  const auto& lower = factors_->ldlt.matrixL().nestedExpression();
+  return 2 * static_cast<double>(lower.nonZeros()) + static_cast<double>(lower.cols());
+}
+
 namespace {
 
 template <class Ordering>

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "odeum/linear/conjugate_gradients.hpp"
+#include "odeum/linear/team_product.hpp"
 #include "odeum/linear/tridiagonal.hpp"
 
 namespace odeum::linear {
@@ -120,8 +121,8 @@ IterativeOutcome steepest_descent(const SparseMatrix& a, const std::vector<doubl
 }
 
 CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
-                            const std::vector<double>& b, const StopRule& rule,
-                            const Watch& watch) {
+                            const std::vector<double>& b, const StopRule& rule, const Watch& watch,
+                            std::size_t threads) {
   CgOutcome outcome;
   outcome.x.assign(b.size(), 0);
   const double size = norm(b);
@@ -131,9 +132,10 @@ CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
   std::vector<double> diagonal, off;
   double alpha_before = 0, rz_before = 0;
   outcome.status = IterationStatus::indefinite;
-  ConjugateGradients cg(b.size());
+  Team team(threads);
+  ConjugateGradients cg(b.size(), &team);
   const bool done = cg.solve(
-      [&](const double* x, double* ax) { a.multiply(x, ax); },
+      [&](const double* x, double* ax) { multiply(a, x, ax, team); },
       [&](const double* r, double* z) { m.apply(r, z); }, b.data(), outcome.x.data(),
       rule.relative_residual,
       [&](const ConjugateGradients::Iteration& now) {

@@ -54,9 +54,9 @@ struct CgOutcome : IterativeOutcome {
   double lowest = 0, highest = 0;
 };
 /// Preconditioned conjugate gradients, see conjugate_gradients.hpp: never more than n + 50
-/// iterations.
+/// iterations. Results are the same bits for any number of threads; m has its own.
 CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
                             const std::vector<double>& b, const StopRule& rule,
-                            const Watch& watch = {});
+                            const Watch& watch = {}, std::size_t threads = 1);
 
 }  // namespace odeum::linear

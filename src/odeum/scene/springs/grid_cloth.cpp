@@ -2,6 +2,7 @@
 // Compiled for speed and for wide vectors in every build type, see CMakeLists.txt.
 #include "odeum/scene/springs/grid_cloth.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "odeum/scene/springs/grid_matrix.hpp"
@@ -44,7 +45,7 @@ GridCloth<Real>::GridCloth(const Scene& scene, const GridStructure& grid, std::s
       gravity_(by_place(
           scene, [&](const Particle& p, std::size_t d) { return p.fixed ? 0 : scene.gravity[d]; })),
       damping_(size() / 2),
-      team_(std::make_unique<RowTeam>(grid.rows, threads)) {
+      team_(std::make_unique<Team>(std::min(grid.rows, threads))) {
   for (const SpringKind& kind : grid.kinds)
     layout().each_spring(kind, [&](std::size_t i) {
       for (std::size_t d = 0; d < 3; ++d)
@@ -93,7 +94,7 @@ std::vector<double> GridCloth<Real>::gathered(const std::vector<Real>& state) co
 template <class Real>
 void GridCloth<Real>::accelerate(const GridSprings<Real>& springs, const Real* q, const Real* v,
                                  Real* a) const {
-  team_->run([&](std::size_t begin, std::size_t end) {
+  team_->run(layout().rows, [&](std::size_t begin, std::size_t end) {
     const Real *const m = inverse_mass_.data(), *const g = gravity_.data();
     for (std::size_t row = begin; row < end; ++row) {
       springs.forces(q, v, a, row, row + 1);
@@ -132,7 +133,7 @@ std::uint64_t GridCloth<Real>::damp(Real, const Real*, Real h, Real* v, double r
   Real *const r = space.data(), *const w = r + n, *const inverse = w + n, *x = inverse + n,
               *next = x + n;
   const auto on_rows = [&](auto&& work) {
-    team_->run([&](std::size_t begin, std::size_t end) {
+    team_->run(layout().rows, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row) work(row);
     });
   };

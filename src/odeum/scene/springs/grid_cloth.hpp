@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "odeum/core/team.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/shifted_solver.hpp"
-#include "odeum/scene/springs/row_team.hpp"
 #include "odeum/scene/springs/spring_grid.hpp"
 
 namespace odeum::scene {
@@ -60,7 +60,7 @@ class GridCloth {
   GridSprings<Real> springs_, elastic_;              // with and without dampers
   std::vector<Real> mass_, inverse_mass_, gravity_;  // by place; zero where fixed, in the margins
   std::vector<Real> damping_;                        // by place: the sum over a particle's dampers
-  std::unique_ptr<RowTeam> team_;
+  std::unique_ptr<Team> team_;
 };
 
 extern template class GridCloth<double>;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -8,30 +7,31 @@
 #include <thread>
 #include <vector>
 
-namespace odeum::scene {
+namespace odeum {
 
-/// Threads that wait for work on the rows of a grid, the caller's among them. The result of a row
-/// must not depend on the thread that computes it: then they are the same bits whatever the number
-/// of threads.
-class RowTeam {
+/// Threads that wait for work on rows, the caller's among them. The result of a row must not depend
+/// on the thread that computes it: then they are the same bits whatever the number of threads.
+class Team {
  public:
   /// Throws std::invalid_argument for no thread.
-  RowTeam(std::size_t rows, std::size_t threads) : rows_(rows), size_(std::min(rows, threads)) {
-    if (threads == 0) throw std::invalid_argument("a grid of springs needs a thread");
+  explicit Team(std::size_t threads) : size_(threads) {
+    if (threads == 0) throw std::invalid_argument("a team needs a thread");
     for (std::size_t k = 1; k < size_; ++k) others_.emplace_back([this, k] { serve(k); });
   }
-  RowTeam(const RowTeam&) = delete;
-  RowTeam& operator=(const RowTeam&) = delete;
-  ~RowTeam() {
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  ~Team() {
     ended_ = true;
     announce();
   }
 
-  /// Calls work(first row, last row) once for each share; returns when all are done. One caller at
-  /// a time.
+  std::size_t size() const { return size_; }
+  /// Calls work(first row, end) once for each share of the rows; returns when all are done. `work`
+  /// must not throw where there are several threads. One caller at a time.
   template <class Work>
-  void run(Work&& work) {
-    if (size_ == 1) return work(0, rows_);
+  void run(std::size_t rows, Work&& work) {
+    if (size_ == 1) return work(0, rows);
+    rows_ = rows;
     work_ = std::ref(work);
     left_ = size_ - 1;
     announce();
@@ -58,7 +58,7 @@ class RowTeam {
     }
   }
 
-  std::size_t rows_, size_;
+  std::size_t size_, rows_ = 0;
   std::function<void(std::size_t, std::size_t)> work_;
   std::atomic<unsigned> round_ = 0;
   std::atomic<std::size_t> left_ = 0;
@@ -66,4 +66,4 @@ class RowTeam {
   std::vector<std::jthread> others_;  // last: they use the rest
 };
 
-}  // namespace odeum::scene
+}  // namespace odeum
