@@ -113,8 +113,11 @@ std::string words_of(std::vector<std::pair<double, const Run*>> found) {
   std::sort(found.begin(), found.end());
   const auto& [least, best] = found.front();
   const auto& [most, worst] = found.back();
+  // Bullet's own bodies evaluate no right-hand side of ours.
   const auto count = [](const Run& run) {
-    return report::show_count(run.outcome.counters.rhs_evaluations, "evaluation");
+    const Counters& counted = run.outcome.counters;
+    return counted.rhs_evaluations ? report::show_count(counted.rhs_evaluations, "evaluation")
+                                   : report::show_count(run.what->steps, "step");
   };
   return fmt::format(
       "<p><code>{}</code> stays within {} m of the exact motion, with {}; "
@@ -164,9 +167,10 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
       for (const double error : frame) largest = std::fmax(largest, error);
     if (run.outcome.status != Status::ok) largest = std::numeric_limits<double>::infinity();
     if (&run != &runs.front()) found.emplace_back(largest, &run);
+    const std::uint64_t evaluations = run.outcome.counters.rhs_evaluations;
     const std::string id = run.entrant->info.id(), name = &run == &runs.front() ? "exact" : id;
     table.row({name}, {{setting_of(c, run)},
-                       {std::to_string(run.outcome.counters.rhs_evaluations)},
+                       {evaluations ? std::to_string(evaluations) : "not counted"},
                        {&run == &runs.front() ? "" : report::show_number(largest)},
                        {to_string(run.outcome.status)},
                        {run.what->why}});
