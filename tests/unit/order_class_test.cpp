@@ -63,6 +63,10 @@ TEST(OrderClass, TheFirstMarkDecides) {
                  "no step size could be solved within the budget: more than "
                  "30000 evaluations; first non-finite value: component 0"),
             "over budget at every setting");
+  EXPECT_EQ(name(Verdict::undetermined,
+                 "order 5.12 down to steps of 0.022, but at 0.0078 the error "
+                 "is 2.4 times what that predicts"),
+            "a finer run denies the order");
   EXPECT_EQ(name(Verdict::failed, "of a new kind"), "other");
   EXPECT_EQ(name(Verdict::lower, "converges with order 3 where 4 is claimed"), "none");
 }

@@ -38,7 +38,7 @@ const std::vector<OrderClass>& order_classes() {
        "More settings between those run: errors scatter about the line."},
       {"settle", "slopes have not settled",
        "Finer steps: the errors are not yet proportional to a power of the step."},
-      {"than that predicts", "a finer run denies the order",
+      {"what that predicts", "a finer run denies the order",
        "Finer steps, or extended precision where the run denies it near rounding."},
       {"", "other", "See the reason."}};
   return all;

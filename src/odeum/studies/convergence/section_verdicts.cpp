@@ -77,12 +77,12 @@ std::string classes_table(const std::vector<OrderRow>& orders, Verdict verdict) 
     group.detail = found->settles;
   }
   report::Table table("numbers words");
-  table.head({{"class"}, {"pairs"}, {"solvers"}, {"cases"}, {"what would give an order"}});
+  table.head({{"class"}, {"pairs"}, {"what would give an order"}, {"solvers"}, {"cases"}});
   for (const auto& [name, group] : groups)
     table.row({std::string(name)}, {{std::to_string(group.rows)},
+                                    {.text = group.detail, .style = "reason"},
                                     names(group.solvers, "solver"),
-                                    names(group.cases, "case"),
-                                    {.text = group.detail, .style = "reason"}});
+                                    names(group.cases, "case")});
   return table.rows() == 0 ? std::string() : table.html();
 }
 
@@ -206,7 +206,7 @@ void add_verdicts(report::Page& page, const ConvergenceResult& result) {
       "</a>.</p>\n";
   for (const Verdict verdict :
        {Verdict::lower, Verdict::floors, Verdict::failed, Verdict::undetermined})
-    open += classes_table(result.orders, verdict) + verdict_table(result.orders, verdict);
+    open += verdict_table(result.orders, verdict) + classes_table(result.orders, verdict);
   page.section({.id = "verdicts", .title = "What did not confirm", .place = 900, .html = open});
   page.section({.id = "answers",
                 .title = "Runs that ended ok with a wrong answer",
