@@ -107,13 +107,18 @@ std::string setting_of(const Case& c, const Run& run) {
                          : fmt::format("tolerance {:.0e}", run.what->tolerance);
 }
 
+/// Bullet's own bodies evaluate no right-hand side of ours.
+std::string evaluations_of(const Run& run) {
+  const std::uint64_t count = run.outcome.counters.rhs_evaluations;
+  return count ? std::to_string(count) : "not counted";
+}
+
 /// Who stays nearest to the exact motion, and who does not, at which cost.
 std::string words_of(std::vector<std::pair<double, const Run*>> found) {
   if (found.size() < 2) return {};
   std::sort(found.begin(), found.end());
   const auto& [least, best] = found.front();
   const auto& [most, worst] = found.back();
-  // Bullet's own bodies evaluate no right-hand side of ours.
   const auto count = [](const Run& run) {
     const Counters& counted = run.outcome.counters;
     return counted.rhs_evaluations ? report::show_count(counted.rhs_evaluations, "evaluation")
@@ -167,10 +172,9 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
       for (const double error : frame) largest = std::fmax(largest, error);
     if (run.outcome.status != Status::ok) largest = std::numeric_limits<double>::infinity();
     if (&run != &runs.front()) found.emplace_back(largest, &run);
-    const std::uint64_t evaluations = run.outcome.counters.rhs_evaluations;
     const std::string id = run.entrant->info.id(), name = &run == &runs.front() ? "exact" : id;
     table.row({name}, {{setting_of(c, run)},
-                       {evaluations ? std::to_string(evaluations) : "not counted"},
+                       {evaluations_of(run)},
                        {&run == &runs.front() ? "" : report::show_number(largest)},
                        {to_string(run.outcome.status)},
                        {run.what->why}});
