@@ -9,7 +9,7 @@ endif()
 file(REMOVE_RECURSE ${FOLDER})
 execute_process(
   COMMAND ${ODEUM} report --quick --case damped_oscillator_underdamped --case free_fall --case robertson_40
-          --case cloth11_two_way
+          --case cloth11_two_way --case pendulum_large
           --solver odeum/rk4 --solver odeum/explicit_euler --solver odeum/radau_iia5
           --solver odeum/velocity_verlet --solver gsl/rk4 --solver gsl/rk8pd --solver cvode/* --out ${FOLDER}
   OUTPUT_QUIET RESULT_VARIABLE result ERROR_VARIABLE errors)

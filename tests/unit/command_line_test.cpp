@@ -166,7 +166,10 @@ TEST_F(CommandLine, ListsInThreeFormats) {
   const auto json = nlohmann::json::parse(shell("odeum list cases --format json").output);
   EXPECT_GE(json.size(), 14U);
   EXPECT_TRUE(shell("odeum list solvers --format csv").output.starts_with("schema,id,"));
-  EXPECT_NE(shell("odeum list solvers").output.find("odeum/rk4"), std::string::npos);
+  const std::string table = shell("odeum list solvers").output;
+  EXPECT_NE(table.find("odeum/rk4"), std::string::npos);
+  // A setting of 120 characters put what a solver needs 227 characters from the left.
+  EXPECT_LT(table.substr(0, table.find('\n')).size(), 180U);
 }
 
 TEST_F(CommandLine, AFailedSolveIsThree) {
@@ -189,6 +192,18 @@ TEST_F(CommandLine, AClosedPipeIsQuiet) {
   const Result result =
       shell("odeum list solvers --format json | head -n 1; echo ${PIPESTATUS[0]}");
   EXPECT_EQ(result.output, "[\n0\n");
+}
+
+TEST_F(CommandLine, AClosedPipeKeepsFilesAndExitCode) {
+  // `true` has ended when the program starts: its first line finds the pipe closed.
+  const auto unread = [](const std::string& command) {
+    return shell("{ sleep 0.2; " + command + "; } | true; echo ${PIPESTATUS[0]}").output;
+  };
+  EXPECT_EQ(unread("odeum run free_fall --solver rk4 --step 0.5 --out " + in("one")), "0\n");
+  EXPECT_TRUE(fs::exists(folder_ / "one" / "comparison.html"));
+  EXPECT_EQ(unread("odeum run spinning_pair --until 0.5 --out " + in("scene")), "0\n");
+  EXPECT_TRUE(fs::exists(folder_ / "scene" / "replay.html"));
+  EXPECT_EQ(unread("odeum run dahlquist_real --solver implicit_euler_fixed_point --step 2"), "3\n");
 }
 
 constexpr const char* study =

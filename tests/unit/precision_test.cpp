@@ -61,6 +61,12 @@ TEST(Summary, NeverExtrapolates) {
   EXPECT_EQ(at(lines, 1e-9).reason, "no solver reaches it");
 }
 
+TEST(Summary, WhatWasNotRunDoesNotFallShort) {
+  EXPECT_EQ(at(summarise({row("odeum", "a", 1e-3, 100)}, 1e-16), 1e-3).reason, "no peer was run");
+  EXPECT_EQ(at(summarise({row("gsl", "b", 1e-3, 100)}, 1e-16), 1e-3).reason,
+            "no own solver was run");
+}
+
 TEST(Summary, BelowTheFloorNobodyIsFaster) {
   const auto lines = summarise({row("odeum", "a", 1e-12, 100), row("gsl", "b", 1e-12, 50)}, 2e-11);
   EXPECT_EQ(at(lines, 1e-10).ratio, 0.5);

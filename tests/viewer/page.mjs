@@ -84,6 +84,41 @@ const checks = {
     hold(await browser.run('location.hash') === hash, 'the address changed');
     hold((await text('.chips')).includes('odeum/rk4') && !(await text('.chips')).includes('gsl/rk4'), `the choice is lost: ${await text('.chips')}`);
   },
+  async 'from the first screen two solvers take three clicks and one word typed'() {
+    await browser.go(address);
+    await drawn();
+    let clicks = 0;
+    const pick = async (selector) => { await click(selector); clicks += 1; };
+    const none = await browser.run(`(() => { const b = [...document.querySelectorAll('[data-view="compare"] .chips button')].find((e) => e.textContent === 'none'); b.dataset.test = 'none'; return Boolean(b); })()`);
+    hold(none, 'no button that empties the comparison');
+    await pick('[data-test="none"]');
+    await browser.run(`(() => { const e = document.querySelector('[data-view="compare"] input[type=search]'); e.value = 'rk4'; e.dispatchEvent(new Event('input')); })()`);
+    for (const solver of ['odeum/rk4', 'gsl/rk4']) await pick(`[data-key="${solver}:fixed"]`);
+    await browser.until(`document.querySelectorAll('[data-view="compare"] .plot .name').length === 2`);
+    hold(clicks === 3, `${clicks} clicks`);
+  },
+  async 'the first screen answers for a pendulum, a stiff reaction and a cloth, a click each'() {
+    await browser.go(address);
+    await drawn();
+    for (const [problem, family] of [['pendulum_large', /order|symplectic|Nystr|stages|kicks|smooth/], ['robertson_40', /stiff/], ['cloth11_two_way', /explicit/]]) {
+      await click(`[aria-label="problem"] [data-value="${problem}"]`);
+      await browser.until(`location.hash.includes('case=${problem}') && document.querySelector('.answer')`);
+      const answer = await text('[data-view="answers"]');
+      hold(/reaches 1e-6 in/.test(answer) && family.test(answer) && /odeum run/.test(answer), `${problem}: ${answer}`);
+      hold(await browser.run(`document.querySelector('.answer').getBoundingClientRect().bottom < innerHeight`), `${problem}: the answer is below the first screen`);
+    }
+  },
+  async 'no view is slow to draw'() {
+    const taken = {};
+    for (const hash of ['', '#compare', '#regions', '#methods?solver=odeum/rk4']) {
+      await browser.go(address + hash);
+      await drawn();
+      taken[hash] = await browser.run(`performance.now()`);
+    }
+    console.log(`milliseconds from the address to all views drawn: ${JSON.stringify(taken)}`);
+    // On a machine that also compiles the times are several times as long: this finds what is slow by nature.
+    for (const [hash, ms] of Object.entries(taken)) hold(ms < (hash ? 8000 : 4000), `${hash || 'first screen'}: ${ms} ms`);
+  },
   async 'the run is drawn beside the exact one, and the address keeps it'() {
     const row = rowsOf('convergence.csv').filter((r) => r.case === 'damped_oscillator_underdamped' && r.library === 'odeum' && r.solver === 'explicit_euler' && r.mode === 'fixed' && r.error_max > 0.05 && r.error_max < 5)[0];
     await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=odeum/explicit_euler:fixed&run=odeum/explicit_euler:fixed:${Number(Number(row.step).toPrecision(6))}`);

@@ -90,10 +90,13 @@ Listing list_scenes() {
 }
 
 std::string as_table(const Listing& listing, std::size_t columns) {
+  // One long cell must not move the columns of two hundred lines off the screen.
+  constexpr std::size_t widest = 62;
   std::vector<std::size_t> widths(columns);
   for (std::size_t k = 0; k < columns; ++k) {
     widths[k] = listing.columns[k].size();
-    for (const auto& row : listing.rows) widths[k] = std::max(widths[k], row[k].size());
+    for (const auto& row : listing.rows)
+      widths[k] = std::max(widths[k], std::min(row[k].size(), widest));
   }
   std::string text;
   const auto line = [&](const std::vector<std::string>& row) {

@@ -107,6 +107,12 @@ std::string setting_of(const Case& c, const Run& run) {
                          : fmt::format("tolerance {:.0e}", run.what->tolerance);
 }
 
+/// Bullet's own bodies evaluate no right-hand side of ours.
+std::string evaluations_of(const Run& run) {
+  const std::uint64_t count = run.outcome.counters.rhs_evaluations;
+  return count ? std::to_string(count) : "not counted";
+}
+
 /// Who stays nearest to the exact motion, and who does not, at which cost.
 std::string words_of(std::vector<std::pair<double, const Run*>> found) {
   if (found.size() < 2) return {};
@@ -114,7 +120,9 @@ std::string words_of(std::vector<std::pair<double, const Run*>> found) {
   const auto& [least, best] = found.front();
   const auto& [most, worst] = found.back();
   const auto count = [](const Run& run) {
-    return report::show_count(run.outcome.counters.rhs_evaluations, "evaluation");
+    const Counters& counted = run.outcome.counters;
+    return counted.rhs_evaluations ? report::show_count(counted.rhs_evaluations, "evaluation")
+                                   : report::show_count(run.what->steps, "step");
   };
   return fmt::format(
       "<p><code>{}</code> stays within {} m of the exact motion, with {}; "
@@ -166,7 +174,7 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
     if (&run != &runs.front()) found.emplace_back(largest, &run);
     const std::string id = run.entrant->info.id(), name = &run == &runs.front() ? "exact" : id;
     table.row({name}, {{setting_of(c, run)},
-                       {std::to_string(run.outcome.counters.rhs_evaluations)},
+                       {evaluations_of(run)},
                        {&run == &runs.front() ? "" : report::show_number(largest)},
                        {to_string(run.outcome.status)},
                        {run.what->why}});

@@ -83,10 +83,14 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 void print(const std::string& text) {
+  // Who reads a pipe may have enough (`| head`): the command goes on, for its files and exit code.
+  static bool reader_gone = false;
+  if (reader_gone) return;
   // A long text is written before the flush, which then does not report its failure.
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
     return;
-  if (errno == EPIPE) std::_Exit(success);
+  reader_gone = errno == EPIPE;
+  if (reader_gone) return;
   throw record::FileError(
       fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }

@@ -11,6 +11,7 @@
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_tables.hpp"
+#include "odeum/studies/convergence/order_class.hpp"
 
 namespace odeum::study {
 namespace {
@@ -30,6 +31,7 @@ Cell matrix_cell(const OrderRow& row) {
   const judge::OrderFit& fit = row.fit;
   const bool fitted = !std::isnan(fit.order);
   std::string title = to_string(fit.verdict);
+  if (const OrderClass* const known = class_of(fit)) title += fmt::format(", {}", known->name);
   if (fitted)
     title += fmt::format(": measured {:.2f} [{:.2f}, {:.2f}] over {}, claimed {}", fit.order,
                          fit.low, fit.high, report::show_count(fit.points, "point"),
@@ -93,6 +95,20 @@ std::string orders_of_case(const std::vector<const OrderRow*>& rows) {
   return table.html();
 }
 
+// "12 unstable at every step tried, 3 over budget at every setting": the largest first.
+std::string words_of_classes(const std::vector<const OrderRow*>& rows) {
+  std::map<std::string_view, std::size_t> counts;
+  for (const OrderRow* row : rows)
+    if (const OrderClass* const known = class_of(row->fit)) ++counts[known->name];
+  std::vector<std::pair<std::string_view, std::size_t>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string words;
+  for (const auto& [name, count] : sorted)
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, name);
+  return report::escape(words);
+}
+
 void add_orders_of_cases(report::Page& page, const std::vector<OrderRow>& orders) {
   std::map<std::string, std::vector<const OrderRow*>> by_case;
   for (const OrderRow& row : orders) by_case[row.case_id].push_back(&row);
@@ -101,6 +117,8 @@ void add_orders_of_cases(report::Page& page, const std::vector<OrderRow>& orders
     VerdictCounts counts{};
     for (const OrderRow* row : rows) ++of(counts, row->fit.verdict);
     page.case_fact(i, "Orders", verdict_bar(counts) + " " + verdict_words(counts));
+    if (const std::string why = words_of_classes(rows); !why.empty())
+      page.case_fact(i, "Without an order", why);
     if (const std::string table = orders_of_case(rows); !table.empty())
       page.case_part(i, {.id = "orders", .title = "Orders", .place = 40, .html = table});
   }

@@ -59,8 +59,11 @@ void add_head(report::Table& table, const std::vector<SolverGroup>& groups) {
 
 constexpr const char* text =
     "<p>How many pairs of a solver and a mode show the claimed order, or a higher one, of those "
-    "that can be judged; the bar has all verdicts. Each case has a page of its own with its "
-    "equation, plots and orders.</p>\n";
+    "that can be judged; the bar has all verdicts. Red is no wrong solver but one without a "
+    "solution at any step tried, as explicit methods on stiff cases; pale violet is too little for "
+    "a "
+    "verdict within the budget (<a href=\"verdicts.html\">by class</a>). Each case has a page of "
+    "its own with its equation, plots and orders.</p>\n";
 
 template <class Of>
 void each_verdict(const VerdictCounts& counts, Of&& each) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "odeum/report/html.hpp"
+#include "odeum/studies/convergence/order_class.hpp"
 #include "odeum/studies/convergence/section.hpp"
 
 namespace odeum::study {
@@ -61,6 +62,28 @@ std::map<std::pair<std::string, std::string>, Group> groups_of(const std::vector
     group.cases.insert(row.case_id);
   }
   return groups;
+}
+
+/// The classes of reasons of a verdict, and what would give an order.
+std::string classes_table(const std::vector<OrderRow>& orders, Verdict verdict) {
+  std::map<std::string_view, Group> groups;
+  for (const OrderRow& row : orders) {
+    const OrderClass* const found = row.fit.verdict == verdict ? class_of(row.fit) : nullptr;
+    if (!found) continue;
+    Group& group = groups[found->name];
+    ++group.rows;
+    group.solvers.insert(row.library + "/" + row.solver);
+    group.cases.insert(row.case_id);
+    group.detail = found->settles;
+  }
+  report::Table table("numbers words");
+  table.head({{"class"}, {"pairs"}, {"what would give an order"}, {"solvers"}, {"cases"}});
+  for (const auto& [name, group] : groups)
+    table.row({std::string(name)}, {{std::to_string(group.rows)},
+                                    {.text = group.detail, .style = "reason"},
+                                    names(group.solvers, "solver"),
+                                    names(group.cases, "case")});
+  return table.rows() == 0 ? std::string() : table.html();
 }
 
 std::string unfit_table(const std::vector<OrderRow>& orders) {
@@ -175,13 +198,15 @@ void add_answers_of_cases(report::Page& page, const ConvergenceResult& result) {
 
 void add_verdicts(report::Page& page, const ConvergenceResult& result) {
   std::string open =
-      "<p>Every pair whose order is lower than claimed, stops falling, could not be determined, or "
-      "failed, with the reason. What was investigated stands under <a "
+      "<p>Every pair without a confirmed order, by class, with the reason. A pair that failed or "
+      "is "
+      "undetermined is no wrong solver: most were given steps that are too large for it, or too "
+      "few evaluations. What was investigated stands under <a "
       "href=\"findings.html\">Findings"
       "</a>.</p>\n";
   for (const Verdict verdict :
        {Verdict::lower, Verdict::floors, Verdict::failed, Verdict::undetermined})
-    open += verdict_table(result.orders, verdict);
+    open += verdict_table(result.orders, verdict) + classes_table(result.orders, verdict);
   page.section({.id = "verdicts", .title = "What did not confirm", .place = 900, .html = open});
   page.section({.id = "answers",
                 .title = "Runs that ended ok with a wrong answer",

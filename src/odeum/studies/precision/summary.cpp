@@ -99,6 +99,13 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
   std::vector<PrecisionSummary> lines;
   if (rows.empty()) return lines;
   const std::vector<FastestRow> best = fastest(rows, floor);
+  const auto ran = [&](bool own) {
+    return std::any_of(rows.begin(), rows.end(), [&](const PrecisionRow& row) {
+      return (row.library == "odeum") == own && row.status != "not_applicable";
+    });
+  };
+  const char* const no_peer = ran(false) ? "no peer reaches it" : "no peer was run";
+  const char* const no_own = ran(true) ? "no own solver reaches it" : "no own solver was run";
   for (const double error : errors()) {
     PrecisionSummary line;
     line.case_id = rows.front().case_id;
@@ -121,9 +128,7 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
     } else if (!(error > floor)) {
       line.reason = "at the truth's floor";
     } else {
-      line.reason = own    ? "no peer reaches it"
-                    : peer ? "no own solver reaches it"
-                           : "no solver reaches it";
+      line.reason = own ? no_peer : peer ? no_own : "no solver reaches it";
     }
     lines.push_back(std::move(line));
   }
