@@ -5,7 +5,7 @@
 #include <sched.h>
 #endif
 
-#include <time.h>
+#include <ctime>
 
 #include <algorithm>
 #include <chrono>
