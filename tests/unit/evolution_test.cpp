@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/report/page.hpp"
 #include "odeum/studies/evolution/rows.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace odeum::study {
 namespace {
@@ -79,6 +81,25 @@ TEST(Evolution, ModesAndLimitsAreThoseOfTheory) {
   for (const EvolutionLimitRow& row : modes.limits)
     // Growth is seen from 0.2 % beyond the limit on, see 2000 steps of |R| = 1.004.
     EXPECT_NEAR(row.measured / row.predicted, 1, 4e-3) << row.problem << row.mass;
+}
+
+TEST(Evolution, HaveASection) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path());
+  report::Page page({}, folder);
+  for (const auto& study : make_studies()) {
+    if (study->declaration().name != "evolution") continue;
+    study->measure({.own = {{"most", "16"}}}, Runner(2));
+    study->section(page);
+  }
+  page.write({});
+  const std::string text = tests::text_of(root.path() / "evolution.html");
+  EXPECT_NE(text.find("Heat: the cheapest mesh and step for an error of 1e-02: h = 1/8"),
+            std::string::npos);
+  EXPECT_NE(text.find("wave: errors of odeum/velocity_verlet by mesh and steps"),
+            std::string::npos);
+  EXPECT_EQ(text.find("nan<"), std::string::npos);
+  EXPECT_EQ(text.find("inf<"), std::string::npos);
 }
 
 }  // namespace
