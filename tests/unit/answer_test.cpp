@@ -50,6 +50,33 @@ TEST(Amplification, SeesWhatGrowsBesideADecayingSolution) {
   }
 }
 
+// Thresholds of a tolerance below which errors count absolutely, and the case's scales of
+// components.
+TEST(Amplification, IsThatOfTheToleranceAsked) {
+  Case c = saddle_to(8);
+  const auto start = [](double threshold, double t) {
+    // The first row of Phi is (cosh t, sinh t), the state at the start (1, -1).
+    return (threshold + 1) * std::sqrt(2 * std::cosh(2 * t));
+  };
+  const auto expect = [&](const judge::Amplification& found, double threshold, double scale) {
+    ASSERT_EQ(found.unknown, "");
+    for (std::size_t k = 0; k < c.stops.size(); ++k) {
+      const double expected = start(threshold, c.stops[k]) / scale;
+      EXPECT_NEAR(found.at_stops[k], expected, 1e-3 * expected) << threshold << ' ' << scale;
+    }
+  };
+  const auto to = [&](double absolute) {
+    return judge::measure_amplification(c, c.stops, Tolerance(1e-6, absolute));
+  };
+  expect(to(1e-6), 1, 1);
+  expect(to(1e-12), 1e-6, 1);
+  expect(to(1e-2), 1e4, 1);
+  c.thresholds = {1e-3, 1e-3};
+  expect(judge::measure_amplification(c, c.stops), 1e-3, 1);
+  c.scale = {10, 10};
+  expect(judge::measure_amplification(c, c.stops), 1e-3, 10);
+}
+
 TEST(Amplification, IsUnknownWhereTheRunsMissTheTruth) {
   Case c = saddle_to(8);
   c.truth.at = [](double, double* y) {
@@ -73,6 +100,12 @@ TEST(Amplification, OfManyUnknownsIsTakenFromRandomDirections) {
   const double last_step = std::sqrt(726.0);
   EXPECT_GE(found.at_stops.back(), last_step);
   EXPECT_LE(found.at_stops.back(), 1e4 * last_step);
+  // Absolute tolerances ten and a thousand times as large: the states are of the size of 1. The
+  // directions are few, and their components are weighted otherwise.
+  const auto with = [&](double absolute) {
+    return judge::measure_amplification(c, c.stops, Tolerance(1e-6, absolute)).at_stops.back();
+  };
+  EXPECT_NEAR(std::log10(with(1e-3) / with(1e-5)), 2, 0.15);
 }
 
 TEST(Answer, IsWrongBeyondWhatIsExplainedAndNeverBelow) {

@@ -85,11 +85,11 @@ std::string error_text(const Case& c, const Request& request, const Outcome& out
                        c.truth.source);
   const bool fixed = request.mode == Mode::fixed;
   const judge::JudgedAnswer judged =
-      fixed
-          ? judge::judge_fixed_answer(errors, judge.scale())
-          : judge::judge_answer(
-                errors, judge::measure_amplification(c, request.stops), request.largest_tolerance(),
-                static_cast<double>(outcome.counters.steps), c.truth.floor, judge.scale());
+      fixed ? judge::judge_fixed_answer(errors, judge.scale())
+            : judge::judge_answer(
+                  errors, judge::measure_amplification(c, request.stops, request.tolerances()),
+                  request.tolerance, static_cast<double>(outcome.counters.steps), c.truth.floor,
+                  judge.scale());
   std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
                                  errors.back().error_max, errors.back().error_rms, c.truth.source);
   if (judged.answer == judge::Answer::not_applicable) return text;

@@ -24,7 +24,28 @@ constexpr std::size_t random_times = 4, random_directions = 4;
 constexpr double tolerance = 1e-10, perturbation = 1e-6;
 constexpr double tolerance_of_many = 1e-7, perturbation_of_many = 1e-4;
 
-double unit_of(double y) { return 1 + std::abs(y); }
+/// threshold_i + |y_i|.
+States units_of(const Tolerance& asked, const States& y) {
+  States units(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) units[i] = asked.threshold(i) + std::abs(y[i]);
+  return units;
+}
+
+Tolerance thresholds_of(const Case& c, double relative = 1) {
+  return Tolerance(1, c.thresholds).with_relative(relative);
+}
+
+/// The smaller ones, of the case and of what is asked: a perturbation that is small beside each
+/// component, and runs that follow it.
+Tolerance finest_of(const Case& c, const Tolerance& asked, double relative) {
+  Tolerance finest = thresholds_of(c, relative);
+  if (asked.thresholds.empty() && finest.thresholds.empty()) return finest;
+  std::vector<double> thresholds(c.y0.size());
+  for (std::size_t i = 0; i < thresholds.size(); ++i)
+    thresholds[i] = std::min(asked.threshold(i), finest.threshold(i));
+  finest.thresholds = std::move(thresholds);
+  return finest;
+}
 
 /// Times from t0 to the last stop, every stop among them, and the state at each.
 struct Path {
@@ -57,15 +78,15 @@ void require_truth(const Case& c, const std::vector<double>& stops, const Path& 
 }
 
 /// Phi(next, t) for two neighbouring times of a path, row-major.
-States step_matrix(Flow& flow, const Path& path, std::size_t k) {
+States step_matrix(const Tolerance& finest, Flow& flow, const Path& path, std::size_t k) {
   const States& from = path.states[k];
   const std::size_t n = from.size();
   const std::vector<double> to{path.times[k + 1]};
-  const States base = flow.solve(path.times[k], from, to);
+  const States base = flow.solve(path.times[k], from, to), units = units_of(finest, from);
   States matrix(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     States moved = from;
-    moved[j] += perturbation * unit_of(from[j]);
+    moved[j] += perturbation * units[j];
     const double by = moved[j] - from[j];
     const States there = flow.solve(path.times[k], moved, to);
     for (std::size_t i = 0; i < n; ++i) matrix[i * n + j] = (there[i] - base[i]) / by;
@@ -82,30 +103,31 @@ void multiply(States& row, const States& matrix) {
   row = std::move(product);
 }
 
-double effect(const States& row, const States& y) {
+double effect(const States& row, const States& units) {
   double squares = 0;
-  for (std::size_t i = 0; i < row.size(); ++i) squares += std::pow(row[i] * unit_of(y[i]), 2);
+  for (std::size_t i = 0; i < row.size(); ++i) squares += std::pow(row[i] * units[i], 2);
   return std::sqrt(static_cast<double>(row.size()) * squares);
 }
 
 void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
-                    Amplification& result) {
+                    const Tolerance& asked, Amplification& result) {
   const Path path = path_of(c, flow, stops, checkpoints);
   require_truth(c, stops, path);
-  std::vector<States> matrices;
+  std::vector<States> matrices, units;
+  for (const States& y : path.states) units.push_back(units_of(asked, y));
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
-    matrices.push_back(step_matrix(flow, path, k));
+    matrices.push_back(step_matrix(finest_of(c, asked, tolerance), flow, path, k));
   for (std::size_t stop = 0; stop < stops.size(); ++stop) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(path.times.begin(), path.times.end(), stops[stop]) - path.times.begin());
     for (const std::size_t component : measured_components(c)) {
       States row(c.y0.size(), 0);  // of Phi(stop, t), back from the stop
-      row[component] = 1;
+      row[component] = 1 / c.scale_of(component);
       double& largest = result.at_stops[stop];
-      largest = std::max(largest, effect(row, path.states[at]));
+      largest = std::max(largest, effect(row, units[at]));
       for (std::size_t k = at; k-- > 0;) {
         multiply(row, matrices[k]);
-        largest = std::max(largest, effect(row, path.states[k]));
+        largest = std::max(largest, effect(row, units[k]));
       }
     }
   }
@@ -113,7 +135,7 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
 
 /// The root mean square over random signs of the effect on a component is the norm of its row.
 void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& stops,
-                          Amplification& result) {
+                          const Tolerance& asked, Amplification& result) {
   const std::size_t n = c.y0.size();
   const double root = std::sqrt(static_cast<double>(n));
   const Path path = path_of(c, flow, stops, random_times);
@@ -127,22 +149,29 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
     const std::vector<double> later(first, stops.end());
     const States base = flow.solve(path.times[k], from, later);
     States squares(base.size(), 0);
+    const States units = units_of(asked, from),
+                 own = units_of(finest_of(c, asked, tolerance_of_many), from);
+    double largest = 0;  // of the units against the case's own
+    for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, units[i] / own[i]);
+    const double by = perturbation_of_many / largest;
     for (std::size_t r = 0; r < random_directions; ++r) {
       States moved = from;
-      for (double& y : moved) y += (random() % 2 ? 1 : -1) * perturbation_of_many * unit_of(y);
+      for (std::size_t i = 0; i < n; ++i) moved[i] += (random() % 2 ? 1 : -1) * by * units[i];
       const States there = flow.solve(path.times[k], moved, later);
       for (std::size_t i = 0; i < base.size(); ++i)
-        squares[i] += std::pow((there[i] - base[i]) / perturbation_of_many, 2) / random_directions;
+        squares[i] += std::pow((there[i] - base[i]) / by, 2) / random_directions;
     }
     for (std::size_t s = 0; s < later.size(); ++s) {
       const auto stop = static_cast<std::size_t>(first - stops.begin()) + s;
       for (const std::size_t i : measured)
         result.at_stops[stop] =
-            std::max({result.at_stops[stop], root * std::sqrt(squares[s * n + i])});
+            std::max(result.at_stops[stop], root * std::sqrt(squares[s * n + i]) / c.scale_of(i));
     }
   }
   for (std::size_t stop = 0; stop < stops.size(); ++stop)
-    result.at_stops[stop] = std::max(result.at_stops[stop], root);  // an error of the last step
+    for (const std::size_t i : measured)  // an error of the last step
+      result.at_stops[stop] =
+          std::max(result.at_stops[stop], root * asked.threshold(i) / c.scale_of(i));
 }
 
 std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector<double>& stops,
@@ -163,21 +192,26 @@ std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector
 
 }  // namespace
 
-Amplification measure_amplification(const Case& c, const std::vector<double>& stops) {
+Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
+                                    const Tolerance& asked) {
   Amplification result{.at_stops = States(stops.size(), 0), .controls = {}, .unknown = {}};
   try {
     const bool many = c.y0.size() > most_columns;
     Flow flow(c, stops.back(), many ? "dormand_prince54" : "dormand_prince853",
-              many ? tolerance_of_many : tolerance);
+              finest_of(c, asked, many ? tolerance_of_many : tolerance));
     if (many)
-      by_random_directions(c, flow, stops, result);
+      by_random_directions(c, flow, stops, asked, result);
     else
-      by_all_columns(c, flow, stops, result);
+      by_all_columns(c, flow, stops, asked, result);
     result.controls = controls(c, flow, stops, many ? 1e-5 : 1e-8);
   } catch (const std::runtime_error& error) {
     result.unknown = std::string("the amplification of errors is not known: ") + error.what();
   }
   return result;
+}
+
+Amplification measure_amplification(const Case& c, const std::vector<double>& stops) {
+  return measure_amplification(c, stops, thresholds_of(c));
 }
 
 }  // namespace odeum::judge

@@ -18,9 +18,9 @@ struct Control {
 struct Amplification {
   /// By stop: the effect of an error of one tolerance, relative and absolute, in all components at
   /// one time, on a measured component; in the case's units, for that component and that time where
-  /// it is largest. With Phi the fundamental matrix: sqrt(n) |row of Phi(stop, t) diag(1 +
-  /// |y_i(t)|)|, in the Euclidean norm, n components. What local errors of a solver come to, if its
-  /// root mean square of scaled errors, or the largest of them, is the tolerance.
+  /// it is largest. With Phi the fundamental matrix: sqrt(n) |row of Phi(stop, t) diag(threshold_i
+  /// + |y_i(t)|)|, in the Euclidean norm, n components. What local errors of a solver come to, if
+  /// its root mean square of scaled errors, or the largest of them, is the relative tolerance.
   std::vector<double> at_stops;
   /// The errors of the method by which this is measured, at tolerances from coarse to fine: what
   /// the case leaves possible where at_stops, which is linear in the errors, comes to the size of
@@ -31,10 +31,14 @@ struct Amplification {
 };
 
 /// Measures it by differences of the flow: own methods to a tolerance of 1e-10 from states along
-/// the solution, each component moved by 1e-6 (1 + |y_i|), over the intervals between the stops and
-/// 48 other times that part the evaluations of a run evenly; Phi is the product over intervals.
-/// Above 64 components: 4 random directions at each of 4 times, runs to 1e-7, moved by 1e-4. Costs
-/// some (n + 1) solves. Unknown where the runs fail or do not end at the truth.
+/// the solution, each component moved by 1e-6 (smallest threshold_i + |y_i|), over the intervals
+/// between the stops and 48 other times that part the evaluations of a run evenly; Phi is the
+/// product over intervals. Above 64 components: 4 random directions at each of 4 times, runs to
+/// 1e-7, moved by 1e-4. Costs some (n + 1) solves. Unknown where the runs fail or do not end at the
+/// truth. The thresholds are those of the tolerance (see core/tolerance.hpp) that a run is judged
+/// by, or the case's; runs and perturbations are by the smaller of both.
+Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
+                                    const Tolerance& tolerance);
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops);
 
 }  // namespace odeum::judge

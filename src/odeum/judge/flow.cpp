@@ -36,14 +36,16 @@ struct Recorded {
   }
 };
 
-Outcome run(std::string_view method, double tolerance, const Case& c, double start,
+Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, double start,
             const std::vector<double>& y, const std::vector<double>& stops, std::uint64_t budget,
             std::vector<double>* times) {
   // An autonomous problem starts at time 0, where short first steps are not lost in rounding.
   const double shift = c.problem.view.time_derivative ? 0 : start;
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = tolerance;
+  request.tolerance = tolerance.relative;
+  for (std::size_t i = 0; i < tolerance.thresholds.size(); ++i)
+    request.absolute.push_back(tolerance.absolute(i));
   for (const double stop : stops) request.stops.push_back(stop - shift);
   request.budget.evaluations = budget;
   ErasedContest contest = c.problem;
@@ -70,7 +72,7 @@ Outcome run(std::string_view method, double tolerance, const Case& c, double sta
 
 }  // namespace
 
-Flow::Flow(const Case& c, double end, const char* explicit_method, double tolerance)
+Flow::Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance)
     : case_(c), method_(explicit_method), tolerance_(tolerance) {
   Outcome outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, explicit_budget, &evaluated_);
   if (outcome.status != Status::ok && c.y0.size() <= dense_dimension_limit) {
@@ -79,7 +81,7 @@ Flow::Flow(const Case& c, double end, const char* explicit_method, double tolera
     outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, implicit_budget, &evaluated_);
   }
   if (outcome.status != Status::ok)
-    throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance,
+    throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance.relative,
                                          to_string(outcome.status), outcome.detail));
   std::sort(evaluated_.begin(), evaluated_.end());
 }
@@ -89,14 +91,14 @@ std::vector<double> Flow::solve(double start, const std::vector<double>& y,
   Outcome outcome = run(method_, tolerance_, case_, start, y, stops, implicit_budget, nullptr);
   if (outcome.status != Status::ok)
     throw std::runtime_error(fmt::format("{} to {:.0e} from t = {} ends {}, {}", method_,
-                                         tolerance_, start, to_string(outcome.status),
+                                         tolerance_.relative, start, to_string(outcome.status),
                                          outcome.detail));
   return std::move(outcome.states);
 }
 
-std::vector<double> Flow::states(const std::vector<double>& stops, double tolerance) const {
-  Outcome outcome =
-      run(method_, tolerance, case_, case_.t0, case_.y0, stops, implicit_budget, nullptr);
+std::vector<double> Flow::states(const std::vector<double>& stops, double relative) const {
+  Outcome outcome = run(method_, tolerance_.with_relative(relative), case_, case_.t0, case_.y0,
+                        stops, implicit_budget, nullptr);
   if (outcome.status != Status::ok) return {};
   return std::move(outcome.states);
 }

@@ -12,13 +12,13 @@ namespace odeum::judge {
 class Flow {
  public:
   /// Throws std::runtime_error, with a clause that says why, where neither method gets to `end`.
-  Flow(const Case& c, double end, const char* explicit_method, double tolerance);
+  Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance);
 
   /// The states at the stops, one after the other, from y at `start`. Throws like the constructor.
   std::vector<double> solve(double start, const std::vector<double>& y,
                             const std::vector<double>& stops);
-  /// From the case's start, to another tolerance; nothing where that run fails.
-  std::vector<double> states(const std::vector<double>& stops, double tolerance) const;
+  /// From the case's start, to another relative tolerance; nothing where that run fails.
+  std::vector<double> states(const std::vector<double>& stops, double relative) const;
 
   /// The case's start, the stops, and `count` times between that part the evaluations of the run to
   /// the end evenly; ascending.
@@ -27,7 +27,7 @@ class Flow {
  private:
   const Case& case_;
   const char* method_;
-  double tolerance_;
+  Tolerance tolerance_;
   std::vector<double> evaluated_;  ///< the times of evaluations, ascending
 };
 

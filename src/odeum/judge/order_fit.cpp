@@ -139,6 +139,13 @@ class Fitting {
     return true;
   }
 
+  // The next term explains slopes that move, and the order before it is another one.
+  bool denied_by_two_terms() const {
+    const TwoTermFit two = fit_two_terms(points_);
+    return two.points > 0 && two.half_width <= tolerance_.order &&
+           std::abs(two.order - claimed_) > tolerance_.apart;
+  }
+
   OrderFit floors(const ErrorFloor& floor) {
     fit_.floor = floor.level;
     fit_.floor_step = floor.step;
@@ -192,6 +199,13 @@ class Fitting {
       return verdict(Verdict::undetermined,
                      fmt::format("the slope {:.2f} is near {:g} but has not settled there",
                                  fit_.order, claimed_));
+    if (moves_towards(points_, window, claimed_, tolerance_.order) && !denied_by_two_terms())
+      return verdict(
+          Verdict::undetermined,
+          fmt::format("the slope {:.2f} has not settled: local slopes move towards {:g}, "
+                      "to {:.2f} at the finest steps",
+                      fit_.order, claimed_,
+                      local_slope(points_[window.end() - 2], points_[window.end() - 1])));
     return verdict(
         fit_.order > claimed_ ? Verdict::higher : Verdict::lower,
         fmt::format("converges with order {:.2f} where {:g} is claimed", fit_.order, claimed_));

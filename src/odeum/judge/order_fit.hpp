@@ -77,9 +77,8 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 /// - `confirmed`: the slope is the claimed order, or that of the error's first two terms is (see
 ///   two_term_fit.hpp), and every finer point that is no rounding lies within `stray` of it.
 /// - `floors`: finer points stop falling, and are no rounding.
-/// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere. `higher`
-/// with
-///   an order of NaN: the errors are rounding at all steps.
+/// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere, and do not
+///   move towards the claim. `higher` with an order of NaN: the errors are rounding at all steps.
 /// - `undetermined`: none of these; `failed`: nothing was solved.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,

@@ -67,6 +67,29 @@ double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
   return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
 }
 
+bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, double order,
+                   double near) {
+  constexpr std::size_t fewest_slopes = 3;
+  const double how_much_finer = std::log(10);
+  std::vector<double> x, distance;
+  for (std::size_t i = window.first - std::min<std::size_t>(window.first, 1); i < window.end();
+       ++i) {
+    const std::size_t j = slope_partner(points, i, window.end());
+    if (j == window.end()) break;
+    x.push_back(std::log(points[i].step * points[j].step) / 2);
+    distance.push_back(local_slope(points[i], points[j]) - order);
+    const std::size_t k = distance.size() - 1;
+    if (k > 0 &&
+        (distance[k] * distance[k - 1] <= 0 || std::abs(distance[k]) >= std::abs(distance[k - 1])))
+      return false;
+  }
+  if (distance.size() < fewest_slopes) return false;
+  const std::size_t k = distance.size() - 1;
+  const double last = std::abs(distance[k]);
+  const double rate = (std::abs(distance[k - 1]) - last) / (x[k - 1] - x[k]);
+  return last - rate * how_much_finer <= near;
+}
+
 Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
                    double settled) {
   const double among_finest = settled * std::max(1.0, claimed_order / 2);

@@ -227,7 +227,7 @@ class PairRuns {
     judge_row(errors, row);
     row.judged = row.mode == Mode::fixed
                      ? judge::judge_fixed_answer(errors, judge_.scale())
-                     : judge::judge_answer(errors, amplification_, request.largest_tolerance(),
+                     : judge::judge_answer(errors, amplification_, request.tolerance,
                                            static_cast<double>(row.steps), pair_.c->truth.floor,
                                            judge_.scale());
     for (const judge::StopError& e : errors)

@@ -81,12 +81,11 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
   for (const judge::StopError& error : errors)
     trial.row.error = std::max(trial.row.error, error.error_max);
-  trial.row.judged =
-      request.mode == Mode::fixed
-          ? judge::judge_fixed_answer(errors, stage.judge.scale())
-          : judge::judge_answer(errors, stage.amplification, request.largest_tolerance(),
-                                static_cast<double>(outcome.counters.steps), stage.floor,
-                                stage.judge.scale());
+  trial.row.judged = request.mode == Mode::fixed
+                         ? judge::judge_fixed_answer(errors, stage.judge.scale())
+                         : judge::judge_answer(errors, stage.amplification, request.tolerance,
+                                               static_cast<double>(outcome.counters.steps),
+                                               stage.floor, stage.judge.scale());
   if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
   trial.states = std::move(outcome.states);
   return trial;
