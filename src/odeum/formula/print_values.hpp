@@ -11,11 +11,12 @@ namespace odeum::formula {
 /// A function of C that fills an array with values of nodes.
 struct Function {
   std::string name;
-  std::string arguments;            ///< between its parentheses, all of them
-  std::string passed;               ///< their names
-  std::string target;               ///< the name of the array
-  std::size_t cleared = 0;          ///< so many of its elements are set to 0 before
-  std::string first = "y", second = "";  ///< the arrays of the states up to `split` and from there on
+  std::string arguments;    ///< between its parentheses, all of them
+  std::string passed;       ///< their names
+  std::string target;       ///< the name of the array
+  std::size_t cleared = 0;  ///< so many of its elements are set to 0 before
+  std::string first = "y",
+              second = "";  ///< the arrays of the states up to `split` and from there on
   std::uint32_t split = static_cast<std::uint32_t>(-1);
 };
 
