@@ -1,204 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// long: one printer of all functions of a problem
 #include "odeum/formula/print_c.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <numeric>
+
+#include "odeum/formula/print_values.hpp"
 
 namespace odeum::formula {
 namespace {
 
-/// A number type of C, the suffix of its functions and of its constants.
-struct Type {
-  const char* name;
-  const char* function;
-  const char* constant;
-};
-constexpr Type in_double{"double", "", ""}, in_long_double{"long double", "l", "L"};
-
-std::string constant_text(long double value, const Type& type) {
-  const std::string text = *type.constant ? fmt::format("{:a}L", value)
-                                          : fmt::format("{:a}", static_cast<double>(value));
-  return std::signbit(value) ? "(" + text + ")" : text;
-}
-
-class Printer {
- public:
-  explicit Printer(const Graph& graph) : graph_(graph) {}
-  std::string text;
-
-  template <class... Arguments>
-  void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-    text += '\n';
-  }
-
-  /// What stands for a node in an expression.
-  std::string name(Id id, const Type& type) const {
-    const Node& node = graph_[id];
-    return node.op == Op::constant ? constant_text(node.value, type) : fmt::format("v{}", id);
-  }
-  std::string operation(Op op, const std::string& a, const std::string& b, const std::string& c,
-                        const Type& type) const {
-    const char* const l = type.function;
-    switch (op) {
-      case Op::add:
-        return fmt::format("{} + {}", a, b);
-      case Op::subtract:
-        return fmt::format("{} - {}", a, b);
-      case Op::multiply:
-        return fmt::format("{} * {}", a, b);
-      case Op::divide:
-        return fmt::format("{} / {}", a, b);
-      case Op::negate:
-        return fmt::format("-{}", a);
-      case Op::less:
-        return fmt::format("{} < {}", a, b);
-      case Op::less_equal:
-        return fmt::format("{} <= {}", a, b);
-      case Op::equal:
-        return fmt::format("{} == {}", a, b);
-      case Op::choose:
-        return fmt::format("{} != 0 ? {} : {}", a, b, c);
-      case Op::min:
-        return fmt::format("{1} < {0} ? {1} : {0}", a, b);
-      case Op::max:
-        return fmt::format("{0} < {1} ? {1} : {0}", a, b);
-      case Op::sign:
-        return fmt::format("({0} > 0) - ({0} < 0) + 0 * {0}", a);
-      case Op::power:
-        return fmt::format("__builtin_pow{}({}, {})", l, a, b);
-      case Op::atan2:
-        return fmt::format("__builtin_atan2{}({}, {})", l, a, b);
-      default:
-        return fmt::format("__builtin_{}{}({})", function_name(op), l, a);
-    }
-  }
-  std::string operation(const Node& node, const Type& type) const {
-    const auto argument = [&](std::size_t k) {
-      return node.of[k] == no_node ? std::string() : name(node.of[k], type);
-    };
-    return operation(node.op, argument(0), argument(1), argument(2), type);
-  }
-
-  /// Computes the nodes on which roots depend; `state` prints state number k.
-  template <class StateText>
-  void nodes(const std::vector<Id>& roots, const Type& type, StateText&& state) {
-    for (const Id id : graph_.needed(roots)) {
-      const Node& node = graph_[id];
-      if (node.op == Op::constant) continue;
-      const std::string value = node.op == Op::state  ? state(node.index)
-                                : node.op == Op::time ? "t"
-                                                      : operation(node, type);
-      line("  const {} v{} = {};", type.name, id, value);
-    }
-  }
-  void nodes(const std::vector<Id>& roots, const Type& type) {
-    nodes(roots, type, [](std::uint32_t k) { return fmt::format("y[{}]", k); });
-  }
-
- private:
-  static const char* function_name(Op op) {
-    switch (op) {
-      case Op::sin:
-        return "sin";
-      case Op::cos:
-        return "cos";
-      case Op::tan:
-        return "tan";
-      case Op::asin:
-        return "asin";
-      case Op::acos:
-        return "acos";
-      case Op::atan:
-        return "atan";
-      case Op::sinh:
-        return "sinh";
-      case Op::cosh:
-        return "cosh";
-      case Op::tanh:
-        return "tanh";
-      case Op::exp:
-        return "exp";
-      case Op::log:
-        return "log";
-      case Op::log10:
-        return "log10";
-      case Op::sqrt:
-        return "sqrt";
-      default:
-        return "fabs";
-    }
-  }
-
-  const Graph& graph_;
-};
-
 constexpr const char* unused = "  (void)problem; (void)t; (void)y;";
 
-/// `name` fills f with the roots; in parts, since the compiler's time grows faster than the length
-/// of a function. What two parts need is computed in both.
-void print_values(Printer& out, const char* name, const std::vector<Id>& roots, const Type& type) {
-  constexpr std::size_t most_in_part = 256;
-  const auto head = [&](const std::string& kind, const std::string& of) {
-    out.line("{}void {}(const void* problem, {} t, const {}* y, {}* f) {{", kind, of, type.name,
-             type.name, type.name);
-    out.line("{}", unused);
-  };
-  const std::size_t parts =
-      std::max<std::size_t>((roots.size() + most_in_part - 1) / most_in_part, 1);
-  for (std::size_t part = 0; part < parts; ++part) {
-    if (parts > 1)
-      head("static __attribute__((noinline)) ", fmt::format("{}_{}", name, part));
-    else
-      head("", name);
-    const std::size_t first = part * most_in_part,
-                      last = std::min(first + most_in_part, roots.size());
-    out.nodes({roots.begin() + static_cast<std::ptrdiff_t>(first),
-               roots.begin() + static_cast<std::ptrdiff_t>(last)},
-              type);
-    for (std::size_t k = first; k < last; ++k)
-      out.line("  f[{}] = {};", k, out.name(roots[k], type));
-    out.line("}}");
-  }
-  if (parts == 1) return;
-  head("", name);
-  for (std::size_t part = 0; part < parts; ++part)
-    out.line("  {}_{}(problem, t, y, f);", name, part);
-  out.line("}}");
+std::vector<std::uint32_t> in_order(std::size_t count) {
+  std::vector<std::uint32_t> places(count);
+  std::iota(places.begin(), places.end(), 0U);
+  return places;
+}
+
+/// `name` fills f with the roots.
+void print_all(Printer& out, const char* name, const std::vector<Id>& roots, const Type& type) {
+  print_values(out, values_function(name, type), roots, in_order(roots.size()), type);
 }
 
 /// Dense.
 void print_jacobian(Printer& out, const Analysis& analysis) {
   const std::size_t n = analysis.structure.states;
-  out.line("void jacobian(const void* problem, double t, const double* y, double* j) {{");
-  out.line("{}", unused);
-  const std::vector<Id> roots = jacobian_roots(analysis);
-  out.nodes(roots, in_double);
-  if (roots.size() < n * n) out.line("  for (int k = 0; k < {}; ++k) j[k] = 0;", n * n);
+  std::vector<std::uint32_t> places;
   for (std::size_t row = 0; row < n; ++row)
     for (const Entry& entry : analysis.jacobian[row])
-      out.line("  j[{}] = {};", row * n + entry.by, out.name(entry.value, in_double));
-  out.line("}}");
+      places.push_back(static_cast<std::uint32_t>(row * n + entry.by));
+  Function function = values_function("jacobian", in_double);
+  function.cleared = places.size() < n * n ? n * n : 0;
+  print_values(out, function, jacobian_roots(analysis), places, in_double);
 }
 
 void print_acceleration(Printer& out, const Problem& problem) {
   const std::size_t half = problem.states.size() / 2;
-  out.line(
-      "void acceleration(const void* problem, double t, const double* q, const double* v, "
-      "double* a) {{");
-  out.line("  (void)problem; (void)t; (void)q; (void)v;");
   const std::vector<Id> roots(problem.equations.begin() + static_cast<std::ptrdiff_t>(half),
                               problem.equations.end());
-  out.nodes(roots, in_double, [&](std::uint32_t k) {
-    return k < half ? fmt::format("q[{}]", k) : fmt::format("v[{}]", k - half);
-  });
-  for (std::size_t k = 0; k < half; ++k)
-    out.line("  a[{}] = {};", k, out.name(roots[k], in_double));
-  out.line("}}");
+  const Function function{.name = "acceleration",
+                          .arguments =
+                              "const void* problem, double t, const double* q, const double* v, "
+                              "double* __restrict a",
+                          .passed = "problem, t, q, v, a",
+                          .target = "a",
+                          .first = "q",
+                          .second = "v",
+                          .split = static_cast<std::uint32_t>(half)};
+  print_values(out, function, roots, in_order(half), in_double);
 }
 
 /// One coefficient, number k >= 1, of a step of the plan; see Series::advance.
@@ -304,20 +154,20 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
   Printer out(problem.graph);
   out.line("/* y' = f(t, y) with {} states, printed from a graph of operations */",
            problem.states.size());
-  print_values(out, "rhs", problem.equations, in_double);
+  print_all(out, "rhs", problem.equations, in_double);
   constexpr std::size_t few_states = 64;
   if (problem.states.size() <= few_states) print_jacobian(out, analysis);
   const std::vector<Id> entries = jacobian_roots(analysis);
-  print_values(out, "jacobian_entries", entries, in_double);
+  print_all(out, "jacobian_entries", entries, in_double);
   if (!analysis.time_derivative.empty())
-    print_values(out, "time_derivative", analysis.time_derivative, in_double);
+    print_all(out, "time_derivative", analysis.time_derivative, in_double);
   if (analysis.structure.second_order) print_acceleration(out, problem);
   // One function of all steps: the compiler takes minutes for more.
   constexpr std::size_t most_compiled = 600;
   if (analysis.series && analysis.series->steps.size() <= most_compiled)
     print_series(out, problem, *analysis.series);
-  print_values(out, "rhs_extended", problem.equations, in_long_double);
-  print_values(out, "entries_extended", entries, in_long_double);
+  print_all(out, "rhs_extended", problem.equations, in_long_double);
+  print_all(out, "entries_extended", entries, in_long_double);
   return std::move(out.text);
 }
 

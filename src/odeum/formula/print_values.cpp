@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/print_values.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "odeum/formula/repeated.hpp"
+
+namespace odeum::formula {
+namespace {
+
+constexpr std::size_t most_in_part = 256;
+constexpr std::size_t fewest_in_loop = 16;     // fewer are as fast one by one
+constexpr std::size_t most_shared = 1U << 16;  // they stand on the stack
+
+class ValuesPrinter {
+ public:
+  ValuesPrinter(Printer& out, const Function& function, const Graph& graph, const Type& type)
+      : out_(out), function_(function), graph_(graph), type_(type) {}
+
+  void print(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places) {
+    std::vector<Id> shared;
+    RepeatedRoots found, of_shared;
+    if (roots.size() >= 2 * fewest_in_loop) {
+      shared = shared_functions(graph_, roots);
+      if (shared.size() < fewest_in_loop || shared.size() > most_shared) shared.clear();
+      found = find_repeated(graph_, roots, fewest_in_loop, function_.split, shared);
+      of_shared = find_repeated(graph_, shared, 1, function_.split);
+      // One that is no loop stands for all: then nothing is shared between loops.
+      if (!of_shared.others.empty()) {
+        shared.clear();
+        of_shared = {};
+        found = find_repeated(graph_, roots, fewest_in_loop, function_.split);
+      }
+    } else {
+      found.others.resize(roots.size());
+      std::iota(found.others.begin(), found.others.end(), 0U);
+    }
+    print_all(roots, places, shared, found, of_shared);
+  }
+
+ private:
+  void head(const std::string& kind, const std::string& name) {
+    out_.line("{}void {}({}) {{", kind, name, function_.arguments);
+    for (const char* unused : {"problem", "t", "y", "q", "v"})
+      if (function_.passed.find(unused) != std::string::npos) out_.line("  (void){};", unused);
+  }
+  void main_head() {
+    head("", function_.name);
+    if (function_.cleared > 0)
+      out_.line("  for (int k = 0; k < {}; ++k) {}[k] = 0;", function_.cleared, function_.target);
+  }
+  std::string state(std::uint32_t k) const {
+    if (k >= function_.split) return fmt::format("{}[{}]", function_.second, k - function_.split);
+    return fmt::format("{}[{}]", function_.first, k);
+  }
+  void nodes(const std::vector<Id>& roots) {
+    out_.nodes(roots, type_, [&](std::uint32_t k) { return state(k); });
+  }
+
+  void print_all(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places,
+                 const std::vector<Id>& shared, const RepeatedRoots& found,
+                 const RepeatedRoots& of_shared) {
+    const std::vector<std::uint32_t>& others = found.others;
+    const std::size_t parts = (others.size() + most_in_part - 1) / most_in_part;
+    const bool is_plain = parts <= 1 && found.groups.empty();
+    for (std::size_t part = 0; part < parts; ++part) {
+      if (is_plain)
+        main_head();
+      else
+        head("static __attribute__((noinline)) ", fmt::format("{}_{}", function_.name, part));
+      std::vector<Id> in_part;
+      const std::size_t first = part * most_in_part,
+                        last = std::min(first + most_in_part, others.size());
+      for (std::size_t k = first; k < last; ++k) in_part.push_back(roots[others[k]]);
+      nodes(in_part);
+      for (std::size_t k = first; k < last; ++k)
+        out_.line("  {}[{}] = {};", function_.target, places[others[k]],
+                  out_.name(roots[others[k]], type_));
+      out_.line("}}");
+    }
+    if (is_plain && parts == 1) return;
+    main_head();
+    std::vector<Id> before = found.before;
+    before.insert(before.end(), of_shared.before.begin(), of_shared.before.end());
+    nodes(before);
+    if (!shared.empty()) out_.line("  {} shared[{}];", type_.name, shared.size());
+    std::vector<std::uint32_t> in_order(shared.size());
+    std::iota(in_order.begin(), in_order.end(), 0U);
+    for (const Repeated& group : of_shared.groups) print_loop(group, "shared", in_order);
+    for (const Repeated& group : found.groups) print_loop(group, function_.target, places);
+    for (std::size_t part = 0; part < parts; ++part)
+      out_.line("  {}_{}({});", function_.name, part, function_.passed);
+    out_.line("}}");
+  }
+
+  /// The elements of an array that a loop over i takes: by a formula where they are equally far
+  /// apart, else by a table.
+  std::string index(const std::vector<std::uint32_t>& of) {
+    const auto distance = [&](std::size_t k) {
+      return static_cast<std::int64_t>(of[k]) - static_cast<std::int64_t>(of[k - 1]);
+    };
+    bool even = true;
+    for (std::size_t k = 2; k < of.size() && even; ++k) even = distance(k) == distance(1);
+    if (of.size() == 1 || (even && distance(1) == 0)) return fmt::format("{}", of[0]);
+    if (even && distance(1) == 1) return fmt::format("i + {}", of[0]);
+    if (even) return fmt::format("{} * i + {}", distance(1), of[0]);
+    const std::string name = fmt::format("at{}", tables_++);
+    out_.line("    static const unsigned {}[] = {{{}}};", name, fmt::join(of, ", "));
+    return name + "[i]";
+  }
+  std::string element(const std::vector<std::uint32_t>& states) {
+    if (states[0] >= first_shared) return "shared[" + index(less(states, first_shared)) + "]";
+    if (states[0] >= function_.split)
+      return function_.second + "[" + index(less(states, function_.split)) + "]";
+    return function_.first + "[" + index(states) + "]";
+  }
+  static std::vector<std::uint32_t> less(std::vector<std::uint32_t> numbers, std::uint32_t by) {
+    for (std::uint32_t& number : numbers) number -= by;
+    return numbers;
+  }
+  std::string constant(const std::vector<long double>& values) {
+    const auto same = [&](long double value) {
+      return value == values[0] && std::signbit(value) == std::signbit(values[0]);
+    };
+    if (std::all_of(values.begin(), values.end(), same)) return constant_text(values[0], type_);
+    std::string all;
+    for (const long double value : values) all += constant_text(value, type_) + ", ";
+    const std::string name = fmt::format("c{}", tables_++);
+    out_.line("    static const {} {}[] = {{{}}};", type_.name, name, all);
+    return name + "[i]";
+  }
+
+  void print_loop(const Repeated& group, const std::string& target,
+                  const std::vector<std::uint32_t>& places) {
+    out_.line("  {{");
+    std::vector<std::string> states, constants;
+    for (const auto& of : group.states) states.push_back(element(of));
+    for (const auto& of : group.constants) constants.push_back(constant(of));
+    std::vector<std::uint32_t> at;
+    for (const std::uint32_t member : group.members) at.push_back(places[member]);
+    const std::string to = index(at);
+    out_.line("    for (unsigned i = 0; i < {}; ++i) {{", group.members.size());
+    std::vector<std::string> names;
+    for (const Repeated::Line& line : group.lines) {
+      if (line.id != no_node)
+        names.push_back(out_.name(line.id, type_));
+      else if (line.op == Op::constant)
+        names.push_back(constants[line.of[0]]);
+      else if (line.op == Op::time)
+        names.emplace_back("t");
+      else {
+        const auto argument = [&](std::size_t k) {
+          return line.of[k] == no_node ? std::string() : names[line.of[k]];
+        };
+        const std::string value =
+            line.op == Op::state
+                ? states[line.of[0]]
+                : out_.operation(line.op, argument(0), argument(1), argument(2), type_);
+        names.push_back(fmt::format("w{}", names.size()));
+        out_.line("      const {} {} = {};", type_.name, names.back(), value);
+      }
+    }
+    out_.line("      {}[{}] = {};", target, to, names.back());
+    out_.line("    }}\n  }}");
+  }
+
+  Printer& out_;
+  const Function& function_;
+  const Graph& graph_;
+  const Type& type_;
+  std::size_t tables_ = 0;
+};
+
+}  // namespace
+
+Function values_function(const std::string& name, const Type& type) {
+  return {.name = name,
+          .arguments =
+              fmt::format("const void* problem, {0} t, const {0}* y, {0}* __restrict f", type.name),
+          .passed = "problem, t, y, f",
+          .target = "f"};
+}
+
+void print_values(Printer& out, const Function& function, const std::vector<Id>& roots,
+                  const std::vector<std::uint32_t>& places, const Type& type) {
+  ValuesPrinter(out, function, out.graph(), type).print(roots, places);
+}
+
+}  // namespace odeum::formula
