@@ -69,7 +69,10 @@ std::vector<Choice> gsl_choices() {
   return {first_step_and_control("msbdf", gsl_odeiv2_step_msbdf, 1),
           first_step_and_control("bsimp", gsl_odeiv2_step_bsimp, 6),
           first_step_and_control("rk4imp", gsl_odeiv2_step_rk4imp, 4),
+          first_step_and_control("rk2", gsl_odeiv2_step_rk2, 2, true),
+          first_step_and_control("rk4", gsl_odeiv2_step_rk4, 4, true),
           first_step_and_control("rkf45", gsl_odeiv2_step_rkf45, 4, true),
+          first_step_and_control("rkck", gsl_odeiv2_step_rkck, 5, true),
           first_step_and_control("rk8pd", gsl_odeiv2_step_rk8pd, 8, true, true),
           first_step_and_control("msadams", gsl_odeiv2_step_msadams, 1, true)};
 }
