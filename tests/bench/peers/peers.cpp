@@ -159,11 +159,14 @@ tests/bench/peers). Implicit methods: on the cases {}; explicit ones: on {}.
 Tolerances from 1e-3 to 1e-9, relative and absolute. A run is solved where the library reports success
 within 100,000 evaluations and the error at the horizon is below a tenth of the largest component. Steps
 and evaluations are sums over the solved runs. Errors reached: of 1e-2, 1e-4 and 1e-6 in each case, at
-any tolerance. Processor time: the least to each of these errors, as a geometric mean relative to the
-first row over what both reach.
+any tolerance. Evaluations and processor time to these errors: the least, on the line between two
+tolerances in logarithms, as a geometric mean relative to the first row over what both reach.
 
-Times of the present table are from a busy machine and a build with little optimisation: ratios below 1.2
-say nothing; steps, evaluations and runs solved do not depend on it.
+Evaluations and runs solved do not depend on the machine's load; times are processor times of SUNDIALS
+built by `scripts/sundials` and Debian's GSL, with other programs running: ratios of them below 1.1 say
+nothing. Where a documentation is cited, it was read for its recommendation; the settings taken are by
+measurement. A run on Robertson's reactions with one tolerance for all components may drift away
+(reports/findings/sundials.md) or not, by its last digits: three errors more or less are that.
 
 Settings that need no measurement:
 
