@@ -23,7 +23,7 @@ const Method methods[] = {
     {"rkf45", &gsl_odeiv2_step_rkf45, Kind::explicit_rk, 5, "embedded Runge-Kutta-Fehlberg (4, 5)"},
     {"rkck", &gsl_odeiv2_step_rkck, Kind::explicit_rk, 5, "embedded Runge-Kutta Cash-Karp (4, 5)"},
     {"rk8pd", &gsl_odeiv2_step_rk8pd, Kind::explicit_rk, 8,
-     "embedded Runge-Kutta Prince-Dormand (8, 9)", 1},
+     "embedded Runge-Kutta Prince-Dormand (8, 9)"},
     {"rk1imp", &gsl_odeiv2_step_rk1imp, Kind::implicit_rk, 1,
      "implicit Euler, error by step doubling; the two half steps are kept"},
     {"rk2imp", &gsl_odeiv2_step_rk2imp, Kind::implicit_rk, 2,
@@ -73,7 +73,7 @@ SolverInfo describe(const Method& method, std::size_t dimension) {
   info.controller = fmt::format(
       "gsl_odeiv2_driver_alloc_standard_new (scaled_new where absolute tolerances "
       "differ): error within abs + rel |y|{}",
-      method.a_dydt > 0 ? " + rel h |y'|" : "");
+      method.a_dydt() > 0 ? " + rel h |y'|" : "");
   if (method.needs_jacobian()) info.needs = "a dense Jacobian (differenced where there is none)";
   info.source = std::string(manual) + method.source;
   return info;

@@ -50,11 +50,11 @@ Driver make_driver(const Method& method, const gsl_odeiv2_system& system, double
   if (tolerance.thresholds.size() <= 1)
     return {
         gsl_odeiv2_driver_alloc_standard_new(&system, *method.type, first_step,
-                                             tolerance.absolute(0), relative, a_y, method.a_dydt),
+                                             tolerance.absolute(0), relative, a_y, method.a_dydt()),
         gsl_odeiv2_driver_free};
   // The absolute tolerance of component i is its first number times the scale i, which is copied.
   return {gsl_odeiv2_driver_alloc_scaled_new(&system, *method.type, first_step, relative, relative,
-                                             a_y, method.a_dydt, tolerance.thresholds.data()),
+                                             a_y, method.a_dydt(), tolerance.thresholds.data()),
           gsl_odeiv2_driver_free};
 }
 

@@ -2,11 +2,10 @@
 // C++17, and without uBLAS's own checks, which make it an order of magnitude slower.
 #include "odeint/implicit.hpp"
 
-#include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
-#include <boost/numeric/odeint/stepper/rosenbrock4_controller.hpp>
-#include <boost/numeric/odeint/stepper/rosenbrock4_dense_output.hpp>
 #include <cstdlib>
 #include <exception>
+
+#include "odeint/rosenbrock.hpp"
 
 // implicit_euler ends the process with std::exit(0) where its matrix is singular. That call, in its
 // header only (everything it includes is included above), becomes an exception.
@@ -19,50 +18,10 @@ struct SingularMatrix {};
 #undef exit
 
 #include "odeint/tripped.hpp"
-#include "odeint/walk.hpp"
 #include "odeum/contest/dense_jacobian.hpp"
-#include "odeum/contest/first_step.hpp"
 
 namespace odeum::adapters::odeint {
 namespace {
-
-namespace od = boost::numeric::odeint;
-namespace ublas = boost::numeric::ublas;
-using Vector = ublas::vector<double>;
-
-/// rosenbrock4 for the controller, which divides the estimate by one absolute tolerance and the
-/// relative one: estimates scaled so that it then divides by the absolute tolerance of the
-/// component.
-class ByComponent : public od::rosenbrock4<double> {
- public:
-  explicit ByComponent(const Tolerance& tolerance = Tolerance(1)) : tolerance_(tolerance) {}
-  template <class System>
-  void do_step(System system, const Vector& y, double t, Vector& y_new, double h, Vector& error) {
-    od::rosenbrock4<double>::do_step(system, y, t, y_new, h, error);
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      const double size = std::max(std::abs(y[i]), std::abs(y_new[i]));
-      error[i] *= (1 + size) / (tolerance_.threshold(i) + size);
-    }
-  }
-
- private:
-  Tolerance tolerance_;
-};
-
-template <class Stepper>
-using Controller = od::rosenbrock4_controller<Stepper>;
-
-/// Calls run(controller), of the request's tolerance.
-template <class Run>
-void with_controller(const Request& request, Run&& run) {
-  const Tolerance tolerance = request.tolerances();
-  if (request.by_component())
-    run(Controller<ByComponent>(tolerance.relative, tolerance.relative, ByComponent(tolerance)));
-  else
-    run(Controller<od::rosenbrock4<double>>(tolerance.absolute(0), tolerance.relative));
-}
-
-using Matrix = ublas::matrix<double>;  // row-major, as the problem's own
 
 struct Rhs {
   GuardedView* problem;
@@ -108,8 +67,7 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
 
 double first(const System& system, double t0, const std::vector<double>& y0,
              const Request& request) {
-  constexpr int order = 4;
-  return first_step(*system.first.problem, t0, y0, request.stops.back(), order,
+  return first_step(*system.first.problem, t0, y0, request.stops.back(), rosenbrock4_order,
                     request.tolerances());
 }
 
@@ -135,9 +93,7 @@ Outcome run_rosenbrock4(const OdeView& view, double t0, const std::vector<double
                         const Request& request) {
   if (request.mode == Mode::fixed) return run_fixed<od::rosenbrock4<double>>(view, t0, y0, request);
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
-    with_controller(request, [&](auto stepper) {
-      walk_controlled(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
-    });
+    walk_rosenbrock4(system, t0, first(system, t0, y0, request), request, y, outcome);
   });
 }
 
@@ -145,10 +101,7 @@ Outcome run_rosenbrock4_dense_output(const OdeView& view, double t0, const std::
                                      const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
-    with_controller(request, [&](auto controller) {
-      od::rosenbrock4_dense_output<decltype(controller)> stepper(controller);
-      walk_dense(stepper, system, t0, first(system, t0, y0, request), request, y, outcome);
-    });
+    walk_rosenbrock4_dense_output(system, t0, first(system, t0, y0, request), request, y, outcome);
   });
 }
 

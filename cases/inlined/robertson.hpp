@@ -3,6 +3,7 @@
 #include "problems/robertson.hpp"
 #include "support/inlined_for.hpp"
 
+// The problem's header is plain C++17.
 namespace odeum::cases::inlined {
 using robertson = Robertson;
 template <>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/problem/concepts.hpp"
+// Plain C++17, for odeint's rosenbrock4.
+#include <cstddef>
 
 namespace odeum::cases {
 

@@ -165,9 +165,32 @@ ${calls}  std::stable_sort(studies.begin(), studies.end(), [](const auto& a, con
 ")
 endfunction()
 
+# The unit of rosenbrock4 for a file of cases/inlined, whose `using` names the type of its problem.
+function(odeum_write_rosenbrock problem stem)
+  file(STRINGS ${problem} alias REGEX "^using ${stem} = ")
+  string(REGEX REPLACE "^using ${stem} = ([A-Za-z0-9_]+).*" "\\1" type "${alias}")
+  file(STRINGS ${problem} header REGEX "#include \"problems/")
+  set(arguments "const OdeView& view, double t0, const std::vector<double>& y0, const Request& request")
+  odeum_write(${ODEUM_GENERATED}/inlined/rosenbrock_${stem}.cpp
+"#include \"odeint/rosenbrock.hpp\"
+${header}
+
+namespace odeum::cases::inlined {
+Outcome rosenbrock4_${stem}(${arguments}) {
+  return adapters::odeint::run_bare_rosenbrock4<${type}>(view, t0, y0, request);
+}
+Outcome rosenbrock4_dense_output_${stem}(${arguments}) {
+  return adapters::odeint::run_bare_rosenbrock4_dense_output<${type}>(view, t0, y0, request);
+}
+}
+")
+endfunction()
+
 # inlined_solvers() of contest/inlined.hpp, see cases/support/inlined.hpp: a unit for each method with
 # `inlined` in its file, and one for odeint on each problem of cases/inlined, whose stem names
-# the problem's type. Their names are left in ODEUM_INLINED_FILES.
+# the problem's type. Their names are left in ODEUM_INLINED_FILES. Where a problem's file says that its
+# header is plain C++17, a unit of that standard has odeint's rosenbrock4 on it (uBLAS asks for
+# that); those names are left in ODEUM_INLINED_17_FILES.
 function(odeum_generate_inlined)
   file(GLOB problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/inlined/*.hpp)
   file(GLOB methods CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/methods/*.hpp)
@@ -179,8 +202,22 @@ function(odeum_generate_inlined)
   set(types "")
   set(names "")
   set(units "")
+  set(units_17 "")
+  set(rosenbrock_declarations "")
+  set(rosenbrock_calls "")
   foreach(problem IN LISTS problems)
     get_filename_component(stem ${problem} NAME_WE)
+    file(STRINGS ${problem} plain_17 REGEX "plain C\\+\\+17")
+    if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT AND plain_17)
+      odeum_write_rosenbrock(${problem} ${stem})
+      list(APPEND units_17 ${ODEUM_GENERATED}/inlined/rosenbrock_${stem}.cpp)
+      foreach(run IN ITEMS rosenbrock4 rosenbrock4_dense_output)
+        string(APPEND rosenbrock_declarations
+               "Outcome ${run}_${stem}(const OdeView&, double, const std::vector<double>&, const Request&);\n")
+      endforeach()
+      string(APPEND rosenbrock_calls
+             "  add_rosenbrock4<${stem}>(c, all, rosenbrock4_${stem}, rosenbrock4_dense_output_${stem});\n")
+    endif()
     string(APPEND includes "#include \"inlined/${stem}.hpp\"\n")
     string(APPEND types ", ${stem}")
     # All that odeint inlines is explicit.
@@ -197,6 +234,18 @@ void add_odeint_${stem}(const Case& c, std::vector<Entrant>& all) { add_odeint<$
       list(APPEND names odeint_${stem})
     endif()
   endforeach()
+  if(units_17)
+    odeum_write(${ODEUM_GENERATED}/inlined/rosenbrock4.cpp
+"${includes}#include \"support/inlined_rosenbrock.hpp\"
+
+namespace odeum::cases::inlined {
+${rosenbrock_declarations}
+void add_rosenbrock4(const Case& c, std::vector<Entrant>& all) {
+${rosenbrock_calls}}
+}
+")
+    list(APPEND names rosenbrock4)
+  endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${methods} ${problems})
   foreach(method IN LISTS methods)
     file(STRINGS ${method} inlined REGEX "inlined = Inlined::")
@@ -235,6 +284,7 @@ ${calls}  return all;
 }
 ")
   set(ODEUM_INLINED_FILES ${units} ${ODEUM_GENERATED}/inlined/all.cpp PARENT_SCOPE)
+  set(ODEUM_INLINED_17_FILES ${units_17} PARENT_SCOPE)
 endfunction()
 
 # odeum_reference.hpp/.cpp: the text of every file in cases/reference, so that the program needs

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "odeum/core/machine.hpp"
 #include "odeum/record/csv_reader.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_groups.hpp"
@@ -110,6 +111,30 @@ TEST(PagePrecision, SaysWhereNothingWasMeasured) {
   EXPECT_NE(pages.index.find("Not measured in this run: "), std::string::npos);
   EXPECT_NE(pages.index.find("is &lt;cut&gt; off"), std::string::npos);
   EXPECT_EQ(pages.of_case.find("Speed against error"), std::string::npos);
+}
+
+TEST(PagePrecision, SaysWhichBuildsOfThePeersAndWhereJacobiansAreDifferenced) {
+  std::vector<PrecisionRow> rows = rows_of(case_id(0));
+  const bool any =
+      !loaded_libraries({"libsundials_cvode.", "libgsl.", "libBulletDynamics"}).empty();
+  Pages pages = pages_of(measured(rows));
+  for (const std::string* html : {&pages.index, &pages.of_case})
+    EXPECT_EQ(html->find("The other libraries are as loaded: <code>") != std::string::npos, any);
+  EXPECT_EQ(pages.of_case.find("The equation has no Jacobian"), std::string::npos);
+  for (PrecisionRow& each : rows) each.jacobian = "differenced";
+  pages = pages_of(measured(rows));
+  EXPECT_NE(pages.of_case.find("The equation has no Jacobian"), std::string::npos);
+}
+
+TEST(PagePrecision, LoadedLibrariesAreFilesInTheOrderAsked) {
+  const std::vector<std::string> files = loaded_libraries({"libm.", "libc.", "no such library"});
+#ifdef __linux__
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_NE(files[0].find("/libm."), std::string::npos);
+  EXPECT_NE(files[1].find("/libc."), std::string::npos);
+#else
+  EXPECT_TRUE(files.empty());
+#endif
 }
 
 TEST(PagePrecision, HostileNamesStayText) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "odeum/studies/precision/timing.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
@@ -185,6 +186,98 @@ TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
   }
   EXPECT_EQ(unfit, 1);
   EXPECT_EQ(result.summary.size(), 11U);
+}
+
+// Wrong where a library's options are left out: Bullet's conjugate gradients limited to four take
+// half the time of its default at coarse steps (reports/peers.md).
+TEST(Precision, TunesTheOptionsOfALibrary) {
+  const PrecisionResult result =
+      measure_precision({.cases = {"damped_oscillator_underdamped"},
+                         .solvers = {"bullet/deformable_implicit", "odeum/rk4"},
+                         .own = {{"seconds", "0.01"}, {"attempts", "1"}}});
+  std::map<std::string, int> rows;
+  for (const PrecisionRow& each : result.rows)
+    if (each.library == "bullet") ++rows[each.options];
+  if (rows.empty()) GTEST_SKIP() << "built without Bullet";
+  EXPECT_EQ(rows.size(), 4U);
+  for (const char* options : {"", "newton=2", "sweeps=16", "sweeps=4"})
+    EXPECT_EQ(rows[options], rows[""]) << options;
+  for (const PrecisionRow& each : result.rows)
+    EXPECT_TRUE(each.library == "bullet" || each.options.empty());
+}
+
+TEST(Summary, NamesTheOptionsOfTheFastest) {
+  PrecisionRow tuned = row("bullet", "b", 1e-3, 50);
+  tuned.mode = Mode::fixed;
+  tuned.options = "sweeps=4";
+  PrecisionRow plain = tuned;
+  plain.options = "";
+  plain.wall_ns_min = 80;
+  // No line between settings of different options.
+  PrecisionRow finer = plain;
+  finer.error = 1e-5;
+  finer.wall_ns_min = 1000;
+  const auto lines = summarise({plain, finer, tuned}, 1e-16);
+  EXPECT_EQ(at(lines, 1e-3).peer, "bullet/b (fixed step, sweeps=4)");
+  EXPECT_EQ(at(lines, 1e-5).peer, "bullet/b (fixed step)");
+  EXPECT_NEAR(at(lines, 1e-4).peer_ns, std::sqrt(80.0 * 1000), 1e-9);
+}
+
+TEST(Precision, SaysTolerancesAndJacobian) {
+  const auto rows_of = [](const char* id) {
+    return measure_precision({.cases = {id},
+                              .solvers = {"odeum/rodas4", "cvode/bdf", "bullet/*"},
+                              .own = {{"seconds", "0.01"}, {"attempts", "1"}}})
+        .rows;
+  };
+  for (const PrecisionRow& each : rows_of("robertson")) {
+    if (each.status == "not_applicable") continue;
+    EXPECT_EQ(std::count(each.absolute.begin(), each.absolute.end(), ' '), 2) << each.absolute;
+    EXPECT_EQ(each.jacobian, "exact");
+    EXPECT_EQ(each.setting == 1e-3, each.absolute == "1e-07 1e-13 1e-05") << each.absolute;
+  }
+  Case without;
+  EXPECT_EQ(jacobian_of(without), "differenced");
+}
+
+Entrant entrant_that(Status status) {
+  Entrant entrant;
+  entrant.solve = [status](const Request& request) {
+    Outcome outcome;
+    outcome.status = status;
+    outcome.detail = "made up";
+    const double y[2] = {1, 2};
+    if (status == Status::ok) outcome.record(request.stops.back(), y, 2);
+    return outcome;
+  };
+  return entrant;
+}
+
+TimedSolver timed_solver(const Entrant& entrant, const Entrant* inlined) {
+  TimedSolver solver{&entrant, Mode::adaptive, inlined};
+  TimedRun& trial = solver.trials.emplace_back();
+  trial.row.status = "ok";
+  trial.request.stops = {1};
+  trial.request.tolerance = 1e-3;
+  trial.states = {1, 2};
+  trial.guarded_ns = 1000;
+  return solver;
+}
+
+// A refusal or a failure takes no time: ranked, it would be the fastest of all.
+TEST(Precision, ARunThatFailsWhenTimedHasNoTime) {
+  const TimedCase stage(find_case("lotka_volterra"));
+  const Entrant good = entrant_that(Status::ok), refusing = entrant_that(Status::refused),
+                failing = entrant_that(Status::newton_failed);
+  std::vector<TimedSolver> solvers{timed_solver(good, &refusing), timed_solver(failing, nullptr)};
+  time_all(stage, solvers, 0.001);
+  // What the inlined solver refuses is left to the ordinary one.
+  EXPECT_EQ(solvers[0].inlined, nullptr);
+  EXPECT_FALSE(solvers[0].trials[0].row.inlined);
+  EXPECT_GE(solvers[0].trials[0].times.ns.size(), 1U);
+  EXPECT_EQ(solvers[0].trials[0].row.detail, "");
+  EXPECT_TRUE(solvers[1].trials[0].times.ns.empty());
+  EXPECT_EQ(solvers[1].trials[0].row.detail, "the timed run ended newton_failed: made up");
 }
 
 }  // namespace

@@ -3,7 +3,12 @@
 
 #include <fmt/chrono.h>
 
+#include <filesystem>
 #include <fstream>
+
+#ifdef __linux__
+#include <link.h>
+#endif
 
 namespace odeum {
 
@@ -14,6 +19,23 @@ std::string cpu_model() {
       if (const auto colon = line.find(": "); colon != std::string::npos)
         return line.substr(colon + 2);
   return "unknown";
+}
+
+std::vector<std::string> loaded_libraries([[maybe_unused]] const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+#ifdef __linux__
+  std::vector<std::string> all;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* list) {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(info->dlpi_name);
+        return 0;
+      },
+      &all);
+  for (const std::string& name : names)
+    for (const std::string& file : all)
+      if (std::filesystem::path(file).filename().string().starts_with(name)) files.push_back(file);
+#endif
+  return files;
 }
 
 std::string utc_text(std::chrono::system_clock::time_point time) {

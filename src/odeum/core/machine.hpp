@@ -2,11 +2,16 @@
 #pragma once
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace odeum {
 
 /// The model of this machine's processor; "unknown" where the system does not tell.
 std::string cpu_model();
+
+/// The files of the shared libraries that this program has loaded and whose names begin with one of
+/// `names`, in that order; none where the system does not tell.
+std::vector<std::string> loaded_libraries(const std::vector<std::string>& names);
 
 /// A time as ISO 8601, UTC, to the second.
 std::string utc_text(std::chrono::system_clock::time_point time);

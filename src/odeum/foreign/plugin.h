@@ -58,7 +58,8 @@ typedef struct odeum_solver {
   /* y at t becomes y at t + h. Null: it does not run at fixed steps. */
   int (*step)(void* self, double t, double h, double* y);
   /* y at *t becomes y at `stop`, and *t becomes stop, to a relative and absolute tolerance. Null:
-   * it does not run to a tolerance. */
+   * it does not run to a tolerance. Both are the number `tolerance`: this version has no absolute
+   * tolerance of its own, so that a request's is not handed on. */
   int (*solve)(void* self, double* t, double stop, double tolerance, double* y);
   /* The number of steps that solve() has accepted; null: not known, and no order is measured. */
   uint64_t (*steps)(const void* self);

@@ -54,13 +54,19 @@ Choice first_step_and_control(const char* name, const gsl_odeiv2_step_type* step
   return {
       std::string("GSL, ") + name,
       "first step and error level",
-      "GSL reference manual, Ordinary Differential Equations, Driver and Adaptive Step-size "
-      "Control: the user gives a first step; the level is abs + rel (a_y |y| + a_dydt h |y'|), and "
-      "the driver for y alone is that of the examples.",
+      "GSL 2.7 reference manual, Ordinary Differential Equations. Adaptive Step-size Control: the "
+      "error level is abs + rel (a_y |y| + a_dydt h |y'|), without a recommended choice; Driver: "
+      "the "
+      "user gives the first step; Examples: the driver has the level of y alone (a_y = 1, a_dydt = "
+      "0) and the first step is 1e-6.",
       {driver(stepper, "first step 1e-4 of the span", 0, 0, false),
        driver(stepper, "first step by the rule", order, 0, !slope),
        driver(stepper, "first step by the rule, a_dydt = 1", order, 1, slope)},
       smooth};
+}
+
+Choice explicit_choice(const char* name, const gsl_odeiv2_step_type* stepper, int order) {
+  return first_step_and_control(name, stepper, order, true, true);
 }
 
 }  // namespace
@@ -69,8 +75,11 @@ std::vector<Choice> gsl_choices() {
   return {first_step_and_control("msbdf", gsl_odeiv2_step_msbdf, 1),
           first_step_and_control("bsimp", gsl_odeiv2_step_bsimp, 6),
           first_step_and_control("rk4imp", gsl_odeiv2_step_rk4imp, 4),
-          first_step_and_control("rkf45", gsl_odeiv2_step_rkf45, 4, true),
-          first_step_and_control("rk8pd", gsl_odeiv2_step_rk8pd, 8, true, true),
+          explicit_choice("rk2", gsl_odeiv2_step_rk2, 2),
+          explicit_choice("rk4", gsl_odeiv2_step_rk4, 4),
+          explicit_choice("rkf45", gsl_odeiv2_step_rkf45, 5),
+          explicit_choice("rkck", gsl_odeiv2_step_rkck, 5),
+          explicit_choice("rk8pd", gsl_odeiv2_step_rk8pd, 8),
           first_step_and_control("msadams", gsl_odeiv2_step_msadams, 1, true)};
 }
 

@@ -72,10 +72,11 @@ auto controlled() {
 }
 
 constexpr const char* documentation =
-    "Boost.Numeric.Odeint, Steppers, Controlled steppers and Generation functions: the user gives "
-    "the absolute and the relative tolerance and a first step; the examples have 1e-6 to 1e-10 for "
-    "both. The error level is abs + rel (a_x |x| + a_dxdt |h x'|), both weights 1 by default; "
-    "rosenbrock4's is abs + rel |x|.";
+    "Headers of Boost 1.74 (controlled_runge_kutta.hpp, rosenbrock4_controller.hpp): the user "
+    "gives "
+    "the absolute and the relative tolerance and a first step. The error level is abs + rel (a_x "
+    "|x| "
+    "+ a_dxdt |h x'|), both weights 1 by default; rosenbrock4's is abs + rel |x|.";
 
 }  // namespace
 
@@ -111,10 +112,10 @@ std::vector<Choice> odeint_choices() {
            true},
           {"odeint",
            "the explicit stepper",
-           "Boost.Numeric.Odeint, Stepper overview: runge_kutta_dopri5 is the standard method with "
-           "error control and dense output, runge_kutta_fehlberg78 has high precision, "
-           "bulirsch_stoer is very good if high precision is required. extrapolation_stepper is "
-           "in the headers alone.",
+           "Boost.Numeric.Odeint, odeint in detail, Steppers, table of stepper algorithms: "
+           "runge_kutta_dopri5 is the standard method with error control and dense output, "
+           "runge_kutta_fehlberg78 a good high order method with error estimation. "
+           "extrapolation_stepper is in the headers alone.",
            {explicit_run("runge_kutta_dopri5", true, 4, 1, controlled<Dopri5>()),
             explicit_run("runge_kutta_fehlberg78", true, 7, 1,
                          controlled<od::runge_kutta_fehlberg78<Y>>()),

@@ -85,30 +85,29 @@ Alternative arkstep(ARKODE_DIRKTableID table, const char* setting, const Set& se
 void nothing(void*) {}
 
 Choice cvode_newton() {
-  return {
-      "CVODE, BDF",
-      "Newton's iteration",
-      "CVODE user guide, Optional input functions (linear solver interface): the matrix is kept "
-      "for up to 20 steps, the Jacobian for up to 50, the convergence coefficient is 0.1; the "
-      "guide leaves other values to problems whose Jacobian is cheap or changes fast.",
-      {cvode("defaults", nothing),
-       cvode(
-           "SetJacEvalFrequency(1): Jacobian at each setup",
-           [](void* m) { CVodeSetJacEvalFrequency(m, 1); }, true),
-       cvode("SetJacEvalFrequency(10)", [](void* m) { CVodeSetJacEvalFrequency(m, 10); }),
-       cvode("SetLSetupFrequency(5), SetJacEvalFrequency(1)",
-             [](void* m) {
-               CVodeSetLSetupFrequency(m, 5);
-               CVodeSetJacEvalFrequency(m, 1);
-             }),
-       cvode("SetLSetupFrequency(1), SetJacEvalFrequency(1)",
-             [](void* m) {
-               CVodeSetLSetupFrequency(m, 1);
-               CVodeSetJacEvalFrequency(m, 1);
-             }),
-       cvode("SetNonlinConvCoef(0.01)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.01); }),
-       cvode("SetNonlinConvCoef(0.3)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.3); }),
-       cvode("SetMaxOrd(4)", [](void* m) { CVodeSetMaxOrd(m, 4); })}};
+  return {"CVODE, BDF",
+          "Newton's iteration",
+          "CVODE 6.4.1 user guide, Optional input functions, Linear solver interface: "
+          "CVodeSetLSetupFrequency has the default 20, CVodeSetJacEvalFrequency 51, "
+          "CVodeSetNonlinConvCoef 0.1. It recommends no other values.",
+          {cvode("defaults", nothing),
+           cvode(
+               "SetJacEvalFrequency(1): Jacobian at each setup",
+               [](void* m) { CVodeSetJacEvalFrequency(m, 1); }, true),
+           cvode("SetJacEvalFrequency(10)", [](void* m) { CVodeSetJacEvalFrequency(m, 10); }),
+           cvode("SetLSetupFrequency(5), SetJacEvalFrequency(1)",
+                 [](void* m) {
+                   CVodeSetLSetupFrequency(m, 5);
+                   CVodeSetJacEvalFrequency(m, 1);
+                 }),
+           cvode("SetLSetupFrequency(1), SetJacEvalFrequency(1)",
+                 [](void* m) {
+                   CVodeSetLSetupFrequency(m, 1);
+                   CVodeSetJacEvalFrequency(m, 1);
+                 }),
+           cvode("SetNonlinConvCoef(0.01)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.01); }),
+           cvode("SetNonlinConvCoef(0.3)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.3); }),
+           cvode("SetMaxOrd(4)", [](void* m) { CVodeSetMaxOrd(m, 4); })}};
 }
 
 Choice arkstep_newton(const char* name, ARKODE_DIRKTableID table) {
@@ -118,9 +117,10 @@ Choice arkstep_newton(const char* name, ARKODE_DIRKTableID table) {
   return {
       std::string("ARKODE, ARKStep ") + name,
       "Newton's iteration",
-      "ARKODE user guide, Optional inputs for implicit stage solves: the matrix is kept for up to "
-      "20 steps, stage derivatives are evaluated, the first iterate is the last state (trivial "
-      "predictor, the most robust); the others are described for cases where they serve better.",
+      "ARKODE 5.4.1 user guide, ARKStep User-callable functions, Optional inputs: "
+      "ARKStepSetLSetupFrequency has the default 20 (a negative value: a setup at each stage), "
+      "ARKStepSetDeduceImplicitRhs is off, ARKStepSetPredictorMethod is 0 (trivial). It recommends "
+      "no other values.",
       {arkstep(table, "defaults", nothing),
        arkstep(table, "SetLSetupFrequency(-1): a matrix at each stage", each_stage),
        arkstep(table, "SetDeduceImplicitRhs(1)", deduced),

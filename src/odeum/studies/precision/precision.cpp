@@ -2,11 +2,13 @@
 #include "odeum/studies/precision/precision.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "odeum/contest/inlined.hpp"
 #include "odeum/core/glob.hpp"
@@ -55,8 +57,36 @@ std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double secon
 PrecisionRow blank_row(const TimedCase& stage, const SolverInfo& info, Mode mode) {
   auto row = named_row<PrecisionRow>(stage.c, info);
   row.mode = mode;
+  row.jacobian = jacobian_of(stage.c);
   row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
   return row;
+}
+
+/// Options that users of a library tune, by name, with values to try beside its default: what is
+/// fastest at an error is the best of all.
+const std::map<std::string, std::vector<double>> tuned_options = {{"sweeps", {4, 16}},
+                                                                  {"newton", {2}}};
+
+std::vector<std::map<std::string, double>> tunings_of(const Entrant& entrant) {
+  std::vector<std::map<std::string, double>> tunings{{}};
+  if (!entrant.unfit.empty()) return tunings;
+  for (const auto& [option, meaning] : entrant.info.options)
+    if (const auto tuned = tuned_options.find(option); tuned != tuned_options.end())
+      for (const double value : tuned->second) tunings.push_back({{option, value}});
+  return tunings;
+}
+
+std::string text_of_options(const std::map<std::string, double>& options) {
+  std::string text;
+  for (const auto& [name, value] : options)
+    text += fmt::format("{}{}={:g}", text.empty() ? "" : " ", name, value);
+  return text;
+}
+
+std::string absolute_of(const Request& request) {
+  if (request.mode == Mode::fixed) return {};
+  if (request.absolute.empty()) return fmt::format("{:g}", request.tolerance);
+  return fmt::format("{:g}", fmt::join(request.absolute, " "));
 }
 
 /// The guarded run, which counts and measures the error.
@@ -68,6 +98,8 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   trial.row.setting = request.mode == Mode::adaptive ? request.tolerance
                                                      : (request.stops.back() - stage.c.t0) /
                                                            static_cast<double>(request.steps);
+  trial.row.absolute = absolute_of(request);
+  trial.row.options = text_of_options(request.options);
   const auto start = std::chrono::steady_clock::now();
   Outcome outcome = entrant.solve(request);
   trial.guarded_ns =
@@ -114,7 +146,8 @@ void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
         not_applicable(blank_row(stage, entrant.info, solver.mode), reason);
     return;
   }
-  for (const Request& request : settings_of(stage, solver.mode, seconds)) {
+  for (Request request : settings_of(stage, solver.mode, seconds)) {
+    request.options = solver.options;
     solver.trials.push_back(run_guarded(stage, entrant, request));
     // Finer settings cost more and are not needed.
     if (solver.trials.back().row.status == to_string(Status::over_budget)) break;
@@ -143,7 +176,8 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
                                    [&](const Entrant& e) { return e.info.id() == id; });
     for (const Mode mode : {Mode::adaptive, Mode::fixed})
       if (runs(c, entrant.info, mode))
-        solvers.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, {}});
+        for (const auto& tuning : tunings_of(entrant))
+          solvers.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, tuning});
   }
   parallel_for(solvers.size(), runner.jobs(), [&](std::size_t i) {
     run_guarded(stage, solvers[i], options.number("solve-seconds", 2));
@@ -184,6 +218,12 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
 }
 
 }  // namespace
+
+std::string jacobian_of(const Case& c) {
+  const OdeView& view = c.problem.view;
+  if (view.jacobian || view.jacobian_entries) return "exact";
+  return view.jacobian_times ? "products" : "differenced";
+}
 
 PrecisionResult measure_precision(const Options& options, const Runner& runner) {
   const std::vector<const Case*> cases = select_cases(options.cases);

@@ -19,8 +19,11 @@ struct PrecisionRow {
   std::string status;  ///< a Status, or not_applicable
   std::string detail;
   Mode mode = Mode::adaptive;
-  double setting = 0;  ///< tolerance, or step
-  double error = 0;    ///< NaN where the solve failed
+  double setting = 0;    ///< relative tolerance, or step
+  std::string absolute;  ///< absolute tolerance, or those of all components; of a tolerance run
+  std::string options;   ///< values given to the solver's own options: name=value, by spaces
+  std::string jacobian;  ///< what the case offers to solvers that use df/dy, see jacobian_of
+  double error = 0;      ///< NaN where the solve failed
   double wall_ns_min = 0, wall_ns_median = 0;
   std::uint64_t repetitions = 0;
   Counters counters;
@@ -36,12 +39,14 @@ struct PrecisionRow {
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
-  static constexpr int schema = 2;  ///< 2: the answer of a run to a tolerance
+  static constexpr int schema = 3;  ///< 2: the answer; 3: absolute tolerance, options, Jacobian
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail);
     visit("setting_kind", record::Words{row.mode, "step", "tol"}), visit("setting", row.setting);
+    visit("absolute_tolerance", row.absolute), visit("options", row.options);
+    visit("jacobian", row.jacobian);
     visit("error", row.error), visit("wall_ns_min", row.wall_ns_min);
     visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
     visit("rhs_evaluations", row.counters.rhs_evaluations);
@@ -101,16 +106,18 @@ struct FastestRow {
   double error = 0;
   std::string library, solver;
   Mode mode = Mode::adaptive;
-  double setting = 0;  ///< tolerance or step: of the coarsest run of the solver that reaches it
+  double setting = 0;   ///< tolerance or step: of the coarsest run of the solver that reaches it
+  std::string options;  ///< as in PrecisionRow
   double wall_ns_min = 0, wall_ns_median = 0;
 
   static constexpr const char* file = "fastest.csv";
+  static constexpr int schema = 2;  ///< 2: options
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("error", row.error), visit("library", row.library);
     visit("solver", row.solver), visit("setting_kind", record::Words{row.mode, "step", "tol"});
-    visit("setting", row.setting), visit("wall_ns_min", row.wall_ns_min);
-    visit("wall_ns_median", row.wall_ns_median);
+    visit("setting", row.setting), visit("options", row.options);
+    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
   }
 };
 
@@ -138,6 +145,10 @@ inline constexpr double report_seconds_per_solve = 0.05;
 /// (4), `solve-seconds` a solve (2), `attempts` the timings of a disturbed case (2). Throws
 /// Interrupted.
 PrecisionResult measure_precision(const Options& options, const Runner& runner = Runner());
+
+/// What a case offers to solvers that use df/dy: `exact`, `products` (with a vector, exact), or
+/// `differenced`: nothing, so that they difference the right-hand side, own ones and peers alike.
+std::string jacobian_of(const Case& c);
 
 /// Marks the Pareto-optimal rows of one case in time and error.
 void mark_pareto(std::vector<PrecisionRow>& rows);

@@ -22,12 +22,12 @@ void add_answers(report::Page& page, const PrecisionResult& result) {
     if (rows.empty()) continue;
     std::vector<const PrecisionRow*> pointers;
     for (const PrecisionRow& row : rows) pointers.push_back(&row);
-    page.case_data(
-        i, "timed",
-        report::columns_of(pointers, {"library", "solver", "setting_kind", "status", "detail",
-                                      "setting", "error", "wall_ns_min", "wall_ns_median",
-                                      "repetitions", "rhs_evaluations", "jacobian_evaluations",
-                                      "steps", "pareto", "drift", "processor_share", "measured"}));
+    page.case_data(i, "timed",
+                   report::columns_of(
+                       pointers, {"library", "solver", "setting_kind", "status", "detail",
+                                  "setting", "options", "error", "wall_ns_min", "wall_ns_median",
+                                  "repetitions", "rhs_evaluations", "jacobian_evaluations", "steps",
+                                  "pareto", "drift", "processor_share", "measured"}));
     // From the rows, which may be of an earlier run that left no fastest.csv.
     const std::vector<FastestRow> of_case = fastest(rows, c.timed_floor);
     best.insert(best.end(), of_case.begin(), of_case.end());

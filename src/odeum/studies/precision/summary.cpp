@@ -44,7 +44,9 @@ Least time_at(const std::vector<const PrecisionRow*>& rows, double error) {
 }
 
 std::string name_of(const FastestRow& row) {
-  return row.library + "/" + row.solver + (row.mode == Mode::fixed ? " (fixed step)" : "");
+  std::string how = row.mode == Mode::fixed ? "fixed step" : "";
+  if (!row.options.empty()) how += (how.empty() ? "" : ", ") + row.options;
+  return row.library + "/" + row.solver + (how.empty() ? "" : " (" + how + ")");
 }
 
 /// The compared errors.
@@ -72,13 +74,13 @@ void mark_pareto(std::vector<PrecisionRow>& rows) {
 
 std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double floor) {
   struct Name {
-    std::string library, solver;
+    std::string library, solver, options;
     Mode mode;
     auto operator<=>(const Name&) const = default;
   };
   std::map<Name, std::vector<const PrecisionRow*>> solvers;
   for (const PrecisionRow& row : rows)
-    if (timed(row)) solvers[{row.library, row.solver, row.mode}].push_back(&row);
+    if (timed(row)) solvers[{row.library, row.solver, row.options, row.mode}].push_back(&row);
   std::vector<FastestRow> list;
   for (const double error : errors()) {
     if (!(error > floor)) continue;
@@ -90,7 +92,7 @@ std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double fl
     for (const auto& [library, time] : best)
       if (time.run)
         list.push_back({time.run->case_id, error, library, time.run->solver, time.run->mode,
-                        time.run->setting, time.min, time.median});
+                        time.run->setting, time.run->options, time.min, time.median});
   }
   return list;
 }

@@ -20,16 +20,28 @@ constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 
 /// Times a trial once with the bare right-hand side, and checks that it ends at the state of the
-/// counted run: to a tenth of that run's error, or to rounding.
-void time_once(const TimedCase& stage, const TimedSolver& solver, TimedRun& trial) {
+/// counted run: to a tenth of that run's error, or to rounding. A run that fails has no time.
+void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
   const auto& solve = solver.inlined ? solver.inlined->solve : solver.entrant->solve;
   trial.row.inlined = solver.inlined != nullptr;
   Request request = trial.request;
   request.budget.watched = false;
   Outcome outcome;
-  trial.times.ns.push_back(time_call([&] { outcome = solve(request); }, trial.times.ns.empty()
-                                                                            ? trial.guarded_ns / 2
-                                                                            : trial.times.min()));
+  const double guess = trial.times.ns.empty() ? trial.guarded_ns / 2 : trial.times.min();
+  const double ns = time_call([&] { outcome = solve(request); }, guess);
+  // Not all settings are compiled for inlined problems (absolute tolerances by component).
+  if (outcome.status == Status::refused && solver.inlined) {
+    solver.inlined = nullptr;
+    return time_once(stage, solver, trial);
+  }
+  trial.failed = outcome.status != Status::ok;
+  if (trial.failed) {
+    trial.times.ns.clear();
+    trial.row.detail =
+        fmt::format("the timed run ended {}: {}", to_string(outcome.status), outcome.detail);
+    return;
+  }
+  trial.times.ns.push_back(ns);
   double apart = outcome.states.size() == trial.states.size() ? 0 : nan;
   for (std::size_t i = 0; i < trial.states.size() && !std::isnan(apart); ++i)
     apart = std::max(apart, std::abs(outcome.states[i] - trial.states[i]));
@@ -78,7 +90,7 @@ void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double 
         if (k >= solver.trials.size() || !solver.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         TimedRun& trial = solver.trials[k];
-        if (round > 0 && trial.far) continue;
+        if (trial.failed || (round > 0 && trial.far)) continue;
         // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, solver, trial);

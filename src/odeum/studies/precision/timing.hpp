@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "odeum/judge/amplification.hpp"
@@ -18,6 +20,7 @@ struct TimedRun {
   std::vector<double> states;
   double guarded_ns = 0;  ///< of the guarded run: an estimate
   bool far = false;       ///< see mark_far
+  bool failed = false;    ///< in a timed run: it has no time
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }
@@ -28,7 +31,8 @@ struct TimedSolver {
   const Entrant* entrant;
   Mode mode;
   const Entrant* inlined;  ///< the same for timed runs; null where there is none
-  std::vector<TimedRun> trials;
+  std::map<std::string, double> options = {};
+  std::vector<TimedRun> trials = {};
 };
 
 struct TimedCase {
