@@ -15,8 +15,8 @@ namespace odeum::study {
 
 /// A solver on a case, in a mode where a study has both.
 struct Pair {
-  const Case* c;
-  const Entrant* entrant;
+  const Case* c = nullptr;
+  const Entrant* entrant = nullptr;
   Mode mode = Mode::fixed;
 };
 

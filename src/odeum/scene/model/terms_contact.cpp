@@ -141,7 +141,7 @@ class SurfaceContact final : public Term {
  private:
   template <class Visit>
   void for_touching(const Bodies& bodies, const double* q, const Visit& visit) const {
-    Touch touch;
+    Touch touch{};
     for (std::size_t i = 0; i < bodies.size(); ++i)
       if (bodies.free(i) && touch_surface(surface_, q + 3 * i, bodies.radius[i], touch))
         visit(i, touch);
@@ -198,9 +198,10 @@ class ParticlesContact final : public Term {
                                     const Visit& visit) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
     possible_contacts(bodies, q, pairs);
-    Touch touch;
+    Touch touch{};
     for (const auto& [i, j] : pairs) {
-      const double *qi = q + 3 * i, *qj = q + 3 * j, *vi = v + 3 * i, *vj = v + 3 * j;
+      const std::size_t a = std::size_t{3} * i, b = std::size_t{3} * j;
+      const double *qi = q + a, *qj = q + b, *vi = v + a, *vj = v + b;
       const double x[3] = {qi[0] - qj[0], qi[1] - qj[1], qi[2] - qj[2]};
       if (!touch_round(x, bodies.radius[i] + bodies.radius[j], touch)) continue;
       const double w[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
