@@ -23,9 +23,10 @@ class Adams {
   Status step(double t, double h, State<P>& y) {
     problem_.rhs(t, y.data(), slopes_.push().data());
     if (!slopes_.full()) return starting_.advance(t, h, y);
+    const auto f = slopes_.places();
     for (std::size_t n = 0; n < y.size(); ++n) {
       double sum = 0;
-      for (std::size_t i = 0; i < K; ++i) sum += bashforth.beta[i + 1] * slopes_[i][n];
+      for (std::size_t i = 0; i < K; ++i) sum += bashforth.beta[i + 1] * f[i][n];
       predicted_[n] = y[n] + h * sum;
     }
     if constexpr (!Correct) {
@@ -34,7 +35,7 @@ class Adams {
       problem_.rhs(t + h, predicted_.data(), f_predicted_.data());
       for (std::size_t n = 0; n < y.size(); ++n) {
         double sum = moulton.beta[0] * f_predicted_[n];
-        for (std::size_t i = 0; i + 1 < K; ++i) sum += moulton.beta[i + 1] * slopes_[i][n];
+        for (std::size_t i = 0; i + 1 < K; ++i) sum += moulton.beta[i + 1] * f[i][n];
         y[n] += h * sum;
       }
     }

@@ -21,6 +21,12 @@ class History {
     return entries_[newest_];
   }
   const S& operator[](std::size_t age) const { return entries_[(newest_ + age) % Depth]; }
+  /// Where the entries lie, by age: sums over them need no index arithmetic.
+  auto places() const {
+    std::array<decltype(entries_[0].data()), Depth> places{};
+    for (std::size_t age = 0; age < Depth; ++age) places[age] = (*this)[age].data();
+    return places;
+  }
   bool full() const { return count_ == Depth; }
   void clear() { count_ = 0; }
 
