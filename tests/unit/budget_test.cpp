@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "support/catalogue.hpp"
@@ -18,7 +19,9 @@ study::ConvergenceResult within(std::uint64_t evaluations, Mode mode, const char
   c.settings.evaluation_budget = 8 * evaluations;  // of which a quick study has an eighth
   const Entrant entrant = find_entrant(c, solver);
   const study::CaseMeasures measures{
-      .gain = 1, .amplification = {.at_stops = {1}, .controls = {}, .unknown = {}}};
+      .gain = 1,
+      .amplification = {
+          .at_stops = std::vector<double>(c.stops.size(), 1), .controls = {}, .unknown = {}}};
   return study::converge_pair({&c, &entrant, mode}, measures, true);
 }
 
