@@ -2,7 +2,6 @@
 #include "odeum/cli/kept_results.hpp"
 
 #include <fmt/format.h>
-#include <link.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -35,17 +34,13 @@ std::string mark_of_program() {
 /// The processor, and the shared libraries (the C library's functions among them).
 std::string mark_of_machine() {
   std::string mark = cpu_model();
-  ::dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* data) {
-        const std::filesystem::path path = info->dlpi_name;
-        std::error_code none;
-        const auto size = std::filesystem::file_size(path, none);
-        if (none) return 0;  // the program, and what the kernel adds
-        const auto time = std::filesystem::last_write_time(path, none).time_since_epoch().count();
-        *static_cast<std::string*>(data) += fmt::format(" {} {} {}", path.string(), size, time);
-        return 0;
-      },
-      &mark);
+  for (const std::string& path : loaded_libraries()) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(path, none);
+    if (none) continue;  // what the kernel adds
+    const auto time = std::filesystem::last_write_time(path, none).time_since_epoch().count();
+    mark += fmt::format(" {} {} {}", path, size, time);
+  }
   return mark;
 }
 

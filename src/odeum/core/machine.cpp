@@ -21,20 +21,27 @@ std::string cpu_model() {
   return "unknown";
 }
 
-std::vector<std::string> loaded_libraries([[maybe_unused]] const std::vector<std::string>& names) {
+std::vector<std::string> loaded_libraries() {
   std::vector<std::string> files;
 #ifdef __linux__
-  std::vector<std::string> all;
   dl_iterate_phdr(
       [](dl_phdr_info* info, std::size_t, void* list) {
-        static_cast<std::vector<std::string>*>(list)->emplace_back(info->dlpi_name);
+        // The program itself has no name here.
+        if (*info->dlpi_name)
+          static_cast<std::vector<std::string>*>(list)->emplace_back(info->dlpi_name);
         return 0;
       },
-      &all);
+      &files);
+#endif
+  return files;
+}
+
+std::vector<std::string> loaded_libraries(const std::vector<std::string>& names) {
+  const std::vector<std::string> all = loaded_libraries();
+  std::vector<std::string> files;
   for (const std::string& name : names)
     for (const std::string& file : all)
       if (std::filesystem::path(file).filename().string().starts_with(name)) files.push_back(file);
-#endif
   return files;
 }
 

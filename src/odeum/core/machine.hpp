@@ -9,8 +9,10 @@ namespace odeum {
 /// The model of this machine's processor; "unknown" where the system does not tell.
 std::string cpu_model();
 
-/// The files of the shared libraries that this program has loaded and whose names begin with one of
-/// `names`, in that order; none where the system does not tell.
+/// The files of the shared libraries that this program has loaded; none where the system does not
+/// tell.
+std::vector<std::string> loaded_libraries();
+/// Those whose names begin with one of `names`, in that order.
 std::vector<std::string> loaded_libraries(const std::vector<std::string>& names);
 
 /// A time as ISO 8601, UTC, to the second.

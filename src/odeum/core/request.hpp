@@ -47,11 +47,6 @@ struct Request {
 
   /// Relative and absolute tolerance of an adaptive run.
   Tolerance tolerances() const { return {tolerance, absolute}; }
-  double largest_tolerance() const {
-    double largest = tolerance;
-    for (const double each : absolute) largest = each > largest ? each : largest;
-    return largest;
-  }
   /// Whether components have absolute tolerances of their own.
   bool by_component() const { return absolute.size() > 1; }
 };
