@@ -192,6 +192,7 @@ SolverInfo info_of(const Method& method) {
   info.library = "bullet";
   info.method = method.name;
   info.family = "physics_engine";
+  info.common_use = CommonUse::engine;
   info.order = method.order;
   info.needs = "a scene";
   info.options = method.options;

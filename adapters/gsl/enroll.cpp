@@ -19,11 +19,12 @@ const Method methods[] = {
     {"rk2", &gsl_odeiv2_step_rk2, Kind::explicit_rk, 2, "explicit embedded Runge-Kutta (2, 3)"},
     {"rk4", &gsl_odeiv2_step_rk4, Kind::explicit_rk, 4,
      "explicit 4th order (classical) Runge-Kutta, error by step doubling; the two half steps are "
-     "kept"},
+     "kept",
+     CommonUse::fixed_step},
     {"rkf45", &gsl_odeiv2_step_rkf45, Kind::explicit_rk, 5, "embedded Runge-Kutta-Fehlberg (4, 5)"},
     {"rkck", &gsl_odeiv2_step_rkck, Kind::explicit_rk, 5, "embedded Runge-Kutta Cash-Karp (4, 5)"},
     {"rk8pd", &gsl_odeiv2_step_rk8pd, Kind::explicit_rk, 8,
-     "embedded Runge-Kutta Prince-Dormand (8, 9)"},
+     "embedded Runge-Kutta Prince-Dormand (8, 9)", CommonUse::tolerance},
     {"rk1imp", &gsl_odeiv2_step_rk1imp, Kind::implicit_rk, 1,
      "implicit Euler, error by step doubling; the two half steps are kept"},
     {"rk2imp", &gsl_odeiv2_step_rk2imp, Kind::implicit_rk, 2,
@@ -34,7 +35,7 @@ const Method methods[] = {
     {"bsimp", &gsl_odeiv2_step_bsimp, Kind::extrapolation, varies,
      "implicit Bulirsch-Stoer method of Bader and Deuflhard; its order follows from the dimension"},
     {"msadams", &gsl_odeiv2_step_msadams, Kind::adams, varies,
-     "variable-coefficient Adams method in Nordsieck form, orders 1 to 12"},
+     "variable-coefficient Adams method in Nordsieck form, orders 1 to 12", CommonUse::tolerance},
     {"msbdf", &gsl_odeiv2_step_msbdf, Kind::bdf, varies,
      "variable-coefficient BDF method in Nordsieck form, orders 1 to 5"},
 };
@@ -70,6 +71,7 @@ SolverInfo describe(const Method& method, std::size_t dimension) {
   info.order = order_of(method, dimension);
   info.fixed = !method.multistep();  // its order follows from a tolerance, see solve
   info.adaptive = true;
+  info.common_use = method.common_use;
   info.controller = fmt::format(
       "gsl_odeiv2_driver_alloc_standard_new (scaled_new where absolute tolerances "
       "differ): error within abs + rel |y|{}",

@@ -21,6 +21,7 @@ struct Method {
   Kind kind;
   double order;  ///< as given by gsl_odeiv2_step_order; NaN where it varies
   const char* source;
+  CommonUse common_use = CommonUse::none;
 
   /// Weight of h |y'| in the error level, of |y| it is 1. For explicit methods it takes 0.7 to 1.0
   /// of the evaluations to an error; implicit ones gain nothing or lose (reports/peers.md).

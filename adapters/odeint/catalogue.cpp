@@ -26,6 +26,7 @@ struct Row {
   const char* needs;
   const char* note;
   int numbered_to = 0;
+  CommonUse common_use = CommonUse::none;
 };
 
 constexpr const char* controlled =
@@ -40,11 +41,13 @@ constexpr const char* needs_separable =
 const Row rows[] = {
     {"euler", "explicit_rk", 1, fixed_only, "", needs_nothing, ""},
     {"modified_midpoint", "explicit_rk", 2, fixed_only, "", needs_nothing, "two sub-steps"},
-    {"runge_kutta4", "explicit_rk", 4, fixed_only, "", needs_nothing, "by the generic algorithm"},
+    {"runge_kutta4", "explicit_rk", 4, fixed_only, "", needs_nothing, "by the generic algorithm", 0,
+     CommonUse::fixed_step},
     {"runge_kutta4_classic", "explicit_rk", 4, fixed_only, "", needs_nothing, "written out"},
     {"runge_kutta_cash_karp54", "explicit_rk", 5, both, controlled, needs_nothing, ""},
     {"runge_kutta_cash_karp54_classic", "explicit_rk", 5, both, controlled, needs_nothing, ""},
-    {"runge_kutta_dopri5", "explicit_rk", 5, both, controlled, needs_nothing, ""},
+    {"runge_kutta_dopri5", "explicit_rk", 5, both, controlled, needs_nothing, "", 0,
+     CommonUse::tolerance},
     {"runge_kutta_fehlberg78", "explicit_rk", 8, both, controlled, needs_nothing, ""},
     {"dense_output_runge_kutta_dopri5", "explicit_rk", 5, adaptive_only, controlled, needs_nothing,
      "make_dense_output: stops before the horizon are interpolated"},
@@ -71,7 +74,8 @@ const Row rows[] = {
     {"symplectic_euler", "symplectic", 1, fixed_only, "", needs_separable, ""},
     {"symplectic_rkn_sb3a_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
     {"symplectic_rkn_sb3a_m4_mclachlan", "symplectic", 4, fixed_only, "", needs_separable, ""},
-    {"velocity_verlet", "symplectic", 1, fixed_only, "", needs_second_order, "order() says 1"},
+    {"velocity_verlet", "symplectic", 1, fixed_only, "", needs_second_order, "order() says 1", 0,
+     CommonUse::fixed_step},
     {"implicit_euler", "implicit_rk", 1, fixed_only, "", needs_dense,
      "its Newton iteration ends at a step of 1e-6"},
     {"rosenbrock4", "linearly_implicit", 4, both, "rosenbrock4_controller", needs_dense, ""},
@@ -120,6 +124,7 @@ SolverInfo info_of(std::string_view method) {
   info.adaptive = row.modes != fixed_only;
   if (row.name == std::string_view("extrapolation_stepper"))
     info.rounding = extrapolation_weights(number);
+  info.common_use = row.common_use;
   info.controller = row.controller;
   info.needs = row.needs;
   info.source = "Boost 1.74, Numeric.Odeint, the stepper's header";

@@ -37,6 +37,7 @@ std::vector<Method> cvode_methods() {
     info.family = "multistep";
     info.fixed = false;
     info.adaptive = true;
+    info.common_use = CommonUse::tolerance;
     info.controller = "variable order and step, local error test";
     info.source =
         std::string("CVODE user guide, mathematical considerations: ") + orders + ", " + solves;

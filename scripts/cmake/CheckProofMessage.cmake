@@ -2,6 +2,19 @@
 # cmake -DCOMPILER=<C++ compiler> -DROOT=<checkout> -DFOLDER=<folder> -P CheckProofMessage.cmake
 # Spoils methods and compiles them: the compiler refuses each, and names the row of weights, the order,
 # the rooted tree and the residual of the first condition that fails.
+function(expect_message name text pattern)
+  file(WRITE ${FOLDER}/spoilt_${name}.cpp "${text}")
+  execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${ROOT}/src ${FOLDER}/spoilt_${name}.cpp
+                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(result EQUAL 0)
+    message(FATAL_ERROR "${name} compiles, though spoilt")
+  endif()
+  if(NOT output MATCHES "${pattern}")
+    message(FATAL_ERROR "${name}: no \"${pattern}\" in\n${output}")
+  endif()
+  message("${name}: ${CMAKE_MATCH_0}")
+endfunction()
+# A method's file with one text replaced.
 function(expect method from to pattern)
   file(READ ${ROOT}/src/odeum/methods/${method}.hpp text)
   string(REPLACE "${from}" "${to}" spoilt "${text}")
@@ -9,16 +22,7 @@ function(expect method from to pattern)
     message(FATAL_ERROR "${method}.hpp holds no \"${from}\"")
   endif()
   string(REPLACE "#pragma once" "" spoilt "${spoilt}")
-  file(WRITE ${FOLDER}/spoilt_${method}.cpp "${spoilt}")
-  execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -I${ROOT}/src ${FOLDER}/spoilt_${method}.cpp
-                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(result EQUAL 0)
-    message(FATAL_ERROR "${method} with ${to} for ${from} compiles")
-  endif()
-  if(NOT output MATCHES "${pattern}")
-    message(FATAL_ERROR "${method} with ${to} for ${from}: no \"${pattern}\" in\n${output}")
-  endif()
-  message("${method}: ${CMAKE_MATCH_0}")
+  expect_message(${method} "${spoilt}" "${pattern}")
 endfunction()
 set(node "odeum::tree<>")
 set(chain2 "odeum::tree<${node} ?>")
@@ -34,5 +38,22 @@ expect(ros2 "-2 * ros2_gamma" "-2.001 * ros2_gamma"
 # A Nystroem method: a weight of the velocity moves.
 expect(dormand_nystroem64 "25. / 522" "0.048"
        "OrderConditionFails<odeum::WeightRow::b_v, 1, ${node}, (odeum::Decimal)?{107, -6}>")
+# A splitting: a kick moves.
+expect(mclachlan_atela3 "{0.26833009578175992496, -0.18" "{0.2684, -0.18"
+       "OrderConditionFails<odeum::WeightRow::b_v, 1, ${node}, (odeum::Decimal)?{699, -7}>")
+# A weight of the second estimate moves, and a coefficient of an interpolant.
+expect(dormand_prince853 "0.022058823529411764706" "0.023"
+       "OrderConditionFails<odeum::WeightRow::further, 1, ${node}, (odeum::Decimal)?{941, -6}>")
+expect(tsitouras54 "0.1017," "0.1018,"
+       "OrderConditionFails<odeum::WeightRow::dense, 1, ${node}, (odeum::Decimal)?{141, -7}>")
 # Too low an order is claimed.
 expect(rk4 ".order = 4" ".order = 3" "HasHigherOrderThanStated<odeum::WeightRow::b, 4>")
+# A multistep formula is derived: one of its coefficients moves.
+expect_message(adams_moulton "#include \"odeum/tableau/multistep_coefficients.hpp\"
+constexpr auto formula = [] {
+  auto c = odeum::adams_moulton_coefficients<3>()\;
+  c.beta[2] += 0.001\;
+  return c\;
+}()\;
+static_assert(odeum::multistep_proven<formula, 4>())\;
+" "NotExactForPolynomial<1, (odeum::Decimal)?{-100, -5}>")

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -58,24 +59,68 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// The first groups of all matches in a file.
+std::vector<std::string> matches_in(const std::string& file, const std::regex& pattern) {
+  const std::string text = text_of(root / file);
+  std::vector<std::string> found;
+  for (std::sregex_iterator each(text.begin(), text.end(), pattern), end; each != end; ++each)
+    found.push_back((*each)[1]);
+  return found;
+}
+
+bool is_own_method(const std::string& name) {
+  return fs::exists(root / "src/odeum/methods" / (name + ".hpp"));
+}
+
 // A result of a solver on a case depends on own methods that the judge or its study measures with;
 // when their code changes it must not be taken from the store.
 TEST(Rules, KeptResultsDependOnTheMethodsThatTheyAreMeasuredWith) {
   const std::string kept = text_of(root / "src/odeum/cli/kept_results.cpp");
-  const std::regex quoted("\"(?:odeum/)?(([a-z]+)[a-z0-9_]*)\"");
+  const std::regex quoted("\"(?:odeum/)?([a-z]+[a-z0-9_]*)\"");
+  std::vector<std::string> files =
+      sources_of(root, {"src/odeum/judge", "src/odeum/studies/convergence",
+                        "src/odeum/studies/drift", "src/odeum/studies/limits"});
+  for (const std::string& file : sources_of(root, {"src/odeum/studies"}))
+    if (fs::path(file).parent_path() == "src/odeum/studies") files.push_back(file);
   std::set<std::string> found;
+  for (const std::string& file : files)
+    for (const std::string& method : matches_in(file, quoted)) {
+      if (!is_own_method(method)) continue;
+      const std::string unit =
+          method.substr(0, method.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+      found.insert(unit);
+      EXPECT_NE(kept.find("\"own/" + unit + "\""), std::string::npos) << file << " uses " << method;
+    }
+  EXPECT_GE(found.size(), 2U) << "the sources were not read";
+}
+
+// What a study runs follows from what solvers say of themselves (SolverInfo), so that one that is
+// added or taken away changes its own file alone.
+TEST(Rules, NoStudyNamesASolverButForAReason) {
+  const std::map<std::string, std::string> reasons{
+      {"src/odeum/studies/spectrum.cpp", "measures with it, and compares it with nothing"},
+      {"src/odeum/studies/evolution/measure.cpp", "each has its limit on both equations beside it"},
+      {"src/odeum/studies/evolution/modes.cpp", "each has a closed form of what is predicted"},
+      {"src/odeum/studies/evolution/study.cpp", "draws one of those for each equation"},
+      {"src/odeum/cli/report_scenes.cpp", "each replay has a sentence on what it shows"}};
+  const std::regex id("\"((?:odeum|gsl|odeint|cvode|arkode|bullet)/[a-z][a-z0-9_]*)\"");
+  std::set<std::string> unused;
+  for (const auto& [file, reason] : reasons) unused.insert(file);
+  std::size_t read = 0;
   for (const std::string& file :
-       sources_of(root, {"src/odeum/judge", "src/odeum/studies/convergence",
-                         "src/odeum/studies/drift", "src/odeum/studies/limits"})) {
-    const std::string text = text_of(root / file);
-    for (std::sregex_iterator each(text.begin(), text.end(), quoted), end; each != end; ++each) {
-      if (!fs::exists(root / "src/odeum/methods" / ((*each)[1].str() + ".hpp"))) continue;
-      found.insert((*each)[2]);
-      EXPECT_NE(kept.find("\"own/" + (*each)[2].str() + "\""), std::string::npos)
-          << file << " uses " << (*each)[1];
+       sources_of(root, {"src/odeum/contest", "src/odeum/judge", "src/odeum/scene",
+                         "src/odeum/report", "src/odeum/studies", "src/odeum/cli"})) {
+    ++read;
+    for (const std::string& solver : matches_in(file, id)) {
+      // The solvers of linear systems of a study, and of scenes without steps, are theirs alone.
+      if (solver.starts_with("odeum/") && !is_own_method(solver.substr(6))) continue;
+      unused.erase(file);
+      EXPECT_TRUE(reasons.contains(file)) << file << " names " << solver;
     }
   }
-  EXPECT_GE(found.size(), 2U) << "the sources were not read";
+  EXPECT_GE(read, 100U) << "the sources were not read";
+  for (const std::string& file : unused)
+    ADD_FAILURE() << file << " names no solver any more: take its reason out";
 }
 
 /// A checkout of a few files in a folder of its own.

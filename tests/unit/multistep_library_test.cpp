@@ -62,9 +62,13 @@ TEST(MultistepCoefficients, AWrongOneIsNotProven) {
     c.alpha[2] += 1e-9;
     return c;
   }();
-  static_assert(!multistep_proven(wrong, 4));
-  static_assert(multistep_proven(backward_difference_coefficients<4>(), 4));
-  static_assert(!multistep_proven(backward_difference_coefficients<4>(), 3), "no less either");
+  constexpr MultistepFault fault = multistep_fault(wrong, 4);
+  EXPECT_EQ(fault.degree, 0) << "the sum of the alphas";
+  EXPECT_NEAR(fault.residual, 1e-9 / 4, 1e-14) << "over the largest of them, 4";
+  constexpr auto bdf4 = backward_difference_coefficients<4>();
+  EXPECT_EQ(multistep_fault(bdf4, 4).degree, -1);
+  EXPECT_EQ(multistep_fault(bdf4, 3).degree, 4) << "no less either";
+  EXPECT_EQ(multistep_fault(bdf4, 3).residual, 0);
 }
 
 TEST(BdfVariable, FollowsItsToleranceThroughEveryStop) {

@@ -83,7 +83,7 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 }
 
 void print(const std::string& text) {
-  // Who reads a pipe may have enough (`| head`): the command goes on, for its files and exit code.
+  // A reader of a pipe may close it (`| head`): the command goes on, for its files and exit code.
   static bool reader_gone = false;
   if (reader_gone) return;
   // A long text is written before the flush, which then does not report its failure.

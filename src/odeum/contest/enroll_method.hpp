@@ -24,6 +24,7 @@ SolverInfo info_of_own() {
   info.fixed = M::info.fixed_step;
   info.adaptive = ChoosesItsOwnSteps<M> || M::info.one_step;
   info.adaptive_order = M::info.adaptive_order;
+  info.common_use = M::info.common_use;
   if (ChoosesItsOwnSteps<M>)
     info.controller = M::info.controller;
   else if (M::info.order_embedded != 0)

@@ -7,7 +7,9 @@
 namespace odeum {
 
 /// Cases that a user gave to this run of the program. They are added before a study begins, by one
-/// thread.
+/// thread. A late library (late.hpp) adds to all_cases(), which every command runs by default, and
+/// enrols solvers; a given case is made once all_cases() and their solvers are known, and runs only
+/// where it is named.
 std::vector<const Case*> given_cases();
 /// The case stays where it is until the program ends. Throws std::invalid_argument where one of
 /// that id was given before.

@@ -13,7 +13,8 @@ namespace odeum {
 
 /// A library that is known only when the program runs: a plug-in, or a stepper that is tested from
 /// another project. Its solvers are enrolled on every case after those of the libraries that are
-/// built in, its cases follow those of the project.
+/// built in, its cases follow those of the project. It is added before the cases are built, since
+/// each case has all solvers; a problem file is given to a command afterwards (given_cases.hpp).
 struct LateLibrary {
   LibraryInfo info;
   std::string mark;  ///< what identifies its code: results of another one are not used

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/common_use.hpp"
 #include "odeum/core/outcome.hpp"
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/problem/concepts.hpp"
@@ -32,7 +33,8 @@ struct SolverInfo {
   bool fixed = true;            ///< can be run at a fixed step
   bool adaptive = false;        ///< can be run to a tolerance
   bool adaptive_order = false;  ///< adaptive: the order is chosen too, so that none is claimed
-  std::string controller;       ///< adaptive: the step control, in a few words
+  CommonUse common_use = CommonUse::none;
+  std::string controller;  ///< adaptive: the step control, in a few words
   std::string
       needs;  ///< required capabilities of a problem, in a few words; empty: a right-hand side
   std::string source;  ///< paper and table, or the library's documentation

@@ -45,8 +45,8 @@ class Adams {
  private:
   static constexpr auto bashforth = adams_bashforth_coefficients<K>();
   static constexpr auto moulton = adams_moulton_coefficients<(K > 1 ? K - 1 : 1)>();
-  static_assert(multistep_proven(bashforth, K));
-  static_assert(!Correct || multistep_proven(moulton, K));
+  static_assert(multistep_proven<bashforth, K>());
+  static_assert(!Correct || multistep_proven<moulton, (K > 1 ? K : 2)>());
 
   const P& problem_;
   StartingProcedure<OneStep, P> starting_;

@@ -41,7 +41,7 @@ class BackwardDifferences {
 
  private:
   static constexpr auto formula = backward_difference_coefficients<K>();
-  static_assert(multistep_proven(formula, K));
+  static_assert(multistep_proven<formula, K>());
   /// Weights of K values that sum to one, as weights of the newest one and of the differences
   /// between neighbours.
   static constexpr auto by_differences(const std::array<double, K>& weights) {

@@ -39,28 +39,39 @@ constexpr std::array<double, S> weights_between(const Tableau<S>& tableau,
   return b;
 }
 
-/// Whether sum_i b_i(theta) Phi_i(tau) = theta^|tau| / gamma(tau) for every tree of at most 4
-/// nodes. Both sides are polynomials of degree 4 in theta: five points suffice.
+/// The first condition sum_i b_i(theta) Phi_i(tau) = theta^|tau| / gamma(tau) of a tree of at most
+/// 4 nodes that fails (its residual over theta^|tau|); order 0: none does. Both sides are
+/// polynomials of degree 4 in theta, which vanish at 0: four points suffice.
 template <std::size_t S>
-consteval bool interpolates(const Tableau<S>& tableau, const std::array<double, S>& d) {
-  if (!tableau.first_same_as_last()) return false;
-  for (const double theta : {0., 1. / 4, 1. / 2, 3. / 4, 1.}) {
+constexpr OrderFault interpolation_fault(const Tableau<S>& tableau,
+                                         const std::array<double, S>& d) {
+  OrderFault fault{.row = WeightRow::dense};
+  for (const double theta : {1. / 4, 1. / 2, 3. / 4, 1.}) {
     // With A / theta as its coefficients the tableau has its stages on the step theta h.
     Tableau<S> scaled = tableau;
     std::array<double, S> row = weights_between(tableau, d, theta);
-    if (theta == 0) {
-      for (const double weight : row)
-        if (weight != 0) return false;
-      continue;
-    }
     for (std::size_t i = 0; i < S; ++i) {
       row[i] /= theta;
       for (std::size_t j = 0; j < S; ++j) scaled.a[i][j] /= theta;
     }
     // The division enlarges coefficients up to 4 times, products of three up to 64 times.
-    if (order_residual<4>(scaled, row) > 64 * order_rounding) return false;
+    for_each_condition<4>(scaled, row, [&](std::size_t tau, double residual) {
+      const bool fails = residual > 64 * order_rounding || -residual > 64 * order_rounding;
+      if (fails && fault.order == 0)
+        fault = {WeightRow::dense, rooted_trees<4>.nodes[tau], tau, residual};
+    });
   }
-  return true;
+  return fault;
+}
+
+/// For static_assert beside a row d: the compiler's message names what fails, as of proven().
+template <const auto& tableau, const auto& d>
+consteval bool interpolates() {
+  static_assert(tableau.first_same_as_last(), "the cubic needs the slope at the end of the step");
+  constexpr OrderFault fault = interpolation_fault(tableau, d);
+  constexpr int nodes = fault.order == 0 ? 1 : fault.order;
+  return no_fault<fault.row, fault.order, decltype(tree_of_fault<nodes, fault.tree>(tableau)),
+                  three_digits(fault.residual)>();
 }
 
 /// The state at t + theta h of the step from y0 to y1 that the stepper has just made (before

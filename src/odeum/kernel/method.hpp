@@ -6,6 +6,7 @@
 #include <complex>
 #include <string_view>
 
+#include "odeum/core/common_use.hpp"
 #include "odeum/problem/concepts.hpp"
 
 /// What a file in methods/ holds: a struct whose name is the file's stem and the method's id, with
@@ -54,6 +55,7 @@ struct MethodInfo {
   bool adaptive_order = false;
   Control control = Control::integral;  ///< of an embedded pair
   std::string_view controller{};  ///< of a method with steps of its own: their control in words
+  CommonUse common_use = CommonUse::none;
   std::string_view source;
 };
 

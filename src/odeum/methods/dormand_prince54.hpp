@@ -31,7 +31,7 @@ inline constexpr std::array<double, 7> dormand_prince54_dense_row{
     87487479700. / 32700410799,   -10690763975. / 1880347072,
     701980252875. / 199316789632, -1453857185. / 822651844,
     69997945. / 29380423};
-static_assert(interpolates(dormand_prince54_tableau, dormand_prince54_dense_row));
+static_assert(interpolates<dormand_prince54_tableau, dormand_prince54_dense_row>());
 
 struct dormand_prince54 : ForAnyProblem, ExplicitRungeKuttaMethod<dormand_prince54_tableau> {
   static constexpr MethodInfo info{
@@ -39,6 +39,7 @@ struct dormand_prince54 : ForAnyProblem, ExplicitRungeKuttaMethod<dormand_prince
       .family = "explicit_rk",
       .order = dormand_prince54_tableau.order,
       .order_embedded = dormand_prince54_tableau.order_hat,
+      .common_use = CommonUse::tolerance,
       .source = "Dormand, Prince, J. Comput. Appl. Math. 6 (1980) 19-26, table 2 (RK5(4)7M)"};
   static constexpr auto inlined = Inlined::nonstiff;
   static constexpr const auto& dense_row = dormand_prince54_dense_row;

@@ -46,7 +46,7 @@ static_assert(proven<dormand_prince853_tableau>());
 inline constexpr std::array<double, 12> dormand_prince853_third_order = {
     0.24409448818897637795, 0, 0, 0, 0, 0, 0, 0, 0.73384668828161185734, 0, 0,
     0.022058823529411764706};
-static_assert(has_exactly_order(dormand_prince853_tableau, dormand_prince853_third_order, 3));
+static_assert(row_proven<dormand_prince853_tableau, dormand_prince853_third_order, 3>());
 
 /// The solution has order 8. The error estimate is e5 |e5| / sqrt(|e5|^2 + 0.01 |e3|^2), with norms
 /// that weigh a component by 1 / (1 + |y|); it is of size h^6 h^6 / h^4 = h^8, as of an embedded

@@ -19,6 +19,7 @@ struct implicit_euler : ForAnyProblem, DiagonallyImplicitMethod<implicit_euler_t
       .id = "implicit_euler",
       .family = "implicit_rk",
       .order = implicit_euler_tableau.order,
+      .common_use = CommonUse::engine,
       .source =
           "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"};
 };

@@ -21,6 +21,7 @@ struct implicit_euler_linearised : ForAnyProblem {
       .id = "implicit_euler_linearised",
       .family = "linearly_implicit",
       .order = 1,
+      .common_use = CommonUse::engine,
       .source = "Baraff, Witkin, SIGGRAPH 1998, (6); Hairer, Wanner, Solving ODEs II, IV.9 (9.1)"};
 
   template <class P>

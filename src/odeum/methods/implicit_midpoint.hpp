@@ -20,6 +20,7 @@ struct implicit_midpoint : ForAnyProblem, DiagonallyImplicitMethod<implicit_midp
       .id = "implicit_midpoint",
       .family = "implicit_rk",
       .order = implicit_midpoint_tableau.order,
+      .common_use = CommonUse::fixed_step,
       .source = "Hairer, Wanner, Solving ODEs II, (IV.3.5), table IV.5.1"};
 };
 

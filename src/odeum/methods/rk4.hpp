@@ -19,6 +19,7 @@ struct rk4 : ForAnyProblem, ExplicitRungeKuttaMethod<rk4_tableau> {
       .id = "rk4",
       .family = "explicit_rk",
       .order = rk4_tableau.order,
+      .common_use = CommonUse::fixed_step,
       .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"};
   static constexpr auto inlined = Inlined::nonstiff;
 };

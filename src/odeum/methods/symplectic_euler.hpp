@@ -15,6 +15,7 @@ struct symplectic_euler : ForSecondOrder {
       .id = "symplectic_euler",
       .family = "symplectic",
       .order = 1,
+      .common_use = CommonUse::engine,
       .source =
           "de Vogelaere 1956; Hairer, Lubich, Wanner, Geometric Numerical Integration, (I.1.9)"};
 

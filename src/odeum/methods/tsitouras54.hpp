@@ -38,7 +38,7 @@ inline constexpr std::array<double, 7> tsitouras54_dense_row{-1.0530884977290216
                                                              47.37952196281928122,
                                                              -34.87065786149660974,
                                                              2.5};
-static_assert(interpolates(tsitouras54_tableau, tsitouras54_dense_row));
+static_assert(interpolates<tsitouras54_tableau, tsitouras54_dense_row>());
 
 struct tsitouras54 : ForAnyProblem, ExplicitRungeKuttaMethod<tsitouras54_tableau> {
   static constexpr MethodInfo info{

@@ -17,6 +17,7 @@ struct velocity_verlet : ForSecondOrder {
       .id = "velocity_verlet",
       .family = "symplectic",
       .order = 2,
+      .common_use = CommonUse::engine,
       .source = "Swope, Andersen, Berens, Wilson, J. Chem. Phys. 76 (1982) 637, (4)-(6)"};
   static constexpr auto inlined = Inlined::nonstiff;
 

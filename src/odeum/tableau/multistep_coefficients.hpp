@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "odeum/tableau/proof_message.hpp"
+
 /// Coefficients of linear multistep formulas, derived at compile time (Hairer, Norsett, Wanner,
 /// Solving ODEs I, III.1):
 ///
@@ -73,11 +75,17 @@ constexpr MultistepCoefficients<K> backward_difference_coefficients() {
   return c;
 }
 
-/// Whether the formula is exact for polynomials of degree `order` and not of degree `order` + 1
-/// ((III.2.6)).
+/// Why a formula does not have the order stated for it.
+struct MultistepFault {
+  int degree = -1;      ///< of the first condition that fails; -1: the order is as stated
+  double residual = 0;  ///< of that condition over its largest term; 0: the order is higher
+};
+
+/// The first q up to `order` for which the formula is not exact on the polynomial t^q, or `order` +
+/// 1 where it is exact on that as well ((III.2.6)).
 template <std::size_t K>
-consteval bool multistep_proven(const MultistepCoefficients<K>& c, int order) {
-  const auto violation = [&](int q) {
+constexpr MultistepFault multistep_fault(const MultistepCoefficients<K>& c, int order) {
+  const auto residual = [&](int q) {
     double sum = 0, largest = 1;
     for (std::size_t i = 0; i <= K; ++i) {
       const double x = 1 - static_cast<double>(i);  // t_{n+1-i}, h = 1, t_n = 0
@@ -87,11 +95,39 @@ consteval bool multistep_proven(const MultistepCoefficients<K>& c, int order) {
       sum += value;
       largest = value > largest ? value : -value > largest ? -value : largest;
     }
-    return (sum < 0 ? -sum : sum) / largest;
+    return sum / largest;
+  };
+  const auto exact = [&](int q, double rounding) {
+    return residual(q) <= rounding && -residual(q) <= rounding;
   };
   for (int q = 0; q <= order; ++q)
-    if (violation(q) > 1e-14) return false;
-  return violation(order + 1) > 1e-10;
+    if (!exact(q, 1e-14)) return {q, residual(q)};
+  if (exact(order + 1, 1e-10)) return {order + 1, 0};
+  return {};
+}
+
+template <int degree, Decimal residual>
+struct NotExactForPolynomial {
+  static_assert(degree < 0,
+                "the multistep formula is not exact for t to the power of this degree; the "
+                "residual is relative to the largest term");
+};
+template <int order>
+struct MultistepHasHigherOrderThanStated {
+  static_assert(order < 0, "the multistep formula has this order as well");
+};
+
+/// For static_assert beside a formula: it has exactly that order. Where it has not, the compiler's
+/// message names the condition and its residual.
+template <const auto& formula, int order>
+consteval bool multistep_proven() {
+  constexpr MultistepFault fault = multistep_fault(formula, order);
+  constexpr Decimal residual = three_digits(fault.residual);
+  if constexpr (fault.degree >= 0 && residual.digits == 0)
+    (void)MultistepHasHigherOrderThanStated<fault.degree>{};
+  else if constexpr (fault.degree >= 0)
+    (void)NotExactForPolynomial<fault.degree, residual>{};
+  return fault.degree < 0;
 }
 
 }  // namespace odeum

@@ -175,13 +175,19 @@ constexpr auto tree_of_fault(const Tableau<S>&) {
 template <const auto& coefficients>
 consteval bool proven() {
   constexpr OrderFault fault = first_fault(coefficients);
-  if constexpr (fault.order != 0 && fault.residual == 0)
-    (void)HasHigherOrderThanStated<fault.row, fault.order>{};
-  else if constexpr (fault.order != 0)
-    (void)OrderConditionFails<fault.row, fault.order,
-                              decltype(tree_of_fault<fault.order, fault.tree>(coefficients)),
-                              three_digits(fault.residual)>{};
-  return fault.order == 0;
+  constexpr int nodes = fault.order == 0 ? 1 : fault.order;
+  return no_fault<fault.row, fault.order, decltype(tree_of_fault<nodes, fault.tree>(coefficients)),
+                  three_digits(fault.residual)>();
+}
+
+/// The same for a row of weights beside those of a tableau.
+template <const auto& tableau, const auto& row, int order>
+consteval bool row_proven() {
+  constexpr OrderFault fault = order_fault(tableau, row, order);
+  constexpr int nodes = fault.order == 0 ? 1 : fault.order;
+  return no_fault<WeightRow::further, fault.order,
+                  decltype(tree_of_fault<nodes, fault.tree>(tableau)),
+                  three_digits(fault.residual)>();
 }
 
 }  // namespace odeum

@@ -41,8 +41,9 @@ constexpr Decimal three_digits(double x) {
   return result;
 }
 
-/// A row of weights: of a Runge-Kutta or Rosenbrock method, of a Nystroem method, of a splitting.
-enum class WeightRow { b, b_hat, b_q, b_v, b_q_hat, b_v_hat, drift };
+/// A row of weights: of a Runge-Kutta or Rosenbrock method (`further`: one beside its tableau,
+/// `dense`: those of its interpolant), of a Nystroem method, of a splitting.
+enum class WeightRow { b, b_hat, further, dense, b_q, b_v, b_q_hat, b_v_hat, drift };
 
 template <WeightRow row, int order, class RootedTree, Decimal residual>
 struct OrderConditionFails {
@@ -55,5 +56,15 @@ template <WeightRow row, int order>
 struct HasHigherOrderThanStated {
   static_assert(order == 0, "the row of weights meets every condition of this order as well");
 };
+
+/// Whether there is no fault (order 0). Where there is one the compiler's message names it.
+template <WeightRow row, int order, class RootedTree, Decimal residual>
+consteval bool no_fault() {
+  if constexpr (order != 0 && residual.digits == 0)
+    (void)HasHigherOrderThanStated<row, order>{};
+  else if constexpr (order != 0)
+    (void)OrderConditionFails<row, order, RootedTree, residual>{};
+  return order == 0;
+}
 
 }  // namespace odeum

@@ -7,7 +7,7 @@
 namespace odeum::scene {
 namespace {
 
-/// One touch: how deep, the unit normal that pushes out, and how the normal turns as the bodies
+/// One contact: its depth (m), the unit normal that points out, and how that turns as the bodies
 /// move (1 / distance of the centres; 0 for a plane).
 struct Touch {
   double depth;

@@ -8,6 +8,7 @@
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/material.hpp"
+#include "odeum/truth/system.hpp"
 #include "support/reference.hpp"
 #include "support/square_cloth.hpp"
 
@@ -19,33 +20,6 @@ constexpr double horizon = 10, between = 0.5;  // s
 constexpr double steps[] = {1.0 / 60, 1.0 / 240};
 constexpr double tolerance = 1e-6;
 constexpr const char* reference_file = "cloth11_two_way_long";
-
-struct Competitor {
-  const char* id;
-  Mode mode;
-};
-constexpr Competitor competitors[] = {
-    {"odeum/symplectic_euler", Mode::fixed},
-    {"odeum/velocity_verlet", Mode::fixed},
-    {"odeum/rk4", Mode::fixed},
-    {"odeum/implicit_euler", Mode::fixed},
-    {"odeum/implicit_euler_linearised", Mode::fixed},
-    {"odeum/implicit_midpoint", Mode::fixed},
-    {"odeum/dormand_prince54", Mode::adaptive},
-    {"cvode/adams", Mode::adaptive},
-    {"cvode/bdf", Mode::adaptive},
-    {"gsl/rk4", Mode::fixed},
-    {"gsl/rk8pd", Mode::adaptive},
-    {"gsl/msadams", Mode::adaptive},
-    {"odeint/runge_kutta4", Mode::fixed},
-    {"odeint/velocity_verlet", Mode::fixed},
-    {"odeint/runge_kutta_dopri5", Mode::adaptive},
-    {"bullet/soft_body_force", Mode::fixed},
-    {"bullet/soft_body_links", Mode::fixed},
-    {"bullet/soft_body_links_stock", Mode::fixed},
-    {"bullet/deformable_explicit", Mode::fixed},
-    {"bullet/deformable_implicit", Mode::fixed},
-};
 
 /// The cloth of the cases without fixed particles, gravity and dampers; dampers of the whole
 /// relative velocity would change its angular momentum.
@@ -77,20 +51,34 @@ struct Stage {
   std::string reference_problem{};
 };
 
-std::vector<double> adaptive(const Stage& stage, const char* id, double tol) {
-  Request request;
-  request.mode = Mode::adaptive;
-  request.tolerance = tol;
-  request.stops = stage.times;
-  Outcome outcome = find_solver(stage.solvers.entrants, id).solve(request);
-  return outcome.status == Status::ok ? std::move(outcome.states) : std::vector<double>();
+/// The states at the times by a method of the truth, in extended precision on forces that are
+/// rounded to double; empty where it does not reach the last one.
+std::vector<double> states_by(truth::Method method, const Stage& stage) {
+  const std::size_t n = stage.solvers.y0->size();
+  std::vector<double> y(n), f(n);
+  truth::System system;
+  system.states = n;
+  system.y0.assign(stage.solvers.y0->begin(), stage.solvers.y0->end());
+  system.rounding = 0x1p-53L;
+  system.rhs = [&](truth::Real t, const truth::Real* state, truth::Real* slope) {
+    std::copy_n(state, n, y.begin());
+    stage.problem.rhs(static_cast<double>(t), y.data(), f.data());
+    std::copy_n(f.begin(), n, slope);
+  };
+  const truth::Run run = method(system, {stage.times.begin(), stage.times.end()},
+                                {.tolerance = 1e-11L, .budget = 1e9});
+  std::vector<double> states;
+  if (run.end.empty())
+    for (const truth::State& at : run.states) states.insert(states.end(), at.begin(), at.end());
+  return states;
 }
 
-/// The reference file knows the hanging cloth up to 2 s. Later states are those of two own methods
-/// of different families, which have to agree with each other and before 2 s with the file.
+/// The reference file knows the hanging cloth up to 2 s. Later states are those of two methods of
+/// different families that take no part, which have to agree with each other and before 2 s with
+/// the file.
 void find_reference(Stage& stage) {
-  stage.reference = adaptive(stage, "odeum/dormand_prince853", 1e-11);
-  const std::vector<double> other = adaptive(stage, "odeum/gragg_bulirsch_stoer", 1e-10);
+  stage.reference = states_by(truth::verner_run, stage);
+  const std::vector<double> other = states_by(truth::extrapolation_run, stage);
   const Truth file = cases::reference_truth(reference_file, 4e-17);
   const std::size_t n = stage.solvers.y0->size();
   double apart = 0;
@@ -109,13 +97,13 @@ void find_reference(Stage& stage) {
       std::copy(exact.begin(), exact.end(), stage.reference.data() + k * n);
     }
     stage.reference_sources.emplace_back(
-        known ? reference_file : "odeum/dormand_prince853 and odeum/gragg_bulirsch_stoer agree");
+        known ? reference_file : "Verner's pair 9(8) and Gragg's extrapolation agree");
   }
   if (complete && apart < 1e-6) return;
   stage.reference.clear();
   stage.reference_sources.assign(stage.times.size(), "none");
   stage.reference_problem =
-      fmt::format("no reference: two own methods and the file are {:.1e} m apart", apart);
+      fmt::format("no reference: two computed ones and the file are {:.1e} m apart", apart);
 }
 
 void hanging_rows(const Stage& stage, const LongRunRow& blank, double time, const double* y,
@@ -213,15 +201,14 @@ MaterialResult measure_long_runs(const Options& options, const Runner& runner) {
   };
   std::vector<Task> tasks;
   for (const Stage& stage : stages)
-    for (const Competitor& competitor : competitors)
-      for (const Entrant& entrant : stage.solvers.entrants) {
-        if (entrant.info.id() != competitor.id || !any_glob_matches(options.solvers, competitor.id))
-          continue;
-        if (competitor.mode == Mode::adaptive)
-          tasks.push_back({&stage, &entrant, Mode::adaptive, tolerance});
-        else
-          for (const double step : steps) tasks.push_back({&stage, &entrant, Mode::fixed, step});
-      }
+    for (const Entrant& entrant : stage.solvers.entrants) {
+      const CommonUse use = entrant.info.common_use;
+      if (use == CommonUse::none || !any_glob_matches(options.solvers, entrant.info.id())) continue;
+      if (use == CommonUse::tolerance)
+        tasks.push_back({&stage, &entrant, Mode::adaptive, tolerance});
+      else
+        for (const double step : steps) tasks.push_back({&stage, &entrant, Mode::fixed, step});
+    }
   const auto key = [](const Task& task) {
     return fmt::format("{} {} {}", task.stage->name, task.entrant->info.id(), task.setting);
   };

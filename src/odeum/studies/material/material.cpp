@@ -103,11 +103,7 @@ SceneStage::SceneStage(const scene::Scene& scene)
 }
 
 bool is_compared(const SolverInfo& info, const Options& options) {
-  const std::string id = info.id();
-  const bool compared = info.library == "bullet" || id == "odeum/symplectic_euler" ||
-                        id == "odeum/velocity_verlet" || id == "odeum/implicit_euler" ||
-                        id == "odeum/implicit_euler_linearised";
-  return compared && any_glob_matches(options.solvers, id);
+  return info.common_use == CommonUse::engine && any_glob_matches(options.solvers, info.id());
 }
 
 namespace {

@@ -13,7 +13,7 @@
 
 namespace odeum::study {
 
-/// Whether a solver is included: every engine's, and own ones with a known result.
+/// Whether a solver is included: every one with the step of a physics engine.
 bool is_compared(const SolverInfo& info, const Options& options);
 
 /// All five files. Throws Interrupted.

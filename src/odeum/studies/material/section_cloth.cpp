@@ -117,7 +117,7 @@ std::string long_run_table(const std::vector<LongRunRow>& rows) {
   std::string html =
       "<h3>Ten seconds of a cloth</h3>\n<p>The cloth of 11 x 11 particles, hung along one edge and "
       "thrown, until it hangs at rest: its energy in J as it decays (first line: the reference, on "
-      "which two own methods of high order agree to 1e-6 m), and at t = 10 s its drape: the RMS "
+      "which two computed references agree to 1e-6 m), and at t = 10 s its drape: the RMS "
       "distance of a particle from the reference, and the lowest point, in m.</p>\n"
       "<p>Momentum is of the same cloth thrown free, without gravity and dampers, for 10 s: the "
       "change of linear and angular momentum over what they were. The exact solution keeps "
