@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace odeum::study {
 namespace {
@@ -94,6 +95,22 @@ TEST(Material, WhatDoesNotFitSaysSo) {
   const MaterialRow row = response(one_mass(), "odeum/leapfrog", 1.0 / 60);
   EXPECT_EQ(row.status, "not_applicable");
   EXPECT_NE(row.detail, "");
+}
+
+TEST(CommonUse, IsThatOfOneExplicitRungeKuttaMethodOfALibrary) {
+  std::map<std::pair<std::string, CommonUse>, std::vector<std::string>> found;
+  int engines = 0;
+  for (const Entrant& entrant : find_case("cloth11_two_way").entrants) {
+    const SolverInfo& info = entrant.info;
+    engines += info.common_use == CommonUse::engine;
+    if (info.common_use == CommonUse::none || info.family != "explicit_rk") continue;
+    found[{info.library, info.common_use}].push_back(info.method);
+    EXPECT_TRUE(info.common_use == CommonUse::tolerance ? info.adaptive : info.fixed) << info.id();
+  }
+  // A copy of another method's info would add a second one.
+  for (const auto& [use, methods] : found) EXPECT_EQ(methods.size(), 1U) << methods.back();
+  EXPECT_GE(found.size(), 2U);
+  EXPECT_GE(engines, 4) << "own ones, those of a physics engine besides";
 }
 
 TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {

@@ -13,6 +13,7 @@ struct dormand_prince54_dead_band : ForAnyProblem,
   static constexpr MethodInfo info = [] {
     MethodInfo same = dormand_prince54::info;
     same.id = "dormand_prince54_dead_band";
+    same.common_use = CommonUse::none;
     same.control = Control::dead_band;
     return same;
   }();

@@ -11,6 +11,7 @@ struct dormand_prince54_pi : ForAnyProblem, ExplicitRungeKuttaMethod<dormand_pri
   static constexpr MethodInfo info = [] {
     MethodInfo same = dormand_prince54::info;
     same.id = "dormand_prince54_pi";
+    same.common_use = CommonUse::none;
     same.control = Control::proportional_integral;
     return same;
   }();
