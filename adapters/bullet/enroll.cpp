@@ -11,6 +11,7 @@
 #include "engine.hpp"
 #include "expressible.hpp"
 #include "soft_body.hpp"
+#include "variants.hpp"
 
 namespace odeum::adapters::bullet {
 namespace {
@@ -23,6 +24,7 @@ struct Method {
   std::string (*objection)(const scene::Scene&);
   MakeEngine make;
   std::map<std::string, std::string> options;
+  std::vector<Variant> variants = {};
 };
 
 constexpr double no_claim = std::numeric_limits<double>::quiet_NaN();
@@ -44,7 +46,8 @@ const Method methods[] = {
      false,
      objection_of_links,
      make_soft_body_links,
-     {{"sweeps", "Gauss-Seidel sweeps over the links"}}},
+     {{"sweeps", "Gauss-Seidel sweeps over the links"}},
+     {{{"sweeps", 4}}, {{"sweeps", 16}}}},
     {"soft_body_links_stock",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST = 1 (the default): lengths are "
      "projected to the rest lengths, for any stiffness",
@@ -52,7 +55,8 @@ const Method methods[] = {
      false,
      objection_of_stock_links,
      make_soft_body_links_stock,
-     {{"sweeps", "Gauss-Seidel sweeps over the links"}}},
+     {{"sweeps", "Gauss-Seidel sweeps over the links"}},
+     {{{"sweeps", 4}}, {{"sweeps", 16}}}},
     {"deformable_explicit",
      "btDeformableMultiBodyDynamicsWorld: v* = v + h f(x)/m, then backward Euler in the damping, "
      "then x += h v",
@@ -68,7 +72,8 @@ const Method methods[] = {
      false,
      objection_of_deformable,
      make_deformable_implicit,
-     {{"sweeps", "limit of conjugate gradient iterations"}, {"newton", "Newton iterations"}}},
+     {{"sweeps", "limit of conjugate gradient iterations"}, {"newton", "Newton iterations"}},
+     {{{"sweeps", 4}}, {{"sweeps", 16}}, {{"newton", 2}}}},
 };
 
 Outcome failed(Status status, std::string detail) {
@@ -201,6 +206,10 @@ SolverInfo info_of(const Method& method) {
 }
 
 }  // namespace
+
+void add_variants(std::map<std::string, std::vector<Variant>>& all) {
+  for (const Method& method : methods) all[info_of(method).id()] = method.variants;
+}
 
 void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants) {
   for (const Method& method : methods) {

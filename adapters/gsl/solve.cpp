@@ -85,11 +85,13 @@ const char* name_of(int error) {
   }
 }
 
-void fail(Outcome& outcome, Status status, const char* name, int error, double t) {
+/// `meaning`: what GSL_FAILURE stands for there, since the library's own word for it is "failure".
+void fail(Outcome& outcome, Status status, const char* name, int error, double t,
+          const char* meaning) {
   outcome.status = status;
   outcome.t = t;
-  outcome.detail =
-      fmt::format("{} returned {} ({}) at t = {}", name, name_of(error), gsl_strerror(error), t);
+  outcome.detail = fmt::format("{} returned {} ({}) at t = {}", name, name_of(error),
+                               error == GSL_FAILURE ? meaning : gsl_strerror(error), t);
 }
 
 /// bsimp returns success with an infinite error estimate where a sub-step diverged, so that a
@@ -111,12 +113,15 @@ void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, cons
       const int error = gsl_odeiv2_evolve_apply_fixed_step(driver.e, nullptr, driver.s, driver.sys,
                                                            &t, grid.h(), y.data());
       if (error != GSL_SUCCESS)
-        return fail(outcome, Status::newton_failed, method.name, error, grid.t(i));
+        return fail(outcome, Status::newton_failed, method.name, error, grid.t(i),
+                    "the stepper's iteration does not converge at this step");
       if (method.kind == Kind::extrapolation && ran_away(driver)) {
         outcome.status = Status::newton_failed;
         outcome.t = grid.t(i);
-        outcome.detail = fmt::format("{} failed a step at t = {}: infinite error estimate",
-                                     method.name, grid.t(i));
+        outcome.detail = fmt::format(
+            "{} failed the step at t = {}: a substep diverged, and it set the "
+            "error estimate to infinity",
+            method.name, grid.t(i));
         return;
       }
       if (!is_finite(y.data(), y.size())) return outcome.record(grid.t(i), y.data(), y.size());
@@ -133,7 +138,8 @@ void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
     outcome.counters.rejected_steps = driver.e->failed_steps;
     if (error != GSL_SUCCESS)
       return fail(outcome, error == GSL_EMAXITER ? Status::over_budget : Status::step_too_small,
-                  method.name, error, t);
+                  method.name, error, t,
+                  "its error or iteration failed down to steps at the rounding of t");
     outcome.record(stop, y.data(), y.size());
   }
 }

@@ -40,9 +40,10 @@ const odeum_plugin* open(const std::string& file, std::string& why) {
 
 /// What is wrong with a description.
 std::string fault_of_plugin(const odeum_plugin& plugin) {
-  if (plugin.version != ODEUM_PLUGIN_VERSION)
+  // What version 2 added stands behind all that a plug-in of version 1 reads.
+  if (plugin.version < 1 || plugin.version > ODEUM_PLUGIN_VERSION)
     return fmt::format(
-        "is of version {} of the interface, this Odeum has version {}: compile it "
+        "is of version {} of the interface, this Odeum has versions 1 to {}: compile it "
         "with the odeum/plugin.h of this Odeum",
         plugin.version, ODEUM_PLUGIN_VERSION);
   if (const std::string fault = foreign::fault_of_name("plug-in", plugin.name); !fault.empty())

@@ -28,11 +28,13 @@ int working(int answer) {
   return answer;
 }
 
-odeum_system callbacks(System& system) {
+/// What the plug-in is given; `absolute` outlives it, empty at fixed steps.
+odeum_system callbacks(System& system, const std::vector<double>& absolute) {
   const OdeView& view = system.guarded.view();
   odeum_system out{};
   out.dimension = view.dimension;
   out.data = &system;
+  out.absolute_tolerances = absolute.empty() ? nullptr : absolute.data();
   out.rhs = [](void* data, double t, const double* y, double* dydt) {
     return working(static_cast<System*>(data)->guarded.rhs(t, y, dydt));
   };
@@ -50,6 +52,13 @@ odeum_system callbacks(System& system) {
     return working(static_cast<System*>(data)->guarded.acceleration(t, q, v, a));
   };
   return out;
+}
+
+std::vector<double> absolute_of(const Request& request, std::size_t n) {
+  std::vector<double> absolute(request.mode == Mode::adaptive ? n : 0);
+  const Tolerance tolerance = request.tolerances();
+  for (std::size_t i = 0; i < absolute.size(); ++i) absolute[i] = tolerance.absolute(i);
+  return absolute;
 }
 
 /// A state with numbers on either side that a solver must not change.
@@ -83,7 +92,8 @@ class Solve {
         contest_(contest),
         request_(request),
         system_(contest.view, request.budget),
-        callbacks_(callbacks(system_)),
+        absolute_(absolute_of(request, contest.view.dimension)),
+        callbacks_(callbacks(system_, absolute_)),
         y_(*contest.y0) {}
 
   Outcome operator()() {
@@ -166,6 +176,7 @@ class Solve {
   const ErasedContest& contest_;
   const Request& request_;
   System system_;
+  std::vector<double> absolute_;
   odeum_system callbacks_;
   Fenced y_;
   Outcome outcome_;

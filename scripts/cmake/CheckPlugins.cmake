@@ -29,6 +29,10 @@ expect(0 "run models_driven ${good} --solver odeum/velocity_verlet --step 0.01" 
 expect(0 "limits ${good} --case models_chain --solver odeum/rk4 --out ${FOLDER}/out")
 expect(0 "stability ${good} --solver mine/rk4 --out ${FOLDER}/out" "rk4 +real +2\\.785")
 expect(0 "precision ${good} --case lotka_volterra --solver mine/* --solver odeum/rk4 --seconds 0.1 --out ${FOLDER}/out" "mine/rk4")
+# Absolute tolerances reach a solver of version 2; one of version 1 takes the relative one for both.
+set(tolerances "--plugin ${at}/libmy_rk4_version1.so --rtol 1e-9 --atol 1e-3")
+expect(0 "run lotka_volterra ${good} ${tolerances} --solver mine/rk4" "status ok" "error [0-9.]+(e-0[1-4])? ")
+expect(0 "run lotka_volterra ${good} ${tolerances} --solver older/rk4" "status ok" "error [0-9.]+e-(07|08|09|10) ")
 if(EXISTS ${at}/libmy_fortran.so)
   expect(0 "converge --plugin ${at}/libmy_fortran.so --case lotka_volterra --solver fortran/heun --out ${FOLDER}/out"
          "fortran/heun fixed 2 (1\\.9|2\\.0)[0-9]+ confirmed")

@@ -449,12 +449,14 @@ inline constexpr std::string_view flags = R\"(${flags})\";
 ")
 endfunction()
 
-# odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, all_libraries() and
-# linear_peers(). A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and, for integrators, an
+# odeum_adapters.hpp/.cpp: enroll_adapters() over every folder in adapters/, all_libraries(),
+# linear_peers() and variants(). A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and, for integrators, an
 # enroll.hpp that declares
 #   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);
 # and, for solvers of sparse symmetric systems, a linear.hpp that declares
 #   void odeum::adapters::NAME::add_linear_peers(std::vector<linear::LinearPeerInfo>&);
+# and, where users of the library tune options, a variants.hpp that declares
+#   void odeum::adapters::NAME::add_variants(std::map<std::string, std::vector<Variant>>&);
 macro(odeum_add_adapters)
   file(GLOB odeum_adapter_folders CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/adapters/*/CMakeLists.txt)
   foreach(odeum_folder IN LISTS odeum_adapter_folders)
@@ -466,7 +468,8 @@ macro(odeum_add_adapters)
   get_property(ODEUM_LIBRARY_ROWS GLOBAL PROPERTY ODEUM_LIBRARY_ROWS)
   set(odeum_includes "")
   set(odeum_calls "")
-  set(odeum_linear_includes "")
+  set(odeum_list_includes "")
+  set(odeum_variant_calls "")
   set(odeum_linear_calls "")
   foreach(odeum_name IN LISTS ODEUM_ADAPTERS_BUILT)
     if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/enroll.hpp)
@@ -474,8 +477,12 @@ macro(odeum_add_adapters)
       string(APPEND odeum_calls "  adapters::${odeum_name}::enroll(contest, entrants);\n")
     endif()
     if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/linear.hpp)
-      string(APPEND odeum_linear_includes "#include \"${odeum_name}/linear.hpp\"\n")
+      string(APPEND odeum_list_includes "#include \"${odeum_name}/linear.hpp\"\n")
       string(APPEND odeum_linear_calls "    adapters::${odeum_name}::add_linear_peers(list);\n")
+    endif()
+    if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/variants.hpp)
+      string(APPEND odeum_list_includes "#include \"${odeum_name}/variants.hpp\"\n")
+      string(APPEND odeum_variant_calls "    adapters::${odeum_name}::add_variants(by_solver);\n")
     endif()
   endforeach()
   odeum_write(${ODEUM_GENERATED}/odeum_adapters.hpp
@@ -494,8 +501,9 @@ ${odeum_calls}}
   odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
 "#include \"odeum/contest/case.hpp\"
 #include \"odeum/contest/late.hpp\"
+#include \"odeum/contest/variants.hpp\"
 #include \"odeum/linear/eigen_solvers.hpp\"
-${odeum_linear_includes}
+${odeum_list_includes}
 namespace odeum {
 const std::vector<LibraryInfo>& built_in_libraries() {
   static const std::vector<LibraryInfo> all{
@@ -509,6 +517,14 @@ const std::vector<linear::LinearPeerInfo>& linear::linear_peers() {
 ${odeum_linear_calls}    return list;
   }();
   return all;
+}
+std::vector<Variant> variants_of(const std::string& solver) {
+  static const std::map<std::string, std::vector<Variant>> all = [] {
+    std::map<std::string, std::vector<Variant>> by_solver;
+${odeum_variant_calls}    return by_solver;
+  }();
+  const auto tuned = all.find(solver);
+  return tuned == all.end() ? std::vector<Variant>{} : tuned->second;
 }
 }
 ")

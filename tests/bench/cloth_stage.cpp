@@ -88,11 +88,13 @@ std::vector<double> ClothStage::run(const std::string& id, Request request) cons
   return std::move(outcome.states);
 }
 
-std::vector<double> ClothStage::fixed(const std::string& id, double t, std::uint64_t steps) const {
+std::vector<double> ClothStage::fixed(const std::string& id, double t, std::uint64_t steps,
+                                      const Variant& options) const {
   Request request;
   request.mode = Mode::fixed;
   request.stops = {t};
   request.steps = steps;
+  request.options = options;
   return run(id, request);
 }
 

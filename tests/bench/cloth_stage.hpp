@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/contest/case.hpp"
+#include "odeum/contest/variants.hpp"
 #include "odeum/scene/model/scene.hpp"
 
 namespace odeum::bench {
@@ -36,7 +37,8 @@ class ClothStage {
   /// A solver by its id; throws std::runtime_error where this build has none of that name.
   const Entrant& solver(const std::string& id) const;
   /// A run to time t at a fixed step, or to a tolerance; throws std::runtime_error where it fails.
-  std::vector<double> fixed(const std::string& id, double t, std::uint64_t steps) const;
+  std::vector<double> fixed(const std::string& id, double t, std::uint64_t steps,
+                            const Variant& options = {}) const;
   std::vector<double> adaptive(const std::string& id, double t, double tolerance) const;
   /// The state at time t to some 1e-10, by two methods of different families that agree to 1e-9.
   std::vector<double> truth(double t) const;

@@ -116,12 +116,6 @@ struct Explained {
 };
 const Explained known[] = {
     {"", "blow_up", "the solution ends at a pole"},
-    // Of up to 128 unknowns. Beyond the budget, rkf45 ends at 1e-4 with 387,597 evaluations of
-    // brusselator_1d and 86,529 of medakzo.
-    {"gsl", "brusselator_1d", "implicit methods take a dense Jacobian, explicit ones many steps"},
-    {"gsl", "medakzo", "likewise"},
-    {"odeint", "brusselator_1d", "likewise"},
-    {"odeint", "medakzo", "likewise"},
 };
 
 bool is_explained(const std::string& library, const std::string& id) {
@@ -130,11 +124,11 @@ bool is_explained(const std::string& library, const std::string& id) {
   return false;
 }
 
-bool solves(const Case& c, const Entrant& entrant, double tolerance) {
+bool solves(const Case& c, const Entrant& entrant, double tolerance, std::uint64_t budgets = 1) {
   Request request;
   request.stops = c.stops;
-  request.budget.evaluations = c.settings.evaluation_budget;
-  request.budget.seconds = 10;
+  request.budget.evaluations = budgets * c.settings.evaluation_budget;
+  request.budget.seconds = 30;
   if (entrant.info.adaptive) {
     request.mode = Mode::adaptive;
     set_tolerance(request, c, tolerance);
@@ -173,6 +167,13 @@ TEST(Agreement, NoLibraryFailsACaseUnexplained) {
             solves(c, *entrant, tolerance))
           solved.insert(library);
       }
+    // GSL and odeint have dense Jacobians alone, of up to 128 unknowns here: on brusselator_1d and
+    // medakzo explicit methods end beyond the budget, as `odeum precision` runs them then.
+    for (const Entrant* entrant : order)
+      if (const std::string& library = entrant->info.library;
+          entrant->info.adaptive && !solved.contains(library) && !is_explained(library, c.id) &&
+          solves(c, *entrant, 1e-4, 30))
+        solved.insert(library);
     for (const std::string& library : libraries) {
       if (is_explained(library, c.id)) continue;
       ++pairs;

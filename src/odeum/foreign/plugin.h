@@ -20,8 +20,9 @@
 extern "C" {
 #endif
 
-/* Of this header. A plug-in of another version is refused. */
-#define ODEUM_PLUGIN_VERSION 1
+/* Of this header. Plug-ins of versions 1 and 2 are taken, of others refused. Version 2 added
+ * odeum_system::absolute_tolerances. */
+#define ODEUM_PLUGIN_VERSION 2
 
 /* ---- A solver ---- */
 
@@ -39,6 +40,8 @@ typedef struct odeum_system {
   size_t degrees_of_freedom;
   int velocity_dependent;
   int (*acceleration)(void* data, double t, const double* q, const double* v, double* a);
+  /* Since version 2: for solve(), the absolute tolerance of each component; null at fixed steps. */
+  const double* absolute_tolerances;
 } odeum_system;
 
 /* What a solver needs of a problem; it is run on those that have it. */
@@ -57,9 +60,9 @@ typedef struct odeum_solver {
   void* (*create)(const odeum_system* system, double t0, const double* y0);
   /* y at t becomes y at t + h. Null: it does not run at fixed steps. */
   int (*step)(void* self, double t, double h, double* y);
-  /* y at *t becomes y at `stop`, and *t becomes stop, to a relative and absolute tolerance. Null:
-   * it does not run to a tolerance. Both are the number `tolerance`: this version has no absolute
-   * tolerance of its own, so that a request's is not handed on. */
+  /* y at *t becomes y at `stop`, and *t becomes stop, to the relative tolerance `tolerance` and the
+   * system's absolute ones (version 1 has no such ones: take `tolerance` for both). Null: it does
+   * not run to a tolerance. */
   int (*solve)(void* self, double* t, double stop, double tolerance, double* y);
   /* The number of steps that solve() has accepted; null: not known, and no order is measured. */
   uint64_t (*steps)(const void* self);

@@ -178,6 +178,8 @@ Settings that need no measurement:
   each (interpolation costs evaluations, or order); GSL's driver and odeint's controlled steppers land,
   odeint's dense ones interpolate.
 
+What the choices changed, before and after: reports/speed.md.
+
 )";
 
 }  // namespace

@@ -28,8 +28,10 @@ void silent(int, const char*, const char*, char*, void*) {}
 
 using Set = std::function<void(void* integrator)>;
 
-Alternative cvode(const char* setting, const Set& set, bool taken = false) {
-  return {setting, taken, [set](const Case& c, double tolerance, Counted& counted) {
+/// lands: on each stop of the case, as where a stop time is set for it; otherwise those before the
+/// last are interpolated.
+Alternative cvode(const char* setting, const Set& set, bool taken = false, bool lands = false) {
+  return {setting, taken, [set, lands](const Case& c, double tolerance, Counted& counted) {
             Run run{.y = c.y0};
             tests::SundialsParts parts(run.y);
             void* memory = CVodeCreate(CV_BDF, parts.context);
@@ -44,8 +46,10 @@ Alternative cvode(const char* setting, const Set& set, bool taken = false) {
             set(memory);
             int flag = 0;
             double t = c.t0;
-            for (std::size_t k = 0; k < c.stops.size() && flag >= 0; ++k)
+            for (std::size_t k = 0; k < c.stops.size() && flag >= 0; ++k) {
+              if (lands) CVodeSetStopTime(memory, c.stops[k]);
               flag = CVode(memory, c.stops[k], parts.y, &t, CV_NORMAL);
+            }
             CVodeGetNumSteps(memory, &run.steps);
             CVodeFree(&memory);
             run.ok = flag >= 0;
@@ -107,7 +111,8 @@ Choice cvode_newton() {
                  }),
            cvode("SetNonlinConvCoef(0.01)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.01); }),
            cvode("SetNonlinConvCoef(0.3)", [](void* m) { CVodeSetNonlinConvCoef(m, 0.3); }),
-           cvode("SetMaxOrd(4)", [](void* m) { CVodeSetMaxOrd(m, 4); })}};
+           cvode("SetMaxOrd(4)", [](void* m) { CVodeSetMaxOrd(m, 4); }),
+           cvode("a stop time at each stop", nothing, false, true)}};
 }
 
 Choice arkstep_newton(const char* name, ARKODE_DIRKTableID table) {

@@ -62,7 +62,12 @@ static int solve(void* data, double* t, double stop, double tolerance, double* y
         step(self, *t + h / 2, h / 2, self->two))
       return 1;
     for (size_t i = 0; i < n; ++i) {
-      const double scale = tolerance * (1 + fabs(self->two[i]));
+#ifdef RK4_OF_VERSION_1
+      const double absolute = tolerance;
+#else
+      const double absolute = self->system->absolute_tolerances[i];
+#endif
+      const double scale = absolute + tolerance * fabs(self->two[i]);
       error = fmax(error, fabs(self->two[i] - self->one[i]) / 15 / scale);
     }
     if (error <= 1) {
@@ -88,5 +93,13 @@ static const odeum_solver solver = {.name = "rk4",
                                     .steps = steps,
                                     .destroy = destroy};
 static const odeum_plugin plugin = {
-    .version = ODEUM_PLUGIN_VERSION, .name = "mine", .solver_count = 1, .solvers = &solver};
+#ifdef RK4_OF_VERSION_1
+    .version = 1,
+    .name = "older",
+#else
+    .version = ODEUM_PLUGIN_VERSION,
+    .name = "mine",
+#endif
+    .solver_count = 1,
+    .solvers = &solver};
 const odeum_plugin* odeum_plugin_entry(void) { return &plugin; }

@@ -8,9 +8,10 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <set>
 
 #include "odeum/contest/inlined.hpp"
+#include "odeum/contest/variants.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
@@ -62,21 +63,15 @@ PrecisionRow blank_row(const TimedCase& stage, const SolverInfo& info, Mode mode
   return row;
 }
 
-/// Options that users of a library tune, by name, with values to try beside its default: what is
-/// fastest at an error is the best of all.
-const std::map<std::string, std::vector<double>> tuned_options = {{"sweeps", {4, 16}},
-                                                                  {"newton", {2}}};
-
-std::vector<std::map<std::string, double>> tunings_of(const Entrant& entrant) {
-  std::vector<std::map<std::string, double>> tunings{{}};
-  if (!entrant.unfit.empty()) return tunings;
-  for (const auto& [option, meaning] : entrant.info.options)
-    if (const auto tuned = tuned_options.find(option); tuned != tuned_options.end())
-      for (const double value : tuned->second) tunings.push_back({{option, value}});
+/// The options that a solver is run with: its defaults and the variants of its library.
+std::vector<Variant> tunings_of(const Entrant& entrant) {
+  std::vector<Variant> tunings{{}};
+  if (entrant.unfit.empty())
+    for (const Variant& variant : variants_of(entrant.info.id())) tunings.push_back(variant);
   return tunings;
 }
 
-std::string text_of_options(const std::map<std::string, double>& options) {
+std::string text_of_options(const Variant& options) {
   std::string text;
   for (const auto& [name, value] : options)
     text += fmt::format("{}{}={:g}", text.empty() ? "" : " ", name, value);
@@ -155,12 +150,36 @@ void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
   if (solver.mode == Mode::adaptive) run_looser(stage, solver);
 }
 
+/// A library none of whose solvers solves a case within the budget may have one that does beyond:
+/// its solvers that ended over budget run once more, to the loosest tolerance, with thirty times
+/// the evaluations that the case allows.
+void run_beyond_budget(const TimedCase& stage, std::vector<TimedSolver>& solvers,
+                       const Runner& runner, double seconds) {
+  std::set<std::string> solved;
+  for (const TimedSolver& solver : solvers)
+    for (const TimedRun& trial : solver.trials)
+      if (trial.ok()) solved.insert(trial.row.library);
+  parallel_for(solvers.size(), runner.jobs(), [&](std::size_t i) {
+    TimedSolver& solver = solvers[i];
+    if (solver.trials.empty() || solver.trials.front().row.status != to_string(Status::over_budget))
+      return;
+    TimedRun& loosest = solver.trials.front();
+    if (solver.mode != Mode::adaptive || solved.contains(loosest.row.library)) return;
+    Request request = loosest.request;
+    request.budget.evaluations = 30 * stage.c.settings.evaluation_budget;
+    request.budget.seconds = 5 * seconds;
+    loosest = run_guarded(stage, *solver.entrant, request);
+    if (loosest.ok()) loosest.row.detail = "beyond the budget of the other solvers";
+  });
+}
+
 /// Whether a solver is timed in a mode. One that has both is run at fixed steps too where these may
-/// be faster: on smooth problems of few unknowns.
+/// be faster: on smooth problems of few unknowns, and on those of many, where explicit methods at
+/// their largest stable step may be fastest on stiff ones too.
 bool runs(const Case& c, const SolverInfo& info, Mode mode) {
   if (mode == Mode::adaptive) return info.adaptive;
-  const bool worth = c.y0.size() <= dense_dimension_limit && c.settings.no_fixed_steps.empty() &&
-                     !c.has_tag("stiff");
+  const bool worth = c.settings.no_fixed_steps.empty() &&
+                     (c.y0.size() > dense_dimension_limit || !c.has_tag("stiff"));
   return info.fixed && (!info.adaptive || worth);
 }
 
@@ -179,9 +198,10 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
         for (const auto& tuning : tunings_of(entrant))
           solvers.push_back({&entrant, mode, same == inlined.end() ? nullptr : &*same, tuning});
   }
-  parallel_for(solvers.size(), runner.jobs(), [&](std::size_t i) {
-    run_guarded(stage, solvers[i], options.number("solve-seconds", 2));
-  });
+  const double solve_seconds = options.number("solve-seconds", 2);
+  parallel_for(solvers.size(), runner.jobs(),
+               [&](std::size_t i) { run_guarded(stage, solvers[i], solve_seconds); });
+  run_beyond_budget(stage, solvers, runner, solve_seconds);
 
   Conditions conditions;
   for (int attempt = 0; attempt < options.number("attempts", 2); ++attempt) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "odeum/contest/variants.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/precision/precision.hpp"
@@ -31,7 +31,7 @@ struct TimedSolver {
   const Entrant* entrant;
   Mode mode;
   const Entrant* inlined;  ///< the same for timed runs; null where there is none
-  std::map<std::string, double> options = {};
+  Variant options = {};
   std::vector<TimedRun> trials = {};
 };
 
