@@ -79,7 +79,8 @@ std::string picture(report::Page& page, const StabilityRegion& region) {
                   percent(size.left, size.width), percent(size.top, size.height),
                   percent(field, size.width), percent(field / aspect_of(region), size.height)));
   const report::Chart chart(size, {region.first_low, region.first_high, false},
-                            {region.second_low, region.second_high, false}, {});
+                            {region.second_low, region.second_high, false},
+                            {.x = {}, .y = {}, .description = "Axes of the picture", .x_tick = {}});
   return image + chart.svg();
 }
 
