@@ -179,7 +179,8 @@ const checks = {
       return all.length;
     })()`);
     const reached = [];
-    for (let i = 0; i < count; ++i) { await key('Tab'); reached.push(Number(await browser.run(`document.activeElement.dataset.place ?? -1`))); }
+    // What scrolls is a stop of Chromium's own.
+    for (let i = 0; i < count + 20 && reached.length < count; ++i) { await key('Tab'); const place = await browser.run(`document.activeElement.dataset.place`); if (place !== undefined) reached.push(Number(place)); }
     const missed = [...Array(count).keys()].filter((i) => !reached.includes(i));
     hold(missed.length === 0, `not reached: ${await browser.run(`JSON.stringify(${JSON.stringify(missed.slice(0, 5))}.map((i) => document.querySelector('[data-place="' + i + '"]').outerHTML.slice(0, 120)))`)}`);
     hold(reached.every((place, i) => place === i), `out of order: ${reached.slice(0, 40)}`);

@@ -223,7 +223,7 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
     for (TimedSolver& solver : solvers)
       for (TimedRun& trial : solver.trials) trial.times.ns.clear();
     const ConditionsMeter meter;
-    time_all(stage, solvers, options.number("seconds", 4));
+    time_all(stage, solvers, options.number("seconds", 4), runner.jobs());
     conditions = meter.end();
     if (!disturbed(conditions.drift, conditions.processor_share)) break;
   }
