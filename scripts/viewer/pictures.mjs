@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node pictures.mjs <chromium> <report> <run of a cloth> <folder for the pictures>: the pictures of README.md,
+// node pictures.mjs <chromium> <report> <report of the regions> <run of a cloth> <folder for the pictures>: the pictures of README.md,
 // as the report's own views and the replay page draw them.
 import { Browser } from './browser.mjs';
 
-const [chromium, folder, cloth, out] = process.argv.slice(2);
+const [chromium, folder, regions, cloth, out] = process.argv.slice(2);
 const own = ['explicit_euler:fixed', 'velocity_verlet:fixed', 'rk4:fixed', 'verner65:fixed'].map((name) => `odeum/${name}`);
 const pictures = {
   convergence: [`#compare?case=damped_oscillator_underdamped&x=step&show=${[...own, 'gsl/rk8pd:fixed', 'bullet/soft_body_force:fixed'].join(',')}`, 'compare'],
@@ -13,7 +13,7 @@ const pictures = {
 const browser = await Browser.open(chromium);
 await browser.size(1000, 900);
 for (const [name, [hash, view]] of Object.entries(pictures)) {
-  await browser.go(`file://${folder}/index.html${hash}`);
+  await browser.go(`file://${view === 'regions' ? regions : folder}/index.html${hash}`);
   await browser.until(`document.documentElement.dataset.drawn === 'all'`);
   const clip = await browser.run(`(() => { const b = document.querySelector('[data-view="${view}"] svg.plot').getBoundingClientRect(); return { x: b.x + scrollX, y: b.y + scrollY, width: b.width, height: b.height }; })()`);
   await browser.picture(`${out}/${name}.png`, clip);

@@ -10,7 +10,6 @@
 #include <string>
 #include <thread>
 
-#include "odeum/studies/precision/timing.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
@@ -238,46 +237,6 @@ TEST(Precision, SaysTolerancesAndJacobian) {
   }
   Case without;
   EXPECT_EQ(jacobian_of(without), "differenced");
-}
-
-Entrant entrant_that(Status status) {
-  Entrant entrant;
-  entrant.solve = [status](const Request& request) {
-    Outcome outcome;
-    outcome.status = status;
-    outcome.detail = "made up";
-    const double y[2] = {1, 2};
-    if (status == Status::ok) outcome.record(request.stops.back(), y, 2);
-    return outcome;
-  };
-  return entrant;
-}
-
-TimedSolver timed_solver(const Entrant& entrant, const Entrant* inlined) {
-  TimedSolver solver{&entrant, Mode::adaptive, inlined};
-  TimedRun& trial = solver.trials.emplace_back();
-  trial.row.status = "ok";
-  trial.request.stops = {1};
-  trial.request.tolerance = 1e-3;
-  trial.states = {1, 2};
-  trial.guarded_ns = 1000;
-  return solver;
-}
-
-// A refusal or a failure takes no time: ranked, it would be the fastest of all.
-TEST(Precision, ARunThatFailsWhenTimedHasNoTime) {
-  const TimedCase stage(find_case("lotka_volterra"));
-  const Entrant good = entrant_that(Status::ok), refusing = entrant_that(Status::refused),
-                failing = entrant_that(Status::newton_failed);
-  std::vector<TimedSolver> solvers{timed_solver(good, &refusing), timed_solver(failing, nullptr)};
-  time_all(stage, solvers, 0.001);
-  // What the inlined solver refuses is left to the ordinary one.
-  EXPECT_EQ(solvers[0].inlined, nullptr);
-  EXPECT_FALSE(solvers[0].trials[0].row.inlined);
-  EXPECT_GE(solvers[0].trials[0].times.ns.size(), 1U);
-  EXPECT_EQ(solvers[0].trials[0].row.detail, "");
-  EXPECT_TRUE(solvers[1].trials[0].times.ns.empty());
-  EXPECT_EQ(solvers[1].trials[0].row.detail, "the timed run ended newton_failed: made up");
 }
 
 }  // namespace

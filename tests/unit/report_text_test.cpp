@@ -68,7 +68,7 @@ TEST(SafeText, Addresses) {
 
 TEST(Markdown, Blocks) {
   EXPECT_EQ(markdown_to_html("# One\ntwo\nlines\n\n- a\n  b\n- c\n\n1. d\n"),
-            "<h3>One</h3>\n<p>two lines</p>\n<ul><li>a b</li>\n<li>c</li>\n</ul>\n"
+            "<h2>One</h2>\n<p>two lines</p>\n<ul><li>a b</li>\n<li>c</li>\n</ul>\n"
             "<ol><li>d</li>\n</ol>\n");
   EXPECT_EQ(markdown_to_html("```\na < b\n# no heading\n```\nc"),
             "<pre>a &lt; b\n# no heading\n</pre>\n<p>c</p>\n");

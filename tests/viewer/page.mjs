@@ -22,7 +22,7 @@ const browser = await Browser.open(chromium);
 const address = `file://${folder}/index.html`;
 const text = (selector) => browser.run(`document.querySelector(${JSON.stringify(selector)})?.innerText || ''`);
 const click = (selector) => browser.run(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); if (!e) throw new Error('nothing to click: ' + ${JSON.stringify(selector)}); e.click(); })()`);
-const key = async (name) => { for (const type of ['keyDown', 'keyUp']) await browser.send('Input.dispatchKeyEvent', { type, key: name, code: name, windowsVirtualKeyCode: { ArrowRight: 39, Enter: 13 }[name] }); };
+const key = async (name) => { for (const type of ['keyDown', 'keyUp']) await browser.send('Input.dispatchKeyEvent', { type, key: name, code: name, windowsVirtualKeyCode: { Tab: 9, ArrowRight: 39, Enter: 13 }[name] }); };
 const drawn = () => browser.until(`document.documentElement.dataset.drawn === 'all'`);
 // The table behind the comparison, as the page shows it.
 const table = () => browser.run(`[...document.querySelectorAll('[data-numbers="compare"] tbody tr')].map((tr) => [...tr.cells].map((td) => td.textContent))`);
@@ -166,6 +166,33 @@ const checks = {
       hold((await text('[data-view="regions"] table')).includes(String(Number(Number(limit.limit).toPrecision(6)))), 'the limit of rk4 is not that of the file');
     await click('[data-value="oscillator"]');
     await browser.until(`location.hash.includes('oscillator')`);
+  },
+  async 'the tab key reaches every control, in the order of the page, and each has a name'() {
+    await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=odeum/rk4:fixed,gsl/rk4:fixed`);
+    await drawn();
+    // Of a group of which one is chosen the arrows reach the others; the list of methods is opened on demand.
+    const count = await browser.run(`(() => {
+      const all = [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((e) => e.tabIndex >= 0 && !e.disabled && e.checkVisibility());
+      all.forEach((e, i) => { e.dataset.place = i; });
+      getSelection().removeAllRanges();
+      document.activeElement.blur();
+      return all.length;
+    })()`);
+    const reached = [];
+    // What scrolls is a stop of Chromium's own.
+    for (let i = 0; i < count + 20 && reached.length < count; ++i) { await key('Tab'); const place = await browser.run(`document.activeElement.dataset.place`); if (place !== undefined) reached.push(Number(place)); }
+    const missed = [...Array(count).keys()].filter((i) => !reached.includes(i));
+    hold(missed.length === 0, `not reached: ${await browser.run(`JSON.stringify(${JSON.stringify(missed.slice(0, 5))}.map((i) => document.querySelector('[data-place="' + i + '"]').outerHTML.slice(0, 120)))`)}`);
+    hold(reached.every((place, i) => place === i), `out of order: ${reached.slice(0, 40)}`);
+    const { nodes } = await browser.send('Accessibility.getFullAXTree');
+    const nameless = nodes.filter((node) => !node.ignored && node.properties?.some((p) => p.name === 'focusable' && p.value.value) && node.role.value !== 'RootWebArea' && !node.name?.value);
+    hold(nameless.length === 0, `without a name: ${nameless.slice(0, 5).map((node) => node.role.value)}`);
+  },
+  async 'every chart has a description, and its view a table'() {
+    for (const view of ['answers', 'compare', 'regions']) {
+      hold(await browser.run(`[...document.querySelectorAll('[data-view="${view}"] svg.plot')].every((e) => e.getAttribute('role') === 'img' && e.getAttribute('aria-label').length > 20)`), `${view}: a chart without a description`);
+      hold(await browser.run(`document.querySelectorAll('[data-view="${view}"] table td').length`) > 3, `${view}: no table`);
+    }
   },
   async 'nonsense in the address leads to a page all the same'() {
     for (const hash of ['#compare?case=%&x=up&show=<b>,odeum/none:fixed,,%E0', '#answers?case=none&error=7', '#regions?show=none&h=-1&plane=x&case=none', '#data?x', '#%']) {

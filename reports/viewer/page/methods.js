@@ -8,7 +8,7 @@ const methodList = (filter) => {
     const name = `${solver.library}: ${solver.family.replaceAll('_', ' ')}`;
     groups.set(name, [...(groups.get(name) || []), html('li', {}, html('a', { href: addressOf('methods', { solver: id }) }, solver.method))]);
   }
-  return groups.size ? [...groups].map(([name, list]) => html('div', {}, html('h4', {}, name), html('ul', { class: 'names' }, list))) : html('p', { class: 'missing' }, 'No method has such a name.');
+  return groups.size ? [...groups].map(([name, list]) => html('div', {}, html('h3', {}, name), html('ul', { class: 'names' }, list))) : html('p', { class: 'missing' }, 'No method has such a name.');
 };
 
 // One line a problem: its order there, the smallest error, the time, and how failed runs ended.

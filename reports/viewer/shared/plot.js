@@ -152,7 +152,7 @@ const plot = (host, spec) => {
   host.classList.add('plot-host');
   // Where there is no room beside the field, the names stand below it.
   const names = room ? [] : [html('ul', { class: 'legend' }, spec.curves.map((curve) =>
-    html('li', { style: { color: curve.colour } }, svg('svg', { viewBox: '-8 -6 16 12', 'aria-hidden': 'true' }, svg('path', { class: 'marker', d: shapes[curve.shape || 0] })), curve.name)))];
+    html('li', {}, svg('svg', { viewBox: '-8 -6 16 12', 'aria-hidden': 'true', style: { color: curve.colour } }, svg('path', { class: 'marker', d: shapes[curve.shape || 0] })), curve.name)))];
   host.replaceChildren(picture, ...names);
   attachPointer(host, picture, spec, x, y);
   return { x, y };

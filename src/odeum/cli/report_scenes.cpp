@@ -161,7 +161,7 @@ void add_replays(report::Page& page, const record::OutputFolder& folder, unsigne
                    "at which that is known",
                    shown_runs[0].solver, shown_runs[0].tolerance, checked, c.truth.source)}};
   report::Table table("numbers");
-  table.head({{"solver"}, {"setting"}, {"evaluations"}, {"largest error, m"}, {"status"}, {""}});
+  table.head({{"solver"}, {"setting"}, {"evaluations"}, {"largest error, m"}, {"status"}, {"is"}});
   const scene::RunResult exact = frames_of(c, problem, runs.front());
   std::vector<std::pair<double, const Run*>> found;  // the largest error of each
   for (const Run& run : runs) {

@@ -178,6 +178,12 @@ std::string html_of(const std::vector<ReplayFrame>& replays) {
   return html + "</div>\n" + script;
 }
 
+/// Of a curve, in the style sheet's colours for light pages, which come first.
+std::string_view light_colour(std::size_t style) {
+  const std::string name = fmt::format("--s{}: ", style);
+  return page_style().substr(page_style().find(name) + name.size(), 7);
+}
+
 }  // namespace
 
 std::string comparison_page(const Comparison& comparison) {
@@ -190,17 +196,16 @@ std::string comparison_page(const Comparison& comparison) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0} – Odeum</title>\n"
-      "<style>\n{1}{2}{3}</style>\n</head>\n<body>\n{4}<h1>{0}</h1>\n<p class=\"lead\"><code>"
+      "<style>\n{1}{2}{3}</style>\n</head>\n<body>\n{4}<main>\n<h1>{0}</h1>\n<p "
+      "class=\"lead\"><code>"
       "{5}</code></p>\n<dl class=\"facts\">{6}</dl>\n{7}<div class=\"figures\">\n{8}</div>\n{9}"
-      "</body>\n</html>\n",
+      "</main>\n</body>\n</html>\n",
       escape(comparison.title), page_style(), style_of_lines, colours_of_lines(), marker_symbols(),
       escape(comparison.lead), facts, comparison.table.html(), figures,
       html_of(comparison.replays));
 }
 
 std::string figure_file(const Figure& figure) {
-  constexpr const char* colours[chart_styles] = {"#0072b2", "#d55e00", "#00805c", "#b24a8e",
-                                                 "#a87400", "#2d9fd8", "#6f4fc0", "#4a4f57"};
   std::string style =
       ".plot { font: 11px sans-serif; fill: none; stroke: #1d2126; } .plot text { fill: #1d2126; "
       "stroke: none; } .grid { stroke: #dfe3e8; } .end { text-anchor: end; } .middle { "
@@ -209,7 +214,7 @@ std::string figure_file(const Figure& figure) {
       "stroke-opacity: 0.3; "
       "stroke-width: 5; }";
   for (std::size_t i = 0; i < chart_styles; ++i)
-    style += fmt::format(" .line{} {{ stroke: {}; }}", i, colours[i]);
+    style += fmt::format(" .line{} {{ stroke: {}; }}", i, light_colour(i));
   std::string svg = svg_of(figure);
   const std::size_t end = svg.find('>');
   svg.insert(end + 1, "<style>" + style + "</style>");

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <thread>
+#include <utility>
 
 #include "odeum/core/machine.hpp"
+#include "odeum/core/parallel.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/layout.hpp"
@@ -74,7 +77,10 @@ void Page::write_all_data(const RunFacts& run) const {
   data["run"] = text({{"quick", run.quick}, {"date", utc_text(run.finished)}});
   for (std::size_t i = 0; i < facts_.cases.size(); ++i)
     if (!case_data_[i].empty()) files[data_name(facts_.cases[i])] = case_data_[i];
-  for (const auto& [file, parts] : files) write_data(file, parts);
+  // Compression takes a second or two.
+  std::vector<std::pair<std::string, Data>> list(files.begin(), files.end());
+  parallel_for(list.size(), std::thread::hardware_concurrency(),
+               [&](std::size_t i) { write_data(list[i].first, list[i].second); });
 }
 
 std::string Page::index_page(const RunFacts& run) const {

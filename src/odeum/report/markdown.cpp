@@ -124,7 +124,7 @@ class Converter {
     } else if (const auto level = bare.find_first_not_of('#');
                level >= 1 && level <= 4 && bare.substr(level, 1) == " ") {
       close();
-      html_ += fmt::format("<h{0}>{1}</h{0}>\n", level + 2, inline_html(trim(bare.substr(level))));
+      html_ += fmt::format("<h{0}>{1}</h{0}>\n", level + 1, inline_html(trim(bare.substr(level))));
     } else if (bare.starts_with('|')) {
       table(bare);
     } else if (const auto item = item_text(text, ordered); !item.empty()) {

@@ -49,7 +49,7 @@ std::string neighbours(const std::vector<CaseFacts>& cases, std::size_t index) {
     return fmt::format("<a href=\"../{}\">{}{}</a>", as_address(cases[i].file), arrow,
                        escape(cases[i].id));
   };
-  std::string html = "<nav>";
+  std::string html = "<nav aria-label=\"neighbouring cases\">";
   if (index > 0) html += link(index - 1, "← ");
   if (index + 1 < cases.size()) html += link(index + 1, "→ ");
   return html + "</nav>\n";
@@ -107,14 +107,16 @@ std::string Page::navigation(const std::string& root, const std::string& here) c
   for (const Section& section : in_order(sections_))
     pages += link(section.id + ".html", name_in_links(section));
   return fmt::format(
-      "<header class=\"top\">\n<a class=\"brand\" href=\"{0}index.html\">Odeum</a>\n"
+      "<header class=\"top\">\n{5}<a class=\"brand\" href=\"{0}index.html\">Odeum</a>{6}\n"
       "<nav class=\"main\" aria-label=\"views\"><a href=\"{0}index.html#answers\">Answers</a>"
       "<a href=\"{0}index.html#compare\">Compare</a>"
       "<a href=\"{0}index.html#regions\">Stability</a>"
       "<a href=\"{0}index.html#methods\">Methods</a>{1}{2}{3}</nav>\n"
       "<nav class=\"pages\" aria-label=\"tables\">{4}</nav>\n</header>\n",
       root, link("trade-offs.html", "Trade-offs"), link("findings.html", "Findings"),
-      link("data.html", "Data"), pages);
+      link("data.html", "Data"), pages,
+      // The page of a case has its own title.
+      root.empty() ? "<h1>" : "", root.empty() ? "</h1>" : "");
 }
 
 std::string Page::case_page(std::size_t index) const {
@@ -130,7 +132,8 @@ std::string Page::case_page(std::size_t index) const {
       neighbours(facts_.cases, index) +
           fmt::format("<h1>{}</h1>\n<p class=\"lead\"><code>{}</code></p>\n<dl class=\"facts\">"
                       "<dt>Equation</dt><dd><code>{}</code></dd><dt>Source</dt><dd>{}</dd>"
-                      "<dt>Truth</dt><dd>{}{}</dd>{}</dl>\n<nav>{}</nav>\n",
+                      "<dt>Truth</dt><dd>{}{}</dd>{}</dl>\n<nav "
+                      "aria-label=\"on this page\">{}</nav>\n",
                       escape(c.title), escape(c.id), escape(c.equation), escape(c.source),
                       escape(c.truth), floor, case_facts_[index], links) +
           html_of(parts));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/judge/answer.hpp"
+#include "odeum/judge/errors.hpp"
 #include "odeum/judge/order_fit.hpp"
 #include "odeum/studies/study.hpp"
 
@@ -57,6 +58,10 @@ struct TimeRow {
     visit("energy", row.energy), visit("energy_error", row.energy_error);
   }
 };
+
+/// Of a run with errors at its stops. Errors have six digits and energies nine: all of the rest is
+/// noise of the measurement, and half of the file.
+TimeRow time_row(const ConvergenceRow& run, const judge::StopError& stop);
 
 /// The order of one solver on one case: a line of orders.csv.
 struct OrderRow {

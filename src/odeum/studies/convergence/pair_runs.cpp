@@ -10,6 +10,7 @@
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/convergence/extended_order.hpp"
 #include "odeum/studies/convergence/settings.hpp"
+#include "odeum/studies/foreseen.hpp"
 
 namespace odeum::study {
 namespace {
@@ -230,9 +231,7 @@ class PairRuns {
                      : judge::judge_answer(errors, amplification_, request.tolerance,
                                            static_cast<double>(row.steps), pair_.c->truth.floor,
                                            judge_.scale());
-    for (const judge::StopError& e : errors)
-      run.times.push_back({row.case_id, row.library, row.solver, row.mode, row.step, e.time,
-                           e.error_max, e.error_rms, e.energy, e.energy_error});
+    for (const judge::StopError& e : errors) run.times.push_back(time_row(row, e));
     run.point.error = row.error_rms;
     run.point.rounding_unit = rounding_unit_;
     run.point.scale = judge_.scale();

@@ -17,13 +17,4 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 std::vector<Request> second_look(const Pair& pair, const Request& like,
                                  const std::vector<std::uint64_t>& telling, bool to_rounding);
 
-/// The cost of a solve, in the units of a budget.
-struct Cost {
-  double setting;  ///< number of steps, or 1 / tolerance
-  double work;
-};
-
-/// A lower bound of the next setting's cost, extrapolated from the last ones; 0 where unknown.
-double foreseen_work(const std::vector<Cost>& coarser, const Request& next);
-
 }  // namespace odeum::study

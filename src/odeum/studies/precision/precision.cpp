@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -15,6 +14,7 @@
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
+#include "odeum/studies/foreseen.hpp"
 #include "odeum/studies/precision/timing.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
@@ -84,8 +84,7 @@ std::string absolute_of(const Request& request) {
   return fmt::format("{:g}", fmt::join(request.absolute, " "));
 }
 
-/// The guarded run, which counts and measures the error.
-TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Request& request) {
+TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request& request) {
   TimedRun trial{.row = blank_row(stage, entrant.info, request.mode),
                  .request = request,
                  .states = {},
@@ -95,14 +94,19 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
                                                            static_cast<double>(request.steps);
   trial.row.absolute = absolute_of(request);
   trial.row.options = text_of_options(request.options);
-  const auto start = std::chrono::steady_clock::now();
+  trial.row.judged.answer = judge::Answer::none;
+  return trial;
+}
+
+/// The guarded run, which counts and measures the error.
+TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Request& request) {
+  TimedRun trial = blank_run(stage, entrant, request);
+  const double start = thread_seconds();
   Outcome outcome = entrant.solve(request);
-  trial.guarded_ns =
-      std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  trial.guarded_ns = 1e9 * (thread_seconds() - start);
   trial.row.status = to_string(outcome.status);
   trial.row.detail = outcome.detail;
   trial.row.counters = outcome.counters;
-  trial.row.judged.answer = judge::Answer::none;
   if (!trial.ok()) return trial;
   trial.row.error = 0;
   const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
@@ -117,6 +121,29 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   trial.states = std::move(outcome.states);
   return trial;
 }
+
+/// What the next setting of a solver costs at least, by those run so far.
+class Foreseen {
+ public:
+  void add(const TimedRun& run) {
+    const double setting = run.request.mode == Mode::fixed ? static_cast<double>(run.request.steps)
+                                                           : 1 / run.request.tolerance;
+    work_.push_back({setting, static_cast<double>(run.row.counters.work)});
+    ns_.push_back({setting, run.guarded_ns});
+  }
+  /// Why the next one is not run; empty: it may be within its budget.
+  std::string excess(const Request& next) const {
+    const char* const because = "not run: by coarser settings it takes more than";
+    if (foreseen_work(work_, next) > static_cast<double>(next.budget.evaluations))
+      return fmt::format("{} {} evaluations and products", because, next.budget.evaluations);
+    if (foreseen_work(ns_, next) > 1e9 * next.budget.seconds)
+      return fmt::format("{} {} s", because, next.budget.seconds);
+    return {};
+  }
+
+ private:
+  std::vector<Cost> work_, ns_;
+};
 
 /// Tolerances looser than the first, while that still reaches the largest error compared: a solver
 /// that is more accurate than its tolerance gets there by a looser one.
@@ -141,9 +168,17 @@ void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
         not_applicable(blank_row(stage, entrant.info, solver.mode), reason);
     return;
   }
+  Foreseen foreseen;
   for (Request request : settings_of(stage, solver.mode, seconds)) {
     request.options = solver.options;
+    if (const std::string excess = foreseen.excess(request); !excess.empty()) {
+      solver.trials.push_back(blank_run(stage, entrant, request));
+      solver.trials.back().row.status = to_string(Status::over_budget);
+      solver.trials.back().row.detail = excess;
+      break;
+    }
     solver.trials.push_back(run_guarded(stage, entrant, request));
+    if (solver.trials.back().ok()) foreseen.add(solver.trials.back());
     // Finer settings cost more and are not needed.
     if (solver.trials.back().row.status == to_string(Status::over_budget)) break;
   }
@@ -208,7 +243,7 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
     for (TimedSolver& solver : solvers)
       for (TimedRun& trial : solver.trials) trial.times.ns.clear();
     const ConditionsMeter meter;
-    time_all(stage, solvers, options.number("seconds", 4));
+    time_all(stage, solvers, options.number("seconds", 4), runner.jobs());
     conditions = meter.end();
     if (!disturbed(conditions.drift, conditions.processor_share)) break;
   }
@@ -220,7 +255,7 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
       row.wall_ns_median = trial.times.median();
       row.repetitions = trial.times.ns.size();
       row.measured = conditions.measured;
-      if (row.repetitions) {
+      if (row.repetitions && !trial.guarded()) {
         row.drift = conditions.drift;
         row.processor_share = conditions.processor_share;
       }

@@ -13,7 +13,8 @@ namespace odeum::study {
 
 /// One solver at one setting: a line of precision.csv. The error is the largest of a measured
 /// component at the stops, absolute, from a run under the guard, which also counts; the times are
-/// of runs with the bare right-hand side, set-up included.
+/// of runs with the bare right-hand side, set-up included; of what cannot be the fastest, and whose
+/// guard costs next to nothing, the guarded run's processor time (timing.hpp).
 struct PrecisionRow {
   std::string case_id, library, solver;
   std::string status;  ///< a Status, or not_applicable
@@ -27,8 +28,10 @@ struct PrecisionRow {
   double wall_ns_min = 0, wall_ns_median = 0;
   std::uint64_t repetitions = 0;
   Counters counters;
-  bool inlined = false;  ///< timed with the right-hand side compiled into the solver
-  bool pareto = false;   ///< no other row is both faster and more accurate
+  /// How the timed runs call it: `function pointer`, `inlined` (compiled into the solver), or
+  /// `guarded`: the time is that of the run that gave the error.
+  std::string right_hand_side = "function pointer";
+  bool pareto = false;  ///< no other row is both faster and more accurate
   /// How the machine's own speed changed from before the timed runs of the case to after them, as a
   /// fraction: an effect of other programs on times. NaN where nothing was timed.
   double drift = std::numeric_limits<double>::quiet_NaN();
@@ -39,7 +42,8 @@ struct PrecisionRow {
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
-  static constexpr int schema = 3;  ///< 2: the answer; 3: absolute tolerance, options, Jacobian
+  /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times
+  static constexpr int schema = 4;
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
@@ -52,7 +56,7 @@ struct PrecisionRow {
     visit("rhs_evaluations", row.counters.rhs_evaluations);
     visit("jacobian_evaluations", row.counters.jacobian_evaluations);
     visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
-    visit("right_hand_side", record::Words{row.inlined, "function pointer", "inlined"});
+    visit("right_hand_side", row.right_hand_side);
     visit("pareto", row.pareto), visit("drift", row.drift);
     visit("processor_share", row.processor_share), visit("measured", row.measured);
     visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);

@@ -140,7 +140,9 @@ constexpr const char* tolerances_text =
 
 constexpr const char* times_text =
     "<p>Time per solve, set-up included, with the plain right-hand side, on one processor: the "
-    "minimum of interleaved repetitions. Compared is the time to reach the same error, absolute, "
+    "minimum of interleaved repetitions; what cannot be the fastest of its library at its error is "
+    "timed once, several at a time, or by the run that gave its error. Compared is the time to "
+    "reach the same error, absolute, "
     "never that at the same tolerance. <strong>Times are of this machine alone: another program "
     "running at the same time distorts them.</strong> The last column tells: how the speed of a "
     "fixed piece of arithmetic drifted from before the case to after it, and for what part of the "

@@ -23,7 +23,7 @@ constexpr double longest_repeated_ns = 2e7;
 /// counted run: to a tenth of that run's error, or to rounding. A run that fails has no time.
 void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
   const auto& solve = solver.inlined ? solver.inlined->solve : solver.entrant->solve;
-  trial.row.inlined = solver.inlined != nullptr;
+  trial.row.right_hand_side = solver.inlined ? "inlined" : "function pointer";
   Request request = trial.request;
   request.budget.watched = false;
   Outcome outcome;
@@ -50,30 +50,48 @@ void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }
 
-/// So many times behind another one of its library in guarded runs, a trial cannot be the fastest
-/// at its error: guard and pointer cost up to 4.5 times an inlined right-hand side, little where
-/// evaluations are long, and other programs may double a single time.
-double far_behind(const Case& c) { return c.y0.size() > dense_dimension_limit ? 4 : 10; }
+/// A trial that takes so many times another one's time, of its library and with no larger error,
+/// cannot be the fastest: guard and pointer cost up to 4.5 times an inlined right-hand side, and
+/// other programs may double a single time. Processor time without the guard's share is known
+/// better than that.
+constexpr double far_behind = 10, exactly_behind = 1.5, told_by_guarded = 2;
 
-void mark_far(const Case& c, std::vector<TimedSolver>& solvers) {
-  std::vector<std::pair<const std::string*, TimedRun*>> trials;
+void mark_far(std::vector<TimedSolver>& solvers) {
+  std::vector<std::pair<const TimedSolver*, TimedRun*>> trials;
   for (TimedSolver& solver : solvers)
     for (TimedRun& trial : solver.trials)
-      if (trial.ok()) trials.emplace_back(&solver.entrant->info.library, &trial);
+      if (trial.ok()) trials.emplace_back(&solver, &trial);
   const auto smaller = [](auto& a, auto& b) { return a.second->row.error < b.second->row.error; };
   std::stable_sort(trials.begin(), trials.end(), smaller);
   std::map<std::string, double> least;  // by library, of those of no larger error
-  for (const auto& [library, trial] : trials) {
-    double& known = least.try_emplace(*library, trial->guarded_ns).first->second;
+  for (const auto& [solver, trial] : trials) {
+    const std::string& library = solver->entrant->info.library;
+    double& known = least.try_emplace(library, trial->guarded_ns).first->second;
     known = std::min(known, trial->guarded_ns);
-    trial->far = trial->guarded_ns > far_behind(c) * known;
+    const bool exact = !solver->inlined && trial->measurable();
+    trial->far = exact ? trial->guarded_ns - 2 * trial->guard_ns() > exactly_behind * known
+                       : trial->guarded_ns > far_behind * known;
+    if (!exact || !trial->lightly_guarded() || trial->guarded_ns <= told_by_guarded * known)
+      continue;
+    trial->row.right_hand_side = "guarded";
+    trial->times.ns = {trial->guarded_ns};
   }
+}
+
+/// What is far behind, once each, and several at a time.
+void time_far(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
+  parallel_for(solvers.size(), jobs, [&](std::size_t i) {
+    for (TimedRun& trial : solvers[i].trials)
+      if (trial.ok() && trial.far && !trial.guarded()) time_once(stage, solvers[i], trial);
+  });
 }
 
 }  // namespace
 
-void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds) {
-  mark_far(stage.c, solvers);
+void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds,
+              unsigned jobs) {
+  mark_far(solvers);
+  time_far(stage, solvers, jobs);
   double once = 0;
   std::size_t most_settings = 0;
   for (const TimedSolver& solver : solvers) {
@@ -90,7 +108,7 @@ void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double 
         if (k >= solver.trials.size() || !solver.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         TimedRun& trial = solver.trials[k];
-        if (trial.failed || (round > 0 && trial.far)) continue;
+        if (trial.failed || trial.far) continue;
         // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, solver, trial);

@@ -18,12 +18,20 @@ struct TimedRun {
   PrecisionRow row;
   Request request;
   std::vector<double> states;
-  double guarded_ns = 0;  ///< of the guarded run: an estimate
+  double guarded_ns = 0;  ///< processor time of the guarded run
   bool far = false;       ///< see mark_far
   bool failed = false;    ///< in a timed run: it has no time
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }
+  /// What the guard takes of the guarded run: 4 ns an evaluation.
+  double guard_ns() const { return 4.0 * static_cast<double>(row.counters.rhs_evaluations); }
+  /// Whether the guarded run is long enough for one measurement.
+  bool measurable() const { return guarded_ns > 2e5; }
+  /// Whether the guard takes at most a twentieth of it as well.
+  bool lightly_guarded() const { return measurable() && 20 * guard_ns() <= guarded_ns; }
+  /// Whether its time is that of the guarded run.
+  bool guarded() const { return row.right_hand_side == "guarded"; }
 };
 
 /// A solver on a case in one mode, with its settings from coarse to fine.
@@ -54,7 +62,9 @@ struct TimedCase {
 };
 
 /// Interleaved repetitions: round after round over all solvers at a setting, for about `seconds` in
-/// all; one of what cannot be the fastest. Throws Interrupted.
-void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds);
+/// all. What cannot be the fastest of its library at its error is run once before, `jobs` at a
+/// time, or not again where the guarded run tells its time (lightly_guarded). Throws Interrupted.
+void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds,
+              unsigned jobs = 1);
 
 }  // namespace odeum::study

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <thread>
 
+#include "odeum/core/parallel.hpp"
 #include "odeum/report/chart.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
@@ -63,7 +65,7 @@ std::string limits_table(const std::vector<StabilityLimit>& limits, const std::s
 }
 
 // Axes drawn over the picture, which fills their field.
-std::string picture(report::Page& page, const StabilityRegion& region) {
+std::string picture(report::Page& page, const StabilityRegion& region, std::string_view png) {
   const std::string name = fmt::format("{}/{}", region.library, region.solver);
   constexpr report::ChartSize margins{0, 0, 25, 5, 4, 17};
   report::ChartSize size = margins;
@@ -74,25 +76,28 @@ std::string picture(report::Page& page, const StabilityRegion& region) {
   const std::string image = page.picture(
       fmt::format("stability/{}_{}_{}", report::file_stem(region.library),
                   report::file_stem(region.solver), region.plane),
-      region_png(region), fmt::format("Stability region of {}, {} plane", name, region.plane),
+      png, fmt::format("Stability region of {}, {} plane", name, region.plane),
       fmt::format(" style=\"left:{:.1f}%;top:{:.1f}%;width:{:.1f}%;height:{:.1f}%\"",
                   percent(size.left, size.width), percent(size.top, size.height),
                   percent(field, size.width), percent(field / aspect_of(region), size.height)));
   const report::Chart chart(size, {region.first_low, region.first_high, false},
-                            {region.second_low, region.second_high, false}, {});
+                            {region.second_low, region.second_high, false},
+                            {.x = {}, .y = {}, .description = "Axes of the picture", .x_tick = {}});
   return image + chart.svg();
 }
 
 std::string thumbnails(report::Page& page, const std::vector<StabilityRegion>& regions,
-                       const std::string& library, const std::string& plane) {
+                       const std::vector<std::string>& pngs, const std::string& library,
+                       const std::string& plane) {
   std::string html;
-  for (const StabilityRegion& region : regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const StabilityRegion& region = regions[i];
     if (region.library != library || region.plane != plane) continue;
     html += fmt::format(
         "<figure class=\"region\"><div>{}</div><figcaption>{}</figcaption>"
         "</figure>\n",
         can_be_drawn(region)
-            ? picture(page, region)
+            ? picture(page, region, pngs[i])
             : fmt::format("<p class=\"missing\">{}</p>",
                           escape(region.detail.empty() ? region.status : region.detail)),
         escape(region.solver));
@@ -153,10 +158,14 @@ void add_section(report::Page& page, const StabilityResult& result, const report
             report::columns_of(limits, {"library", "solver", "axis", "limit", "theory", "status"}));
   page.data("regions", "regions", outlines_json(result.regions));
   for (const std::string& library : libraries) html += limits_table(result.limits, library);
+  std::vector<std::string> pngs(result.regions.size());
+  parallel_for(pngs.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+    if (can_be_drawn(result.regions[i])) pngs[i] = region_png(result.regions[i]);
+  });
   for (const auto& [plane, title] : planes) {
     std::string regions;
     for (const std::string& library : libraries)
-      regions += thumbnails(page, result.regions, library, plane);
+      regions += thumbnails(page, result.regions, pngs, library, plane);
     if (!regions.empty()) html += fmt::format("<h3>{}</h3>\n{}{}", title, regions_text, regions);
   }
   page.section({.id = "stability", .title = "Stability", .place = origin.place, .html = html});

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <thread>
+
+#include "odeum/core/parallel.hpp"
 #include "odeum/record/table.hpp"
 #include "odeum/studies/stability/section.hpp"
 #include "odeum/studies/stability/stability.hpp"
@@ -36,8 +39,10 @@ class Stability final : public StudyOf<StabilityResult> {
 
   void write(const record::OutputFolder& folder) const override {
     StudyOf::write(folder);
-    for (const StabilityRegion& region : result().regions)
-      if (!region.growth.empty()) write_growth(region, folder);
+    const std::vector<StabilityRegion>& regions = result().regions;
+    parallel_for(regions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+      if (!regions[i].growth.empty()) write_growth(regions[i], folder);
+    });
   }
 
   std::string table() const override {
