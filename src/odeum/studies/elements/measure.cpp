@@ -18,6 +18,8 @@ namespace {
 /// Far below any error of a mesh, and above what rounding leaves on the finest one.
 constexpr double solved = 1e-11;
 constexpr std::size_t fewest_divisions = 4;
+/// Triangles that can be told apart in a picture.
+constexpr std::size_t pictured_divisions = 8;
 
 /// |error| at the node in the middle of the unit square; NaN where there is none.
 double centre_error(const fem::Levels::Level& level, const std::vector<double>& nodal,
@@ -27,9 +29,24 @@ double centre_error(const fem::Levels::Level& level, const std::vector<double>& 
   return unknown_number;
 }
 
-ElementsRow row_of(const ModelProblem& model, const Hierarchy& hierarchy, std::size_t number) {
+void add_field(const ModelProblem& model, std::size_t divisions, const fem::TriangleMesh& mesh,
+               const std::vector<double>& nodal, ElementsResult& result) {
+  for (const auto& ids : mesh.triangles) {
+    ElementsFieldRow& row = result.fields.emplace_back();
+    row.problem = model.id, row.divisions = divisions;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const fem::Point p = mesh.nodes[ids[k]];
+      row.x[k] = p.x, row.y[k] = p.y;
+      row.u[k] = nodal[ids[k]], row.error[k] = row.u[k] - model.value(p);
+    }
+  }
+}
+
+/// A row, and the field where it is pictured.
+void add_mesh(const ModelProblem& model, const Hierarchy& hierarchy, std::size_t number,
+              ElementsResult& result) {
   const fem::Levels::Level& level = hierarchy.levels()[number];
-  ElementsRow row;
+  ElementsRow& row = result.meshes.emplace_back();
   row.problem = model.id, row.rule = model.rule->name;
   row.divisions = hierarchy.divisions(number), row.triangles = level.mesh.triangles.size();
   row.unknowns = level.system.right.size(), row.h = fem::longest_edge(level.mesh);
@@ -39,7 +56,7 @@ ElementsRow row_of(const ModelProblem& model, const Hierarchy& hierarchy, std::s
   row.status = to_string(solution.status), row.iterations = solution.iterations;
   if (solution.status != linear::IterationStatus::converged) {
     row.detail = "conjugate gradients did not reach the residual";
-    return row;
+    return;
   }
   const std::vector<double> nodal = hierarchy.nodal(level, solution.x);
   if (model.value) {
@@ -48,7 +65,8 @@ ElementsRow row_of(const ModelProblem& model, const Hierarchy& hierarchy, std::s
     row.l2 = errors.l2, row.h1 = errors.h1, row.maximum = errors.maximum;
   }
   if (!std::isnan(model.centre_value)) row.centre = centre_error(level, nodal, model.centre_value);
-  return row;
+  if (model.pictured && row.divisions == pictured_divisions)
+    add_field(model, row.divisions, level.mesh, nodal, result);
 }
 
 double error_in(const ElementsRow& row, const std::string& norm) {
@@ -83,8 +101,7 @@ ElementsResult converge(const ModelProblem& model, std::size_t most) {
   const Hierarchy hierarchy(model, most);
   for (std::size_t number = 0; number < hierarchy.levels().size(); ++number) {
     if (interrupted) throw Interrupted();
-    if (hierarchy.divisions(number) >= fewest_divisions)
-      result.meshes.push_back(row_of(model, hierarchy, number));
+    if (hierarchy.divisions(number) >= fewest_divisions) add_mesh(model, hierarchy, number, result);
   }
   for (const ModelProblem::Claim& claim : model.claims)
     result.orders.push_back(order_of(model, claim, result.meshes));

@@ -76,7 +76,8 @@ ModelProblem mixed() {
           .scale = std::numbers::e,
           .coarsest = fem::unstructured_square(4, 16),
           .divisions = 4,
-          .claims = smooth_claims_with_logarithm()};
+          .claims = smooth_claims_with_logarithm(),
+          .pictured = true};
 }
 
 /// No Dirichlet condition: the solution of mean 0.
@@ -128,7 +129,8 @@ ModelProblem corner() {
           .coarsest = fem::l_shape(2),
           .claims = {{"l2", 4. / 3, theory + "; smooth: 2"},
                      {"h1", 2. / 3, theory + "; smooth: 1"},
-                     {"max", 2. / 3, theory + "; smooth: 2"}}};
+                     {"max", 2. / 3, theory + "; smooth: 2"}},
+          .pictured = true};
 }
 
 ModelProblem disc(bool follows_circle) {
@@ -145,7 +147,8 @@ ModelProblem disc(bool follows_circle) {
                          },
                      .coarsest = fem::polygon(6),
                      .divisions = 1,
-                     .claims = smooth_claims()};
+                     .claims = smooth_claims(),
+                     .pictured = follows_circle};
   if (follows_circle) model.onto_boundary = fem::onto_unit_circle;
   for (ModelProblem::Claim& claim : model.claims)
     claim.theory = follows_circle

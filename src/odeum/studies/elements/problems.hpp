@@ -27,6 +27,7 @@ struct ModelProblem {
   std::function<fem::Point(fem::Point)> onto_boundary = {};
   fem::Undetermined undetermined = fem::Undetermined::refuse;
   std::vector<Claim> claims;
+  bool pictured = false;  ///< on the page
 };
 
 std::vector<ModelProblem> model_problems();

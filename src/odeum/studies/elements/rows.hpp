@@ -53,6 +53,23 @@ struct ElementsOrderRow {
   }
 };
 
+/// One triangle of a coarse mesh with the solution at its nodes, for a picture.
+struct ElementsFieldRow {
+  std::string problem;
+  std::size_t divisions = 0;
+  double x[3] = {}, y[3] = {};      ///< of the nodes, counterclockwise
+  double u[3] = {}, error[3] = {};  ///< the solution there, and what it has too much
+
+  static constexpr const char* file = "elements_fields.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("problem", row.problem), visit("divisions", row.divisions);
+    visit("x1", row.x[0]), visit("y1", row.y[0]), visit("x2", row.x[1]), visit("y2", row.y[1]);
+    visit("x3", row.x[2]), visit("y3", row.y[2]);
+    visit("u1", row.u[0]), visit("u2", row.u[1]), visit("u3", row.u[2]);
+    visit("error1", row.error[0]), visit("error2", row.error[1]), visit("error3", row.error[2]);
+  }
+};
+
 /// One linear solver on the system of one mesh, right-hand side of a random solution, until the
 /// energy norm of the error is 1e-8 of what it was.
 struct ElementsSolverRow {
@@ -122,11 +139,13 @@ struct ElementsTimeRow {
 struct ElementsResult {
   std::vector<ElementsRow> meshes;
   std::vector<ElementsOrderRow> orders;
+  std::vector<ElementsFieldRow> fields;
   std::vector<ElementsSolverRow> solvers;
   std::vector<ElementsStoppingRow> stopping;
   std::vector<ElementsTimeRow> times;
   static auto lists(auto& result) {
-    return std::tie(result.meshes, result.orders, result.solvers, result.stopping, result.times);
+    return std::tie(result.meshes, result.orders, result.fields, result.solvers, result.stopping,
+                    result.times);
   }
 };
 

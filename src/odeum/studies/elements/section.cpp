@@ -6,9 +6,8 @@
 #include <map>
 
 #include "odeum/fem/field_picture.hpp"
-#include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/report/chart.hpp"
-#include "odeum/studies/elements/problems.hpp"
+#include "odeum/report/html.hpp"
 
 namespace odeum::study {
 namespace {
@@ -71,23 +70,24 @@ std::string enough(const std::vector<ElementsStoppingRow>& rows) {
   return text;
 }
 
-/// Solutions and errors of three problems on meshes that are coarse enough to be seen. They are
-/// solved here: that takes milliseconds.
-std::string pictures() {
+/// Each problem's solution and error, from the rows of its triangles, which follow one another.
+std::string pictures(const std::vector<ElementsFieldRow>& rows) {
   std::string html;
-  for (const ModelProblem& model : model_problems()) {
-    if (model.id != "poisson_l_shape" && model.id != "poisson_unstructured_mixed" &&
-        model.id != "poisson_disc")
-      continue;
-    const Hierarchy hierarchy(model, 8);
-    const auto& [mesh, system] = hierarchy.finest();
-    std::vector<double> x(system.right.size());
-    linear::SparseLdlt(system.matrix).solve(system.right.data(), x.data());
-    const std::vector<double> nodal = hierarchy.nodal(hierarchy.finest(), x);
-    std::vector<double> error(nodal);
-    for (std::size_t i = 0; i < error.size(); ++i) error[i] -= model.value(mesh.nodes[i]);
-    html += "<figure>" + fem::field_picture(mesh, nodal, model.id + ": solution") +
-            fem::field_picture(mesh, error, model.id + ": error at the nodes") + "</figure>\n";
+  for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+    fem::TriangleMesh mesh;
+    std::vector<double> solution, error;
+    for (; end < rows.size() && rows[end].problem == rows[first].problem; ++end) {
+      const std::size_t node = mesh.nodes.size();
+      mesh.triangles.push_back({node, node + 1, node + 2});
+      for (std::size_t k = 0; k < 3; ++k) {
+        mesh.nodes.push_back({rows[end].x[k], rows[end].y[k]});
+        solution.push_back(rows[end].u[k]), error.push_back(rows[end].error[k]);
+      }
+    }
+    const std::string& name = rows[first].problem;
+    html += "<figure>" + fem::field_picture(mesh, solution, report::escape(name) + ": solution") +
+            fem::field_picture(mesh, error, report::escape(name) + ": error at the nodes") +
+            "</figure>\n";
   }
   return html;
 }
@@ -145,7 +145,7 @@ void add_elements_section(report::Page& page, const ElementsResult& result,
         error_chart(result.meshes) +
         "<p>Solutions and errors on coarse meshes; a triangle tells its value when pointed "
         "at.</p>\n" +
-        pictures() +
+        pictures(result.fields) +
         "<p>The systems’ solvers, own ones and peers, beside the textbook bound of their rate. M "
         "is the preconditioner; condition: the highest over the lowest eigenvalue of M⁻¹A, by "
         "Lanczos’ process. No bound stands beside peers, which show no spectrum.</p>\n" +
