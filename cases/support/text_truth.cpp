@@ -88,6 +88,7 @@ truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
   system.t0 = problem.t0;
   system.y0 = problem.y0;
   system.smooth = structure.smooth;
+  system.concurrent = true;
   system.rhs = [ode](Real t, const Real* y, Real* f) { ode->rhs_extended(t, y, f); };
   // Full matrices in extended precision take too long beyond this, and bands beyond that.
   constexpr std::size_t most_in_matrix = 64;

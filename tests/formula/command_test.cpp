@@ -81,6 +81,17 @@ TEST_F(ProblemCommands, OtherStudiesTakeProblemsToo) {
   EXPECT_EQ(orders.find(",cvode,"), std::string::npos) << "--solver selects";
 }
 
+// Of studies without times; the page takes what the commands before it have measured.
+TEST_F(ProblemCommands, AReportTakesTheResultsOfEarlierCommands) {
+  const std::string with = " " + problems + "lotka_volterra.yaml --solver odeum/heun --out page";
+  expect("converge" + with, 0, "heun");
+  expect("stability" + with, 0, "heun");
+  expect("report" + with, 0, "index.html");
+  const std::string manifest = tests::text_of(folder_.path() / "page/manifest.json");
+  EXPECT_EQ(manifest.find("\"results_of_earlier_runs\": 0"), std::string::npos) << manifest;
+  EXPECT_NE(manifest.find("\"results_of_earlier_runs\": "), std::string::npos) << manifest;
+}
+
 TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
   write("bad.yaml", "states: {x: 1}\nequations:\n  x: y\ntime: {end: 1}\n");
   expect("run bad.yaml", 2, "bad.yaml:3:6: equations: x: unknown name; got y");
@@ -119,7 +130,15 @@ TEST_F(ProblemCommands, NothingWrittenReachesAShellOrACompiler) {
 TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
   write("blow_up.yaml", "states: {x: 1}\nequations: {x: x^2}\ntime: {end: 2, stops: [0.5, 2]}\n");
   expect("run blow_up.yaml", 0, "no verdict is given beyond");
+  // No method reaches the stop at 2: each says when and where.
+  for (const char* solver : {"dormand_prince54", "gsl/rkf45", "cvode/bdf", "odeint/rosenbrock4"}) {
+    const std::string output =
+        odeum("run blow_up.yaml --until 2 --tol 1e-6 --solver " + std::string(solver)).output;
+    EXPECT_EQ(output.find("status  ok"), std::string::npos) << output;
+    EXPECT_NE(output.find("at t = "), std::string::npos) << output;
+  }
   expect("run blow_up.yaml --solver dormand_prince54 --tol 1e-6 --until 2", 3, "status  ");
+  expect("run blow_up.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
   // Past the pole at t = 1 a fixed step goes on.
   const char* const past = " --step 0.05 --until 1.05";
   for (const char* solver : {"rk4", "heun", "rodas4", "implicit_euler_linearised"})

@@ -95,10 +95,52 @@ TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
     std::vector<double> y(made.c.y0.size());
     EXPECT_TRUE(made.c.truth.at(made.c.stops.back(), y.data()));
     EXPECT_GT(made.c.truth.floor, 0);
-    EXPECT_LT(made.c.truth.floor, 2e-14);
+    // Passages of the moon amplify rounding by some 1e7.
+    EXPECT_LT(made.c.truth.floor, entry.path().stem() == "arenstorf" ? 1e-11 : 2e-14);
     EXPECT_FALSE(made.c.equation.empty());
   }
   EXPECT_GE(count, 9);
+}
+
+/// The computed truth of a shipped problem at its end.
+std::vector<double> truth_at_end(const std::string& file) {
+  const cases::TextCase made =
+      cases::text_case(file, formula::read_problem_file(folder + file + ".yaml"));
+  std::vector<double> y(made.c.y0.size());
+  EXPECT_TRUE(made.c.truth.at(made.c.stops.back(), y.data())) << file;
+  return y;
+}
+
+// The test set for initial value problem solvers (Bari) gives these, computed with RADAU5 to a
+// tolerance of 1e-16 or so; 13 digits are held.
+TEST(ShippedProblems, PollutionHasThePublishedSolution) {
+  const double published[] = {
+      0.5646255480022769e-01, 0.1342484130422339e+00, 0.4139734331099427e-08,
+      0.5523140207484359e-02, 0.2018977262302196e-06, 0.1464541863493966e-06,
+      0.7784249118997964e-01, 0.3245075353396018e+00, 0.7494013383880406e-02,
+      0.1622293157301561e-07, 0.1135863833257075e-07, 0.2230505975721359e-02,
+      0.2087162882798630e-03, 0.1396921016840158e-04, 0.8964884856898295e-02,
+      0.4352846369330103e-17, 0.6899219696263405e-02, 0.1007803037365946e-03,
+      0.1772146513969984e-05, 0.5682943292316392e-04};
+  const std::vector<double> y = truth_at_end("pollution");
+  for (std::size_t i = 0; i < y.size(); ++i)
+    EXPECT_NEAR(y[i], published[i], 1e-12 * published[i]) << i;
+}
+
+// Enright, Pryce, Two FORTRAN packages for assessing initial value methods, ACM TOMS 13 (1987),
+// give 16 digits of B5 at 20, which hold to 1e-13.
+TEST(ShippedProblems, TheRigidBodyHasThePublishedSolution) {
+  const double published[] = {-0.9396570798729192, -0.3421177754000779, 0.7414126596199957};
+  const std::vector<double> y = truth_at_end("rigid_body");
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], published[i], 1e-13) << i;
+}
+
+// The initial velocity and the period are published to some 16 digits that count; the three
+// passages of the moon amplify what lies behind them by some 1e4.
+TEST(ShippedProblems, ArenstorfsOrbitCloses) {
+  const std::vector<double> y = truth_at_end("arenstorf"),
+                            start = {0.994, 0, 0, -2.0317326295573368};
+  for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(y[i], start[i], 1e-8) << i;
 }
 
 TEST(GivenCases, AreKnownBesideTheOthers) {

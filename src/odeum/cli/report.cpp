@@ -62,8 +62,13 @@ std::vector<study::Options> runs_of(const study::Study& study, const Options& op
     return narrowed(study.report_runs(options.quick), options,
                     takes_cases && study.declaration().on_cases);
   if (!takes_cases) return {};
-  return {
-      study::Options{.cases = options.given, .solvers = options.solvers, .quick = options.quick}};
+  study::Options run{.cases = options.given, .solvers = options.solvers};
+  // A study without quick runs has one result, which the command of that study may have kept.
+  run.quick = options.quick && !study.declaration().quick_help.empty();
+  // Times are measured anew, with the short limits of a report.
+  if (!study.declaration().no_resume.empty())
+    if (const auto own = study.report_runs(options.quick); !own.empty()) run.own = own.front().own;
+  return {run};
 }
 
 /// The cases of the page.

@@ -1,39 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// long: one grammar, half of it messages.
 #include "odeum/formula/parser.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "odeum/core/glob.hpp"
+#include "odeum/formula/cursor.hpp"
+#include "odeum/formula/names.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum::formula {
 namespace {
 
-const std::map<std::string, Op, std::less<>>& functions() {
-  static const std::map<std::string, Op, std::less<>> all = {
-      {"sin", Op::sin},     {"cos", Op::cos},   {"tan", Op::tan},     {"asin", Op::asin},
-      {"acos", Op::acos},   {"atan", Op::atan}, {"atan2", Op::atan2}, {"sinh", Op::sinh},
-      {"cosh", Op::cosh},   {"tanh", Op::tanh}, {"exp", Op::exp},     {"log", Op::log},
-      {"log10", Op::log10}, {"sqrt", Op::sqrt}, {"abs", Op::abs},     {"sign", Op::sign},
-      {"min", Op::min},     {"max", Op::max},   {"if", Op::choose}};
-  return all;
-}
-
-bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool continues_name(char c) { return begins_name(c) || is_digit(c); }
-
-class Parser {
+class Parser : Cursor {
  public:
   Parser(std::string_view text, const Scope& scope, Graph& graph)
-      : text_(text), scope_(scope), graph_(graph) {}
+      : Cursor(text), scope_(scope), graph_(graph) {}
 
   Id whole() {
     if (text_.size() > longest_expression)
@@ -45,44 +30,6 @@ class Parser {
   }
 
  private:
-  [[noreturn]] static void fail(std::size_t at, const std::string& what) {
-    throw ExpressionError(at, what);
-  }
-  [[noreturn]] void unexpected(char c) {
-    if (c == '\0') fail(at_, "ends too early; got the end, expected a number, a name or (");
-    if (c == '<' || c == '>' || c == '=' || c == '!')
-      fail(at_, fmt::format("a comparison outside of a condition; got {}, expected it in "
-                            "if(condition, a, b)",
-                            c));
-    if (continues_name(c) || c == '(')
-      fail(at_, fmt::format("no operator; got {}, expected + - * / or ^ before it (2*x, not 2x)",
-                            shown(text_.substr(at_, 12))));
-    if (c == ',')
-      fail(at_,
-           "a comma; got it outside of a function's arguments, expected a decimal point or an "
-           "operator");
-    fail(at_, fmt::format("not understood; got {}, expected an operator or the end",
-                          shown(text_.substr(at_, 12))));
-  }
-
-  char peek() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n'))
-      ++at_;
-    return at_ < text_.size() ? text_[at_] : '\0';
-  }
-  bool take(char c) {
-    if (peek() != c) return false;
-    ++at_;
-    return true;
-  }
-  void expect(char c, const char* where) {
-    if (take(c)) return;
-    const std::string got = peek() == '\0' ? "the end" : shown(text_.substr(at_, 12));
-    fail(at_, fmt::format(
-                  "{}; got {}, expected {}{}", where, got, c,
-                  peek() == '\0' ? " (within { } of YAML, quote an expression with a comma)" : ""));
-  }
-
   /// Counts levels of nesting while it exists.
   class Level {
    public:
@@ -111,17 +58,6 @@ class Parser {
     if (graph_.is_constant(id)) require_finite(where, graph_[id].value);
     return id;
   }
-  static void require_finite(std::size_t where, long double value) {
-    if (std::isnan(value))
-      fail(where,
-           "a constant part is not a number; got nan (0/0, or the root or logarithm of a "
-           "negative number), expected a finite number");
-    if (std::abs(value) > static_cast<long double>(std::numeric_limits<double>::max()))
-      fail(where, fmt::format("a constant part is too large; got {}, expected at most 1.8e308 (a "
-                              "division by zero?)",
-                              std::isinf(value) ? "infinity" : fmt::format("{:.3Lg}", value)));
-  }
-
   Id sum() {
     Id left = product();
     while (true) {
@@ -170,7 +106,7 @@ class Parser {
   Id factor() {
     const char c = peek();
     const std::size_t where = at_;
-    if (is_digit(c) || c == '.') return number();
+    if (is_digit(c) || c == '.') return graph_.constant(number());
     if (begins_name(c)) return named();
     if (take('(')) {
       const Id inner = sum();
@@ -181,25 +117,6 @@ class Parser {
     if (c == '\0') unexpected(c);
     fail(where, fmt::format("not understood; got {}, expected a number, a name or (",
                             shown(text_.substr(at_, 12))));
-  }
-
-  Id number() {
-    long double value = 0;
-    const char* const begin = text_.data() + at_;
-    const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
-    const std::string_view read(begin, static_cast<std::size_t>(end - begin));
-    // The range is that of a double; from_chars calls an underflow out of range, too.
-    constexpr auto least = static_cast<long double>(std::numeric_limits<double>::min());
-    if (error == std::errc::result_out_of_range || (value != 0 && value < least) ||
-        value > static_cast<long double>(std::numeric_limits<double>::max()))
-      fail(at_, fmt::format("a number out of range; got {}, expected 0 or 2.3e-308 to 1.8e308",
-                            shown(read)));
-    if (error != std::errc{})
-      fail(at_, fmt::format("not a number; got {}, expected digits", shown(text_.substr(at_, 12))));
-    at_ += read.size();
-    if (at_ < text_.size() && text_[at_] == '.')
-      fail(at_, "a number with two points; got a second one, expected one at most");
-    return graph_.constant(value);
   }
 
   Id named() {
@@ -235,10 +152,9 @@ class Parser {
     for (const auto& [known, id] : scope_.names) candidates.push_back(known);
     for (const auto& [known, array] : scope_.arrays) candidates.push_back(known);
     for (const auto& [known, op] : functions()) candidates.push_back(known);
-    const std::string near = nearest(name, candidates);
     fail(where,
          fmt::format("unknown name; got {}, expected a parameter, a definition, a state or t{}",
-                     shown(name), near.empty() ? "" : "; did you mean " + near + "?"));
+                     shown(name), near_one(name, candidates)));
   }
 
   Id condition() {
@@ -266,10 +182,9 @@ class Parser {
     if (found == functions().end()) {
       std::vector<std::string> known;
       for (const auto& [each, op] : functions()) known.push_back(each);
-      const std::string near = nearest(name == "ln" ? "log" : name, known);
       fail(where, fmt::format("no such function; got {}, expected one of sin cos tan exp log sqrt "
                               "...{}",
-                              shown(name), near.empty() ? "" : "; did you mean " + near + "?"));
+                              shown(name), near_one(name == "ln" ? "log" : name, known)));
     }
     const Op op = found->second;
     const std::size_t wanted = arity(op);
@@ -317,35 +232,12 @@ class Parser {
                             name, value, array.first, array.last()));
   }
 
-  std::string_view text_;
   const Scope& scope_;
   Graph& graph_;
-  std::size_t at_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
-
-std::string fault_of_name(std::string_view name) {
-  if (name.empty() || !begins_name(name[0]) ||
-      !std::all_of(name.begin(), name.end(), continues_name)) {
-    const std::string_view bare = name.substr(0, name.find_last_not_of('\'') + 1);
-    if (bare.size() < name.size() && !bare.empty() && fault_of_name(bare).empty())
-      return fmt::format("not a name; got {}, expected {}: an equation's entry is the derivative",
-                         name, bare);
-    return fmt::format("not a name; got {}, expected letters, digits and _, a letter first",
-                       shown(name));
-  }
-  if (name.size() > 60)
-    return fmt::format("a long name; got {} characters, expected 60 at most", name.size());
-  const bool reserved = name == "t" || name == "pi" || name == "e" || functions().contains(name);
-  if (reserved)
-    return fmt::format("a name that is taken; got {}, which is {}, expected another", name,
-                       name == "t"                  ? "the time"
-                       : functions().contains(name) ? "a function"
-                                                    : "a constant");
-  return "";
-}
 
 Id parse_expression(std::string_view text, const Scope& scope, Graph& graph) {
   return Parser(text, scope, graph).whole();

@@ -41,10 +41,6 @@ struct Scope {
   std::optional<std::int64_t> index;  ///< the value of i
 };
 
-/// A name that a file may give: letters, digits and _, not the name of a function, of a constant or
-/// of t. Returns what is wrong with it; empty: nothing.
-std::string fault_of_name(std::string_view name);
-
 inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes
 inline constexpr int deepest_nesting = 200;
 inline constexpr std::size_t most_nodes = 300'000;  ///< of a graph

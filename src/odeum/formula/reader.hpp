@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/formula/names.hpp"
 #include "odeum/formula/parser.hpp"
 #include "odeum/formula/problem.hpp"
 

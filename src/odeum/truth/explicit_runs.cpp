@@ -8,12 +8,19 @@
 namespace odeum::truth {
 namespace {
 
+/// The states of a midpoint rule, kept from one to the next.
+struct MidpointStates {
+  State before, now, at, f;
+  explicit MidpointStates(std::size_t n) : before(n), now(n), at(n), f(n) {}
+};
+
 /// Gragg's modified midpoint rule with n substeps of h / n, as an increment of y, with smoothing.
 void midpoint_rule(const System& system, Real t, Real h, int n, const State& y, const State& f0,
-                   State& increment) {
+                   MidpointStates& states, State& increment) {
   const std::size_t size = y.size();
   const Real part = h / n;
-  State before(size, 0), now(size), at(size), f(size);
+  auto& [before, now, at, f] = states;
+  std::fill(before.begin(), before.end(), 0);
   for (std::size_t i = 0; i < size; ++i) now[i] = part * f0[i];
   for (int k = 1; k <= n; ++k) {
     for (std::size_t i = 0; i < size; ++i) at[i] = y[i] + now[i];
@@ -35,10 +42,9 @@ void midpoint_rule(const System& system, Real t, Real h, int n, const State& y, 
 Run taylor_run(const System& system, const std::vector<Real>& times, const Effort& effort) {
   constexpr int order = 28;
   const std::size_t n = system.states;
-  State c((order + 1) * n);
+  State c((order + 1) * n), coefficient(n);
   const auto bound = [&](int k, const State& sizes) {
-    const State coefficient(c.begin() + static_cast<std::ptrdiff_t>(n) * k,
-                            c.begin() + static_cast<std::ptrdiff_t>(n) * (k + 1));
+    std::copy_n(c.begin() + static_cast<std::ptrdiff_t>(n) * k, n, coefficient.begin());
     return largest_ratio(coefficient, sizes) / effort.tolerance;
   };
   return march(system, times, effort, order,
@@ -63,33 +69,36 @@ Run extrapolation_run(const System& system, const std::vector<Real>& times, cons
   std::array<State, lines> table;
   for (State& entry : table) entry.resize(n);
   State f0(n), line(n), difference(n);
+  MidpointStates states(n);
   Noise noise(system);
-  return march(system, times, effort, 2 * lines - 1,
-               [&](Real t, Real h, const State& y, const State& sizes) {
-                 Trial trial{.y = y, .work = 0};
-                 system.rhs(t, y.data(), f0.data());
-                 for (int j = 0; j < lines; ++j) {
-                   const int parts = 2 * (j + 1);
-                   midpoint_rule(system, t, h, parts, y, f0, line);
-                   trial.work += system.work * parts;
-                   // Neville's scheme in h^2; table[k] holds the entry of the line above.
-                   for (int k = 0; k < j; ++k) {
-                     const Real ratio = static_cast<Real>(parts) / (2 * (j - k));
-                     const Real weight = 1 / (ratio * ratio - 1);
-                     for (std::size_t i = 0; i < n; ++i) {
-                       const Real left = line[i],
-                                  change = weight * (left - table[static_cast<std::size_t>(k)][i]);
-                       table[static_cast<std::size_t>(k)][i] = left;
-                       line[i] = left + change;
-                       difference[i] = change;
-                     }
-                   }
-                   table[static_cast<std::size_t>(j)] = line;
-                 }
-                 for (std::size_t i = 0; i < n; ++i) trial.y[i] += line[i];
-                 trial.error = noise.ratio(t, h, y, difference, sizes, effort.tolerance);
-                 return trial;
-               });
+  return march(
+      system, times, effort, 2 * lines - 1,
+      [&](Real t, Real h, const State& y, const State& sizes) {
+        Trial trial{.y = y, .work = 0};
+        system.rhs(t, y.data(), f0.data());
+        for (int j = 0; j < lines; ++j) {
+          const int parts = 2 * (j + 1);
+          midpoint_rule(system, t, h, parts, y, f0, states, line);
+          trial.work += system.work * parts;
+          // Neville's scheme in h^2; table[k] holds the entry of the line above.
+          for (int k = 0; k < j; ++k) {
+            const Real ratio = static_cast<Real>(parts) / (2 * (j - k));
+            const Real weight = 1 / (ratio * ratio - 1);
+            for (std::size_t i = 0; i < n; ++i) {
+              const Real left = line[i],
+                         change = weight * (left - table[static_cast<std::size_t>(k)][i]);
+              table[static_cast<std::size_t>(k)][i] = left;
+              line[i] = left + change;
+              difference[i] = change;
+            }
+          }
+          table[static_cast<std::size_t>(j)] = line;
+        }
+        for (std::size_t i = 0; i < n; ++i) trial.y[i] += line[i];
+        trial.error = noise.ratio(t, h, y, difference, sizes, effort.tolerance);
+        return trial;
+      },
+      short_memory);
 }
 
 Run verner_run(const System& system, const std::vector<Real>& times, const Effort& effort) {
@@ -97,13 +106,16 @@ Run verner_run(const System& system, const std::vector<Real>& times, const Effor
   ExplicitRungeKutta<methods::verner98_digits, ExtendedProblem> stepper(problem);
   State error(system.states);
   Noise noise(system);
-  return march(system, times, effort, 9, [&](Real t, Real h, const State& y, const State& sizes) {
-    Trial trial{.y = y, .work = 19 * system.work};
-    stepper.step(t, h, trial.y, error);
-    trial.error = noise.ratio(t, h, y, error, sizes, effort.tolerance);
-    for (const Real x : trial.y) trial.error += 0 * x;
-    return trial;
-  });
+  return march(
+      system, times, effort, 9,
+      [&](Real t, Real h, const State& y, const State& sizes) {
+        Trial trial{.y = y, .work = 19 * system.work};
+        stepper.step(t, h, trial.y, error);
+        trial.error = noise.ratio(t, h, y, error, sizes, effort.tolerance);
+        for (const Real x : trial.y) trial.error += 0 * x;
+        return trial;
+      },
+      short_memory);
 }
 
 }  // namespace odeum::truth

@@ -211,8 +211,8 @@ Run radau_run(const System& system, const std::vector<Real>& times, const Effort
 Run implicit_extrapolation_run(const System& system, const std::vector<Real>& times,
                                const Effort& effort) {
   constexpr int lines = 8;
-  // The weights of the table amplify rounding by some hundreds.
-  const Real tolerance = std::max(effort.tolerance, 1e-16L * (system.rounding / 0x1p-63L));
+  const Real tolerance =
+      std::max(effort.tolerance, finest_implicit_extrapolation * (system.rounding / 0x1p-63L));
   const auto n = static_cast<Index>(system.states);
   std::array<State, lines> table;
   State line(system.states), difference(system.states), at(system.states);

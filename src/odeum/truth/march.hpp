@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,11 +24,13 @@ struct Trial {
 
 /// The size of each component so far, by which errors are measured: a component that passes through
 /// zero has no relative error. One that has always been small is measured with the largest, but not
-/// by less than 1e-6 of that.
-inline void see(State& sizes, const State& y) {
+/// by less than 1e-6 of that. `memory`: what remains of an earlier size after a step, down to 1e-4
+/// of the component's largest, `peaks`.
+inline void see(State& sizes, State& peaks, const State& y, Real memory) {
   Real largest = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
-    sizes[i] = std::max(sizes[i], std::abs(y[i]));
+    peaks[i] = std::max(peaks[i], std::abs(y[i]));
+    sizes[i] = std::max({memory * sizes[i], std::abs(y[i]), 1e-4L * peaks[i]});
     largest = std::max(largest, sizes[i]);
   }
   for (Real& size : sizes) size = std::max(size, 1e-6L * largest);
@@ -85,19 +88,34 @@ class Noise {
   State f_, moved_, above_, below_;
 };
 
+/// By how much a step may change for an error of an order. Double suffices for it, and its power
+/// takes a tenth of the time.
+inline Real step_factor(Real error, int order) {
+  if (!std::isfinite(error)) return 0.25L;
+  if (error == 0) return 4;
+  const auto bounded = static_cast<double>(std::clamp(error, 1e-300L, 1e300L));
+  return 0.9 * std::pow(bounded, -1.0 / order);
+}
+
+/// After a peak, as of a relaxation's speed, an error of its size would be one of all digits of
+/// what follows: it is forgotten after some thousand steps, which are more than a period of an
+/// oscillation takes. Methods that know the noise of f are not asked for less than that.
+constexpr Real short_memory = 0.999L;
+
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
 template <class Step>
 Run march(const System& system, const std::vector<Real>& times, const Effort& effort, int order,
-          Step&& step) {
+          Step&& step, Real memory = 1) {
   Run run;
-  State y = system.y0, sizes(y.size(), 0), f(y.size());
-  see(sizes, y);
+  State y = system.y0, sizes(y.size(), 0), peaks(sizes), f(y.size());
+  see(sizes, peaks, y, memory);
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
   const Real span = times.back() - t;
   const Real slope = largest_ratio(f, sizes);
-  Real last_slope = size_of(f);  // at the last of the times
+  // At the last of the times, which may be the end itself, and at the one before.
+  Real last_slope = size_of(f), earlier_slope = last_slope;
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / 50);
   for (const Real time : times) {
     while (t < time) {
@@ -114,30 +132,27 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
         system.rhs(t, y.data(), f.data());
         // At a kink, where steps vanish too, it is bounded.
         constexpr Real unbounded = 1e6L;
-        if (!(size_of(f) <= unbounded * last_slope)) run.ends_at = t;
+        if (!(size_of(f) <= unbounded * std::min(last_slope, earlier_slope))) run.ends_at = t;
         return run;
       }
       const bool last = t + h * (1 + 1e-6L) >= time;
       const Real used = last ? time - t : h;
       Trial trial = step(t, used, y, sizes);
       run.work += trial.work;
-      const bool finite = std::isfinite(trial.error);
-      const Real factor = !finite            ? 0.25L
-                          : trial.error == 0 ? 4
-                                             : 0.9L * std::pow(trial.error, -1.0L / order);
-      if (!finite || trial.error > 1) {
+      const Real factor = step_factor(trial.error, order);
+      if (!std::isfinite(trial.error) || trial.error > 1) {
         h = used * std::clamp(factor, 0.1L, 0.7L);
         continue;
       }
       y = std::move(trial.y);
-      see(sizes, y);
+      see(sizes, peaks, y, memory);
       t = last ? time : t + used;
       const Real next = used * std::clamp(factor, 0.2L, 3.0L);
       h = std::min(last ? std::max(h, next) : next, span / 50);
     }
     run.states.push_back(y);
     system.rhs(t, y.data(), f.data());
-    last_slope = size_of(f);
+    earlier_slope = std::exchange(last_slope, size_of(f));
   }
   return run;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "odeum/core/parallel.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -19,11 +20,14 @@ constexpr Real moved_by = 0x1p-30L;  // see System::moved_rhs
 struct Family {
   Method first, second;
   const char* words;
+  Method for_moved;  ///< the cheaper one of those without a series
+  Real finest;       ///< tolerance below which `second` does the same
 };
 
 /// Two runs and how they differ.
 struct Comparison {
   Run a, b;
+  bool spent = false;       ///< one of them ended for the work that it took
   std::vector<Real> apart;  ///< by time, as far as both came
   Real worst = 0;           ///< of those that are known
   std::size_t known = 0;    ///< times at which they agree
@@ -63,15 +67,24 @@ class Search {
   Reference find() {
     choose();
     const bool in_double = system_.rounding > 0x1p-60L;
-    Comparison best = compare(in_double ? 1e-11L : 1e-14L);
-    for (const Real tolerance : in_double ? std::vector<Real>{1e-13L, 1e-15L}
-                                          : std::vector<Real>{1e-16L, 2e-18L, 4e-19L}) {
+    std::vector<Real> ladder =
+        in_double ? std::vector<Real>{1e-11L, 1e-13L, 1e-15L} : std::vector<Real>{2e-18L, 4e-19L};
+    Comparison best = compare(ladder.front());
+    const bool whole = best.known == times_.size();
+    // Looser ones where that costs too much, or where rounding adds up in the many steps.
+    if (!in_double && (whole ? best.worst > 1e-13L * size_of(best) : best.spent))
+      ladder = {2e-18L, 1e-16L, 1e-14L};
+    // The same steps again where stability limits them, not the tolerance.
+    const bool limited = best.a.work < 1.3 * brief_work_;
+    if (!in_double && whole && limited && best.worst <= 1e-15L * size_of(best))
+      return reference(best);
+    for (std::size_t k = 1; k < ladder.size(); ++k) {
       // Far below the rounding of double.
       if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
-      Comparison finer = compare(tolerance);
+      Comparison other = compare(ladder[k]);
       const bool better =
-          finer.known > best.known || (finer.known == best.known && finer.worst < best.worst);
-      if (better) best = std::move(finer);
+          other.known > best.known || (other.known == best.known && other.worst < best.worst);
+      if (better) best = std::move(other);
     }
     return reference(best);
   }
@@ -84,12 +97,32 @@ class Search {
     return size;
   }
 
-  Comparison compare(Real tolerance) const {
+  /// On constants that rounding could have moved.
+  Run run_moved() const {
+    System moved = system_;
+    moved.rhs = system_.moved_rhs;
+    moved.y0 = system_.moved_y0;
+    return family_.for_moved(moved, times_, {.tolerance = 1e-13L});
+  }
+
+  Comparison compare(Real tolerance) {
     Comparison c;
     Effort effort{.tolerance = tolerance};
     if (system_.states > 64) effort.budget *= 4;
-    c.a = family_.first(system_, times_, effort);
-    c.b = family_.second(system_, times_, effort);
+    const Effort of_second{std::max(tolerance, family_.finest), effort.budget};
+    const bool again = of_second.tolerance != second_tolerance_;
+    // Both at once, and with the first comparison the run on moved constants.
+    const bool with_moved = system_.moved_rhs && !moved_;
+    Run moved;
+    parallel_for(3, system_.concurrent ? 3 : 1, [&](std::size_t run) {
+      if (run == 0) c.a = family_.first(system_, times_, effort);
+      if (run == 1 && again) second_ = family_.second(system_, times_, of_second);
+      if (run == 2 && with_moved) moved = run_moved();
+    });
+    if (with_moved) moved_ = std::move(moved);
+    second_tolerance_ = of_second.tolerance;
+    c.b = second_;
+    c.spent = c.a.work > effort.budget || c.b.work > effort.budget;
     const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
     Real size = distance(system_.y0, zero_, scale_);
     while (c.known < both) {
@@ -107,12 +140,13 @@ class Search {
   void choose() {
     const bool series = system_.taylor != nullptr;
     const Family plain{verner_run, extrapolation_run,
-                       "Verner's pair 9(8) and Gragg's extrapolation"};
+                       "Verner's pair 9(8) and Gragg's extrapolation", verner_run, 0};
     // The weights of extrapolation amplify rounding: where there is a series, it is not needed.
-    const Family by_series{taylor_run, verner_run, "Taylor's series and Verner's pair 9(8)"};
-    const Family implicit_family{
-        radau_run, implicit_extrapolation_run,
-        "Radau IIA of order 13 and the extrapolated implicit Euler method"};
+    const Family by_series{taylor_run, verner_run, "Taylor's series and Verner's pair 9(8)",
+                           verner_run, 0};
+    const Family implicit_family{radau_run, implicit_extrapolation_run,
+                                 "Radau IIA of order 13 and the extrapolated implicit Euler method",
+                                 radau_run, finest_implicit_extrapolation};
     family_ = series ? by_series : plain;
     const Effort brief{.tolerance = 1e-12L, .budget = 3e8};
     std::size_t farthest = 0;
@@ -127,7 +161,11 @@ class Search {
         farthest = run.states.size();
         family_ = family;
       }
-      if (run.end.empty()) return;
+      if (run.end.empty()) {
+        // The order of a series is too high to tell what limits its steps.
+        if (family.first != taylor_run) brief_work_ = run.work;
+        return;
+      }
     }
   }
 
@@ -136,13 +174,6 @@ class Search {
     r.methods = family_.words;
     r.disagreement = static_cast<double>(best.worst);
     // Rounding of constants is one error with one sign, which two methods share.
-    System moved = system_;
-    std::optional<Run> other;
-    if (system_.moved_rhs) {
-      moved.rhs = system_.moved_rhs;
-      moved.y0 = system_.moved_y0;
-      other = family_.second(moved, times_, {.tolerance = 1e-13L});
-    }
     // The disagreement of two methods can be small by chance at one time, and errors of both can
     // have the same sign; where there are kinks, each misses them alike.
     const Real safety = system_.smooth ? 10 : 100;
@@ -151,8 +182,8 @@ class Search {
       apart = std::max(apart, best.apart[k]);
       largest = std::max(largest, distance(best.a.states[k], zero_, scale_));
       Real constants = 0;
-      if (other && k < other->states.size())
-        constants = distance(best.b.states[k], other->states[k], scale_) / moved_by * 0x1p-64L;
+      if (moved_ && k < moved_->states.size())
+        constants = distance(best.a.states[k], moved_->states[k], scale_) / moved_by * 0x1p-64L;
       r.known_until = static_cast<double>(times_[k]);
       r.times.push_back(r.known_until);
       r.states.push_back(best.a.states[k]);
@@ -181,6 +212,10 @@ class Search {
   State zero_;
   std::vector<Real> times_;
   Family family_{};
+  double brief_work_ = 0;       ///< of `first` at a loose tolerance; 0: not known
+  Run second_;                  ///< the last of `second`
+  Real second_tolerance_ = -1;  ///< at which it was made
+  std::optional<Run> moved_;
 };
 
 }  // namespace

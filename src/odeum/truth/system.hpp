@@ -36,6 +36,8 @@ struct System {
   std::function<void(Real t, const Real* y, Real* f)> moved_rhs;
   State moved_y0;
   bool smooth = true;
+  /// Whether several threads may call the functions at once.
+  bool concurrent = false;
   Real rounding = 0x1p-63L;  ///< of the right-hand side, relative: that of double for foreign code
   double work = 10;          ///< operations of one evaluation, for the budget
 
@@ -71,6 +73,10 @@ Run radau_run(const System& system, const std::vector<Real>& times, const Effort
 /// Extrapolation of the linearly implicit Euler method, order 8 (needs a Jacobian): likewise.
 Run implicit_extrapolation_run(const System& system, const std::vector<Real>& times,
                                const Effort& effort);
+
+/// The finest tolerance of the latter where f is exact to extended precision: the weights of its
+/// table amplify rounding by some hundreds.
+inline constexpr Real finest_implicit_extrapolation = 1e-16L;
 
 /// A computed reference.
 struct Reference {

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace odeum::formula {
+
+/// A place in the text of an expression: what its reader takes from there, and the messages where
+/// it is something else. All throw ExpressionError.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : text_(text) {}
+
+ protected:
+  [[noreturn]] static void fail(std::size_t at, const std::string& what);
+  /// Something other than an operator or the end follows an operand.
+  [[noreturn]] void unexpected(char c) const;
+  /// The next character that is no space; 0: the end.
+  char peek();
+  bool take(char c);
+  /// `where`: what is open.
+  void expect(char c, const char* where);
+  long double number();
+  static void require_finite(std::size_t where, long double value);
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace odeum::formula

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/names.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/input/yaml_tree.hpp"
+
+namespace odeum::formula {
+
+const std::map<std::string, Op, std::less<>>& functions() {
+  static const std::map<std::string, Op, std::less<>> all = {
+      {"sin", Op::sin},     {"cos", Op::cos},   {"tan", Op::tan},     {"asin", Op::asin},
+      {"acos", Op::acos},   {"atan", Op::atan}, {"atan2", Op::atan2}, {"sinh", Op::sinh},
+      {"cosh", Op::cosh},   {"tanh", Op::tanh}, {"exp", Op::exp},     {"log", Op::log},
+      {"log10", Op::log10}, {"sqrt", Op::sqrt}, {"abs", Op::abs},     {"sign", Op::sign},
+      {"min", Op::min},     {"max", Op::max},   {"if", Op::choose}};
+  return all;
+}
+
+std::string near_one(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(name, candidates);
+  return near.empty() ? "" : "; did you mean " + near + "?";
+}
+
+std::string fault_of_name(std::string_view name) {
+  if (name.empty() || !begins_name(name[0]) ||
+      !std::all_of(name.begin(), name.end(), continues_name)) {
+    const std::string_view bare = name.substr(0, name.find_last_not_of('\'') + 1);
+    if (bare.size() < name.size() && !bare.empty() && fault_of_name(bare).empty())
+      return fmt::format("not a name; got {}, expected {}: an equation's entry is the derivative",
+                         name, bare);
+    return fmt::format("not a name; got {}, expected letters, digits and _, a letter first",
+                       shown(name));
+  }
+  if (name.size() > 60)
+    return fmt::format("a long name; got {} characters, expected 60 at most", name.size());
+  const bool reserved = name == "t" || name == "pi" || name == "e" || functions().contains(name);
+  if (reserved)
+    return fmt::format("a name that is taken; got {}, which is {}, expected another", name,
+                       name == "t"                  ? "the time"
+                       : functions().contains(name) ? "a function"
+                                                    : "a constant");
+  return "";
+}
+
+}  // namespace odeum::formula

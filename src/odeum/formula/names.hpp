@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "odeum/formula/graph.hpp"
+
+namespace odeum::formula {
+
+/// The functions of expressions, by name.
+const std::map<std::string, Op, std::less<>>& functions();
+/// "; did you mean ...?" with the candidate that is nearest to a name; empty: none is near.
+std::string near_one(std::string_view name, const std::vector<std::string>& candidates);
+
+inline bool begins_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool continues_name(char c) { return begins_name(c) || is_digit(c); }
+
+/// A name that a file may give: letters, digits and _, not the name of a function, of a constant or
+/// of t. Returns what is wrong with it; empty: nothing.
+std::string fault_of_name(std::string_view name);
+
+}  // namespace odeum::formula
