@@ -35,10 +35,12 @@ TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
       confirmed += order.fit.verdict == judge::Verdict::confirmed;
       as_next += order.passes_as_next;
       // Linear problems need few conditions, so that a method may have a higher order on them, and
-      // above order 8 the leading term does not dominate before rounding; no method may have less
-      // than its order.
-      EXPECT_TRUE(order.fit.verdict == judge::Verdict::confirmed ||
-                  order.fit.verdict == judge::Verdict::higher)
+      // above order 8 the leading term does not dominate before rounding, so that slopes above the
+      // order do not settle; no method may have less than its order.
+      const bool above = order.fit.verdict == judge::Verdict::higher ||
+                         (order.fit.verdict == judge::Verdict::undetermined && row.order > 8 &&
+                          order.fit.order > row.order);
+      EXPECT_TRUE(order.fit.verdict == judge::Verdict::confirmed || above)
           << row.method << " on " << order.ground << ": " << order.fit.reason;
     }
     const int test_problems = static_cast<int>(orders.size());

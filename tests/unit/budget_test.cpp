@@ -50,6 +50,7 @@ TEST(Budget, ThatEndsALadderOfStepsIsNoFailureAndSaysWhatTheNextOneTakes) {
   const judge::OrderFit& fit = result.orders.front().fit;
   ASSERT_EQ(fit.verdict, judge::Verdict::undetermined) << fit.reason;
   ASSERT_NE(fit.reason.find("more than the budget"), std::string::npos) << fit.reason;
+  EXPECT_EQ(fit.why, judge::NoOrder::budget_ends);
   double next = 0;  // the first steps over the budget
   std::size_t over = 0;
   for (const study::ConvergenceRow& row : result.rows) {
@@ -83,6 +84,7 @@ TEST(Budget, ThatEndsEveryRunLeavesTheOrderUndetermined) {
   const auto result = within(40, Mode::fixed, "odeum/implicit_euler");
   const judge::OrderFit& fit = result.orders.front().fit;
   EXPECT_EQ(fit.verdict, judge::Verdict::undetermined);
+  EXPECT_EQ(fit.why, judge::NoOrder::over_budget);
   EXPECT_NE(fit.reason.find("no step size could be solved within the budget"), std::string::npos)
       << fit.reason;
   for (const study::ConvergenceRow& row : result.rows) {
@@ -96,6 +98,7 @@ TEST(Budget, IsNotBlamedForAFailure) {
   const auto result = within(30'000, Mode::fixed, "odeum/rk4");
   const judge::OrderFit& fit = result.orders.front().fit;
   EXPECT_EQ(fit.verdict, judge::Verdict::failed) << fit.reason;
+  EXPECT_EQ(fit.why, judge::NoOrder::unstable);
   EXPECT_EQ(fit.reason.find("budget"), std::string::npos) << fit.reason;
 }
 

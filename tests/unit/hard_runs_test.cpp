@@ -69,6 +69,20 @@ TEST(HardRuns, ImplicitMethodsSolveRobertsonAtAFixedStep) {
     }
 }
 
+// In the step before its last, the estimates of successive lines are 220, 49 and 0.17 tolerances,
+// where the errors are 540, 250 and 240: it passes through zero, and the step was accepted.
+TEST(HardRuns, AnExtrapolationsVanishingEstimateIsNotBelieved) {
+  const Case& c = find_case("damped_oscillator_overdamped");
+  const judge::Judge judge(c, c.stops);
+  const judge::Amplification amplification = judge::measure_amplification(c, c.stops);
+  const Outcome outcome =
+      find_entrant(c, "odeum/gragg_bulirsch_stoer").solve(adaptive_request(1e-8, c.stops));
+  ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+  const auto judged = judge::judge_answer(judge.errors(outcome), amplification, 1e-8, 100,
+                                          c.truth.floor, judge.scale());
+  EXPECT_EQ(judged.answer, judge::Answer::explained) << judged.reason;
+}
+
 // Newton's remainder, multiplied by weights of up to 28, was a floor at 2.6e-11.
 TEST(HardRuns, Sdirk4OnTheFallWithDragConvergesToRounding) {
   const Case& c = find_case("freefall_drag");

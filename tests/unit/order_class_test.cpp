@@ -10,13 +10,6 @@
 namespace odeum::study {
 namespace {
 
-judge::OrderFit fit_of(judge::Verdict verdict, const std::string& reason) {
-  judge::OrderFit fit;
-  fit.verdict = verdict;
-  fit.reason = reason;
-  return fit;
-}
-
 TEST(OrderClass, EveryReasonOfRealRunsHasAClass) {
   Options options;
   options.cases = {"robertson_40", "kepler_e09", "hires"};
@@ -37,7 +30,6 @@ TEST(OrderClass, EveryReasonOfRealRunsHasAClass) {
                                row.fit.verdict == judge::Verdict::undetermined;
     ASSERT_EQ(known != nullptr, without_order) << row.fit.reason;
     if (!known) continue;
-    EXPECT_NE(known->name, "other") << row.case_id << " " << row.solver << ": " << row.fit.reason;
     found.insert(known->name);
     // Each of its steps is far beyond 2.78 / 2400, and the quadratic terms let it blow up.
     if (row.case_id == "robertson_40" && row.solver == "rk4" && row.mode == Mode::fixed) {
@@ -47,28 +39,18 @@ TEST(OrderClass, EveryReasonOfRealRunsHasAClass) {
   EXPECT_GE(found.size(), 3U) << "too few classes to tell anything of their texts";
 }
 
-TEST(OrderClass, TheFirstMarkDecides) {
-  using judge::Verdict;
-  const auto name = [](Verdict verdict, const char* reason) {
-    const OrderClass* const known = class_of(fit_of(verdict, reason));
-    return std::string(known ? known->name : "none");
-  };
-  EXPECT_EQ(name(Verdict::undetermined,
-                 "3 steps give an error that is solved; 4 are needed; 320 steps take about 2e+04 "
-                 "evaluations, more than the budget"),
-            "the budget ends before the order shows");
-  EXPECT_EQ(name(Verdict::undetermined, "3 steps give an error that is solved; 4 are needed"),
-            "rounding is reached after too few points");
-  EXPECT_EQ(name(Verdict::undetermined,
-                 "no step size could be solved within the budget: more than "
-                 "30000 evaluations; first non-finite value: component 0"),
-            "over budget at every setting");
-  EXPECT_EQ(name(Verdict::undetermined,
-                 "order 5.12 down to steps of 0.022, but at 0.0078 the error "
-                 "is 2.4 times what that predicts"),
-            "a finer run denies the order");
-  EXPECT_EQ(name(Verdict::failed, "of a new kind"), "other");
-  EXPECT_EQ(name(Verdict::lower, "converges with order 3 where 4 is claimed"), "none");
+TEST(OrderClass, EveryCauseIsOneClassWithWords) {
+  for (int k = 1;; ++k) {  // after `none`
+    judge::OrderFit fit;
+    fit.why = static_cast<judge::NoOrder>(k);
+    if (to_string(fit.why) == std::string()) break;
+    const OrderClass* const known = class_of(fit);
+    ASSERT_NE(known, nullptr) << to_string(fit.why);
+    EXPECT_EQ(known->why, fit.why) << "two classes of one cause";
+    EXPECT_FALSE(known->name.empty() || known->settles.empty()) << to_string(fit.why);
+  }
+  EXPECT_EQ(order_classes().size(), 11U);
+  EXPECT_EQ(class_of(judge::OrderFit()), nullptr);
 }
 
 }  // namespace

@@ -29,9 +29,10 @@ class OrderAndStepControl {
   template <class ErrorOf>
   Decision attempt(double h, ErrorOf&& error_of) {
     for (line_ = 1;; ++line_) {
-      const double error = error_of(line_);
+      double error = error_of(line_);
       if (!std::isfinite(error)) return {false, h / 4};
       if (!looks_at(line_)) continue;
+      error = error_[at(line_)] = believed(error);
       // The error of line j goes as h^(2 j + 1); (9.16) and the bounds of ODEX.
       const double least = least_factor[at(line_)];
       const double factor = 0.94 * quick_power(0.65 / std::max(error, 1e-16), 1. / (2 * line_ + 1));
@@ -42,10 +43,18 @@ class OrderAndStepControl {
     }
   }
   int line() const { return line_; }
-  bool looks_at(int line) const { return line >= wanted_ - 2; }
+  bool looks_at(int line) const { return line >= wanted_ - 3; }
 
  private:
   static constexpr std::size_t at(int line) { return static_cast<std::size_t>(line); }
+  /// An estimate may pass through zero. It is believed to fall by ten times what it fell by from
+  /// the line before the last to the last one, no more: where lines converge that leaves it as it
+  /// is.
+  double believed(double error) const {
+    if (line_ < 3 || !looks_at(line_ - 2)) return error;
+    const double last = error_[at(line_ - 1)], before = error_[at(line_ - 2)];
+    return std::max(error, 0.1 * last * std::min(1.0, last / before));
+  }
   static int within(int line) { return std::clamp(line, 2, Lines - 2); }
   /// W_j < 0.9 W_k. Line 0 has no error estimate.
   bool cheaper(int j, int k) const {
@@ -95,7 +104,7 @@ class OrderAndStepControl {
     for (int j = 0; j < Lines; ++j) least[at(j)] = std::pow(0.02, 1. / (2 * j + 1));
     return least;
   }();
-  std::array<double, Lines> step_{};
+  std::array<double, Lines> step_{}, error_{};
   bool rejected_ = false;
 };
 

@@ -68,8 +68,11 @@ ErrorFloor find_floor(const std::vector<ErrorPoint>& points, std::size_t end, do
   const PowerLaw law = fit_power_law(points.data() + floor.first, end - floor.first);
   const double should_fall = std::pow(floor.step / points[end - 1].step, claimed_order);
   const bool settled = end - floor.first > fewest && law.half_width < 0.25;
+  // Three points after an error that passed through zero by chance, of which the last two fall.
+  const bool falls =
+      end - floor.first == fewest && local_slope(points[end - 2], points[end - 1]) > 0.5;
   const bool large = scale > 0 && floor.level > unresolved * scale;
-  if (rounding || (!settled && (large || should_fall < stray * stray)))
+  if (rounding || falls || (!settled && (large || should_fall < stray * stray)))
     floor.first = end;
   else
     floor.scale = scale_of(points, floor, end);

@@ -16,6 +16,9 @@ namespace {
 using Points = std::vector<ErrorPoint>;
 
 constexpr double finest_end = 1.65;  // of a window, against the finest step
+constexpr double slopes_before = 4;  // of the steps, beside the coarsest of a window
+// Of the steps of a window that denies the claim by a slope near a whole number, and by any.
+constexpr double short_span = 2, long_span = 8;
 
 // Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
 void merge_same_steps(Points& points) {
@@ -50,8 +53,10 @@ class Fitting {
         claimed_(claimed_order),
         guess_(std::isnan(claimed_order) ? 1 : claimed_order),
         tolerance_(tolerance) {
+    const std::size_t solved = points_.size();
     while (!points_.empty() && points_.back().error <= points_.back().clear_error())
       points_.pop_back();
+    reached_rounding_ = points_.size() < solved;
     certain_end_ = points_.size();
     while (certain_end_ > 0 && !certain(certain_end_ - 1)) --certain_end_;
   }
@@ -74,6 +79,10 @@ class Fitting {
     fit_.verdict = verdict;
     fit_.reason = std::move(reason);
     return fit_;
+  }
+  OrderFit undetermined(NoOrder why, std::string reason) {
+    fit_.why = why;
+    return verdict(Verdict::undetermined, std::move(reason));
   }
 
   /// The first of points [first, certain_end_) that is no rounding and not what `law` predicts;
@@ -146,6 +155,29 @@ class Fitting {
            std::abs(two.order - claimed_) > tolerance_.apart;
   }
 
+  double span(const Window& window) const {
+    return points_[window.first].step / points_[window.end() - 1].step;
+  }
+  /// Whether the slope of a window is an order: constant for long, or a whole number, of which only
+  /// the next above the claim needs no more than one term of the error to vanish.
+  bool is_an_order(const Window& window) const {
+    if (std::isinf(tolerance_.whole)) return true;
+    const double half_width = (fit_.high - fit_.low) / 2, nearest = std::round(fit_.order);
+    const bool whole = nearest > 0 && nearest <= claimed_ + 1 &&
+                       std::abs(fit_.order - nearest) + half_width <= tolerance_.whole;
+    return half_width <= tolerance_.whole && span(window) >= (whole ? short_span : long_span);
+  }
+
+  /// Whether the slopes were higher before the window: a term of lower order has taken over, and
+  /// remains.
+  bool took_over(const Window& window) const {
+    const ErrorPoint& coarsest = points_[window.first];
+    for (std::size_t i = window.first; i-- > 0;)
+      if (points_[i].step >= slopes_before * coarsest.step)
+        return local_slope(points_[i], coarsest) > fit_.high + tolerance_.apart;
+    return false;
+  }
+
   OrderFit floors(const ErrorFloor& floor) {
     fit_.floor = floor.level;
     fit_.floor_step = floor.step;
@@ -168,44 +200,56 @@ class Fitting {
 
   OrderFit settled_elsewhere(const Window& window) {
     if (points_.size() < fewest_points)
-      return verdict(Verdict::undetermined,
-                     fmt::format("{} steps give an error that is solved, converging and clear of "
-                                 "rounding; {} are needed",
-                                 points_.size(), fewest_points));
-    if (!window.count)
-      return verdict(
-          Verdict::undetermined,
+      return undetermined(
+          reached_rounding_ ? NoOrder::few_points : NoOrder::few_solved,
+          fmt::format("{} steps give an error that is solved, converging and clear of "
+                      "rounding; {} are needed",
+                      points_.size(), fewest_points));
+    const auto moving = [&] {
+      return undetermined(
+          NoOrder::unsettled,
           fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
+    };
+    if (!window.count) return moving();
     const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
     if (const std::size_t i = first_stray(window.end(), law); i < certain_end_)
-      return verdict(Verdict::undetermined,
-                     fmt::format("order {:.2f} down to steps of {:.2g}, but at {:.2g} the error is "
-                                 "{:.2g} times what that predicts",
-                                 law.order, fit_.step_finest, points_[i].step,
-                                 points_[i].error / law.at(points_[i].step)));
+      return undetermined(NoOrder::denied,
+                          fmt::format("order {:.2f} down to steps of {:.2g}, but at {:.2g} the "
+                                      "error is {:.2g} times what that predicts",
+                                      law.order, fit_.step_finest, points_[i].step,
+                                      points_[i].error / law.at(points_[i].step)));
     const double finest = points_[std::max<std::size_t>(certain_end_, 1) - 1].step;
-    if (fit_.step_finest > finest_end * finest)
-      return verdict(
-          Verdict::undetermined,
-          fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
+    if (fit_.step_finest > finest_end * finest) return moving();
     // Rounding lowers a slope: a lower one must be seen where errors are no rounding.
     const bool rounding = fit_.order < claimed_ && window.end() > certain_end_;
     if (wide() || rounding || (fit_.low <= claimed_ && claimed_ <= fit_.high))
-      return verdict(Verdict::undetermined,
-                     fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which "
-                                 "does not settle whether it is {:g}",
-                                 fit_.order, fit_.low, fit_.high, claimed_));
+      return undetermined(
+          NoOrder::wide_interval,
+          fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which does not "
+                      "settle whether it is {:g}",
+                      fit_.order, fit_.low, fit_.high, claimed_));
+    return denial(window);
+  }
+
+  // The claim is none of the slopes; what they are instead.
+  OrderFit denial(const Window& window) {
     if (std::abs(fit_.order - claimed_) <= tolerance_.apart)
-      return verdict(Verdict::undetermined,
-                     fmt::format("the slope {:.2f} is near {:g} but has not settled there",
-                                 fit_.order, claimed_));
+      return undetermined(NoOrder::unsettled,
+                          fmt::format("the slope {:.2f} is near {:g} but has not settled there",
+                                      fit_.order, claimed_));
     if (moves_towards(points_, window, claimed_, tolerance_.order) && !denied_by_two_terms())
-      return verdict(
-          Verdict::undetermined,
+      return undetermined(
+          NoOrder::unsettled,
           fmt::format("the slope {:.2f} has not settled: local slopes move towards {:g}, "
                       "to {:.2f} at the finest steps",
                       fit_.order, claimed_,
                       local_slope(points_[window.end() - 2], points_[window.end() - 1])));
+    if (!is_an_order(window) && !(fit_.order < claimed_ && took_over(window)))
+      return undetermined(
+          NoOrder::unsettled,
+          fmt::format("the slope {:.2f} has not settled: over a factor of {:.2g} in "
+                      "the steps it is no order",
+                      fit_.order, span(window)));
     return verdict(
         fit_.order > claimed_ ? Verdict::higher : Verdict::lower,
         fmt::format("converges with order {:.2f} where {:g} is claimed", fit_.order, claimed_));
@@ -215,6 +259,7 @@ class Fitting {
   double claimed_, guess_;
   FitTolerance tolerance_;
   std::size_t certain_end_ = 0;  ///< finer points may be rounding
+  bool reached_rounding_ = false;
   OrderFit fit_;
 };
 
@@ -226,26 +271,6 @@ double ErrorPoint::clear_error() const {
 }
 double ErrorPoint::certain_error() const { return 100 * typical_rounding() + 10 * floor; }
 
-const char* to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::confirmed:
-      return "confirmed";
-    case Verdict::higher:
-      return "higher";
-    case Verdict::lower:
-      return "lower";
-    case Verdict::floors:
-      return "floors";
-    case Verdict::undetermined:
-      return "undetermined";
-    case Verdict::failed:
-      return "failed";
-    case Verdict::not_applicable:
-      return "not_applicable";
-  }
-  return "undetermined";
-}
-
 OrderFit fit_order(const Points& points, double claimed_order, const FitTolerance& tolerance) {
   OrderFit fit;
   Points solved;
@@ -253,6 +278,7 @@ OrderFit fit_order(const Points& points, double claimed_order, const FitToleranc
     if (std::isfinite(point.error)) solved.push_back(point);
   if (solved.empty()) {
     fit.verdict = Verdict::failed;
+    fit.why = NoOrder::few_solved;
     fit.reason = "no step size could be solved";
     return fit;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -11,6 +12,25 @@ namespace odeum::judge {
 enum class Verdict { confirmed, higher, lower, floors, undetermined, failed, not_applicable };
 
 const char* to_string(Verdict verdict);
+
+/// Why a fit with the verdict `undetermined` or `failed` has no order. Whoever makes the runs adds
+/// what a fit cannot know: `refused` to `budget_ends`.
+enum class NoOrder {
+  none,            ///< another verdict
+  refused,         ///< the solver does not take this problem or these settings
+  newton_failed,   ///< at every step
+  step_too_small,  ///< the step control gave up at every tolerance
+  unstable,        ///< at every step: not finite, or many times the solution
+  over_budget,     ///< at every setting
+  budget_ends,     ///< before the order shows
+  few_solved,      ///< too few steps give an error that converges
+  few_points,      ///< too few errors are clear of rounding
+  wide_interval,   ///< of the slope
+  unsettled,       ///< slopes still move, or lie between whole orders over too few steps
+  denied           ///< by finer steps
+};
+
+const char* to_string(NoOrder why);
 
 /// An error measured at a step size, and what is known beforehand of the errors that are not the
 /// method's.
@@ -39,6 +59,7 @@ struct ErrorPoint {
 struct OrderFit {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Verdict verdict = Verdict::undetermined;
+  NoOrder why = NoOrder::none;
   std::string reason;            ///< a sentence, never empty unless confirmed
   double order = nan;            ///< the slope
   double low = nan, high = nan;  ///< its interval, 95 %
@@ -55,6 +76,7 @@ struct FitTolerance {
   double apart;    ///< how far at least, to be another order
   double settled;  ///< how far the local slopes of a window may differ from their mean
   double stray;    ///< the factor by which finer errors may miss the fitted power of the step
+  double whole;    ///< how far another order may lie from a whole one, see fit_order
 };
 /// Fixed steps: neighbouring orders are told apart by 0.15. Above order 4 errors fall to rounding
 /// before the next term of their expansion is negligible, C h^p (1 + D h): a window in which D h
@@ -63,13 +85,13 @@ struct FitTolerance {
 /// between that and twice as much, so that these deny nothing.
 inline constexpr FitTolerance fixed_step_tolerance(double claimed_order) {
   const double order = claimed_order > 4 ? 0.05 * claimed_order : 0.15;
-  return {.order = order, .apart = 2 * order, .settled = 0.1, .stray = 2};
+  return {.order = order, .apart = 2 * order, .settled = 0.1, .stray = 2, .whole = 0.15};
 }
 /// Adaptive runs: the steps vary along the run and with the tolerance, so that errors scatter about
-/// a power of the mean step; whole orders are still told apart.
+/// a power of the mean step; whole orders are still told apart, but slopes need not be whole.
 inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
   const double order = claimed_order > 3 ? 0.15 * claimed_order : 0.5;
-  return {.order = order, .apart = order, .settled = 1.5, .stray = 10};
+  return {.order = order, .apart = order, .settled = 1.5, .stray = 10, .whole = HUGE_VAL};
 }
 
 /// Fits the order of points sorted from coarse to fine over the finest window (window.hpp) clear of
@@ -78,7 +100,11 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 ///   two_term_fit.hpp), and every finer point that is no rounding lies within `stray` of it.
 /// - `floors`: finer points stop falling, and are no rounding.
 /// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere, and do not
-///   move towards the claim. `higher` with an order of NaN: the errors are rounding at all steps.
+///   move towards the claim: the order's interval lies within `whole` of a whole number, at most
+///   one above the claim, over a factor of two in the steps, or is that narrow over a factor of
+///   eight; or they have fallen below the claim. Between whole orders slopes move by 0.17 from one
+///   halving of the step to the next, so that over few steps any number can be read from them.
+///   `higher` with an order of NaN: the errors are rounding at all steps.
 /// - `undetermined`: none of these; `failed`: nothing was solved.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,

@@ -7,6 +7,7 @@
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/rounding.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 
 namespace odeum::study {
 namespace {
@@ -23,7 +24,7 @@ class Measures {
     std::call_once(measured.gain, [&] { measured.values.gain = judge::perturbation_gain(c); });
     if (pair.mode == Mode::adaptive)
       std::call_once(measured.amplification, [&] {
-        measured.values.amplification = judge::measure_amplification(c, c.stops);
+        measured.values.amplification = judge::measure_amplification(c, convergence_stops(c));
       });
     return measured.values;
   }

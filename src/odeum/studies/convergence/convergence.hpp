@@ -71,6 +71,7 @@ struct OrderRow {
   judge::OrderFit fit;
 
   static constexpr const char* file = "orders.csv";
+  static constexpr int schema = 2;  ///< 2: why there is no order
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
@@ -79,6 +80,7 @@ struct OrderRow {
     visit("step_finest", row.fit.step_finest), visit("floor", row.fit.floor);
     visit("verdict", row.fit.verdict), visit("reason", row.fit.reason), visit("mode", row.mode);
     visit("floor_step", row.fit.floor_step), visit("floor_scale", row.fit.floor_scale);
+    visit("no_order", row.fit.why);
   }
 };
 

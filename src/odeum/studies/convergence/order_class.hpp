@@ -7,9 +7,9 @@
 
 namespace odeum::study {
 
-/// Why a pair has no order, as a class of reasons, and what would give it one.
+/// Why a pair has no order, in words, and what would give it one.
 struct OrderClass {
-  std::string_view mark;  ///< a part of the reason, by which it is known
+  judge::NoOrder why;
   std::string_view name, settles;
 };
 

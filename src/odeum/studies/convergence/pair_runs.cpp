@@ -9,6 +9,7 @@
 
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/convergence/extended_order.hpp"
+#include "odeum/studies/convergence/order_reason.hpp"
 #include "odeum/studies/convergence/settings.hpp"
 #include "odeum/studies/foreseen.hpp"
 
@@ -17,11 +18,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2;
-
-double claimed_order(const Pair& pair) {
-  const SolverInfo& info = pair.entrant->info;
-  return pair.mode == Mode::adaptive && info.adaptive_order ? nan : info.order;
-}
 
 template <class Row>
 Row blank_row(const Pair& pair) {
@@ -74,7 +70,7 @@ class PairRuns {
   PairRuns(const Pair& pair, const CaseMeasures& measures)
       : pair_(pair),
         amplification_(measures.amplification),
-        judge_(*pair.c, pair.c->stops),
+        judge_(*pair.c, convergence_stops(*pair.c)),
         rounding_unit_(measures.gain * half_unit * pair.entrant->info.rounding) {}
 
   /// Runs from coarse to fine, until errors are rounding.
@@ -91,29 +87,13 @@ class PairRuns {
     }
   }
 
-  /// Runs extra settings where the order is undetermined.
+  /// Runs extra settings where the order is open: finer steps until errors are rounding, else
+  /// steps between those run.
   void look_again(const Request& like) {
-    const judge::OrderFit first = fit();
-    if (first.verdict != judge::Verdict::undetermined && first.verdict != judge::Verdict::lower &&
-        first.verdict != judge::Verdict::higher)
-      return;
-    // Where runs are long, a low order that is clearly different needs no extra settings; high
-    // orders converge late.
-    const double claimed = claimed_order(pair_);
-    if (first.verdict != judge::Verdict::undetermined && claimed <= 6 &&
-        std::abs(first.order - claimed) > 0.75 && pair_.c->y0.size() > dense_dimension_limit)
-      return;
-    std::vector<std::uint64_t> telling;  // solved, down to the smallest error
-    const std::uint64_t end = steps_of_least_error();
-    for (const Run& run : runs_)
-      if (std::isfinite(run.point.error) && run.row.steps <= end) telling.push_back(run.row.steps);
-    for (const Request& request : second_look(pair_, like, telling, at_floor_ > 0)) {
-      if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
-      std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
-      runs_.push_back(measure(request, pair_.entrant->solve(request)));
-    }
-    std::stable_sort(runs_.begin(), runs_.end(),
-                     [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
+    if (order_is_open() && at_floor_ == 0)
+      run_extra(settings_beyond(pair_, like, telling_steps()), true);
+    if (order_is_open())
+      run_extra(settings_between(pair_, like, telling_steps(), at_floor_ > 0), false);
   }
 
   std::uint64_t steps_of_least_error() const {
@@ -137,7 +117,9 @@ class PairRuns {
         judge::fit_order(points, claimed,
                          pair_.mode == Mode::fixed ? judge::fixed_step_tolerance(claimed)
                                                    : judge::adaptive_tolerance(claimed));
-    say_why(fit);
+    std::vector<const ConvergenceRow*> rows;
+    for (const Run& run : runs_) rows.push_back(&run.row);
+    explain(pair_, rows, costs_, fit);
     return fit;
   }
 
@@ -156,52 +138,56 @@ class PairRuns {
     ConvergenceRow row;
     std::vector<TimeRow> times;
     judge::ErrorPoint point;
+    Status status;
   };
+
+  bool order_is_open() const {
+    const judge::OrderFit now = fit();
+    if (now.verdict == judge::Verdict::undetermined) return true;
+    if (now.verdict != judge::Verdict::lower && now.verdict != judge::Verdict::higher) return false;
+    // Where runs are long, a low order that is clearly different needs no extra settings; high
+    // orders converge late.
+    const double claimed = claimed_order(pair_);
+    return claimed > 6 || !(std::abs(now.order - claimed) > 0.75) ||
+           pair_.c->y0.size() <= dense_dimension_limit;
+  }
+
+  /// Those solved, down to the smallest error.
+  std::vector<std::uint64_t> telling_steps() const {
+    std::vector<std::uint64_t> telling;
+    const std::uint64_t end = steps_of_least_error();
+    for (const Run& run : runs_)
+      if (std::isfinite(run.point.error) && run.row.steps <= end) telling.push_back(run.row.steps);
+    return telling;
+  }
+
+  void run_extra(const std::vector<Request>& requests, bool until_rounding) {
+    for (const Request& request : requests) {
+      if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
+      std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
+      runs_.push_back(measure(request, pair_.entrant->solve(request)));
+      if (!until_rounding || !near_rounding(runs_.back().point)) continue;
+      at_floor_ = 1;
+      break;
+    }
+    std::stable_sort(runs_.begin(), runs_.end(),
+                     [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
+    // Where finer steps than those that the usual budget ended were paid for, it ended nothing.
+    const std::uint64_t solved = steps_of_least_error();
+    std::erase_if(runs_,
+                  [&](const Run& run) { return over_budget(run) && run.row.steps < solved; });
+  }
 
   static bool near_rounding(const judge::ErrorPoint& point) {
     return point.error <= 10 * (point.typical_rounding() + point.floor);
   }
 
-  static bool over_budget(const Run& run) {
-    return run.row.status == to_string(Status::over_budget);
-  }
-
-  /// The reason where runs failed; the required cost where the budget ended them.
-  void say_why(judge::OrderFit& fit) const {
-    if (fit.verdict == judge::Verdict::failed) {
-      const auto other = std::find_if_not(runs_.begin(), runs_.end(), over_budget);
-      if (other == runs_.end()) {
-        fit.verdict = judge::Verdict::undetermined;
-        fit.reason = "no step size could be solved within the budget: " + runs_.front().row.detail;
-      } else if (other->row.status == to_string(Status::ok)) {
-        fit.reason += ": unstable at all of them, with errors too large for a number";
-      } else {
-        fit.reason += fmt::format(": {}, {}", other->row.status, other->row.detail);
-      }
-    } else if (fit.verdict == judge::Verdict::lower || fit.verdict == judge::Verdict::floors) {
-      const bool linearised = pair_.entrant->info.family == "linearly_implicit";
-      if (linearised && !pair_.c->problem.view.jacobian)
-        fit.reason +=
-            "; the Jacobian is taken by differences, and its error of 1e-8 is one of the method's";
-    } else if (fit.verdict == judge::Verdict::undetermined && !costs_.empty()) {
-      const auto first = std::find_if(runs_.begin(), runs_.end(), over_budget);
-      if (first == runs_.end()) return;
-      Request next;
-      next.mode = pair_.mode;
-      next.steps = first->row.steps;
-      next.tolerance = first->row.tolerance;
-      const double work = foreseen_work(costs_, next);
-      fit.reason += pair_.mode == Mode::fixed
-                        ? fmt::format("; {} steps take", next.steps)
-                        : fmt::format("; a tolerance of {:.0e} takes", next.tolerance);
-      fit.reason += fmt::format(" about {:.1g} evaluations, more than the budget", work / 0.75);
-    }
-  }
+  static bool over_budget(const Run& run) { return run.status == Status::over_budget; }
 
   Outcome run_unless_over_budget(const Request& request) {
     Outcome outcome;
     outcome.status = Status::over_budget;
-    if (!runs_.empty() && runs_.back().row.status == to_string(Status::over_budget))
+    if (!runs_.empty() && over_budget(runs_.back()))
       outcome.detail = fmt::format(
           "not run: a coarser setting was over the budget of {} evaluations and products",
           request.budget.evaluations);
@@ -219,7 +205,10 @@ class PairRuns {
   }
 
   Run measure(const Request& request, const Outcome& outcome) const {
-    Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
+    Run run{.row = make_row(pair_, request, outcome),
+            .times = {},
+            .point = {},
+            .status = outcome.status};
     ConvergenceRow& row = run.row;
     run.point = {.step = row.step, .error = nan};
     row.judged.answer = judge::Answer::none;

@@ -11,7 +11,7 @@ ConvergenceResult not_measured(const Pair& pair, const std::string& reason);
 /// What is measured once for a case.
 struct CaseMeasures {
   double gain = 0;                          ///< of rounding, see judge/rounding.hpp
-  judge::Amplification amplification = {};  ///< at the case's stops; for runs to a tolerance alone
+  judge::Amplification amplification = {};  ///< at convergence_stops; for runs to a tolerance alone
 };
 
 /// Runs of one pair from coarse to fine, and the measured order.

@@ -13,23 +13,30 @@ namespace {
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
 constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
 
+std::uint64_t share_of(const Case& c, std::uint64_t steps) {
+  const double share = (convergence_stops(c).back() - c.t0) / (c.stops.back() - c.t0);
+  return std::max(static_cast<std::uint64_t>(std::llround(share * static_cast<double>(steps))),
+                  std::uint64_t{1});
+}
+std::uint64_t multiple_of(const Case& c) { return share_of(c, c.settings.steps_multiple); }
+
 // Step counts from coarse to fine. A factor of two between steps suits low orders; a high order
 // reaches rounding within a few halvings, so that its steps are closer together and start coarser.
 std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
   const int count = p <= 2 ? 11 : p <= 4 ? 16 : p < 8 ? 20 : 23;
-  const double start = static_cast<double>(c.settings.coarsest_steps) / (p <= 4  ? 1
-                                                                         : p < 8 ? 2
-                                                                                 : 4);
+  const double start = static_cast<double>(share_of(c, c.settings.coarsest_steps)) / (p <= 4  ? 1
+                                                                                      : p < 8 ? 2
+                                                                                              : 4);
+  const std::uint64_t multiple = multiple_of(c), finest = share_of(c, c.settings.finest_steps);
   std::vector<std::uint64_t> ladder;
   for (int k = 0; k < count; ++k) {
     const double wanted = start * std::pow(ratio, k);
     if (quick && p > 2 && k % 2 == 1) continue;
-    const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
-    const std::uint64_t steps =
-        static_cast<std::uint64_t>(std::max(units, 1LL)) * c.settings.steps_multiple;
-    if (steps > c.settings.finest_steps && ladder.size() >= 8) break;
+    const auto units = std::llround(wanted / static_cast<double>(multiple));
+    const std::uint64_t steps = static_cast<std::uint64_t>(std::max(units, 1LL)) * multiple;
+    if (steps > finest && ladder.size() >= 8) break;
     if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
   }
   if (quick && ladder.size() > 6) ladder.resize(6);
@@ -38,11 +45,16 @@ std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) 
 
 }  // namespace
 
+std::vector<double> convergence_stops(const Case& c) {
+  if (c.has_tag("cloth") && !c.has_tag("smooth")) return {c.stops.front()};
+  return c.stops;
+}
+
 std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
   std::vector<Request> requests;
   Request request;
   request.mode = pair.mode;
-  request.stops = pair.c->stops;
+  request.stops = convergence_stops(*pair.c);
   request.budget.evaluations = pair.c->settings.evaluation_budget;
   const bool many = pair.c->y0.size() > dense_dimension_limit;
   if (!shows_orders(*pair.c))
@@ -67,21 +79,25 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
   return requests;
 }
 
-namespace {
-
-// Three numbers of steps between each neighbouring two.
-std::vector<Request> settings_between(const Case& c, Request request,
-                                      const std::vector<std::uint64_t>& steps) {
+std::vector<Request> settings_between(const Pair& pair, Request request,
+                                      std::vector<std::uint64_t> telling, bool to_rounding) {
+  const bool small = pair.c->y0.size() <= dense_dimension_limit;
+  const bool smooth = pair.c->has_tag("smooth");
+  if (pair.mode != Mode::fixed || (small ? !smooth && !to_rounding : !smooth || !to_rounding))
+    return {};
+  constexpr std::size_t most_of_long_runs = 5;
+  if (!small && telling.size() > most_of_long_runs)
+    telling.erase(telling.begin(), telling.end() - most_of_long_runs);
   std::vector<Request> requests;
-  const auto multiple = static_cast<double>(c.settings.steps_multiple);
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    const auto coarse = static_cast<double>(steps[i]), fine = static_cast<double>(steps[i + 1]);
-    request.steps = steps[i];
+  const std::uint64_t multiple = multiple_of(*pair.c);
+  for (std::size_t i = 0; i + 1 < telling.size(); ++i) {
+    const auto coarse = static_cast<double>(telling[i]), fine = static_cast<double>(telling[i + 1]);
+    request.steps = telling[i];
     for (const double share : {0.25, 0.5, 0.75}) {
       const double wanted = coarse * std::pow(fine / coarse, share);
-      const auto between =
-          c.settings.steps_multiple * static_cast<std::uint64_t>(std::llround(wanted / multiple));
-      if (between <= request.steps || between >= steps[i + 1]) continue;
+      const auto between = multiple * static_cast<std::uint64_t>(
+                                          std::llround(wanted / static_cast<double>(multiple)));
+      if (between <= request.steps || between >= telling[i + 1]) continue;
       request.steps = between;
       requests.push_back(request);
     }
@@ -89,37 +105,25 @@ std::vector<Request> settings_between(const Case& c, Request request,
   return requests;
 }
 
-// Finer ones, at a larger budget where that of the case is small.
-std::vector<Request> settings_beyond(const Case& c, Request request) {
+std::vector<Request> settings_beyond(const Pair& pair, Request request,
+                                     const std::vector<std::uint64_t>& telling) {
+  const bool small = pair.c->y0.size() <= dense_dimension_limit;
+  const bool smooth = pair.c->has_tag("smooth");
+  if (pair.mode != Mode::fixed || telling.empty() || (!small && !smooth)) return {};
+  // Where runs are cheap to a sixteenth of the step, within a third of a second at a microsecond
+  // for each evaluation.
+  constexpr std::uint64_t cheap = 300'000;
+  std::uint64_t& budget = request.budget.evaluations;
+  budget = small ? std::min(10 * budget, cheap) : 3 * budget;
   std::vector<Request> requests;
-  const auto units =
-      static_cast<double>(request.steps) / static_cast<double>(c.settings.steps_multiple);
-  request.budget.evaluations *= 3;
-  for (int k = 1; k <= 4; ++k) {
-    request.steps = c.settings.steps_multiple *
-                    static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
+  const std::uint64_t multiple = multiple_of(*pair.c);
+  const double units = static_cast<double>(telling.back()) / static_cast<double>(multiple);
+  for (int k = 1; k <= (small ? 8 : 4); ++k) {
+    request.steps =
+        multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
     requests.push_back(request);
   }
   return requests;
-}
-
-}  // namespace
-
-std::vector<Request> second_look(const Pair& pair, const Request& like,
-                                 const std::vector<std::uint64_t>& telling, bool to_rounding) {
-  if (pair.mode != Mode::fixed || telling.empty()) return {};
-  const bool small = pair.c->y0.size() <= dense_dimension_limit;
-  if (!small && !pair.c->has_tag("smooth")) return {};
-  if (small && (to_rounding || pair.c->has_tag("smooth")))
-    return settings_between(*pair.c, like, telling);
-  if (to_rounding)
-    return settings_between(
-        *pair.c, like,
-        {telling.end() - static_cast<std::ptrdiff_t>(std::min<std::size_t>(telling.size(), 5)),
-         telling.end()});
-  Request finest = like;
-  finest.steps = telling.back();
-  return settings_beyond(*pair.c, finest);
 }
 
 }  // namespace odeum::study

@@ -7,14 +7,21 @@
 
 namespace odeum::study {
 
+/// Where a study of convergence measures errors: at a case's stops. A cloth of stiff or
+/// tension-only springs runs to the first of them alone: its order shows at steps of 1e-4 s and
+/// less.
+std::vector<double> convergence_stops(const Case& c);
+
 /// The settings at which a study of convergence runs a pair, from coarse to fine: numbers of steps,
 /// or tolerances from 1e-3 on.
 std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
-/// Extra settings where the order is undetermined: between the numbers of steps in `telling`, or
-/// beyond them where the runs ended before errors reached rounding (`to_rounding`: they did). For
-/// large problems only where they are smooth. All else as in `like`, one of the pair's settings.
-std::vector<Request> second_look(const Pair& pair, const Request& like,
-                                 const std::vector<std::uint64_t>& telling, bool to_rounding);
+/// Extra settings where an order is open: between the numbers of steps in `telling`, from coarse to
+/// fine (`to_rounding`: errors reach it), or beyond the last of them. For large problems only where
+/// they are smooth. All else as in `like`, one of the pair's settings.
+std::vector<Request> settings_between(const Pair& pair, Request like,
+                                      std::vector<std::uint64_t> telling, bool to_rounding);
+std::vector<Request> settings_beyond(const Pair& pair, Request like,
+                                     const std::vector<std::uint64_t>& telling);
 
 }  // namespace odeum::study

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/convergence/order_reason.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace odeum::study {
+namespace {
+
+using judge::NoOrder, judge::OrderFit, judge::Verdict;
+using Rows = std::vector<const ConvergenceRow*>;
+
+constexpr double highest_order_at_kinks = 2;
+
+bool above_kinks(const Pair& pair) {
+  return pair.c->has_tag("kinked") && pair.entrant->info.order > highest_order_at_kinks;
+}
+
+bool over_budget(const ConvergenceRow* row) {
+  return row->status == to_string(Status::over_budget);
+}
+
+NoOrder why_failed(const std::string& status) {
+  constexpr std::pair<Status, NoOrder> known[] = {{Status::refused, NoOrder::refused},
+                                                  {Status::newton_failed, NoOrder::newton_failed},
+                                                  {Status::step_too_small, NoOrder::step_too_small},
+                                                  {Status::non_finite, NoOrder::unstable},
+                                                  {Status::ok, NoOrder::unstable}};
+  for (const auto& [each, why] : known)
+    if (status == to_string(each)) return why;
+  return NoOrder::few_solved;
+}
+
+void explain_failure(const Rows& rows, OrderFit& fit) {
+  const auto other = std::find_if_not(rows.begin(), rows.end(), over_budget);
+  if (other == rows.end()) {
+    // Over any budget, so that it did not begin: a dense matrix of so many unknowns.
+    const bool begun = rows.front()->counters.rhs_evaluations > 0;
+    fit.verdict = Verdict::undetermined;
+    fit.why = begun ? NoOrder::over_budget : NoOrder::refused;
+    fit.reason = "no step size could be solved within the budget: " + rows.front()->detail;
+    return;
+  }
+  fit.why = why_failed((*other)->status);
+  fit.reason += (*other)->status == to_string(Status::ok)
+                    ? ": unstable at all of them, with errors too large for a number"
+                    : fmt::format(": {}, {}", (*other)->status, (*other)->detail);
+}
+
+void add_cost(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs, OrderFit& fit) {
+  const auto first = std::find_if(rows.begin(), rows.end(), over_budget);
+  if (first == rows.end() || costs.empty()) return;
+  Request next;
+  next.mode = pair.mode;
+  next.steps = (*first)->steps;
+  next.tolerance = (*first)->tolerance;
+  const double work = foreseen_work(costs, next);
+  fit.why = NoOrder::budget_ends;
+  fit.reason += pair.mode == Mode::fixed
+                    ? fmt::format("; {} steps take", next.steps)
+                    : fmt::format("; a tolerance of {:.0e} takes", next.tolerance);
+  fit.reason += fmt::format(" about {:.1g} evaluations, more than the budget", work / 0.75);
+}
+
+}  // namespace
+
+double claimed_order(const Pair& pair) {
+  const SolverInfo& info = pair.entrant->info;
+  const bool varies = pair.mode == Mode::adaptive && info.adaptive_order;
+  return varies || above_kinks(pair) ? OrderFit::nan : info.order;
+}
+
+void explain(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs, OrderFit& fit) {
+  if (fit.verdict == Verdict::failed) {
+    explain_failure(rows, fit);
+  } else if (fit.verdict == Verdict::undetermined) {
+    add_cost(pair, rows, costs, fit);
+  } else if (fit.verdict == Verdict::not_applicable) {
+    if (above_kinks(pair))
+      fit.reason =
+          "the right-hand side has kinks: a step across one errs by O(h^2), so that no method has "
+          "an order above 2 on this case";
+  } else if (fit.verdict == Verdict::lower || fit.verdict == Verdict::floors) {
+    const bool linearised = pair.entrant->info.family == "linearly_implicit";
+    if (linearised && !pair.c->problem.view.jacobian)
+      fit.reason +=
+          "; the Jacobian is taken by differences, and its error of 1e-8 is one of the method's";
+  }
+}
+
+}  // namespace odeum::study

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Measured errors that were taken for another order, or for a floor.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/judge/order_fit.hpp"
+#include "support/error_points.hpp"
+
+namespace odeum::judge {
+namespace {
+
+/// Errors of runs over a horizon of 10 on a solution of size 5.
+std::vector<ErrorPoint> measured(const std::vector<double>& steps,
+                                 const std::vector<double>& errors) {
+  std::vector<ErrorPoint> points;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    points.push_back({.step = 10 / steps[i],
+                      .error = errors[i],
+                      .steps = steps[i],
+                      .rounding_unit = half_epsilon / 10,
+                      .scale = 5});
+  return points;
+}
+
+// Measured errors whose slopes agree with each other within a window and fall, or rise, from each
+// to the next: extrapolation of order 12 on the overdamped oscillator was `higher` 14.8
+// by 15.3 14.6 14.4, and sdirk4 on medical Akzo Nobel's problem `lower` 3.54
+// by 3.38 3.47 3.55 3.61, where four and eight times as many steps show 3.83 and 3.91.
+TEST(OrderFit, SlopesThatMoveTowardsTheClaimDoNotDenyIt) {
+  const OrderFit falling =
+      fit_fixed(measured({10, 12, 14, 16, 18, 20},
+                         {5.43e-7, 1.37e-10, 7.06e-12, 9.16e-13, 1.64e-13, 3.61e-14}),
+                12);
+  EXPECT_EQ(falling.verdict, Verdict::undetermined) << falling.order;
+  EXPECT_NE(falling.reason.find("move towards 12"), std::string::npos) << falling.reason;
+  const OrderFit rising = fit_fixed(
+      measured({160, 225, 320, 455, 640}, {5.39e-7, 1.703e-7, 5.025e-8, 1.443e-8, 4.202e-9}), 4);
+  EXPECT_EQ(rising.verdict, Verdict::undetermined) << rising.order;
+  // They settle at another order, or move away from the claim: denied as before.
+  const auto settles = [](double p, double by) {
+    return fit_fixed(
+        ladder(1.26, 12,
+               [=](double h) { return 1e-2 * std::pow(h, p) * std::exp(by * std::pow(h, 2)); }),
+        4);
+  };
+  EXPECT_EQ(settles(3, 0.5).verdict, Verdict::lower) << "slopes of 3.25 to 3, away from 4";
+  EXPECT_EQ(settles(3, -0.5).verdict, Verdict::lower) << "slopes of 2.75 to 3, which settle there";
+  EXPECT_EQ(settles(5, 0.5).verdict, Verdict::higher) << "slopes of 5.25 to 5, which settle there";
+}
+
+// Measured errors whose slopes lie between whole orders, over steps too few to tell: Heun's method
+// on the Pleiades was `higher` 2.50, and is confirmed at finer steps; verner98 on Lorenz's
+// attractor `higher` 11.4, the last slope before rounding.
+TEST(OrderFit, SlopesBetweenWholeOrdersDenyNothingUnlessTheyLast) {
+  const OrderFit heun = fit_fixed(
+      measured({3072, 4344, 6144, 8688, 12288}, {0.7205, 0.3260, 0.1382, 0.05750, 0.02421}), 2);
+  EXPECT_EQ(heun.verdict, Verdict::undetermined) << heun.order;
+  EXPECT_EQ(heun.why, NoOrder::unsettled) << heun.reason;
+  const OrderFit verner =
+      fit_fixed(measured({128, 161, 203, 256, 323, 406, 512},
+                         {1.416e-3, 9.283e-5, 9.394e-6, 6.987e-7, 5.264e-8, 3.943e-9, 2.625e-10}),
+                9);
+  EXPECT_EQ(verner.verdict, Verdict::undetermined) << verner.order;
+  // A slope of 2.5 that lasts over a factor of eight in the steps is what a method shows whose
+  // order is reduced.
+  const auto constant = [](int count) {
+    return fit_fixed(ladder(std::sqrt(2), count, [](double h) { return std::pow(h, 2.5); }), 4);
+  };
+  EXPECT_EQ(constant(5).verdict, Verdict::undetermined) << "a factor of 4";
+  EXPECT_EQ(constant(7).verdict, Verdict::lower) << "a factor of 8";
+  // A whole order is one over fewer.
+  EXPECT_EQ(
+      fit_fixed(ladder(std::sqrt(2), 5, [](double h) { return std::pow(h, 3.1); }), 4).verdict,
+      Verdict::lower);
+}
+
+TEST(OrderFit, SaysWhyThereIsNone) {
+  const auto power = [](double p, int count) {
+    return ladder(1.26, count, [p](double h) { return 1e-2 * std::pow(h, p); });
+  };
+  EXPECT_EQ(fit_fixed(power(5, 12), 5).why, NoOrder::none);
+  EXPECT_EQ(fit_fixed(power(3, 12), 5).why, NoOrder::none) << "another order is one";
+  EXPECT_EQ(fit_fixed(power(5.4, 12), 5).why, NoOrder::unsettled);
+  EXPECT_EQ(fit_fixed(power(5, 3), 5).why, NoOrder::few_solved);
+  const auto falls_to_rounding =
+      ladder(2, 8, [](double h) { return std::max(std::pow(h, 16), half_epsilon); });
+  EXPECT_EQ(fit_fixed(falls_to_rounding, 16).why, NoOrder::few_points);
+  EXPECT_EQ(fit_fixed(ladder(2, 8, [](double) { return std::nan(""); }), 4).why,
+            NoOrder::few_solved);
+  const auto late =
+      ladder(std::sqrt(2), 16, [](double h) { return std::pow(h, 4) + 1e-5 * h * h; });
+  EXPECT_EQ(fit_fixed(late, 4).why, NoOrder::unsettled) << fit_fixed(late, 4).reason;
+}
+
+// seulex on Prothero and Robinson's problem: the error changes its sign at 5120 steps, and falls
+// from both sides of that; three points made a floor of it.
+TEST(OrderFit, AnErrorThatPassesThroughZeroIsNoFloor) {
+  const OrderFit fit =
+      fit_fixed(measured({1280, 1810, 2560, 3620, 5120, 7240, 10240},
+                         {4.54e-11, 3.33e-10, 2.32e-10, 7.02e-11, 2.47e-12, 1.29e-11, 7.23e-12}),
+                5);
+  EXPECT_EQ(fit.verdict, Verdict::undetermined) << fit.reason;
+  // Three that stay where they are, or rise, make one.
+  const OrderFit stays = fit_fixed(measured({640, 1280, 2560, 5120, 10240, 20480},
+                                            {1e-6, 6.25e-8, 3.9e-9, 2.47e-12, 2.9e-12, 2.6e-12}),
+                                   4);
+  EXPECT_EQ(stays.verdict, Verdict::floors) << stays.reason;
+}
+
+}  // namespace
+}  // namespace odeum::judge
