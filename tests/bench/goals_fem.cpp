@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <Eigen/IterativeLinearSolvers>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "odeum/fem/shapes.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/linear/linear_peer.hpp"
+#include "odeum/linear/sparse_eigen.hpp"
 
 namespace odeum::bench {
 namespace {
@@ -55,6 +57,78 @@ Row assembly_row(const fem::Levels& levels, std::size_t threads) {
   return row;
 }
 
+/// What no assembly can leave out: every triangle's area, and a matrix that is written. The copy
+/// goes into memory that is there already.
+Row assembly_bound_row(const fem::Levels& levels) {
+  const auto& [mesh, system] = levels.finest();
+  linear::SparseMatrix written = system.matrix;
+  volatile double sink = 0;
+  const std::vector<Timing> t = interleave({[&, &m = mesh, &from = system.matrix] {
+                                              double sum = 0;
+                                              for (std::size_t k = 0; k < m.triangles.size(); ++k)
+                                                sum += fem::doubled_area(m, k);
+                                              written = from;
+                                              sink = sum;
+                                            },
+                                            [&, &a = system.matrix] { sink = streamed(a); }},
+                                           5);
+  return compare("areas of the triangles and a copy of the matrix / streaming it", std::nan(""),
+                 t[1], t[0]);
+}
+
+/// Own incomplete Cholesky as Eigen's solvers take a preconditioner.
+class InEigen {
+ public:
+  using StorageIndex = int;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
+  void use(const linear::Preconditioner& m) { m_ = &m; }
+  template <class Matrix>
+  InEigen& analyzePattern(const Matrix&) {
+    return *this;
+  }
+  template <class Matrix>
+  InEigen& factorize(const Matrix&) {
+    return *this;
+  }
+  template <class Matrix>
+  InEigen& compute(const Matrix&) {
+    return *this;
+  }
+  template <class Vector>
+  Eigen::VectorXd solve(const Vector& r) const {
+    const Eigen::VectorXd in = r;
+    Eigen::VectorXd z(in.size());
+    m_->apply(in.data(), z.data());
+    return z;
+  }
+  Eigen::ComputationInfo info() const { return Eigen::Success; }
+
+ private:
+  const linear::Preconditioner* m_ = nullptr;
+};
+
+/// Eigen's factor keeps the largest entries of each column, not those where the matrix has some: in
+/// this row both have the same one.
+Row same_preconditioner_row(const fem::Levels& levels) {
+  const auto& system = levels.finest().system;
+  const linear::IncompleteCholesky m(system.matrix);
+  const linear::EigenRows a = linear::eigen_map(system.matrix);
+  const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(
+      system.right.data(), static_cast<Eigen::Index>(system.right.size()));
+  Eigen::ConjugateGradient<linear::EigenRows, Eigen::Lower | Eigen::Upper, InEigen> cg;
+  cg.preconditioner().use(m);
+  cg.compute(a);
+  cg.setTolerance(rule.relative_residual);
+  Eigen::VectorXd x;
+  std::size_t ours = 0;
+  const std::vector<Timing> t = interleave(
+      {[&] { ours = linear::preconditioned_cg(system.matrix, m, system.right, rule).iterations; },
+       [&] { x = cg.solve(b); }},
+      5);
+  return compare("PCG with one and the same incomplete Cholesky: Eigen's time / own", 1, t[0], t[1],
+                 fmt::format("{} and {} iterations", ours, cg.iterations()));
+}
+
 Row eigen_row(const fem::Levels& levels) {
   const auto& system = levels.finest().system;
   const linear::IncompleteCholesky own(system.matrix);
@@ -98,32 +172,44 @@ Row threads_row(const fem::Levels& levels) {
   return compare("PCG with multigrid, solution: one thread / two", std::nan(""), t[1], t[0]);
 }
 
+/// The time per unknown of one problem against that of a quarter of it.
+Row linear_row(const fem::Levels& fine, const fem::Levels& quarter, double goal) {
+  const double all = static_cast<double>(fine.finest().system.right.size()),
+               part = static_cast<double>(quarter.finest().system.right.size());
+  const std::vector<Timing> t = interleave({multigrid_run(fine), multigrid_run(quarter)}, 3);
+  Row row = compare(
+      fmt::format("multigrid, {:.0f} unknowns: time per unknown / that of {:.0f}", all, part), goal,
+      t[1], t[0], fmt::format("{:.0f} ns an unknown", 1e9 * t[0].min / all));
+  row.measured *= part / all, row.low *= part / all, row.high *= part / all;
+  row.at_most = true;
+  return row;
+}
+
 }  // namespace
 
+/// Sizes whose matrices lie in the processor's cache (3 and 10 MB), and that do not (43 and 173
+/// MB).
 std::vector<Row> fem_rows() {
-  const fem::Levels fine = square(6), quarter = square(5), small = square(4);
+  const fem::Levels huge = square(7), fine = square(6), quarter = square(5), small = square(4);
   const auto& system = fine.finest().system;
   const std::vector<Timing> t =
       interleave({multigrid_run(fine),
                   [&] {
                     const linear::IncompleteCholesky m(system.matrix);
                     linear::preconditioned_cg(system.matrix, m, system.right, rule);
-                  },
-                  multigrid_run(quarter)},
+                  }},
                  10);
-  Row linear_row =
-      compare("multigrid: time per unknown / that with a quarter of the unknowns", 1.5, t[2], t[0]);
-  const double factor = static_cast<double>(quarter.finest().system.right.size()) /
-                        static_cast<double>(system.right.size());
-  linear_row.measured *= factor, linear_row.low *= factor, linear_row.high *= factor;
-  linear_row.at_most = true;
   std::vector<Row> rows{
       assembly_row(fine, 1),
       assembly_row(fine, 2),
+      assembly_bound_row(fine),
+      same_preconditioner_row(small),
       eigen_row(small),
       compare("a million triangles: PCG with incomplete Cholesky / with multigrid", 10, t[0], t[1],
               fmt::format("{} unknowns, {:.2g} s", system.right.size(), t[0].min)),
-      linear_row,
+      linear_row(quarter, small, std::nan("")),
+      linear_row(fine, quarter, std::nan("")),
+      linear_row(huge, fine, 1.5),
       threads_row(fine)};
   for (Row& row : cloth_multigrid_rows()) rows.push_back(std::move(row));
   return rows;

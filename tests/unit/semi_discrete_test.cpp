@@ -176,5 +176,35 @@ TEST(FemWave, HasTheNumericalDispersionOfItsScheme) {
   }
 }
 
+// Every solver of another library that fits and chooses its steps.
+TEST(FemCases, PeersFindTheSolutions) {
+  for (const char* id : {"fem_heat", "fem_heat_rough", "fem_wave", "fem_wave_consistent"}) {
+    const Case& c = case_of(id);
+    std::vector<double> truth(c.y0.size());
+    ASSERT_TRUE(c.truth.at(c.stops.back(), truth.data()));
+    std::size_t solved = 0;
+    for (const Entrant& entrant : c.entrants) {
+      if (entrant.info.library == "odeum" || !entrant.unfit.empty() || !entrant.info.adaptive)
+        continue;
+      Request request;
+      request.stops = {c.stops.back()};
+      request.mode = Mode::adaptive, request.tolerance = 1e-5;
+      const Outcome outcome = entrant.solve(request);
+      ASSERT_EQ(outcome.status, Status::ok)
+          << id << ' ' << entrant.info.id() << ' ' << outcome.detail;
+      double error = 0, size = 0;
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        error = std::max(error, std::abs(outcome.states[i] - truth[i]));
+        size = std::max({size, std::abs(truth[i]), std::abs(c.y0[i])});
+      }
+      // Explicit pairs at their limit of stability leave up to 200 times the tolerance; a run that
+      // went wrong leaves the size of the solution.
+      EXPECT_LT(error, 0.02 * size) << id << ' ' << entrant.info.id();
+      ++solved;
+    }
+    EXPECT_GE(solved, c.entrants.size() > 200 ? 60U : 0U) << "with all libraries";
+  }
+}
+
 }  // namespace
 }  // namespace odeum

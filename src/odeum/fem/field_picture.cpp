@@ -37,7 +37,8 @@ std::string field_picture(const TriangleMesh& mesh, const std::vector<double>& v
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double range = *most > *least ? *most - *least : 1;
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.5g} {:.5g}\" width=\"{:.5g}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"field\" viewBox=\"0 0 {:.5g} {:.5g}\" "
+      "width=\"{:.5g}\" "
       "font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\" role=\"img\">\n"
       "<text x=\"4\" y=\"16\">{}</text>\n<g stroke=\"#000000\" stroke-opacity=\"0.35\" "
       "stroke-width=\"0.4\">\n",
