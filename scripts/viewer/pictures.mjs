@@ -8,7 +8,7 @@ const own = ['explicit_euler:fixed', 'velocity_verlet:fixed', 'rk4:fixed', 'vern
 const pictures = {
   convergence: [`#compare?case=damped_oscillator_underdamped&x=step&show=${[...own, 'gsl/rk8pd:fixed', 'bullet/soft_body_force:fixed'].join(',')}`, 'compare'],
   speed: ['#compare?case=robertson_40&x=time', 'compare'],
-  stability: ['#regions?case=damped_oscillator_underdamped&h=0.6&show=odeum/explicit_euler,odeum/rk4,odeum/dormand_prince54,odeint/adams_bashforth_4', 'regions'],
+  stability: ['#regions?case=damped_oscillator_underdamped&h=0.6&show=odeum/explicit_euler,odeum/rk4,odeum/dormand_prince54,odeum/adams_bashforth4', 'regions'],
 };
 const browser = await Browser.open(chromium);
 await browser.size(1000, 900);

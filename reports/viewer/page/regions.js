@@ -97,7 +97,7 @@ const regionTable = (shown) => html('table', { class: 'numbers' }, html('thead',
   html('tbody', {}, shown.map((r, i) => html('tr', {}, html('th', { scope: 'row' }, r.solver), html('td', {}, svg('svg', { viewBox: '0 0 40 8', width: 40, height: 8, 'aria-hidden': 'true', style: { color: colourOf(r.solver.split('/')[0]) } }, svg('path', { class: 'region-line', 'stroke-dasharray': ['', '6 3', '2 3', '9 3 2 3'][i % 4] || null, d: 'M0 4H40' }))),
     ['real', 'imaginary', 'oscillator'].map((axis) => html('td', {}, limitNumber(r.solver, axis) === undefined ? '–' : number(limitNumber(r.solver, axis), 6)))))));
 
-const firstRegions = ['odeum/explicit_euler', 'odeum/rk4', 'odeum/dormand_prince54', 'odeum/verner98', 'odeint/adams_bashforth_4'];
+const firstRegions = ['odeum/explicit_euler', 'odeum/rk4', 'odeum/dormand_prince54', 'odeum/verner98', 'odeum/adams_bashforth4'];
 const showRegions = async (host, given) => {
   const regions = await loadRegions().catch(() => null);
   if (!regions) return host.replaceChildren(html('p', { class: 'missing' }, 'Regions of stability were not measured in this report: odeum stability measures them into its folder.'));
