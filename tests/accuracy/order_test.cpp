@@ -91,13 +91,6 @@ const Exception exceptions[] = {
      2.0,
      5.0,
      mean_step},
-    {"tsitouras54",
-     "cloth11_two_way",
-     Mode::fixed,
-     {undetermined},
-     5.25,
-     5.75,
-     "its leading error term is small: slopes still fall, 5.3 where rounding begins"},
     {"verner98", "duffing_free", Mode::fixed, {higher}, 9.5, 10.5, higher_to_rounding},
     {"verner98", "rc_circuit", Mode::fixed, {undetermined}, 11.0, 12.0, higher_to_rounding},
 };

@@ -15,10 +15,8 @@ namespace {
 
 using Points = std::vector<ErrorPoint>;
 
-constexpr double finest_end = 1.65;  // of a window, against the finest step
-constexpr double slopes_before = 4;  // of the steps, beside the coarsest of a window
-// Of the steps of a window that denies the claim by a slope near a whole number, and by any.
-constexpr double short_span = 2, long_span = 8;
+// A window's finest step against the finest of all; where slopes before it are; how long it is.
+constexpr double finest_end = 1.65, slopes_before = 4, short_span = 2, long_span = 8;
 
 // Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
 void merge_same_steps(Points& points) {
@@ -67,7 +65,7 @@ class Fitting {
     if (std::isnan(claimed_))
       return verdict(Verdict::not_applicable, "the order varies during a run, so none is claimed");
     if (window.count && confirms(window)) return verdict(Verdict::confirmed, "");
-    if (confirmed_by_two_terms()) return fit_;
+    if (!settled_lower(window) && confirmed_by_two_terms()) return fit_;
     if (floor.first < certain_end_) return floors(floor);
     return settled_elsewhere(window);
   }
@@ -95,8 +93,6 @@ class Fitting {
         return i;
     return certain_end_;
   }
-
-  bool wide() const { return fit_.high - fit_.low > claimed_ / 2; }
 
   bool confirms(const Window& window) const {
     const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
@@ -133,6 +129,12 @@ class Fitting {
 
   double finest_slope() const { return local_slope(points_[points_.size() - 2], points_.back()); }
 
+  // Many slopes agree below the claim: two terms through them and points next to rounding say
+  // nothing.
+  bool settled_lower(const Window& window) const {
+    return window.count >= 8 && fit_.high < claimed_ - tolerance_.apart;
+  }
+
   // Slopes that still move, or settle elsewhere than they will: the next term of the error.
   bool confirmed_by_two_terms() {
     const TwoTermFit two = fit_two_terms(points_);
@@ -168,8 +170,7 @@ class Fitting {
     return half_width <= tolerance_.whole && span(window) >= (whole ? short_span : long_span);
   }
 
-  /// Whether the slopes were higher before the window: a term of lower order has taken over, and
-  /// remains.
+  /// Whether the slopes were higher before the window: a term of lower order has taken over.
   bool took_over(const Window& window) const {
     const ErrorPoint& coarsest = points_[window.first];
     for (std::size_t i = window.first; i-- > 0;)
@@ -222,7 +223,8 @@ class Fitting {
     if (fit_.step_finest > finest_end * finest) return moving();
     // Rounding lowers a slope: a lower one must be seen where errors are no rounding.
     const bool rounding = fit_.order < claimed_ && window.end() > certain_end_;
-    if (wide() || rounding || (fit_.low <= claimed_ && claimed_ <= fit_.high))
+    if (fit_.high - fit_.low > claimed_ / 2 || rounding ||
+        (fit_.low <= claimed_ && claimed_ <= fit_.high))
       return undetermined(
           NoOrder::wide_interval,
           fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which does not "

@@ -162,10 +162,15 @@ class PairRuns {
   }
 
   void run_extra(const std::vector<Request>& requests, bool until_rounding) {
+    const bool small = pair_.c->y0.size() <= dense_dimension_limit;
+    double spent = 0;
     for (const Request& request : requests) {
-      if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations)) break;
+      const double left = static_cast<double>(request.budget.evaluations) - spent;
+      if (foreseen_work(costs_, request) > left) break;
       std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
-      runs_.push_back(measure(request, pair_.entrant->solve(request)));
+      const Outcome outcome = pair_.entrant->solve(request);
+      runs_.push_back(measure(request, outcome));
+      if (small && until_rounding) spent += static_cast<double>(outcome.counters.work);
       if (!until_rounding || !near_rounding(runs_.back().point)) continue;
       at_floor_ = 1;
       break;

@@ -110,11 +110,9 @@ std::vector<Request> settings_beyond(const Pair& pair, Request request,
   const bool small = pair.c->y0.size() <= dense_dimension_limit;
   const bool smooth = pair.c->has_tag("smooth");
   if (pair.mode != Mode::fixed || telling.empty() || (!small && !smooth)) return {};
-  // Where runs are cheap to a sixteenth of the step, within a third of a second at a microsecond
-  // for each evaluation.
-  constexpr std::uint64_t cheap = 300'000;
+  // Where runs are cheap to a sixteenth of the step.
   std::uint64_t& budget = request.budget.evaluations;
-  budget = small ? std::min(10 * budget, cheap) : 3 * budget;
+  budget = small ? cheap_evaluations : 3 * budget;
   std::vector<Request> requests;
   const std::uint64_t multiple = multiple_of(*pair.c);
   const double units = static_cast<double>(telling.back()) / static_cast<double>(multiple);

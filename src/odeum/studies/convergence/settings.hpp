@@ -21,6 +21,8 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 /// they are smooth. All else as in `like`, one of the pair's settings.
 std::vector<Request> settings_between(const Pair& pair, Request like,
                                       std::vector<std::uint64_t> telling, bool to_rounding);
+/// Of a small problem's runs beyond, all together: half a second at a microsecond for each.
+inline constexpr std::uint64_t cheap_evaluations = 500'000;
 std::vector<Request> settings_beyond(const Pair& pair, Request like,
                                      const std::vector<std::uint64_t>& telling);
 
