@@ -113,7 +113,7 @@ std::string evaluations_of(const Run& run) {
   return count ? std::to_string(count) : "not counted";
 }
 
-/// Who stays nearest to the exact motion, and who does not, at which cost.
+/// Which run is nearest to the exact motion and which is farthest, with their costs.
 std::string words_of(std::vector<std::pair<double, const Run*>> found) {
   if (found.size() < 2) return {};
   std::sort(found.begin(), found.end());
