@@ -2,66 +2,18 @@
 #include "odeum/studies/precision/precision.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <set>
 
 #include "odeum/contest/inlined.hpp"
 #include "odeum/contest/variants.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/studies/foreseen.hpp"
-#include "odeum/studies/precision/timing.hpp"
-#include "odeum/studies/stopwatch.hpp"
+#include "odeum/studies/precision/guarded.hpp"
 
 namespace odeum::study {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double seconds) {
-  std::vector<Request> requests;
-  Request request;
-  request.stops = stage.stops;
-  request.budget.evaluations = stage.c.settings.evaluation_budget;
-  const bool many = stage.c.y0.size() > dense_dimension_limit;
-  request.budget.evaluations =
-      many ? request.budget.evaluations / 8
-           : std::min<std::uint64_t>(
-                 400'000, static_cast<std::uint64_t>(
-                              stage.stretch() * static_cast<double>(request.budget.evaluations)));
-  request.budget.seconds = seconds;
-  request.mode = mode;
-  if (mode == Mode::adaptive) {
-    // Errors grow along a long horizon: the smallest reachable error needs tolerances near
-    // rounding.
-    const int finest = stage.stretch() > 1 ? 14 : 12;
-    for (int exponent = 3; exponent <= finest; ++exponent) {
-      set_tolerance(request, stage.c, std::pow(10.0, -exponent));
-      requests.push_back(request);
-    }
-    return requests;
-  }
-  const double coarsest = static_cast<double>(stage.c.settings.coarsest_steps) * stage.stretch();
-  for (int k = 0; k < 8; ++k) {
-    const auto units =
-        std::ceil(std::ldexp(coarsest, k) / static_cast<double>(stage.c.settings.steps_multiple));
-    request.steps = static_cast<std::uint64_t>(units) * stage.c.settings.steps_multiple;
-    requests.push_back(request);
-  }
-  return requests;
-}
-
-PrecisionRow blank_row(const TimedCase& stage, const SolverInfo& info, Mode mode) {
-  auto row = named_row<PrecisionRow>(stage.c, info);
-  row.mode = mode;
-  row.jacobian = jacobian_of(stage.c);
-  row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
-  return row;
-}
 
 /// The options that a solver is run with: its defaults and the variants of its library.
 std::vector<Variant> tunings_of(const Entrant& entrant) {
@@ -69,143 +21,6 @@ std::vector<Variant> tunings_of(const Entrant& entrant) {
   if (entrant.unfit.empty())
     for (const Variant& variant : variants_of(entrant.info.id())) tunings.push_back(variant);
   return tunings;
-}
-
-std::string text_of_options(const Variant& options) {
-  std::string text;
-  for (const auto& [name, value] : options)
-    text += fmt::format("{}{}={:g}", text.empty() ? "" : " ", name, value);
-  return text;
-}
-
-std::string absolute_of(const Request& request) {
-  if (request.mode == Mode::fixed) return {};
-  if (request.absolute.empty()) return fmt::format("{:g}", request.tolerance);
-  return fmt::format("{:g}", fmt::join(request.absolute, " "));
-}
-
-TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request& request) {
-  TimedRun trial{.row = blank_row(stage, entrant.info, request.mode),
-                 .request = request,
-                 .states = {},
-                 .times = {}};
-  trial.row.setting = request.mode == Mode::adaptive ? request.tolerance
-                                                     : (request.stops.back() - stage.c.t0) /
-                                                           static_cast<double>(request.steps);
-  trial.row.absolute = absolute_of(request);
-  trial.row.options = text_of_options(request.options);
-  trial.row.judged.answer = judge::Answer::none;
-  return trial;
-}
-
-/// The guarded run, which counts and measures the error.
-TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Request& request) {
-  TimedRun trial = blank_run(stage, entrant, request);
-  const double start = thread_seconds();
-  Outcome outcome = entrant.solve(request);
-  trial.guarded_ns = 1e9 * (thread_seconds() - start);
-  trial.row.status = to_string(outcome.status);
-  trial.row.detail = outcome.detail;
-  trial.row.counters = outcome.counters;
-  if (!trial.ok()) return trial;
-  trial.row.error = 0;
-  const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
-  for (const judge::StopError& error : errors)
-    trial.row.error = std::max(trial.row.error, error.error_max);
-  trial.row.judged = request.mode == Mode::fixed
-                         ? judge::judge_fixed_answer(errors, stage.judge.scale())
-                         : judge::judge_answer(errors, stage.amplification, request.tolerance,
-                                               static_cast<double>(outcome.counters.steps),
-                                               stage.floor, stage.judge.scale());
-  if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
-  trial.states = std::move(outcome.states);
-  return trial;
-}
-
-/// What the next setting of a solver costs at least, by those run so far.
-class Foreseen {
- public:
-  void add(const TimedRun& run) {
-    const double setting = run.request.mode == Mode::fixed ? static_cast<double>(run.request.steps)
-                                                           : 1 / run.request.tolerance;
-    work_.push_back({setting, static_cast<double>(run.row.counters.work)});
-    ns_.push_back({setting, run.guarded_ns});
-  }
-  /// Why the next one is not run; empty: it may be within its budget.
-  std::string excess(const Request& next) const {
-    const char* const because = "not run: by coarser settings it takes more than";
-    if (foreseen_work(work_, next) > static_cast<double>(next.budget.evaluations))
-      return fmt::format("{} {} evaluations and products", because, next.budget.evaluations);
-    if (foreseen_work(ns_, next) > 1e9 * next.budget.seconds)
-      return fmt::format("{} {} s", because, next.budget.seconds);
-    return {};
-  }
-
- private:
-  std::vector<Cost> work_, ns_;
-};
-
-/// Tolerances looser than the first, while that still reaches the largest error compared: a solver
-/// that is more accurate than its tolerance gets there by a looser one.
-void run_looser(const TimedCase& stage, TimedSolver& solver) {
-  for (int more = 0; more < 2; ++more) {
-    const TimedRun& coarsest = solver.trials.front();
-    if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
-    Request request = coarsest.request;
-    set_tolerance(request, stage.c, 10 * request.tolerance);
-    TimedRun looser = run_guarded(stage, *solver.entrant, request);
-    solver.trials.insert(solver.trials.begin(), std::move(looser));
-  }
-}
-
-void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
-  const Entrant& entrant = *solver.entrant;
-  const std::string& reason = entrant.unfit.empty() && solver.mode == Mode::fixed
-                                  ? stage.c.settings.no_fixed_steps
-                                  : entrant.unfit;
-  if (!reason.empty()) {
-    solver.trials.emplace_back().row =
-        not_applicable(blank_row(stage, entrant.info, solver.mode), reason);
-    return;
-  }
-  Foreseen foreseen;
-  for (Request request : settings_of(stage, solver.mode, seconds)) {
-    request.options = solver.options;
-    if (const std::string excess = foreseen.excess(request); !excess.empty()) {
-      solver.trials.push_back(blank_run(stage, entrant, request));
-      solver.trials.back().row.status = to_string(Status::over_budget);
-      solver.trials.back().row.detail = excess;
-      break;
-    }
-    solver.trials.push_back(run_guarded(stage, entrant, request));
-    if (solver.trials.back().ok()) foreseen.add(solver.trials.back());
-    // Finer settings cost more and are not needed.
-    if (solver.trials.back().row.status == to_string(Status::over_budget)) break;
-  }
-  if (solver.mode == Mode::adaptive) run_looser(stage, solver);
-}
-
-/// A library none of whose solvers solves a case within the budget may have one that does beyond:
-/// its solvers that ended over budget run once more, to the loosest tolerance, with thirty times
-/// the evaluations that the case allows.
-void run_beyond_budget(const TimedCase& stage, std::vector<TimedSolver>& solvers,
-                       const Runner& runner, double seconds) {
-  std::set<std::string> solved;
-  for (const TimedSolver& solver : solvers)
-    for (const TimedRun& trial : solver.trials)
-      if (trial.ok()) solved.insert(trial.row.library);
-  parallel_for(solvers.size(), runner.jobs(), [&](std::size_t i) {
-    TimedSolver& solver = solvers[i];
-    if (solver.trials.empty() || solver.trials.front().row.status != to_string(Status::over_budget))
-      return;
-    TimedRun& loosest = solver.trials.front();
-    if (solver.mode != Mode::adaptive || solved.contains(loosest.row.library)) return;
-    Request request = loosest.request;
-    request.budget.evaluations = 30 * stage.c.settings.evaluation_budget;
-    request.budget.seconds = 5 * seconds;
-    loosest = run_guarded(stage, *solver.entrant, request);
-    if (loosest.ok()) loosest.row.detail = "beyond the budget of the other solvers";
-  });
 }
 
 /// Whether a solver is timed in a mode. One that has both is run at fixed steps too where these may
