@@ -78,7 +78,8 @@ const stableText = (c, solver, limit, z) => {
   const eigenvalue = `eigenvalue ${number(z[0], 2)}${z[1] ? ` ± ${number(z[1], 2)}i` : ''} at t = ${number(c.eigenvalues_time)}`;
   if (!Number.isFinite(limit.value)) return `at any step (${eigenvalue}).`;
   if (limit.value === 0) return `at no step, strictly (${eigenvalue}): errors grow, slowly at small steps.`;
-  return `to h ${limit.beyond ? '>' : '='} ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}, which is ${number(limit.value)} / |λ| (${eigenvalue}).`;
+  const far = limit.beyond ? ', as far as the region was measured' : '';
+  return `to h = ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}${far}, which is ${number(limit.value)} / |λ| (${eigenvalue}).`;
 };
 
 // Times of a case that other programs disturbed, by the limits that the study has for a repetition.
