@@ -46,12 +46,12 @@ std::string name_of(const testing::TestParamInfo<Pair>& info) {
 /// Pairs that are not `confirmed`: what they are instead, and why. A case of * stands for every
 /// linear autonomous one.
 struct Exception {
-  const char* method;
-  const char* case_id;
-  Mode mode;
+  const char* method = nullptr;
+  const char* case_id = nullptr;
+  Mode mode = Mode::fixed;
   std::initializer_list<judge::Verdict> verdicts;  ///< one of them is met
-  double low, high;                                ///< and the order lies between
-  const char* reason;
+  double low = 0, high = 0;                        ///< and the order lies between
+  const char* reason = nullptr;
 };
 constexpr const char* sixth_on_linear = "of order 6 on linear problems with constant coefficients";
 constexpr const char* small_leading_term =

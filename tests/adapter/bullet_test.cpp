@@ -101,7 +101,7 @@ TEST(Bullet, FreeFallIsSymplecticEulerWithTheStepRoundedToFloat) {
 
 TEST(Bullet, ForcesOnAMediumAreExplicitEuler) {
   const std::complex<double> lambda(-0.5, 2);
-  const double h = static_cast<double>(static_cast<float>(0.1));
+  const auto h = static_cast<double>(static_cast<float>(0.1));
   const auto exact = std::pow(1.0 + h * lambda, 10);
   const Outcome outcome = medium(lambda)["soft_body_force"].solve(steps(10, {1}));
   EXPECT_NEAR(outcome.states[0], exact.real(), 1e-14);  // ten products of doubles
@@ -146,7 +146,7 @@ TEST(Bullet, ALinkHasALawOfItsOwn) {
 TEST(Bullet, AChainDrivenByForcesIsSymplecticEuler) {
   const scene::Scene scene = chain();
   const scene::SceneProblem problem(scene);
-  const double h = static_cast<double>(static_cast<float>(0.01));
+  const auto h = static_cast<double>(static_cast<float>(0.01));
   auto y = state_of(scene);
   for (int i = 0; i < 100; ++i) {
     double a[9];

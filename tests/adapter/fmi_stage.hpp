@@ -38,13 +38,15 @@ inline void replace(std::string& text, const std::string& from, const std::strin
 
 /// By the version of FMI.
 class Fmus : public testing::TestWithParam<int> {
+ public:
+  ~Fmus() override { fs::remove_all(folder_); }
+
  protected:
   Fmus() { fs::create_directories(folder_); }
-  ~Fmus() override { fs::remove_all(folder_); }
 
   /// A ZIP archive with these entries.
   std::string archive(const Entries& entries) {
-    const std::string file = (folder_ / "model.fmu").string();
+    std::string file = (folder_ / "model.fmu").string();
     zip_t* const zip = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
     EXPECT_TRUE(zip);
     for (const auto& [name, text] : entries)
