@@ -8,6 +8,8 @@
 #include <set>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
 #include "odeum/fem/field_picture.hpp"
 #include "odeum/fem/gmsh_reader.hpp"
 #include "odeum/fem/hierarchy.hpp"
