@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
