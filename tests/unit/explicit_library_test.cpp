@@ -42,8 +42,8 @@ TEST(ExplicitLibrary, HasTheOrdersThatItClaims) {
 TEST(ExplicitLibrary, BothEstimatesOfDormandPrince853Count) {
   constexpr auto& t = methods::dormand_prince853_tableau;
   constexpr auto& third = methods::dormand_prince853_third_order;
-  EXPECT_TRUE(has_exactly_order(t, t.b_hat, 5));
-  EXPECT_TRUE(has_exactly_order(t, third, 3));
+  EXPECT_EQ(order_fault(t, t.b_hat, 5).order, 0);
+  EXPECT_EQ(order_fault(t, third, 3).order, 0);
   methods::dormand_prince853::Stepper<Kepler> stepper{Kepler{}};
   ExplicitRungeKutta<methods::dormand_prince853_tableau, Kepler> plain{Kepler{}};
   const double h = 0.3;

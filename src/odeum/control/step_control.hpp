@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "odeum/control/adaptive.hpp"
@@ -119,21 +120,12 @@ class PredictiveControl {
   bool after_rejection_ = false;
 };
 
-template <Control>
+/// The controllers in the order of the enumeration Control.
+template <Control control>
 struct ControlFor {
-  using type = IntegralControl;
-};
-template <>
-struct ControlFor<Control::proportional_integral> {
-  using type = ProportionalIntegralControl;
-};
-template <>
-struct ControlFor<Control::dead_band> {
-  using type = DeadBandControl;
-};
-template <>
-struct ControlFor<Control::predictive> {
-  using type = PredictiveControl;
+  using type = std::tuple_element_t<
+      static_cast<std::size_t>(control),
+      std::tuple<IntegralControl, ProportionalIntegralControl, DeadBandControl, PredictiveControl>>;
 };
 
 }  // namespace odeum

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/multistep.hpp"
 #include "odeum/tableau/multistep_coefficients.hpp"
 
@@ -52,6 +53,23 @@ class Adams {
   StartingProcedure<OneStep, P> starting_;
   History<K, State<P>> slopes_;
   State<P> predicted_, f_predicted_;
+};
+
+/// Base of an Adams method that is started by the one-step method `Start`.
+template <std::size_t K, bool Correct, class Start>
+struct AdamsMethod : ForAnyProblem {
+  template <class P>
+  using Stepper = Adams<K, Correct, P, typename Start::template Stepper<P>>;
+  static constexpr MethodInfo named(std::string_view id) {
+    return {.id = id,
+            .family = "multistep",
+            .order = K,
+            .one_step = K == 1,
+            .source = Correct ? "Moulton 1926; Hairer, Norsett, Wanner, Solving ODEs I, (III.1.5), "
+                                "(III.1.9), III.1 (PECE)"
+                              : "Bashforth, Adams 1883; Hairer, Norsett, Wanner, Solving ODEs I, "
+                                "(III.1.5)"};
+  }
 };
 
 }  // namespace odeum

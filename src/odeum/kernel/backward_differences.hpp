@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 
+#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/multistep.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/tableau/multistep_coefficients.hpp"
@@ -73,6 +74,22 @@ class BackwardDifferences {
   StartingProcedure<OneStep, P> starting_;
   History<K, State<P>> states_;
   State<P> base_;
+};
+
+/// Base of a BDF that is started by the one-step method `Start`.
+template <std::size_t K, class Start>
+struct BackwardDifferenceMethod : ForAnyProblem {
+  template <class P>
+  using Stepper = BackwardDifferences<K, P, typename Start::template Stepper<P>>;
+  static constexpr MethodInfo named(std::string_view id) {
+    return {.id = id,
+            .family = "multistep",
+            .order = K,
+            .one_step = K == 1,
+            .source =
+                "Curtiss, Hirschfelder 1952; Hairer, Wanner, Solving ODEs II, (V.1.19), V.2 "
+                "(angles)"};
+  }
 };
 
 }  // namespace odeum

@@ -2,21 +2,11 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <utility>
 
+#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
-#include "odeum/tableau/tableau.hpp"
 
 namespace odeum {
-
-/// Stages that depend on earlier ones and themselves only.
-template <std::size_t S>
-constexpr bool is_diagonally_implicit(const Tableau<S>& tableau) {
-  for (std::size_t i = 0; i < S; ++i)
-    for (std::size_t j = i + 1; j < S; ++j)
-      if (tableau.a[i][j] != 0) return false;
-  return true;
-}
 
 /// One step of any diagonally implicit Runge-Kutta method on any problem: for each stage the
 /// equation
@@ -29,7 +19,7 @@ constexpr bool is_diagonally_implicit(const Tableau<S>& tableau) {
 template <const auto& T, Ode P>
 class DiagonallyImplicitRungeKutta {
  public:
-  static_assert(is_diagonally_implicit(T));
+  static_assert(T.is_diagonally_implicit());
   static constexpr std::size_t stages = T.stages;
 
   explicit DiagonallyImplicitRungeKutta(const P& problem)
@@ -138,12 +128,11 @@ class DiagonallyImplicitRungeKutta {
 
 /// Base of a method that is a diagonally implicit tableau and nothing else.
 template <const auto& T>
-struct DiagonallyImplicitMethod {
-  static constexpr const auto& tableau = T;
+struct DiagonallyImplicitMethod : TableauMethod<T> {
   template <class P>
   using Stepper = DiagonallyImplicitRungeKutta<T, P>;
-  static double amplification(double re, double im) {
-    return std::abs(stability_function(T, {re, im}));
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "implicit_rk", T);
   }
 };
 

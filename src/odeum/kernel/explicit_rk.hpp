@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/method.hpp"
 #include "odeum/problem/concepts.hpp"
-#include "odeum/tableau/tableau.hpp"
 
 namespace odeum {
 
@@ -131,12 +131,11 @@ class ExplicitRungeKutta {
 
 /// Base of a method that is an explicit tableau and nothing else.
 template <const auto& T>
-struct ExplicitRungeKuttaMethod {
-  static constexpr const auto& tableau = T;
+struct ExplicitRungeKuttaMethod : TableauMethod<T> {
   template <class P>
   using Stepper = ExplicitRungeKutta<T, P>;
-  static double amplification(double re, double im) {
-    return std::abs(stability_function(T, {re, im}));
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "explicit_rk", T);
   }
 };
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/kernel/stage_system.hpp"
 #include "odeum/linear/dense_limit.hpp"
+#include "odeum/tableau/collocation.hpp"
 
 namespace odeum {
 
@@ -103,12 +104,11 @@ static_assert(dense_dimension_limit == 128, "as `needs` says");
 
 /// Base of a fully implicit method.
 template <const auto& T>
-struct FullyImplicitMethod : ForFewUnknowns {
-  static constexpr const auto& tableau = T;
+struct FullyImplicitMethod : ForFewUnknowns, TableauMethod<T> {
   template <class P>
   using Stepper = FullyImplicitRungeKutta<T, P>;
-  static double amplification(double re, double im) {
-    return std::abs(stability_function(T, {re, im}));
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "implicit_rk", T);
   }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -8,6 +7,7 @@
 
 #include "odeum/core/common_use.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/tableau/order_conditions.hpp"
 
 /// What a file in methods/ holds: a struct whose name is the file's stem and the method's id, with
 ///
@@ -15,9 +15,11 @@
 ///     template <class P> using Stepper = ...;      // one step on problem P, see below
 ///
 /// and one of the needs below as its base (`static bool fits_problem(const auto& problem)` asks at
-/// run time for what only some of the problems behind problem/shared.hpp offer); a Runge-Kutta
-/// method has its coefficients as `static constexpr const auto& tableau`, which mutation tests
-/// alter one by one. A Stepper is built from a problem and has
+/// run time for what only some of the problems behind problem/shared.hpp offer). A method of a
+/// family (ExplicitRungeKuttaMethod, SplittingMethod, AdamsMethod, ...) takes the stepper and what
+/// follows from its coefficients from the family's base, whose header is all that its file
+/// includes; a Runge-Kutta method has its coefficients as `static constexpr const auto& tableau`,
+/// which mutation tests alter one by one. A Stepper is built from a problem and has
 ///
 ///     Status step(double t, double h, State<P>& y);   // y at t becomes y at t + h
 ///
@@ -41,13 +43,13 @@
 /// It needs no constraint: `fits` says what a problem must offer.
 namespace odeum {
 
-/// How an embedded pair chooses its steps, see control/step_control.hpp.
+/// How an embedded pair chooses its steps, see ControlFor in control/step_control.hpp.
 enum class Control { integral, proportional_integral, dead_band, predictive };
 
 struct MethodInfo {
   std::string_view id;
-  std::string_view family;
-  int order;               ///< 0: no claim, since the order varies or the method is exact
+  std::string_view family{};
+  int order = 0;           ///< 0: no claim, since the order varies or the method is exact
   int order_embedded = 0;  ///< order of the embedded row; 0: none
   bool one_step = true;    ///< the next state depends on the present one only
   bool fixed_step = true;  ///< can be run at a fixed step
@@ -58,6 +60,14 @@ struct MethodInfo {
   CommonUse common_use = CommonUse::none;
   std::string_view source;
 };
+
+/// `info` with the family of a method and the orders that its coefficients are proven to have.
+constexpr MethodInfo completed(MethodInfo info, std::string_view family, const auto& coefficients) {
+  info.family = family;
+  info.order = coefficients.order;
+  if constexpr (requires { coefficients.order_hat; }) info.order_embedded = coefficients.order_hat;
+  return info;
+}
 
 /// On which problems of cases/inlined a method is compiled with the right-hand side inlined, as
 /// `static constexpr auto inlined` of it: those that have no stiff case, or those that have one.
@@ -81,6 +91,17 @@ struct ForSeparable {
       "a second-order problem q'' = a(t, q) whose acceleration does not depend on the velocity";
   template <class P>
   static constexpr bool fits = Separable<P>;
+};
+
+/// What follows from the tableau of a Runge-Kutta method. The bases of its families add the
+/// stepper, and `described`, the info of a method that is the tableau and nothing else.
+template <const auto& T>
+struct TableauMethod {
+  static constexpr const auto& tableau = T;
+  /// |R(z)|, z = re + i im.
+  static double amplification(double re, double im) {
+    return std::abs(stability_function(T, {re, im}));
+  }
 };
 
 /// One step of a method at h = 1 on the undamped oscillator q'' = -w^2 q as a matrix on (w q, q'),

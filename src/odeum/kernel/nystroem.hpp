@@ -98,6 +98,7 @@ struct NystroemMethod : ForSeparable {
   static constexpr const auto& nystroem = T;
   template <class P>
   using Stepper = NystroemStepper<T, P>;
+  static constexpr MethodInfo described(MethodInfo info) { return completed(info, "nystroem", T); }
 
   static OscillatorMap oscillator_map(double w) {
     OscillatorMap m{};

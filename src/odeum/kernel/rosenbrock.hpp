@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/method.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/rosenbrock_tableau.hpp"
 
@@ -133,6 +134,9 @@ struct RosenbrockMethod {
   static double amplification(double re, double im) {
     static constexpr auto linear = T.linear_tableau();
     return std::abs(stability_function(linear, {re, im}));
+  }
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "linearly_implicit", T);
   }
 };
 

@@ -51,6 +51,9 @@ struct SplittingMethod : ForSeparable {
   static constexpr const auto& splitting = C;
   template <class P>
   using Stepper = SplittingStepper<C, P>;
+  static constexpr MethodInfo described(MethodInfo info) {
+    return completed(info, "symplectic", C);
+  }
 
   static OscillatorMap oscillator_map(double w) {
     OscillatorMap m{1, 0, 0, 1};

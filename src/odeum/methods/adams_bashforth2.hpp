@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/adams.hpp"
-#include "odeum/kernel/method.hpp"
 #include "odeum/methods/cash_karp54.hpp"
 
 namespace odeum::methods {
 
 /// Adams-Bashforth of order 2, started by Cash and Karp's method.
-struct adams_bashforth2 : ForAnyProblem {
-  static constexpr MethodInfo info{
-      .id = "adams_bashforth2",
-      .family = "multistep",
-      .order = 2,
-      .one_step = false,
-      .source = "Bashforth, Adams 1883; Hairer, Norsett, Wanner, Solving ODEs I, (III.1.5)"};
-  template <class P>
-  using Stepper = Adams<2, false, P, cash_karp54::Stepper<P>>;
+struct adams_bashforth2 : AdamsMethod<2, false, cash_karp54> {
+  static constexpr MethodInfo info = named("adams_bashforth2");
 };
 
 }  // namespace odeum::methods

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/adams.hpp"
-#include "odeum/kernel/method.hpp"
 #include "odeum/methods/cash_karp54.hpp"
 
 namespace odeum::methods {
 
 /// Adams-Bashforth of order 4, started by Cash and Karp's method.
-struct adams_bashforth4 : ForAnyProblem {
-  static constexpr MethodInfo info{
-      .id = "adams_bashforth4",
-      .family = "multistep",
-      .order = 4,
-      .one_step = false,
-      .source = "Bashforth, Adams 1883; Hairer, Norsett, Wanner, Solving ODEs I, (III.1.5)"};
-  template <class P>
-  using Stepper = Adams<4, false, P, cash_karp54::Stepper<P>>;
+struct adams_bashforth4 : AdamsMethod<4, false, cash_karp54> {
+  static constexpr MethodInfo info = named("adams_bashforth4");
 };
 
 }  // namespace odeum::methods

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/backward_differences.hpp"
-#include "odeum/kernel/method.hpp"
 #include "odeum/methods/rodas5p.hpp"
 
 namespace odeum::methods {
 
 /// Backward differentiation formula (BDF) of order 3, A(86.03 degrees)-stable; started by Rodas5P.
-struct bdf3 : ForAnyProblem {
-  static constexpr MethodInfo info{
-      .id = "bdf3",
-      .family = "multistep",
-      .order = 3,
-      .one_step = false,
-      .source =
-          "Curtiss, Hirschfelder 1952; Hairer, Wanner, Solving ODEs II, (V.1.19), V.2 (angles)"};
-  template <class P>
-  using Stepper = BackwardDifferences<3, P, rodas5p::Stepper<P>>;
+struct bdf3 : BackwardDifferenceMethod<3, rodas5p> {
+  static constexpr MethodInfo info = named("bdf3");
 };
 
 }  // namespace odeum::methods

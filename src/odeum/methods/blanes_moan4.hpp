@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -17,11 +15,9 @@ inline constexpr Splitting<7> blanes_moan4_splitting{
 static_assert(proven<blanes_moan4_splitting>() && blanes_moan4_splitting.symmetric());
 
 struct blanes_moan4 : SplittingMethod<blanes_moan4_splitting> {
-  static constexpr MethodInfo info{
-      .id = "blanes_moan4",
-      .family = "symplectic",
-      .order = blanes_moan4_splitting.order,
-      .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313-330, table 3, SRKN_6^b"};
+  static constexpr MethodInfo info = described(
+      {.id = "blanes_moan4",
+       .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313-330, table 3, SRKN_6^b"});
 };
 
 }  // namespace odeum::methods

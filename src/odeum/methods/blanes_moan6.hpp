@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -19,11 +17,9 @@ inline constexpr Splitting<12> blanes_moan6_splitting{
 static_assert(proven<blanes_moan6_splitting>() && blanes_moan6_splitting.symmetric());
 
 struct blanes_moan6 : SplittingMethod<blanes_moan6_splitting> {
-  static constexpr MethodInfo info{
-      .id = "blanes_moan6",
-      .family = "symplectic",
-      .order = blanes_moan6_splitting.order,
-      .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313-330, table 3, SRKN_11^b"};
+  static constexpr MethodInfo info = described(
+      {.id = "blanes_moan6",
+       .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313-330, table 3, SRKN_11^b"});
   static constexpr auto inlined = Inlined::nonstiff;
 };
 

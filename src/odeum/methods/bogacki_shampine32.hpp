@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -18,12 +16,9 @@ inline constexpr Tableau<4> bogacki_shampine32_tableau{
 static_assert(proven<bogacki_shampine32_tableau>());
 
 struct bogacki_shampine32 : ForAnyProblem, ExplicitRungeKuttaMethod<bogacki_shampine32_tableau> {
-  static constexpr MethodInfo info{
-      .id = "bogacki_shampine32",
-      .family = "explicit_rk",
-      .order = bogacki_shampine32_tableau.order,
-      .order_embedded = bogacki_shampine32_tableau.order_hat,
-      .source = "Bogacki, Shampine, Appl. Math. Lett. 2 (1989) 321-325, the pair (3), (2)"};
+  static constexpr MethodInfo info = described(
+      {.id = "bogacki_shampine32",
+       .source = "Bogacki, Shampine, Appl. Math. Lett. 2 (1989) 321-325, the pair (3), (2)"});
 };
 
 }  // namespace odeum::methods

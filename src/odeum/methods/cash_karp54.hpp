@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -24,12 +22,9 @@ inline constexpr Tableau<6> cash_karp54_tableau{
 static_assert(proven<cash_karp54_tableau>());
 
 struct cash_karp54 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_tableau> {
-  static constexpr MethodInfo info{
-      .id = "cash_karp54",
-      .family = "explicit_rk",
-      .order = cash_karp54_tableau.order,
-      .order_embedded = cash_karp54_tableau.order_hat,
-      .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"};
+  static constexpr MethodInfo info =
+      described({.id = "cash_karp54",
+                 .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"});
 };
 
 }  // namespace odeum::methods

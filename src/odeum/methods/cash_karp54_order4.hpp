@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
 #include "odeum/methods/cash_karp54.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -13,11 +11,9 @@ inline constexpr Tableau<6> cash_karp54_order4_tableau =
 static_assert(proven<cash_karp54_order4_tableau>());
 
 struct cash_karp54_order4 : ForAnyProblem, ExplicitRungeKuttaMethod<cash_karp54_order4_tableau> {
-  static constexpr MethodInfo info{
-      .id = "cash_karp54_order4",
-      .family = "explicit_rk",
-      .order = cash_karp54_order4_tableau.order,
-      .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"};
+  static constexpr MethodInfo info =
+      described({.id = "cash_karp54_order4",
+                 .source = "Cash, Karp, ACM TOMS 16 (1990) 201-222, table in section 2"});
 };
 
 }  // namespace odeum::methods

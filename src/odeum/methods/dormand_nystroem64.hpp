@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/nystroem.hpp"
-#include "odeum/tableau/nystroem.hpp"
 
 namespace odeum::methods {
 
@@ -26,12 +24,9 @@ static_assert(proven<dormand_nystroem64_tableau>() && dormand_nystroem64_tableau
               dormand_nystroem64_tableau.reuses_last_stage());
 
 struct dormand_nystroem64 : NystroemMethod<dormand_nystroem64_tableau> {
-  static constexpr MethodInfo info{
-      .id = "dormand_nystroem64",
-      .family = "nystroem",
-      .order = dormand_nystroem64_tableau.order,
-      .order_embedded = dormand_nystroem64_tableau.order_hat,
-      .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 235-250, RKN6(4)6FM"};
+  static constexpr MethodInfo info = described(
+      {.id = "dormand_nystroem64",
+       .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 235-250, RKN6(4)6FM"});
   static constexpr auto inlined = Inlined::nonstiff;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/nystroem.hpp"
-#include "odeum/tableau/nystroem.hpp"
 
 namespace odeum::methods {
 
@@ -37,12 +35,9 @@ static_assert(proven<dormand_nystroem86_tableau>() && dormand_nystroem86_tableau
               dormand_nystroem86_tableau.reuses_last_stage());
 
 struct dormand_nystroem86 : NystroemMethod<dormand_nystroem86_tableau> {
-  static constexpr MethodInfo info{
-      .id = "dormand_nystroem86",
-      .family = "nystroem",
-      .order = dormand_nystroem86_tableau.order,
-      .order_embedded = dormand_nystroem86_tableau.order_hat,
-      .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 423-430, RKN8(6)9FM"};
+  static constexpr MethodInfo info = described(
+      {.id = "dormand_nystroem86",
+       .source = "Dormand, El-Mikkawy, Prince, IMA J. Numer. Anal. 7 (1987) 423-430, RKN8(6)9FM"});
   static constexpr auto inlined = Inlined::nonstiff;
 };
 

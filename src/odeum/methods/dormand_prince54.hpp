@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/dense_output.hpp"
-#include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -34,13 +31,10 @@ inline constexpr std::array<double, 7> dormand_prince54_dense_row{
 static_assert(interpolates<dormand_prince54_tableau, dormand_prince54_dense_row>());
 
 struct dormand_prince54 : ForAnyProblem, ExplicitRungeKuttaMethod<dormand_prince54_tableau> {
-  static constexpr MethodInfo info{
-      .id = "dormand_prince54",
-      .family = "explicit_rk",
-      .order = dormand_prince54_tableau.order,
-      .order_embedded = dormand_prince54_tableau.order_hat,
-      .common_use = CommonUse::tolerance,
-      .source = "Dormand, Prince, J. Comput. Appl. Math. 6 (1980) 19-26, table 2 (RK5(4)7M)"};
+  static constexpr MethodInfo info = described(
+      {.id = "dormand_prince54",
+       .common_use = CommonUse::tolerance,
+       .source = "Dormand, Prince, J. Comput. Appl. Math. 6 (1980) 19-26, table 2 (RK5(4)7M)"});
   static constexpr auto inlined = Inlined::nonstiff;
   static constexpr const auto& dense_row = dormand_prince54_dense_row;
 };

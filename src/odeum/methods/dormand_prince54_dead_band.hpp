@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
 #include "odeum/methods/dormand_prince54.hpp"
 
 namespace odeum::methods {
 
 /// Dormand and Prince's pair 5(4) under integral control with a dead band
 /// (control/step_control.hpp).
-struct dormand_prince54_dead_band : ForAnyProblem,
-                                    ExplicitRungeKuttaMethod<dormand_prince54_tableau> {
-  static constexpr MethodInfo info = [] {
-    MethodInfo same = dormand_prince54::info;
-    same.id = "dormand_prince54_dead_band";
-    same.common_use = CommonUse::none;
-    same.control = Control::dead_band;
-    return same;
-  }();
-  static constexpr const auto& dense_row = dormand_prince54_dense_row;
+struct dormand_prince54_dead_band : dormand_prince54 {
+  static constexpr MethodInfo info = described({.id = "dormand_prince54_dead_band",
+                                                .control = Control::dead_band,
+                                                .source = dormand_prince54::info.source});
 };
 
 }  // namespace odeum::methods

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -51,7 +49,7 @@ static_assert(row_proven<dormand_prince853_tableau, dormand_prince853_third_orde
 /// The solution has order 8. The error estimate is e5 |e5| / sqrt(|e5|^2 + 0.01 |e3|^2), with norms
 /// that weigh a component by 1 / (1 + |y|); it is of size h^6 h^6 / h^4 = h^8, as of an embedded
 /// row of order 7.
-struct dormand_prince853 : ForAnyProblem {
+struct dormand_prince853 : ForAnyProblem, TableauMethod<dormand_prince853_tableau> {
   static constexpr MethodInfo info{
       .id = "dormand_prince853",
       .family = "explicit_rk",
@@ -59,7 +57,6 @@ struct dormand_prince853 : ForAnyProblem {
       .order_embedded = 7,
       .source = "Hairer, Norsett, Wanner, Solving ODEs I, II.5 (DOP853) and II.10, (10.17)"};
   static constexpr auto inlined = Inlined::nonstiff;
-  static constexpr const auto& tableau = dormand_prince853_tableau;
 
   template <class P>
   class Stepper {
@@ -97,10 +94,6 @@ struct dormand_prince853 : ForAnyProblem {
     ExplicitRungeKutta<dormand_prince853_tableau, P> rk_;
     State<P> third_, before_;
   };
-
-  static double amplification(double re, double im) {
-    return std::abs(stability_function(dormand_prince853_tableau, {re, im}));
-  }
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -25,14 +23,11 @@ inline constexpr Tableau<6> esdirk43_tableau{
 static_assert(proven<esdirk43_tableau>());
 
 struct esdirk43 : ForAnyProblem, DiagonallyImplicitMethod<esdirk43_tableau> {
-  static constexpr MethodInfo info{.id = "esdirk43",
-                                   .family = "implicit_rk",
-                                   .order = esdirk43_tableau.order,
-                                   .order_embedded = esdirk43_tableau.order_hat,
-                                   .control = Control::predictive,
-                                   .source =
-                                       "Kennedy, Carpenter, Appl. Numer. Math. 44 (2003) 139-181, "
-                                       "table for ARK4(3)6L[2]SA-ESDIRK"};
+  static constexpr MethodInfo info =
+      described({.id = "esdirk43",
+                 .control = Control::predictive,
+                 .source = "Kennedy, Carpenter, Appl. Numer. Math. 44 (2003) 139-181, "
+                           "table for ARK4(3)6L[2]SA-ESDIRK"});
 };
 
 }  // namespace odeum::methods

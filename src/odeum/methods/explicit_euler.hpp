@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,11 +13,9 @@ inline constexpr Tableau<1> explicit_euler_tableau{
 static_assert(proven<explicit_euler_tableau>());
 
 struct explicit_euler : ForAnyProblem, ExplicitRungeKuttaMethod<explicit_euler_tableau> {
-  static constexpr MethodInfo info{
-      .id = "explicit_euler",
-      .family = "explicit_rk",
-      .order = explicit_euler_tableau.order,
-      .source = "Euler 1768; Hairer, Norsett, Wanner, Solving ODEs I, (I.7.3)"};
+  static constexpr MethodInfo info =
+      described({.id = "explicit_euler",
+                 .source = "Euler 1768; Hairer, Norsett, Wanner, Solving ODEs I, (I.7.3)"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -23,13 +21,10 @@ inline constexpr Tableau<6> fehlberg45_tableau{
 static_assert(proven<fehlberg45_tableau>());
 
 struct fehlberg45 : ForAnyProblem, ExplicitRungeKuttaMethod<fehlberg45_tableau> {
-  static constexpr MethodInfo info{.id = "fehlberg45",
-                                   .family = "explicit_rk",
-                                   .order = fehlberg45_tableau.order,
-                                   .order_embedded = fehlberg45_tableau.order_hat,
-                                   .source =
-                                       "Fehlberg, NASA TR R-315 (1969), table III; Hairer, "
-                                       "Norsett, Wanner, Solving ODEs I, table II.5.1"};
+  static constexpr MethodInfo info =
+      described({.id = "fehlberg45",
+                 .source = "Fehlberg, NASA TR R-315 (1969), table III; Hairer, "
+                           "Norsett, Wanner, Solving ODEs I, table II.5.1"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -33,13 +31,10 @@ inline constexpr Tableau<13> fehlberg78_tableau{
 static_assert(proven<fehlberg78_tableau>());
 
 struct fehlberg78 : ForAnyProblem, ExplicitRungeKuttaMethod<fehlberg78_tableau> {
-  static constexpr MethodInfo info{
-      .id = "fehlberg78",
-      .family = "explicit_rk",
-      .order = fehlberg78_tableau.order,
-      .order_embedded = fehlberg78_tableau.order_hat,
-      .source =
-          "Fehlberg, NASA TR R-287 (1968), table X; Hairer, Norsett, Wanner, Solving ODEs I, II.5"};
+  static constexpr MethodInfo info =
+      described({.id = "fehlberg78",
+                 .source = "Fehlberg, NASA TR R-287 (1968), table X; Hairer, Norsett, Wanner, "
+                           "Solving ODEs I, II.5"});
 };
 
 }  // namespace odeum::methods

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/fully_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -13,11 +10,9 @@ static_assert(collocation_proven(gauss4_tableau, 2, 2));
 static_assert(proven<gauss4_tableau>());
 
 struct gauss4 : FullyImplicitMethod<gauss4_tableau> {
-  static constexpr MethodInfo info{
-      .id = "gauss4",
-      .family = "implicit_rk",
-      .order = gauss4_tableau.order,
-      .source = "Hammer, Hollingsworth 1955; Hairer, Wanner, Solving ODEs II, table IV.5.1"};
+  static constexpr MethodInfo info = described(
+      {.id = "gauss4",
+       .source = "Hammer, Hollingsworth 1955; Hairer, Wanner, Solving ODEs II, table IV.5.1"});
 };
 
 }  // namespace odeum::methods

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/fully_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -13,11 +10,9 @@ static_assert(collocation_proven(gauss6_tableau, 3, 3));
 static_assert(proven<gauss6_tableau>());
 
 struct gauss6 : FullyImplicitMethod<gauss6_tableau> {
-  static constexpr MethodInfo info{
-      .id = "gauss6",
-      .family = "implicit_rk",
-      .order = gauss6_tableau.order,
-      .source = "Kuntzmann 1961, Butcher 1964; Hairer, Wanner, Solving ODEs II, table IV.5.2"};
+  static constexpr MethodInfo info = described(
+      {.id = "gauss6",
+       .source = "Kuntzmann 1961, Butcher 1964; Hairer, Wanner, Solving ODEs II, table IV.5.2"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -16,11 +14,9 @@ inline constexpr Tableau<2> heun_tableau{
 static_assert(proven<heun_tableau>());
 
 struct heun : ForAnyProblem, ExplicitRungeKuttaMethod<heun_tableau> {
-  static constexpr MethodInfo info{
-      .id = "heun",
-      .family = "explicit_rk",
-      .order = heun_tableau.order,
-      .source = "Heun 1900; Runge 1895; Butcher, Numerical Methods for ODEs, table 232(I)"};
+  static constexpr MethodInfo info = described(
+      {.id = "heun",
+       .source = "Heun 1900; Runge 1895; Butcher, Numerical Methods for ODEs, table 232(I)"});
 };
 
 }  // namespace odeum::methods

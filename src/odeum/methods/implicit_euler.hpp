@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,13 +13,11 @@ inline constexpr Tableau<1> implicit_euler_tableau{
 static_assert(proven<implicit_euler_tableau>());
 
 struct implicit_euler : ForAnyProblem, DiagonallyImplicitMethod<implicit_euler_tableau> {
-  static constexpr MethodInfo info{
-      .id = "implicit_euler",
-      .family = "implicit_rk",
-      .order = implicit_euler_tableau.order,
-      .common_use = CommonUse::engine,
-      .source =
-          "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"};
+  static constexpr MethodInfo info = described(
+      {.id = "implicit_euler",
+       .common_use = CommonUse::engine,
+       .source =
+           "Cauchy 1824; Hairer, Wanner, Solving ODEs II, (IV.1.2); Newton's method as in IV.8"});
 };
 
 }  // namespace odeum::methods

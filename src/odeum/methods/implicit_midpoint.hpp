@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -16,12 +14,10 @@ inline constexpr Tableau<1> implicit_midpoint_tableau{
 static_assert(proven<implicit_midpoint_tableau>());
 
 struct implicit_midpoint : ForAnyProblem, DiagonallyImplicitMethod<implicit_midpoint_tableau> {
-  static constexpr MethodInfo info{
-      .id = "implicit_midpoint",
-      .family = "implicit_rk",
-      .order = implicit_midpoint_tableau.order,
-      .common_use = CommonUse::fixed_step,
-      .source = "Hairer, Wanner, Solving ODEs II, (IV.3.5), table IV.5.1"};
+  static constexpr MethodInfo info =
+      described({.id = "implicit_midpoint",
+                 .common_use = CommonUse::fixed_step,
+                 .source = "Hairer, Wanner, Solving ODEs II, (IV.3.5), table IV.5.1"});
 };
 
 }  // namespace odeum::methods

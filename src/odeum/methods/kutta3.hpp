@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,12 +13,10 @@ inline constexpr Tableau<3> kutta3_tableau{
 static_assert(proven<kutta3_tableau>());
 
 struct kutta3 : ForAnyProblem, ExplicitRungeKuttaMethod<kutta3_tableau> {
-  static constexpr MethodInfo info{
-      .id = "kutta3",
-      .family = "explicit_rk",
-      .order = kutta3_tableau.order,
-      .source =
-          "Kutta, Z. Math. Phys. 46 (1901) 435-453; Hairer, Norsett, Wanner, Solving ODEs I, II.1"};
+  static constexpr MethodInfo info =
+      described({.id = "kutta3",
+                 .source = "Kutta, Z. Math. Phys. 46 (1901) 435-453; Hairer, Norsett, Wanner, "
+                           "Solving ODEs I, II.1"});
 };
 
 }  // namespace odeum::methods

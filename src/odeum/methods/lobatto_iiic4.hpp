@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/fully_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -17,11 +14,9 @@ static_assert(proven<lobatto_iiic4_tableau>());
 static_assert(collocation_proven(lobatto_iiic4_tableau, 2, 2));
 
 struct lobatto_iiic4 : FullyImplicitMethod<lobatto_iiic4_tableau> {
-  static constexpr MethodInfo info{
-      .id = "lobatto_iiic4",
-      .family = "implicit_rk",
-      .order = lobatto_iiic4_tableau.order,
-      .source = "Chipman 1971; Hairer, Wanner, Solving ODEs II, table IV.5.11"};
+  static constexpr MethodInfo info =
+      described({.id = "lobatto_iiic4",
+                 .source = "Chipman 1971; Hairer, Wanner, Solving ODEs II, table IV.5.11"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -15,11 +13,9 @@ inline constexpr Splitting<2> mclachlan_atela2_splitting{
 static_assert(proven<mclachlan_atela2_splitting>());
 
 struct mclachlan_atela2 : SplittingMethod<mclachlan_atela2_splitting> {
-  static constexpr MethodInfo info{
-      .id = "mclachlan_atela2",
-      .family = "symplectic",
-      .order = mclachlan_atela2_splitting.order,
-      .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541-562, table 2"};
+  static constexpr MethodInfo info =
+      described({.id = "mclachlan_atela2",
+                 .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541-562, table 2"});
 };
 
 }  // namespace odeum::methods

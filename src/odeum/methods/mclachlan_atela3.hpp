@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -16,11 +14,9 @@ inline constexpr Splitting<3> mclachlan_atela3_splitting{
 static_assert(proven<mclachlan_atela3_splitting>());
 
 struct mclachlan_atela3 : SplittingMethod<mclachlan_atela3_splitting> {
-  static constexpr MethodInfo info{
-      .id = "mclachlan_atela3",
-      .family = "symplectic",
-      .order = mclachlan_atela3_splitting.order,
-      .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541-562, table 2"};
+  static constexpr MethodInfo info =
+      described({.id = "mclachlan_atela3",
+                 .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541-562, table 2"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,11 +13,9 @@ inline constexpr Tableau<2> midpoint_tableau{
 static_assert(proven<midpoint_tableau>());
 
 struct midpoint : ForAnyProblem, ExplicitRungeKuttaMethod<midpoint_tableau> {
-  static constexpr MethodInfo info{
-      .id = "midpoint",
-      .family = "explicit_rk",
-      .order = midpoint_tableau.order,
-      .source = "Runge 1895; Hairer, Norsett, Wanner, Solving ODEs I, (II.1.4)"};
+  static constexpr MethodInfo info =
+      described({.id = "midpoint",
+                 .source = "Runge 1895; Hairer, Norsett, Wanner, Solving ODEs I, (II.1.4)"});
 };
 
 }  // namespace odeum::methods

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/fully_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -13,11 +10,9 @@ static_assert(collocation_proven(radau_iia3_tableau, 2, 1));
 static_assert(proven<radau_iia3_tableau>());
 
 struct radau_iia3 : FullyImplicitMethod<radau_iia3_tableau> {
-  static constexpr MethodInfo info{
-      .id = "radau_iia3",
-      .family = "implicit_rk",
-      .order = radau_iia3_tableau.order,
-      .source = "Ehle 1969, Axelsson 1969; Hairer, Wanner, Solving ODEs II, table IV.5.5"};
+  static constexpr MethodInfo info = described(
+      {.id = "radau_iia3",
+       .source = "Ehle 1969, Axelsson 1969; Hairer, Wanner, Solving ODEs II, table IV.5.5"});
 };
 
 }  // namespace odeum::methods

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/control/radau_control.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -13,12 +10,10 @@ static_assert(collocation_proven(radau_iia5_tableau, 3, 2));
 static_assert(proven<radau_iia5_tableau>());
 
 struct radau_iia5 : RadauMethod<radau_iia5_tableau> {
-  static constexpr MethodInfo info{
-      .id = "radau_iia5",
-      .family = "implicit_rk",
-      .order = radau_iia5_tableau.order,
-      .controller = "embedded estimate of order 3, predictive",
-      .source = "Ehle 1969; Hairer, Wanner, Solving ODEs II, table IV.5.6 and section IV.8"};
+  static constexpr MethodInfo info = described(
+      {.id = "radau_iia5",
+       .controller = "embedded estimate of order 3, predictive",
+       .source = "Ehle 1969; Hairer, Wanner, Solving ODEs II, table IV.5.6 and section IV.8"});
   static constexpr auto inlined = Inlined::stiff;
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/control/radau_control.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/collocation.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -12,12 +9,11 @@ inline constexpr Tableau<5> radau_iia9_tableau = collocation<5>(radau_right_node
 static_assert(collocation_proven(radau_iia9_tableau, 5, 4));
 
 struct radau_iia9 : RadauMethod<radau_iia9_tableau> {
-  static constexpr MethodInfo info{
-      .id = "radau_iia9",
-      .family = "implicit_rk",
-      .order = radau_iia9_tableau.order,
-      .controller = "embedded estimate of order 5, predictive",
-      .source = "Hairer, Wanner, J. Comput. Appl. Math. 111 (1999) 93-111; Solving ODEs II, IV.8"};
+  static constexpr MethodInfo info = described(
+      {.id = "radau_iia9",
+       .controller = "embedded estimate of order 5, predictive",
+       .source =
+           "Hairer, Wanner, J. Comput. Appl. Math. 111 (1999) 93-111; Solving ODEs II, IV.8"});
   static constexpr auto inlined = Inlined::stiff;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,10 +13,8 @@ inline constexpr Tableau<2> ralston2_tableau{
 static_assert(proven<ralston2_tableau>());
 
 struct ralston2 : ForAnyProblem, ExplicitRungeKuttaMethod<ralston2_tableau> {
-  static constexpr MethodInfo info{.id = "ralston2",
-                                   .family = "explicit_rk",
-                                   .order = ralston2_tableau.order,
-                                   .source = "Ralston, Math. Comp. 16 (1962) 431-437, section 3"};
+  static constexpr MethodInfo info =
+      described({.id = "ralston2", .source = "Ralston, Math. Comp. 16 (1962) 431-437, section 3"});
 };
 
 }  // namespace odeum::methods

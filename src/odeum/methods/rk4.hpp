@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,12 +13,10 @@ inline constexpr Tableau<4> rk4_tableau{
 static_assert(proven<rk4_tableau>());
 
 struct rk4 : ForAnyProblem, ExplicitRungeKuttaMethod<rk4_tableau> {
-  static constexpr MethodInfo info{
-      .id = "rk4",
-      .family = "explicit_rk",
-      .order = rk4_tableau.order,
-      .common_use = CommonUse::fixed_step,
-      .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"};
+  static constexpr MethodInfo info =
+      described({.id = "rk4",
+                 .common_use = CommonUse::fixed_step,
+                 .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"});
   static constexpr auto inlined = Inlined::nonstiff;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
@@ -30,13 +29,10 @@ inline constexpr RosenbrockTableau<6> rodas4_tableau{
 static_assert(proven<rodas4_tableau>());
 
 struct rodas4 : ForAnyProblem, RosenbrockMethod<rodas4_tableau> {
-  static constexpr MethodInfo info{
-      .id = "rodas4",
-      .family = "linearly_implicit",
-      .order = rodas4_tableau.order,
-      .order_embedded = rodas4_tableau.order_hat,
-      .control = Control::predictive,
-      .source = "Hairer, Wanner, Solving ODEs II, VI.4; coefficients of their code RODAS, set 1"};
+  static constexpr MethodInfo info = described(
+      {.id = "rodas4",
+       .control = Control::predictive,
+       .source = "Hairer, Wanner, Solving ODEs II, VI.4; coefficients of their code RODAS, set 1"});
   static constexpr auto inlined = Inlined::stiff;
 };
 

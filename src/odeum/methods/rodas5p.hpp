@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
@@ -42,12 +41,9 @@ inline constexpr RosenbrockTableau<8> rodas5p_tableau{
 static_assert(proven<rodas5p_tableau>());
 
 struct rodas5p : ForAnyProblem, RosenbrockMethod<rodas5p_tableau> {
-  static constexpr MethodInfo info{.id = "rodas5p",
-                                   .family = "linearly_implicit",
-                                   .order = rodas5p_tableau.order,
-                                   .order_embedded = rodas5p_tableau.order_hat,
-                                   .control = Control::predictive,
-                                   .source = "Steinebach, BIT 63 (2023) 27, table 4"};
+  static constexpr MethodInfo info = described({.id = "rodas5p",
+                                                .control = Control::predictive,
+                                                .source = "Steinebach, BIT 63 (2023) 27, table 4"});
   static constexpr auto inlined = Inlined::stiff;
 };
 

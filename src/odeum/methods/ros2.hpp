@@ -2,7 +2,6 @@
 #pragma once
 #include <numbers>
 
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
@@ -16,13 +15,11 @@ inline constexpr RosenbrockTableau<2> ros2_tableau =
 static_assert(proven<ros2_tableau>());
 
 struct ros2 : ForAnyProblem, RosenbrockMethod<ros2_tableau> {
-  static constexpr MethodInfo info{
-      .id = "ros2",
-      .family = "linearly_implicit",
-      .order = ros2_tableau.order,
-      .order_embedded = ros2_tableau.order_hat,
-      .control = Control::predictive,
-      .source = "Verwer, Spee, Blom, Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456-1480, (2.6)"};
+  static constexpr MethodInfo info = described(
+      {.id = "ros2",
+       .control = Control::predictive,
+       .source =
+           "Verwer, Spee, Blom, Hundsdorfer, SIAM J. Sci. Comput. 20 (1999) 1456-1480, (2.6)"});
 };
 
 }  // namespace odeum::methods

@@ -2,7 +2,6 @@
 #pragma once
 #include <numbers>
 
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/rosenbrock.hpp"
 
 namespace odeum::methods {
@@ -12,11 +11,10 @@ inline constexpr RosenbrockTableau<1> rosenbrock_euler_tableau =
 static_assert(proven<rosenbrock_euler_tableau>());
 
 struct rosenbrock_euler : ForAnyProblem, RosenbrockMethod<rosenbrock_euler_tableau> {
-  static constexpr MethodInfo info{
-      .id = "rosenbrock_euler",
-      .family = "linearly_implicit",
-      .order = rosenbrock_euler_tableau.order,
-      .source = "Rosenbrock, Computer J. 5 (1963) 329-330; Hairer, Wanner, Solving ODEs II, IV.7"};
+  static constexpr MethodInfo info = described(
+      {.id = "rosenbrock_euler",
+       .source =
+           "Rosenbrock, Computer J. 5 (1963) 329-330; Hairer, Wanner, Solving ODEs II, IV.7"});
 };
 
 }  // namespace odeum::methods

@@ -3,8 +3,6 @@
 #include <numbers>
 
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -19,11 +17,10 @@ inline constexpr Tableau<2> sdirk2_tableau{
 static_assert(proven<sdirk2_tableau>());
 
 struct sdirk2 : ForAnyProblem, DiagonallyImplicitMethod<sdirk2_tableau> {
-  static constexpr MethodInfo info{
-      .id = "sdirk2",
-      .family = "implicit_rk",
-      .order = sdirk2_tableau.order,
-      .source = "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021; Solving ODEs II, (IV.6.16)"};
+  static constexpr MethodInfo info = described(
+      {.id = "sdirk2",
+       .source =
+           "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021; Solving ODEs II, (IV.6.16)"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -21,11 +19,8 @@ inline constexpr Tableau<3> sdirk3_tableau{
 static_assert(proven<sdirk3_tableau>());
 
 struct sdirk3 : ForAnyProblem, DiagonallyImplicitMethod<sdirk3_tableau> {
-  static constexpr MethodInfo info{
-      .id = "sdirk3",
-      .family = "implicit_rk",
-      .order = sdirk3_tableau.order,
-      .source = "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, theorem 5"};
+  static constexpr MethodInfo info = described(
+      {.id = "sdirk3", .source = "Alexander, SIAM J. Numer. Anal. 14 (1977) 1006-1021, theorem 5"});
 };
 
 }  // namespace odeum::methods

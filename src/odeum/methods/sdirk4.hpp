@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -21,12 +19,10 @@ inline constexpr Tableau<5> sdirk4_tableau{
 static_assert(proven<sdirk4_tableau>());
 
 struct sdirk4 : ForAnyProblem, DiagonallyImplicitMethod<sdirk4_tableau> {
-  static constexpr MethodInfo info{.id = "sdirk4",
-                                   .family = "implicit_rk",
-                                   .order = sdirk4_tableau.order,
-                                   .order_embedded = sdirk4_tableau.order_hat,
-                                   .control = Control::predictive,
-                                   .source = "Hairer, Wanner, Solving ODEs II, table IV.6.5"};
+  static constexpr MethodInfo info =
+      described({.id = "sdirk4",
+                 .control = Control::predictive,
+                 .source = "Hairer, Wanner, Solving ODEs II, table IV.6.5"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -16,11 +14,8 @@ inline constexpr Tableau<3> ssp3_tableau{
 static_assert(proven<ssp3_tableau>());
 
 struct ssp3 : ForAnyProblem, ExplicitRungeKuttaMethod<ssp3_tableau> {
-  static constexpr MethodInfo info{
-      .id = "ssp3",
-      .family = "explicit_rk",
-      .order = ssp3_tableau.order,
-      .source = "Shu, Osher, J. Comput. Phys. 77 (1988) 439-471, (2.18)"};
+  static constexpr MethodInfo info =
+      described({.id = "ssp3", .source = "Shu, Osher, J. Comput. Phys. 77 (1988) 439-471, (2.18)"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -14,12 +12,10 @@ inline constexpr Splitting<6> suzuki4_splitting = compose_verlet(
 static_assert(proven<suzuki4_splitting>() && suzuki4_splitting.symmetric());
 
 struct suzuki4 : SplittingMethod<suzuki4_splitting> {
-  static constexpr MethodInfo info{.id = "suzuki4",
-                                   .family = "symplectic",
-                                   .order = suzuki4_splitting.order,
-                                   .source =
-                                       "Suzuki, Phys. Lett. A 146 (1990) 319-323; Hairer, Lubich, "
-                                       "Wanner, Geometric Numerical Integration, (II.4.5)"};
+  static constexpr MethodInfo info =
+      described({.id = "suzuki4",
+                 .source = "Suzuki, Phys. Lett. A 146 (1990) 319-323; Hairer, Lubich, "
+                           "Wanner, Geometric Numerical Integration, (II.4.5)"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,11 +13,9 @@ inline constexpr Tableau<4> three_eighths_tableau{
 static_assert(proven<three_eighths_tableau>());
 
 struct three_eighths : ForAnyProblem, ExplicitRungeKuttaMethod<three_eighths_tableau> {
-  static constexpr MethodInfo info{
-      .id = "three_eighths",
-      .family = "explicit_rk",
-      .order = three_eighths_tableau.order,
-      .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"};
+  static constexpr MethodInfo info =
+      described({.id = "three_eighths",
+                 .source = "Kutta 1901; Hairer, Norsett, Wanner, Solving ODEs I, table II.1.2"});
 };
 
 }  // namespace odeum::methods

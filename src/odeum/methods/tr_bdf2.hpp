@@ -3,8 +3,6 @@
 #include <numbers>
 
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -22,14 +20,11 @@ inline constexpr Tableau<3> tr_bdf2_tableau{
 static_assert(proven<tr_bdf2_tableau>());
 
 struct tr_bdf2 : ForAnyProblem, DiagonallyImplicitMethod<tr_bdf2_tableau> {
-  static constexpr MethodInfo info{.id = "tr_bdf2",
-                                   .family = "implicit_rk",
-                                   .order = tr_bdf2_tableau.order,
-                                   .order_embedded = tr_bdf2_tableau.order_hat,
-                                   .control = Control::predictive,
-                                   .source =
-                                       "Bank et al., IEEE Trans. CAD 4 (1985) 436-451; Hosea, "
-                                       "Shampine, Appl. Numer. Math. 20 (1996) 21-37"};
+  static constexpr MethodInfo info =
+      described({.id = "tr_bdf2",
+                 .control = Control::predictive,
+                 .source = "Bank et al., IEEE Trans. CAD 4 (1985) 436-451; Hosea, "
+                           "Shampine, Appl. Numer. Math. 20 (1996) 21-37"});
 };
 
 }  // namespace odeum::methods

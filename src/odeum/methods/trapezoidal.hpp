@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/diagonally_implicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -15,11 +13,9 @@ inline constexpr Tableau<2> trapezoidal_tableau{
 static_assert(proven<trapezoidal_tableau>());
 
 struct trapezoidal : ForAnyProblem, DiagonallyImplicitMethod<trapezoidal_tableau> {
-  static constexpr MethodInfo info{
-      .id = "trapezoidal",
-      .family = "implicit_rk",
-      .order = trapezoidal_tableau.order,
-      .source = "Crank, Nicolson 1947; Hairer, Wanner, Solving ODEs II, (IV.3.4)"};
+  static constexpr MethodInfo info =
+      described({.id = "trapezoidal",
+                 .source = "Crank, Nicolson 1947; Hairer, Wanner, Solving ODEs II, (IV.3.4)"});
 };
 
 }  // namespace odeum::methods

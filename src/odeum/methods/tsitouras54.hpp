@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/dense_output.hpp"
-#include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -41,12 +38,8 @@ inline constexpr std::array<double, 7> tsitouras54_dense_row{-1.0530884977290216
 static_assert(interpolates<tsitouras54_tableau, tsitouras54_dense_row>());
 
 struct tsitouras54 : ForAnyProblem, ExplicitRungeKuttaMethod<tsitouras54_tableau> {
-  static constexpr MethodInfo info{
-      .id = "tsitouras54",
-      .family = "explicit_rk",
-      .order = tsitouras54_tableau.order,
-      .order_embedded = tsitouras54_tableau.order_hat,
-      .source = "Tsitouras, Comput. Math. Appl. 62 (2011) 770-775, table 1"};
+  static constexpr MethodInfo info = described(
+      {.id = "tsitouras54", .source = "Tsitouras, Comput. Math. Appl. 62 (2011) 770-775, table 1"});
   static constexpr const auto& dense_row = tsitouras54_dense_row;
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -30,13 +28,10 @@ inline constexpr Tableau<9> verner65_tableau{
 static_assert(proven<verner65_tableau>());
 
 struct verner65 : ForAnyProblem, ExplicitRungeKuttaMethod<verner65_tableau> {
-  static constexpr MethodInfo info{.id = "verner65",
-                                   .family = "explicit_rk",
-                                   .order = verner65_tableau.order,
-                                   .order_embedded = verner65_tableau.order_hat,
-                                   .source =
-                                       "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "
-                                       "pairs, RKV65.IIIXb.Robust.00010102836"};
+  static constexpr MethodInfo info =
+      described({.id = "verner65",
+                 .source = "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "
+                           "pairs, RKV65.IIIXb.Robust.00010102836"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/explicit_rk.hpp"
-#include "odeum/kernel/method.hpp"
-#include "odeum/tableau/order_conditions.hpp"
 
 namespace odeum::methods {
 
@@ -55,13 +53,10 @@ static_assert(proven<verner98_tableau>());
 
 struct verner98 : ForAnyProblem, ExplicitRungeKuttaMethod<verner98_tableau> {
   static constexpr const auto& digits = verner98_digits;
-  static constexpr MethodInfo info{.id = "verner98",
-                                   .family = "explicit_rk",
-                                   .order = verner98_tableau.order,
-                                   .order_embedded = verner98_tableau.order_hat,
-                                   .source =
-                                       "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "
-                                       "pairs, RKV98.IIa.Efficient.000000349"};
+  static constexpr MethodInfo info =
+      described({.id = "verner98",
+                 .source = "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "
+                           "pairs, RKV98.IIa.Efficient.000000349"});
   static constexpr auto inlined = Inlined::nonstiff;
 };
 

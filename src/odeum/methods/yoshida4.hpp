@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -13,10 +11,8 @@ inline constexpr Splitting<4> yoshida4_splitting =
 static_assert(proven<yoshida4_splitting>() && yoshida4_splitting.symmetric());
 
 struct yoshida4 : SplittingMethod<yoshida4_splitting> {
-  static constexpr MethodInfo info{.id = "yoshida4",
-                                   .family = "symplectic",
-                                   .order = yoshida4_splitting.order,
-                                   .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, (2.11)"};
+  static constexpr MethodInfo info =
+      described({.id = "yoshida4", .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, (2.11)"});
 };
 
 }  // namespace odeum::methods

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -14,11 +12,9 @@ inline constexpr Splitting<8> yoshida6_splitting = compose_verlet(
 static_assert(proven<yoshida6_splitting>() && yoshida6_splitting.symmetric());
 
 struct yoshida6 : SplittingMethod<yoshida6_splitting> {
-  static constexpr MethodInfo info{
-      .id = "yoshida6",
-      .family = "symplectic",
-      .order = yoshida6_splitting.order,
-      .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, table 1, solution A"};
+  static constexpr MethodInfo info =
+      described({.id = "yoshida6",
+                 .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, table 1, solution A"});
 };
 
 }  // namespace odeum::methods

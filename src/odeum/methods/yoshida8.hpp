@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/kernel/method.hpp"
 #include "odeum/kernel/splitting.hpp"
-#include "odeum/tableau/splitting.hpp"
 
 namespace odeum::methods {
 
@@ -16,11 +14,9 @@ inline constexpr Splitting<16> yoshida8_splitting = compose_verlet(
 static_assert(proven<yoshida8_splitting>() && yoshida8_splitting.symmetric());
 
 struct yoshida8 : SplittingMethod<yoshida8_splitting> {
-  static constexpr MethodInfo info{
-      .id = "yoshida8",
-      .family = "symplectic",
-      .order = yoshida8_splitting.order,
-      .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, table 2, solution D"};
+  static constexpr MethodInfo info =
+      described({.id = "yoshida8",
+                 .source = "Yoshida, Phys. Lett. A 150 (1990) 262-268, table 2, solution D"});
 };
 
 }  // namespace odeum::methods

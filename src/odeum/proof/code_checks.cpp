@@ -12,33 +12,16 @@
 namespace odeum::proof {
 namespace {
 
-template <class P>
-void measure_orders(const MakeStepper<P>& code, double order,
-                    const std::vector<TestProblem<P>>& where, std::vector<judge::OrderFit>& fits) {
-  if (!code) return;
-  for (const TestProblem<P>& test : where) fits.push_back(measure_order(code, order, test));
-}
-
-/// Test problems are numbered as in measure_orders; `at` is the running index.
-template <class P>
-std::string order_failure(const MakeStepper<P>& code, double order,
-                          const std::vector<TestProblem<P>>& where,
-                          const std::vector<judge::OrderFit>& sound, std::size_t& at) {
-  if (!code) return {};
-  for (const TestProblem<P>& test : where) {
-    const judge::OrderFit& expected = sound[at++];
-    const judge::OrderFit fit = measure_order(code, order, test);
-    if (!same_order(fit, expected))
-      return fmt::format("order on {}: {}", test.id, to_string(fit.verdict));
-  }
-  return {};
-}
-
-MakeStepper<FunctionMechanics<false>> on_mechanics(const Code& code) {
-  if (code.on_separable) return code.on_separable;
-  if (!code.on_problem) return {};
-  return
-      [make = code.on_problem](const FunctionMechanics<false>& problem) { return make(problem); };
+/// Calls visit(make stepper, test problem) for every test problem that the code fits.
+template <class Visit>
+void for_each_test(const Code& code, Visit&& visit) {
+  const auto on = [&](const auto& make, const auto& tests) {
+    if (!make) return;
+    for (const auto& test : tests) visit(make, test);
+  };
+  on(code.on_problem, test_problems());
+  on(code.on_separable, separable_test_problems());
+  on(code.on_second_order, second_order_test_problems());
 }
 
 template <class P>
@@ -112,31 +95,26 @@ double moving_frame_defect(const Code& code) {
     stray(*code.on_problem(p), {t, t}, {t + h, t + h});
   }
   if (code.on_separable) {
-    FunctionMechanics<false> p;
-    p.unknowns = 2;
-    p.a = [](double s, const double* q, const double*, double* a) { a[0] = -w2 * (q[0] - s); };
-    p.f_y = [](double, const double*, double* j) {
-      j[0] = j[3] = 0;
-      j[1] = 1;
-      j[2] = -w2;
-    };
+    const auto p = mechanics<false>(
+        1,
+        {.a = [](double s, const double* q, const double*, double* a) { a[0] = -w2 * (q[0] - s); },
+         .a_q = [](double, const double*, const double*, double* a) { a[0] = -w2; },
+         .a_t = [](double, const double*, const double*, double* a) { a[0] = w2; }});
     stray(*code.on_separable(p), {t, 1}, {t + h, 1});
   }
   return worst;
 }
 
 CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
-  const Code code = code_of(sound);
-  const double order = sound.info.order;
-  measure_orders(code.on_problem, order, test_problems(), orders_);
-  measure_orders(code.on_separable, order, separable_test_problems(), orders_);
-  measure_orders(code.on_second_order, order, second_order_test_problems(), orders_);
-  stability_ = code.on_problem && (sound.info.one_step || sound.recurrence) &&
-               agrees_with_stability_function(code);
-  map_ = code.on_separable && agrees_with_oscillator_map(code);
-  tableau_ = code.on_problem && sound.tableau && agrees_with_tableau(code);
-  estimates_ = estimates(code);
-  frame_ = moving_frame_defect(code) <= stability_tolerance(sound);
+  for_each_test(sound, [&](const auto& make, const auto& test) {
+    orders_.push_back(measure_order(make, sound.info.order, test));
+  });
+  stability_ = sound.on_problem && (sound.info.one_step || sound.recurrence) &&
+               agrees_with_stability_function(sound);
+  map_ = sound.on_separable && agrees_with_oscillator_map(sound);
+  tableau_ = sound.on_problem && sound.tableau && agrees_with_tableau(sound);
+  estimates_ = estimates(sound);
+  frame_ = moving_frame_defect(sound) <= stability_tolerance(sound);
   if (const auto mechanics = sound.on_mechanics()) {
     symplectic_ = symplectic_defect(mechanics, structure_step) <= symplectic_rounding;
     returns_ = return_defect(mechanics, structure_step) <= return_rounding;
@@ -144,9 +122,8 @@ CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
 }
 
 bool CodeChecks::agrees_with_stability_function(const Code& code) const {
-  if (sound_.recurrence)
-    return compare_recurrence(code.on_problem, sound_).difference <= stability_tolerance(sound_);
-  return compare_stability(code.on_problem, sound_).difference <= stability_tolerance(sound_);
+  const auto compare = sound_.recurrence ? compare_recurrence : compare_stability;
+  return compare(code.on_problem, sound_).difference <= stability_tolerance(sound_);
 }
 bool CodeChecks::agrees_with_oscillator_map(const Code& code) const {
   return compare_oscillator_map(code.on_separable, sound_).difference <=
@@ -166,19 +143,20 @@ std::vector<EstimateQuality> CodeChecks::estimates(const Code& code) const {
 }
 
 std::string CodeChecks::first_failure(const Code& code) const {
-  const double order = sound_.info.order;
-  std::size_t at = 0;
-  std::string failure = order_failure(code.on_problem, order, test_problems(), orders_, at);
-  if (failure.empty())
-    failure = order_failure(code.on_separable, order, separable_test_problems(), orders_, at);
-  if (failure.empty())
-    failure = order_failure(code.on_second_order, order, second_order_test_problems(), orders_, at);
+  std::string failure;
+  auto expected = orders_.begin();
+  for_each_test(code, [&](const auto& make, const auto& test) {
+    if (!failure.empty()) return;
+    const judge::OrderFit fit = measure_order(make, sound_.info.order, test);
+    if (!same_order(fit, *expected++))
+      failure = fmt::format("order on {}: {}", test.id, to_string(fit.verdict));
+  });
   if (!failure.empty()) return failure;
   if (stability_ && !agrees_with_stability_function(code)) return "stability function";
   if (map_ && !agrees_with_oscillator_map(code)) return "map of the oscillator";
   if (tableau_ && !agrees_with_tableau(code)) return "interpreted tableau";
   if (frame_ && !(moving_frame_defect(code) <= stability_tolerance(sound_))) return "moving frame";
-  const auto mechanics = on_mechanics(code);
+  const auto mechanics = code.on_mechanics();
   if (symplectic_ && !(symplectic_defect(mechanics, structure_step) <= symplectic_rounding))
     return "symplectic form";
   if (returns_ && !(return_defect(mechanics, structure_step) <= return_rounding)) return "return";

@@ -8,19 +8,6 @@
 
 namespace odeum::proof {
 
-/// The code of a method, or of a mutant of it, on the problems that it fits.
-struct Code {
-  MakeStepper<FunctionProblem> on_problem;
-  MakeStepper<FunctionMechanics<false>> on_separable;
-  MakeStepper<FunctionMechanics<true>> on_second_order;
-
-  bool empty() const { return !on_problem && !on_separable; }
-};
-
-inline Code code_of(const MethodFacts& method) {
-  return {method.on_problem, method.on_separable, method.on_second_order};
-}
-
 /// Whether a mutant has the order of the unaltered method: the same verdict and, where it is not
 /// `confirmed` (on a problem with few order conditions a method may have a higher order), the same
 /// order to 0.15.

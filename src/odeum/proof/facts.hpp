@@ -10,9 +10,24 @@
 
 namespace odeum::proof {
 
+/// Fixed steps of running code, of a method or of a mutant of it; empty where the method does not
+/// fit such problems.
+struct Code {
+  MakeStepper<FunctionProblem> on_problem;
+  MakeStepper<FunctionMechanics<false>> on_separable;
+  MakeStepper<FunctionMechanics<true>> on_second_order;
+
+  /// Steps on a separable problem, as second-order system or, where the method takes any problem,
+  /// as y' = [v, a].
+  MakeStepper<FunctionMechanics<false>> on_mechanics() const {
+    if (on_separable || !on_problem) return on_separable;
+    return [make = on_problem](const FunctionMechanics<false>& problem) { return make(problem); };
+  }
+};
+
 /// The contents of a method file with its types erased, so that the proofs are not compiled per
 /// method.
-struct MethodFacts {
+struct MethodFacts : Code {
   MethodInfo info{};
   std::string needs;
   std::optional<DynamicTableau<double>> tableau;              ///< of a Runge-Kutta method
@@ -24,16 +39,7 @@ struct MethodFacts {
   /// be empty.
   std::function<std::vector<std::complex<double>>(std::complex<double> z)> recurrence;
 
-  /// Fixed steps of the running code; empty where the method does not fit such problems.
-  MakeStepper<FunctionProblem> on_problem;
-  MakeStepper<FunctionMechanics<false>> on_separable;
-  MakeStepper<FunctionMechanics<true>> on_second_order;
-
   std::string id() const { return std::string(info.id); }
-  bool fits_mechanics_only() const { return !on_problem && on_separable; }
-  /// Steps on a separable problem, as second-order system or, where the method takes any problem,
-  /// as y' = [v, a].
-  MakeStepper<FunctionMechanics<false>> on_mechanics() const;
 };
 
 /// Every own method, in the order of own_methods().

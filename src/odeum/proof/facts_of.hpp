@@ -20,12 +20,9 @@ MakeStepper<P> maker() {
 
 // The recurrence of a multistep method, read from the type of its stepper.
 template <class Stepper>
-struct Recurrence {
-  static constexpr bool known = false;
-};
+struct Recurrence {};
 template <std::size_t K, Ode P, class OneStep>
 struct Recurrence<BackwardDifferences<K, P, OneStep>> {
-  static constexpr bool known = true;
   static std::vector<std::complex<double>> at(std::complex<double> z) {
     constexpr auto formula = backward_difference_coefficients<K>();
     std::vector<std::complex<double>> c(K);
@@ -35,7 +32,6 @@ struct Recurrence<BackwardDifferences<K, P, OneStep>> {
 };
 template <std::size_t K, bool Correct, Ode P, class OneStep>
 struct Recurrence<Adams<K, Correct, P, OneStep>> {
-  static constexpr bool known = true;
   static std::vector<std::complex<double>> at(std::complex<double> z) {
     constexpr auto bashforth = adams_bashforth_coefficients<K>();
     constexpr auto moulton = adams_moulton_coefficients<(K > 1 ? K - 1 : 1)>();
@@ -66,13 +62,11 @@ MethodFacts facts_of() {
   facts.on_problem = detail::maker<M, FunctionProblem>();
   if constexpr (requires { typename M::template Stepper<FunctionProblem>; }) {
     using Rule = detail::Recurrence<typename M::template Stepper<FunctionProblem>>;
-    if constexpr (Rule::known) facts.recurrence = Rule::at;
+    if constexpr (requires { Rule::at; }) facts.recurrence = Rule::at;
   }
-  if (!facts.on_problem) {
-    if constexpr (!M::template fits<FunctionProblem>) {
-      facts.on_separable = detail::maker<M, FunctionMechanics<false>>();
-      facts.on_second_order = detail::maker<M, FunctionMechanics<true>>();
-    }
+  if constexpr (!M::template fits<FunctionProblem>) {
+    facts.on_separable = detail::maker<M, FunctionMechanics<false>>();
+    facts.on_second_order = detail::maker<M, FunctionMechanics<true>>();
   }
   return facts;
 }

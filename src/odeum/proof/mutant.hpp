@@ -48,8 +48,8 @@ std::vector<Mutant> mutate_tableau(const MethodFacts& method, Checks checks);
 /// or df/dt, a first step by explicit Euler. Works for every method.
 std::vector<Mutant> mutate_answers(const MethodFacts& method);
 
-/// Mutants written by hand of methods without a tableau (mutant_updates.hpp): Verlet with its
-/// update in another order, leapfrog without the half kick, and so on.
+/// Mutants written by hand of methods without a tableau: Verlet with its update in another order,
+/// leapfrog without the half kick, and so on.
 std::vector<Mutant> mutate_updates(const std::vector<MethodFacts>& methods);
 
 }  // namespace odeum::proof

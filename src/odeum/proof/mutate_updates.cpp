@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mutants written by hand: typical mistakes in Verlet, leapfrog and Euler updates.
+#include <algorithm>
+
 #include "odeum/proof/code_checks.hpp"
 #include "odeum/proof/mutant.hpp"
 
@@ -8,208 +10,159 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// The members of every update.
-template <bool V>
+/// Steps by two functions of (this, t, h): what is done before the first one, and in each.
+template <bool V, class Start, class Step>
 class Update : public AnyStepper {
  public:
-  explicit Update(const FunctionMechanics<V>& problem)
-      : problem_(problem), n_(problem.size() / 2), a_(n_), next_(n_), half_(n_) {}
+  Update(const FunctionMechanics<V>& problem, const Start& start, const Step& step)
+      : n(problem.size() / 2), kept(n), problem_(problem), start_(start), step_(step) {}
+  void start(double t, double h, const Vector& from) override {
+    y = from;
+    start_(*this, t, h);
+  }
+  Status step(double t, double h, Vector& state) override {
+    y = state;
+    step_(*this, t, h);
+    state = y;
+    return Status::ok;
+  }
 
- protected:
-  void accelerate(double t, const Vector& y, Vector& a) const {
-    problem_.acceleration(t, y.data(), y.data() + n_, a.data());
+  Vector acceleration(double t) const {
+    Vector a(n);
+    problem_.acceleration(t, y.data(), y.data() + n, a.data());
+    return a;
   }
-  void drift(double h, Vector& y) const {
-    for (std::size_t i = 0; i < n_; ++i) y[i] += h * y[n_ + i];
+  void drift(double h) {
+    for (std::size_t i = 0; i < n; ++i) y[i] += h * y[n + i];
   }
-  void kick(double h, const Vector& a, Vector& y) const {
-    for (std::size_t i = 0; i < n_; ++i) y[n_ + i] += h * a[i];
+  void kick(double h, const Vector& a) {
+    for (std::size_t i = 0; i < n; ++i) y[n + i] += h * a[i];
   }
+
+  std::size_t n;
+  Vector y, kept;  ///< the state, positions first, and what a method keeps between its steps
+
+ private:
   const FunctionMechanics<V>& problem_;
-  std::size_t n_;
-  Vector a_, next_, half_;
+  Start start_;
+  Step step_;
 };
 
-/// Verlet with the whole velocity updated before the position.
-template <bool V>
-struct VerletVelocityFirst : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->kick(h, this->a_, y);
-    for (std::size_t i = 0; i < this->n_; ++i)
-      y[i] += h * y[this->n_ + i] + h * h / 2 * this->a_[i];
-    return Status::ok;
-  }
-};
+template <class Start, class Step>
+Code started(Start start, Step step) {
+  Code code;
+  code.on_separable = [=](const FunctionMechanics<false>& p) {
+    return std::make_unique<Update<false, Start, Step>>(p, start, step);
+  };
+  code.on_second_order = [=](const FunctionMechanics<true>& p) {
+    return std::make_unique<Update<true, Start, Step>>(p, start, step);
+  };
+  return code;
+}
 
-/// Verlet whose second half kick takes the old acceleration again.
-template <bool V>
-struct VerletOldAcceleration : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->kick(h / 2, this->a_, y);
-    this->drift(h, y);
-    this->kick(h / 2, this->a_, y);
-    return Status::ok;
-  }
-};
-
-/// Verlet without its second half kick.
-template <bool V>
-struct VerletOneKick : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->kick(h / 2, this->a_, y);
-    this->drift(h, y);
-    return Status::ok;
-  }
-};
-
-/// Verlet whose position forgets h^2/2 a.
-template <bool V>
-struct VerletNoAcceleration : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->drift(h, y);
-    this->accelerate(t + h, y, this->next_);
-    for (std::size_t i = 0; i < this->n_; ++i)
-      y[this->n_ + i] += h / 2 * (this->a_[i] + this->next_[i]);
-    return Status::ok;
-  }
-};
+/// A method that keeps nothing.
+template <class Step>
+Code one_step(Step step) {
+  return started([](auto&, double, double) {}, step);
+}
 
 /// Leapfrog; its velocity starts with a kick of `half` h, and the velocity reported is `shown` h
 /// behind. Correct: 1/2 and 1/2.
-template <bool V>
-class LeapfrogStarted : public Update<V> {
- public:
-  LeapfrogStarted(const FunctionMechanics<V>& problem, double half, double shown)
-      : Update<V>(problem), start_(half), shown_(shown) {}
-  void start(double t, double h, const Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    for (std::size_t i = 0; i < this->n_; ++i)
-      this->half_[i] = y[this->n_ + i] + start_ * h * this->a_[i];
-  }
-  Status step(double t, double h, Vector& y) override {
-    for (std::size_t i = 0; i < this->n_; ++i) y[i] += h * this->half_[i];
-    this->accelerate(t + h, y, this->a_);
-    for (std::size_t i = 0; i < this->n_; ++i) {
-      this->half_[i] += h * this->a_[i];
-      y[this->n_ + i] = this->half_[i] - shown_ * h * this->a_[i];
-    }
-    return Status::ok;
-  }
-
- private:
-  double start_, shown_;
-};
+Code leapfrog(double half, double shown) {
+  return started(
+      [=](auto& s, double t, double h) {
+        const Vector a = s.acceleration(t);
+        for (std::size_t i = 0; i < s.n; ++i) s.kept[i] = s.y[s.n + i] + half * h * a[i];
+      },
+      [=](auto& s, double t, double h) {
+        for (std::size_t i = 0; i < s.n; ++i) s.y[i] += h * s.kept[i];
+        const Vector a = s.acceleration(t + h);
+        for (std::size_t i = 0; i < s.n; ++i) {
+          s.kept[i] += h * a[i];
+          s.y[s.n + i] = s.kept[i] - shown * h * a[i];
+        }
+      });
+}
 
 /// Stormer's recurrence started by q_1 = q_0 + h v_0 + `half` h^2 a_0, with the velocity from the
 /// last two positions where `one_sided`.
-template <bool V>
-class StormerStarted : public Update<V> {
- public:
-  StormerStarted(const FunctionMechanics<V>& problem, double half, bool one_sided)
-      : Update<V>(problem), start_(half), one_sided_(one_sided) {}
-  void start(double t, double h, const Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    for (std::size_t i = 0; i < this->n_; ++i)
-      this->next_[i] = y[i] + h * y[this->n_ + i] + start_ * h * h * this->a_[i];
-  }
-  Status step(double t, double h, Vector& y) override {
-    for (std::size_t i = 0; i < this->n_; ++i) {
-      this->half_[i] = y[i];
-      y[i] = this->next_[i];
-    }
-    this->accelerate(t + h, y, this->a_);
-    for (std::size_t i = 0; i < this->n_; ++i) {
-      this->next_[i] = 2 * y[i] - this->half_[i] + h * h * this->a_[i];
-      y[this->n_ + i] =
-          one_sided_ ? (y[i] - this->half_[i]) / h : (this->next_[i] - this->half_[i]) / (2 * h);
-    }
-    return Status::ok;
-  }
+Code stormer(double half, bool one_sided) {
+  return started(
+      [=](auto& s, double t, double h) {
+        const Vector a = s.acceleration(t);
+        for (std::size_t i = 0; i < s.n; ++i)
+          s.kept[i] = s.y[i] + h * s.y[s.n + i] + half * h * h * a[i];
+      },
+      [=](auto& s, double t, double h) {
+        const Vector before = s.y;
+        std::copy(s.kept.begin(), s.kept.end(), s.y.begin());
+        const Vector a = s.acceleration(t + h);
+        for (std::size_t i = 0; i < s.n; ++i) {
+          s.kept[i] = 2 * s.y[i] - before[i] + h * h * a[i];
+          s.y[s.n + i] = one_sided ? (s.y[i] - before[i]) / h : (s.kept[i] - before[i]) / (2 * h);
+        }
+      });
+}
 
- private:
-  double start_;
-  bool one_sided_;
-};
-
-/// Euler's updates: both from the old state (explicit Euler), or the other one of the symplectic
-/// pair.
-template <bool V>
-struct EulerBothOld : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->drift(h, y);
-    this->kick(h, this->a_, y);
-    return Status::ok;
-  }
-};
-template <bool V>
-struct EulerPositionFirst : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->drift(h, y);
-    this->accelerate(t + h, y, this->a_);
-    this->kick(h, this->a_, y);
-    return Status::ok;
-  }
-};
-template <bool V>
-struct EulerVelocityFirst : Update<V> {
-  using Update<V>::Update;
-  Status step(double t, double h, Vector& y) override {
-    this->accelerate(t, y, this->a_);
-    this->kick(h, this->a_, y);
-    this->drift(h, y);
-    return Status::ok;
-  }
-};
+/// Explicit Euler: both updates from the old state.
+Code both_old() {
+  return one_step([](auto& s, double t, double h) {
+    const Vector a = s.acceleration(t);
+    s.drift(h);
+    s.kick(h, a);
+  });
+}
 
 struct Slip {
   const char *method, *kind, *change;
   Code code;
 };
 
-template <template <bool> class Stepper, class... Arguments>
-Code code_with(Arguments... arguments) {
-  Code code;
-  code.on_separable = [=](const FunctionMechanics<false>& p) {
-    return std::make_unique<Stepper<false>>(p, arguments...);
-  };
-  code.on_second_order = [=](const FunctionMechanics<true>& p) {
-    return std::make_unique<Stepper<true>>(p, arguments...);
-  };
-  return code;
-}
-
 std::vector<Slip> slips() {
   return {
-      {"velocity_verlet", "update", "the whole velocity first", code_with<VerletVelocityFirst>()},
+      {"velocity_verlet", "update", "the whole velocity first",
+       one_step([](auto& s, double t, double h) {
+         const Vector a = s.acceleration(t);
+         s.kick(h, a);
+         for (std::size_t i = 0; i < s.n; ++i) s.y[i] += h * s.y[s.n + i] + h * h / 2 * a[i];
+       })},
       {"velocity_verlet", "update", "the old acceleration twice",
-       code_with<VerletOldAcceleration>()},
-      {"velocity_verlet", "update", "the second half kick left out", code_with<VerletOneKick>()},
+       one_step([](auto& s, double t, double h) {
+         const Vector a = s.acceleration(t);
+         s.kick(h / 2, a);
+         s.drift(h);
+         s.kick(h / 2, a);
+       })},
+      {"velocity_verlet", "update", "the second half kick left out",
+       one_step([](auto& s, double t, double h) {
+         s.kick(h / 2, s.acceleration(t));
+         s.drift(h);
+       })},
       {"velocity_verlet", "update", "no acceleration in the position",
-       code_with<VerletNoAcceleration>()},
-      {"leapfrog", "start", "the first half kick left out", code_with<LeapfrogStarted>(0.0, 0.5)},
-      {"leapfrog", "start", "a whole kick first", code_with<LeapfrogStarted>(1.0, 0.5)},
-      {"leapfrog", "update", "the velocity shown half a step ahead",
-       code_with<LeapfrogStarted>(0.5, 0.0)},
-      {"stormer_verlet", "start", "started by explicit Euler",
-       code_with<StormerStarted>(0.0, false)},
-      {"stormer_verlet", "update", "a one-sided velocity", code_with<StormerStarted>(0.5, true)},
-      {"symplectic_euler", "update", "both from the old state", code_with<EulerBothOld>()},
-      {"symplectic_euler", "update", "the position first", code_with<EulerPositionFirst>()},
-      {"symplectic_euler_position_first", "update", "both from the old state",
-       code_with<EulerBothOld>()},
+       one_step([](auto& s, double t, double h) {
+         const Vector a = s.acceleration(t);
+         s.drift(h);
+         const Vector next = s.acceleration(t + h);
+         s.kick(h / 2, a);
+         s.kick(h / 2, next);
+       })},
+      {"leapfrog", "start", "the first half kick left out", leapfrog(0.0, 0.5)},
+      {"leapfrog", "start", "a whole kick first", leapfrog(1.0, 0.5)},
+      {"leapfrog", "update", "the velocity shown half a step ahead", leapfrog(0.5, 0.0)},
+      {"stormer_verlet", "start", "started by explicit Euler", stormer(0.0, false)},
+      {"stormer_verlet", "update", "a one-sided velocity", stormer(0.5, true)},
+      {"symplectic_euler", "update", "both from the old state", both_old()},
+      {"symplectic_euler", "update", "the position first",
+       one_step([](auto& s, double t, double h) {
+         s.drift(h);
+         s.kick(h, s.acceleration(t + h));
+       })},
+      {"symplectic_euler_position_first", "update", "both from the old state", both_old()},
       {"symplectic_euler_position_first", "update", "the velocity first",
-       code_with<EulerVelocityFirst>()},
+       one_step([](auto& s, double t, double h) {
+         s.kick(h, s.acceleration(t));
+         s.drift(h);
+       })},
   };
 }
 

@@ -13,35 +13,35 @@ namespace {
 
 /// sigma(tau), the number of automorphisms of a tree.
 double symmetry(std::size_t tree) {
-  const std::vector<RootedTree>& trees = all_rooted_trees();
+  constexpr auto& trees = all_rooted_trees;
   if (tree == 0) return 1;
-  const std::size_t right = trees[tree].right;
+  const std::size_t right = trees.right[tree];
   double copies = 1;  // of `right` on the root
-  for (std::size_t rest = trees[tree].left; rest != 0; rest = trees[rest].left)
-    if (trees[rest].right == right) ++copies;
-  return copies * symmetry(trees[tree].left) * symmetry(right);
+  for (std::size_t rest = trees.left[tree]; rest != 0; rest = trees.left[rest])
+    if (trees.right[rest] == right) ++copies;
+  return copies * symmetry(trees.left[tree]) * symmetry(right);
 }
 
 /// Norm over the trees of one order of |sum_i row_i Phi_i - exact / gamma| / sigma.
 double norm_of(const DynamicTableau<double>& tableau, const std::vector<double>& row, double exact,
                int order) {
-  const std::vector<RootedTree>& trees = all_rooted_trees();
+  constexpr auto& trees = all_rooted_trees;
   const std::size_t s = tableau.stages;
   std::vector<std::vector<double>> phi;
   double squares = 0;
-  for (std::size_t tau = 0; tau < trees.size() && trees[tau].nodes <= order; ++tau) {
+  for (std::size_t tau = 0; tau < trees.count && trees.nodes[tau] <= order; ++tau) {
     phi.emplace_back(s, 1.0);
     double sum = 0;
     for (std::size_t i = 0; i < s; ++i) {
       if (tau != 0) {
         double graft = 0;
-        for (std::size_t j = 0; j < s; ++j) graft += tableau.at(i, j) * phi[trees[tau].right][j];
-        phi[tau][i] = phi[trees[tau].left][i] * graft;
+        for (std::size_t j = 0; j < s; ++j) graft += tableau.at(i, j) * phi[trees.right[tau]][j];
+        phi[tau][i] = phi[trees.left[tau]][i] * graft;
       }
       sum += row[i] * phi[tau][i];
     }
-    if (trees[tau].nodes != order) continue;
-    const double residual = sum - exact / static_cast<double>(trees[tau].density);
+    if (trees.nodes[tau] != order) continue;
+    const double residual = sum - exact / trees.density[tau];
     squares += std::pow(residual / symmetry(tau), 2);
   }
   return std::sqrt(squares);

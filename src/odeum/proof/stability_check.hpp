@@ -9,14 +9,9 @@ namespace odeum::proof {
 /// The running code against a stability function, at pseudo-random values of z (always the same):
 /// half of them near zero, half over the part of the left half-plane where the method is used.
 struct StabilityAgreement {
-  int points = 0;              ///< 0: nothing to compare
-  double difference = 0;       ///< the largest, relative to 1 + |R|
-  std::complex<double> worst;  ///< z of the largest
+  int points = 0;         ///< 0: nothing to compare
+  double difference = 0;  ///< the largest, relative to 1 + |R|
 };
-
-/// One step at h = 1 of y' = z y from y = 1, as the code computes it; NaN where it fails.
-std::complex<double> running_growth(const MakeStepper<FunctionProblem>& make,
-                                    std::complex<double> z);
 
 /// The code of a one-step method against R(z) of its tableau, or without one |R(z)| as stated in
 /// its file.

@@ -16,27 +16,16 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // q'' = -grad U, U = (q1^2 + q2^2)/2 + q1^2 q2 - q2^3/3 (Henon, Heiles 1964).
 FunctionMechanics<false> henon_heiles() {
-  FunctionMechanics<false> p;
-  p.unknowns = 4;
-  p.a = [](double, const double* q, const double*, double* a) {
-    a[0] = -q[0] - 2 * q[0] * q[1];
-    a[1] = -q[1] - q[0] * q[0] + q[1] * q[1];
+  const auto a = [](double, const double* q, const double*, double* out) {
+    out[0] = -q[0] - 2 * q[0] * q[1];
+    out[1] = -q[1] - q[0] * q[0] + q[1] * q[1];
   };
-  p.f = [](double, const double* y, double* f) {
-    f[0] = y[2];
-    f[1] = y[3];
-    f[2] = -y[0] - 2 * y[0] * y[1];
-    f[3] = -y[1] - y[0] * y[0] + y[1] * y[1];
+  const auto a_q = [](double, const double* q, const double*, double* out) {
+    out[0] = -1 - 2 * q[1];
+    out[1] = out[2] = -2 * q[0];
+    out[3] = -1 + 2 * q[1];
   };
-  p.f_y = [](double, const double* y, double* j) {
-    std::fill_n(j, 16, 0.0);
-    j[2] = j[7] = 1;
-    j[8] = -1 - 2 * y[1];
-    j[9] = j[12] = -2 * y[0];
-    j[13] = -1 + 2 * y[1];
-  };
-  p.f_t = [](double, const double*, double* d) { std::fill_n(d, 4, 0.0); };
-  return p;
+  return mechanics<false>(2, {.a = a, .a_q = a_q});
 }
 
 double energy_of(const std::vector<double>& y) {

@@ -51,8 +51,6 @@ double pace(double t) { return 1 + 0.6 * std::cos(2 * t + 0.3); }
 double pace_change(double t) { return -1.2 * std::sin(2 * t + 0.3); }
 double elapsed(double t) { return t + 0.3 * (std::sin(2 * t + 0.3) - std::sin(0.3)); }
 
-void nothing_of(std::size_t n, double* dfdt) { std::fill_n(dfdt, n, 0.0); }
-
 TestProblem<FunctionProblem> linear() {
   TestProblem<FunctionProblem> g;
   g.id = "linear";
@@ -67,7 +65,7 @@ TestProblem<FunctionProblem> linear() {
     j[2] = m21;
     j[3] = m22;
   };
-  g.problem.f_t = [](double, const double*, double* d) { nothing_of(2, d); };
+  g.problem.f_t = [](double, const double*, double* d) { d[0] = d[1] = 0; };
   g.truth = [](double t, double* y) { rotated(t, y[0], y[1]); };
   return g;
 }
@@ -78,7 +76,7 @@ TestProblem<FunctionProblem> nonlinear() {
   g.problem.unknowns = 2;
   g.problem.f = [](double, const double* y, double* f) { bent_field(y, f); };
   g.problem.f_y = [](double, const double* y, double* j) { bent_jacobian(y, j); };
-  g.problem.f_t = [](double, const double*, double* d) { nothing_of(2, d); };
+  g.problem.f_t = [](double, const double*, double* d) { d[0] = d[1] = 0; };
   g.truth = [](double t, double* y) {
     rotated(t, y[0], y[1]);
     y[1] += Bend(y[0]).value;
@@ -117,42 +115,6 @@ TestProblem<FunctionProblem> non_autonomous() {
   return g;
 }
 
-/// Fills in the first-order form from the acceleration and its derivatives by q, v and t, each
-/// dense and row-major over the degrees of freedom.
-template <bool Velocity>
-struct Derivatives {
-  std::function<void(double t, const double*q, const double*v, double*a)> a, a_q, a_v, a_t;
-};
-template <bool Velocity>
-FunctionMechanics<Velocity> mechanics(std::size_t degrees, Derivatives<Velocity> d) {
-  FunctionMechanics<Velocity> m;
-  m.unknowns = 2 * degrees;
-  m.a = d.a;
-  m.f = [degrees, a = d.a](double t, const double* y, double* f) {
-    std::copy(y + degrees, y + 2 * degrees, f);
-    a(t, y, y + degrees, f + degrees);
-  };
-  m.f_y = [degrees, d](double t, const double* y, double* j) {
-    const std::size_t n = 2 * degrees;
-    std::vector<double> by_q(degrees * degrees), by_v(degrees * degrees);
-    d.a_q(t, y, y + degrees, by_q.data());
-    if (d.a_v) d.a_v(t, y, y + degrees, by_v.data());
-    std::fill_n(j, n * n, 0.0);
-    for (std::size_t i = 0; i < degrees; ++i) {
-      j[i * n + degrees + i] = 1;
-      for (std::size_t k = 0; k < degrees; ++k) {
-        j[(degrees + i) * n + k] = by_q[i * degrees + k];
-        j[(degrees + i) * n + degrees + k] = by_v[i * degrees + k];
-      }
-    }
-  };
-  m.f_t = [degrees, a_t = d.a_t](double t, const double* y, double* f) {
-    nothing_of(2 * degrees, f);
-    if (a_t) a_t(t, y, y + degrees, f + degrees);
-  };
-  return m;
-}
-
 constexpr double stiffness = 2.3;
 
 TestProblem<FunctionMechanics<false>> oscillator() {
@@ -160,9 +122,7 @@ TestProblem<FunctionMechanics<false>> oscillator() {
   g.id = "linear";
   g.problem = mechanics<false>(
       1, {.a = [](double, const double* q, const double*, double* a) { a[0] = -stiffness * q[0]; },
-          .a_q = [](double, const double*, const double*, double* a) { a[0] = -stiffness; },
-          .a_v = {},
-          .a_t = {}});
+          .a_q = [](double, const double*, const double*, double* a) { a[0] = -stiffness; }});
   g.truth = [](double t, double* y) {
     const double w = std::sqrt(stiffness);
     y[0] = 0.8 * std::cos(w * t) + 0.5 / w * std::sin(w * t);
@@ -189,9 +149,7 @@ TestProblem<FunctionMechanics<false>> kepler() {
                 a[0] = (3 * q[0] * q[0] / r2 - 1) / r3;
                 a[1] = a[2] = 3 * q[0] * q[1] / (r2 * r3);
                 a[3] = (3 * q[1] * q[1] / r2 - 1) / r3;
-              },
-          .a_v = {},
-          .a_t = {}});
+              }});
   g.truth = [](double t, double* y) {
     const double mean = t + 0.5;
     double anomaly = mean;
@@ -243,8 +201,7 @@ TestProblem<FunctionMechanics<true>> damped_oscillator() {
       1, {.a = [](double, const double* q, const double* v,
                   double* a) { a[0] = -stiffness * q[0] - 2 * beta * v[0]; },
           .a_q = [](double, const double*, const double*, double* a) { a[0] = -stiffness; },
-          .a_v = [](double, const double*, const double*, double* a) { a[0] = -2 * beta; },
-          .a_t = {}});
+          .a_v = [](double, const double*, const double*, double* a) { a[0] = -2 * beta; }});
   g.truth = [](double t, double* y) {
     const double w = std::sqrt(stiffness - beta * beta), decay = std::exp(-beta * t);
     const double c = decay * std::cos(w * t), s = decay * std::sin(w * t) / w;
@@ -262,8 +219,7 @@ TestProblem<FunctionMechanics<true>> quadratic_drag() {
   g.problem = mechanics<true>(
       1, {.a = [](double, const double*, const double* v, double* a) { a[0] = -1 - v[0] * v[0]; },
           .a_q = [](double, const double*, const double*, double* a) { a[0] = 0; },
-          .a_v = [](double, const double*, const double* v, double* a) { a[0] = -2 * v[0]; },
-          .a_t = {}});
+          .a_v = [](double, const double*, const double* v, double* a) { a[0] = -2 * v[0]; }});
   g.truth = [](double t, double* y) {
     y[0] = std::log(std::cos(t - 1));
     y[1] = -std::tan(t - 1);
@@ -281,6 +237,38 @@ std::vector<TestProblem<P>> started(std::vector<TestProblem<P>> test_problems) {
 }
 
 }  // namespace
+
+template <bool Velocity>
+FunctionMechanics<Velocity> mechanics(std::size_t degrees, const Accelerations& d) {
+  FunctionMechanics<Velocity> m;
+  m.unknowns = 2 * degrees;
+  m.a = d.a;
+  m.f = [degrees, a = d.a](double t, const double* y, double* f) {
+    std::copy(y + degrees, y + 2 * degrees, f);
+    a(t, y, y + degrees, f + degrees);
+  };
+  m.f_y = [degrees, d](double t, const double* y, double* j) {
+    const std::size_t n = 2 * degrees;
+    std::vector<double> by_q(degrees * degrees), by_v(degrees * degrees);
+    d.a_q(t, y, y + degrees, by_q.data());
+    if (d.a_v) d.a_v(t, y, y + degrees, by_v.data());
+    std::fill_n(j, n * n, 0.0);
+    for (std::size_t i = 0; i < degrees; ++i) {
+      j[i * n + degrees + i] = 1;
+      for (std::size_t k = 0; k < degrees; ++k) {
+        j[(degrees + i) * n + k] = by_q[i * degrees + k];
+        j[(degrees + i) * n + degrees + k] = by_v[i * degrees + k];
+      }
+    }
+  };
+  m.f_t = [degrees, a_t = d.a_t](double t, const double* y, double* f) {
+    std::fill_n(f, 2 * degrees, 0.0);
+    if (a_t) a_t(t, y, y + degrees, f + degrees);
+  };
+  return m;
+}
+template FunctionMechanics<false> mechanics(std::size_t, const Accelerations&);
+template FunctionMechanics<true> mechanics(std::size_t, const Accelerations&);
 
 const std::vector<TestProblem<FunctionProblem>>& test_problems() {
   static const auto all = started<FunctionProblem>({linear(), nonlinear(), non_autonomous()});

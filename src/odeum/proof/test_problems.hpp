@@ -19,6 +19,16 @@ struct TestProblem {
   std::function<void(double t, double* y)> truth;  ///< the exact solution through (t0, y0)
 };
 
+/// An acceleration and its derivatives by q, v and t, each dense and row-major over the degrees of
+/// freedom; a_v and a_t may be empty: zero.
+struct Accelerations {
+  using Function = std::function<void(double t, const double* q, const double* v, double* out)>;
+  Function a, a_q, a_v{}, a_t{};
+};
+/// The problem with its first-order form filled in.
+template <bool Velocity>
+FunctionMechanics<Velocity> mechanics(std::size_t degrees, const Accelerations& d);
+
 /// - `linear`: z' = M z, a damped rotation that is not normal;
 /// - `nonlinear`: the same flow in curvilinear coordinates y = (z_1, z_2 + g(z_1)), in which every
 ///   elementary differential occurs;

@@ -18,6 +18,7 @@ struct Structure {
   bool stiffly_accurate = false;      ///< the last row of A is b
   bool symplectic = false;  ///< b_i a_ij + b_j a_ji = b_i b_j (Sanz-Serna 1988, Lasagni 1988)
   bool symmetric = false;   ///< a_{s+1-i,s+1-j} + a_ij = b_j: the step with -h undoes that with h
+  bool operator==(const Structure&) const = default;
 };
 
 /// Coefficients count as equal where they agree to 1e-13 of the larger one or of 1: several

@@ -3,7 +3,6 @@
 #include <gmpxx.h>
 
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 namespace odeum {

@@ -23,12 +23,7 @@ struct NystroemTableau {
   std::array<double, S> b_q_hat{}, b_v_hat{};
   int order_hat = 0;
 
-  constexpr bool is_explicit() const {
-    for (std::size_t i = 0; i < S; ++i)
-      for (std::size_t j = i; j < S; ++j)
-        if (a[i][j] != 0) return false;
-    return true;
-  }
+  constexpr bool is_explicit() const { return zero_from(a, 0); }
   constexpr bool has_embedded_rows() const { return order_hat != 0; }
   /// First same as last: the last stage is the first of the next step.
   constexpr bool reuses_last_stage() const {
@@ -39,7 +34,7 @@ struct NystroemTableau {
 };
 
 /// The special Nystroem trees with at most MaxOrder nodes, each made from an earlier one by adding
-/// to its root a velocity (`grafted` = velocity) or a smaller tree. A tree of n nodes contributes
+/// to its root a velocity (`right` = velocity) or a smaller tree. A tree of n nodes contributes
 /// to v at h^n and to q at h^(n+1).
 template <int MaxOrder>
 struct NystroemTrees {
@@ -49,7 +44,7 @@ struct NystroemTrees {
   static constexpr std::size_t velocity = count;
 
   std::array<int, count> nodes{};
-  std::array<std::size_t, count> base{}, grafted{};
+  std::array<std::size_t, count> left{}, right{};
   /// The factor of the exact solution; at a stage at theta it is multiplied by theta^(n-1).
   std::array<double, count> factor{};
 
@@ -59,8 +54,8 @@ struct NystroemTrees {
     std::size_t made = 1;
     const auto add = [&](int n, std::size_t l, std::size_t r) {
       nodes[made] = n;
-      base[made] = l;
-      grafted[made] = r;
+      left[made] = l;
+      right[made] = r;
       factor[made] = factor[l] * (r == velocity ? 1 : factor[r] / (nodes[r] * (nodes[r] + 1)));
       ++made;
     };
@@ -69,9 +64,9 @@ struct NystroemTrees {
       for (std::size_t l = 0; l < smaller; ++l) {
         // Velocities last, trees in non-increasing order before them: each tree once.
         if (nodes[l] + 1 == n) add(n, l, velocity);
-        if (l != 0 && grafted[l] == velocity) continue;
+        if (l != 0 && right[l] == velocity) continue;
         for (std::size_t r = 0; r < smaller; ++r)
-          if (nodes[l] + nodes[r] + 1 == n && (l == 0 || r <= grafted[l])) add(n, l, r);
+          if (nodes[l] + nodes[r] + 1 == n && (l == 0 || r <= right[l])) add(n, l, r);
       }
     }
     if (made != count) throw "Nystroem trees miscounted";
@@ -90,7 +85,7 @@ constexpr void for_each_condition(const NystroemTableau<S>& tableau,
   constexpr auto& trees = nystroem_trees<Order>;
   double phi[trees.count][S]{};
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
-    const std::size_t r = trees.grafted[tau];
+    const std::size_t r = trees.right[tau];
     double sum_q = 0, sum_v = 0;
     for (std::size_t i = 0; i < S; ++i) {
       double graft = tableau.c[i];
@@ -98,7 +93,7 @@ constexpr void for_each_condition(const NystroemTableau<S>& tableau,
         graft = 0;
         for (std::size_t j = 0; j < S; ++j) graft += tableau.a[i][j] * phi[r][j];
       }
-      phi[tau][i] = tau == 0 ? 1 : phi[trees.base[tau]][i] * graft;
+      phi[tau][i] = tau == 0 ? 1 : phi[trees.left[tau]][i] * graft;
       sum_q += row_q[i] * phi[tau][i];
       sum_v += row_v[i] * phi[tau][i];
     }
@@ -127,14 +122,6 @@ constexpr OrderFault order_fault(const NystroemTableau<S>& tableau,
   return fault;
 }
 
-/// Whether the rows meet every condition up to `order` and fail one of the next.
-template <std::size_t S>
-constexpr bool has_exactly_order(const NystroemTableau<S>& tableau,
-                                 const std::array<double, S>& row_q,
-                                 const std::array<double, S>& row_v, int order) {
-  return order_fault(tableau, row_q, row_v, order).order == 0;
-}
-
 /// The first fault of either pair of rows; order 0 where there is none.
 template <std::size_t S>
 constexpr OrderFault first_fault(const NystroemTableau<S>& tableau) {
@@ -145,23 +132,9 @@ constexpr OrderFault first_fault(const NystroemTableau<S>& tableau) {
   return fault;
 }
 
-/// A velocity at a node of a Nystroem tree, see `tree`.
-struct velocity {};
-
-template <const auto& Trees, std::size_t Index>
-constexpr auto nystroem_tree_at() {
-  if constexpr (Index == 0)
-    return tree<>{};
-  else if constexpr (Trees.grafted[Index] == Trees.velocity)
-    return graft(nystroem_tree_at<Trees, Trees.base[Index]>(), velocity{});
-  else
-    return graft(nystroem_tree_at<Trees, Trees.base[Index]>(),
-                 nystroem_tree_at<Trees, Trees.grafted[Index]>());
-}
-
 template <int Order, std::size_t Index, std::size_t S>
 constexpr auto tree_of_fault(const NystroemTableau<S>&) {
-  return nystroem_tree_at<nystroem_trees<Order>, Index>();
+  return tree_at<nystroem_trees<Order>, Index>();
 }
 
 }  // namespace odeum

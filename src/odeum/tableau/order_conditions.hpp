@@ -4,56 +4,13 @@
 #include <cstddef>
 
 #include "odeum/tableau/proof_message.hpp"
+#include "odeum/tableau/rooted_trees.hpp"
 #include "odeum/tableau/tableau.hpp"
 
 /// Order conditions by rooted trees (Hairer, Norsett, Wanner, Solving ODEs I, II.2): a method has
 /// order p exactly when  sum_i b_i Phi_i(tau) = 1 / gamma(tau)  for every rooted tree tau with at
 /// most p nodes. Evaluated at compile time, so that a wrong coefficient does not compile.
 namespace odeum {
-
-/// The rooted trees with at most `max_order` nodes, each as the root joined to an earlier subtree:
-/// tree = butcher_product(left, right) grafts `right` onto the root of `left`. Every tree but the
-/// single node has such a form; keeping `right` no later than the last one grafted onto `left`
-/// lists each tree once.
-template <int MaxOrder>
-struct RootedTrees {
-  static constexpr int max_order = MaxOrder;
-  static constexpr std::array<std::size_t, 11> count_to{0, 1, 2, 4, 8, 17, 37, 85, 200, 486, 1205};
-  static_assert(MaxOrder >= 1 && MaxOrder <= 10);
-  static constexpr std::size_t count = count_to[MaxOrder];
-
-  std::array<int, count> nodes{};
-  std::array<std::size_t, count> left{}, right{};
-  std::array<double, count> density{};  ///< gamma(tau)
-
-  consteval RootedTrees() {
-    nodes[0] = 1;
-    density[0] = 1;
-    // gamma(tau) = nodes(tau) * product of the densities of the root's subtrees.
-    std::array<double, count> children_density{};
-    children_density[0] = 1;
-    std::size_t made = 1;
-    for (int n = 2; n <= MaxOrder; ++n) {
-      for (std::size_t l = 0; l < count_to[static_cast<std::size_t>(n) - 1]; ++l) {
-        // Grafts in non-increasing order: each tree once.
-        const auto size = static_cast<std::size_t>(n - nodes[l]);
-        const std::size_t last = l == 0 ? made : right[l] + 1;
-        for (std::size_t r = count_to[size - 1]; r < count_to[size] && r < last; ++r) {
-          nodes[made] = n;
-          left[made] = l;
-          right[made] = r;
-          children_density[made] = children_density[l] * density[r];
-          density[made] = n * children_density[made];
-          ++made;
-        }
-      }
-    }
-    if (made != count) throw "rooted trees miscounted";
-  }
-};
-
-template <int MaxOrder>
-inline constexpr RootedTrees<MaxOrder> rooted_trees{};
 
 /// Calls visit(tau, residual) for each rooted tree with at most `Order` nodes, the smallest first:
 /// residual = sum_i b_i Phi_i(tau) - 1 / gamma(tau) for the row of weights.
@@ -89,16 +46,6 @@ constexpr void for_each_condition(const Tableau<S>& tableau, const std::array<do
           graft[tau][i] += value[i][e] * phi[tau][column[i][e]];
     visit(tau, sum - 1 / trees.density[tau]);
   }
-}
-
-/// The largest violation of the conditions up to `Order` by the row of weights.
-template <int Order, std::size_t S>
-constexpr double order_residual(const Tableau<S>& tableau, const std::array<double, S>& row) {
-  double worst = 0;
-  for_each_condition<Order>(tableau, row, [&](std::size_t, double residual) {
-    worst = residual > worst ? residual : (-residual > worst ? -residual : worst);
-  });
-  return worst;
 }
 
 /// The largest residual of a condition that holds, with coefficients of size one to ten rounded to
@@ -142,13 +89,6 @@ constexpr OrderFault order_fault(const Tableau<S>& tableau, const std::array<dou
                     : order_fault_up_to<10>(tableau, row, order);
 }
 
-/// Whether the row meets every condition up to `order` and fails one of the next.
-template <std::size_t S>
-constexpr bool has_exactly_order(const Tableau<S>& tableau, const std::array<double, S>& row,
-                                 int order) {
-  return order_fault(tableau, row, order).order == 0;
-}
-
 /// The first fault of two rows; order 0 where there is none. A row that is not there is zero and
 /// has exactly order 0.
 constexpr OrderFault first_fault(const auto& tableau, const auto& row, const auto& row_hat) {
@@ -164,8 +104,8 @@ constexpr OrderFault first_fault(const Tableau<S>& tableau) {
 }
 
 /// The tree of a fault of that order, as a type.
-template <int Order, std::size_t Index, std::size_t S>
-constexpr auto tree_of_fault(const Tableau<S>&) {
+template <int Order, std::size_t Index>
+constexpr auto tree_of_fault(const auto&) {
   return tree_at<rooted_trees<Order>, Index>();
 }
 

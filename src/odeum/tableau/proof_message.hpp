@@ -16,11 +16,17 @@ constexpr tree<Subtrees..., Subtree> graft(tree<Subtrees...>, Subtree) {
   return {};
 }
 
-/// The tree at place `Index` of a table of rooted trees, see RootedTrees.
+/// A velocity at a node of a Nystroem tree.
+struct velocity {};
+
+/// The tree at place `Index` of a table of rooted trees, see RootedTrees; what a table of Nystroem
+/// trees has after the last of them is the velocity.
 template <const auto& Trees, std::size_t Index>
 constexpr auto tree_at() {
   if constexpr (Index == 0)
     return tree<>{};
+  else if constexpr (Index == Trees.count)
+    return velocity{};
   else
     return graft(tree_at<Trees, Trees.left[Index]>(), tree_at<Trees, Trees.right[Index]>());
 }

@@ -141,17 +141,6 @@ constexpr void for_each_condition(const RosenbrockTableau<S>& tableau,
   }
 }
 
-/// The largest violation of the conditions up to `Order` by a row of b.
-template <int Order, std::size_t S>
-constexpr double rosenbrock_residual(const RosenbrockTableau<S>& tableau,
-                                     const std::array<double, S>& b) {
-  double worst = 0;
-  for_each_condition<Order>(tableau, b, [&](std::size_t, double residual) {
-    worst = residual > worst ? residual : (-residual > worst ? -residual : worst);
-  });
-  return worst;
-}
-
 /// The first condition up to `order` (at most 5) that a row of m does not meet, or that it meets
 /// all of the next order.
 template <std::size_t S>
@@ -173,11 +162,6 @@ constexpr OrderFault order_fault(const RosenbrockTableau<S>& tableau,
 template <std::size_t S>
 constexpr OrderFault first_fault(const RosenbrockTableau<S>& tableau) {
   return first_fault(tableau, tableau.m, tableau.m_hat);
-}
-
-template <int Order, std::size_t Index, std::size_t S>
-constexpr auto tree_of_fault(const RosenbrockTableau<S>&) {
-  return tree_at<rooted_trees<Order>, Index>();
 }
 
 }  // namespace odeum

@@ -26,7 +26,6 @@ struct RowOrder {
   bool fails = false;  ///< a condition of the next order fails; else `order` is the highest checked
   std::size_t tree = 0;     ///< the first condition that fails
   Number residual{};        ///< sum_i b_i Phi_i(tau) - 1/gamma(tau) of that tree
-  double allowance = 0;     ///< bound on the residual that rounding explains
   int failing = 0, of = 0;  ///< how many conditions of the next order fail, and how many there are
 };
 
@@ -49,7 +48,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
                               const CoefficientRounding& rounding,
                               int at_most = highest_order_checked) {
   const std::size_t s = tableau.stages;
-  const std::vector<RootedTree>& trees = all_rooted_trees();
+  constexpr auto& trees = all_rooted_trees;
   std::vector<std::vector<Number>> phi;
   std::vector<std::vector<double>> size, slope;  // Phi(|A|), and its derivative by a shift of all
   std::vector<double> magnitude(s * s), weight(s);
@@ -59,7 +58,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
   RowOrder<Number> result;
   std::size_t tau = 0;
   for (int order = 1; order <= at_most; ++order) {
-    for (; tau < trees.size() && trees[tau].nodes == order; ++tau) {
+    for (; tau < trees.count && trees.nodes[tau] == order; ++tau) {
       phi.emplace_back(s, Number(1));
       size.emplace_back(s, 1.0);
       slope.emplace_back(s, 0.0);
@@ -67,7 +66,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
       double sum_size = 0, sum_slope = 0;
       for (std::size_t i = 0; i < s; ++i) {
         if (tau != 0) {
-          const std::size_t l = trees[tau].left, r = trees[tau].right;
+          const std::size_t l = trees.left[tau], r = trees.right[tau];
           Number graft(0);
           double graft_size = 0, graft_slope = 0;
           for (std::size_t j = 0; j < s; ++j) {
@@ -85,7 +84,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
         sum_size += weight[i] * size[tau][i];
         if (weight[i] != 0) sum_slope += size[tau][i] + weight[i] * slope[tau][i];
       }
-      const Number exact = Number(1) / Number(static_cast<double>(trees[tau].density));
+      const Number exact = Number(1) / Number(trees.density[tau]);
       const Number residual = sum - exact;
       const double allowance = order * rounding.relative * sum_size + rounding.absolute * sum_slope;
       ++result.of;
@@ -93,7 +92,6 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
       if (result.failing++ == 0) {
         result.tree = tau;
         result.residual = residual;
-        result.allowance = allowance;
       }
     }
     if (result.failing > 0) {

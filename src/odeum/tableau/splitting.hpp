@@ -70,7 +70,7 @@ constexpr OrderFault first_fault(const Splitting<S>& splitting) {
 
 template <int Order, std::size_t Index, std::size_t S>
 constexpr auto tree_of_fault(const Splitting<S>&) {
-  return nystroem_tree_at<nystroem_trees<Order>, Index>();
+  return tree_at<nystroem_trees<Order>, Index>();
 }
 
 /// Kicks and drifts of the composition of velocity-Verlet steps of lengths w_0 h, w_1 h, ...

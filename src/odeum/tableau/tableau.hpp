@@ -9,6 +9,14 @@
 /// (row sums), explicit or not, first-same-as-last, the stability function.
 namespace odeum {
 
+/// Whether each row i of a square matrix is zero from entry i + `beyond` on.
+constexpr bool zero_from(const auto& matrix, std::size_t beyond) {
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t j = i + beyond; j < matrix.size(); ++j)
+      if (matrix[i][j] != 0) return false;
+  return true;
+}
+
 /// A Runge-Kutta method of S stages, with an embedded row where `b_hat` is not all zero. Its
 /// coefficients are in double, or to more digits for runs in extended precision.
 template <std::size_t S, class Real = double>
@@ -33,12 +41,9 @@ struct Tableau {
     for (std::size_t i = 0; i < S; ++i) weights[i] -= b_hat[i];
     return weights;
   }
-  constexpr bool is_explicit() const {
-    for (std::size_t i = 0; i < S; ++i)
-      for (std::size_t j = i; j < S; ++j)
-        if (a[i][j] != 0) return false;
-    return true;
-  }
+  constexpr bool is_explicit() const { return zero_from(a, 0); }
+  /// Stages depend on earlier ones and themselves only.
+  constexpr bool is_diagonally_implicit() const { return zero_from(a, 1); }
   /// First same as last: the argument of the last stage is the new state.
   constexpr bool first_same_as_last() const {
     if (a[0][0] != 0) return false;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/input/text_file.hpp"
@@ -18,6 +17,7 @@ const std::vector<std::string> keys{"name", "source", "order", "order_embedded",
 /// A tableau of numbers as written in the file.
 struct Written {
   std::size_t stages = 0;
+  int order = 0, order_hat = 0;
   std::vector<Coefficient> a, b, c, b_hat;
 };
 
@@ -42,8 +42,9 @@ class Reader {
       result.has_nodes = true;
     }
     if (const YamlNode* b_hat = find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
-    const int order = claim("order"), order_hat = claim("order_embedded");
-    if (order_hat != 0 && w.b_hat.empty())
+    w.order = claim("order");
+    w.order_hat = claim("order_embedded");
+    if (w.order_hat != 0 && w.b_hat.empty())
       fail_at(*find("order_embedded"), "order_embedded", "claim without the row", "b_hat");
 
     const bool exact = all_of(w, [](const Coefficient& x) { return x.rational; });
@@ -52,14 +53,6 @@ class Reader {
     else
       result.tableau = convert<mpf_class>(w, [](const Coefficient& x) { return x.value; });
     result.rounded = convert<double>(w, [](const Coefficient& x) { return x.value.get_d(); });
-    std::visit(
-        [&](auto& t) {
-          t.order = order;
-          t.order_hat = order_hat;
-        },
-        result.tableau);
-    result.rounded.order = order;
-    result.rounded.order_hat = order_hat;
     // Rounding of a root to 512 bits, with a margin for the sums that it enters.
     if (!exact) result.rounding.relative = 1e-140;
     all_of(w, [&](const Coefficient& x) {
@@ -180,6 +173,8 @@ class Reader {
   static DynamicTableau<Number> convert(const Written& w, Pick&& pick) {
     DynamicTableau<Number> t;
     t.stages = w.stages;
+    t.order = w.order;
+    t.order_hat = w.order_hat;
     const auto copy = [&](const std::vector<Coefficient>& from, std::vector<Number>& to) {
       for (const Coefficient& x : from) to.push_back(pick(x));
     };
