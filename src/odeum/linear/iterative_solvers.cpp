@@ -75,21 +75,9 @@ std::size_t below(const std::vector<double>& diagonal, const std::vector<double>
 }  // namespace
 
 const char* to_string(IterationStatus status) {
-  switch (status) {
-    case IterationStatus::converged:
-      return "ok";
-    case IterationStatus::diverged:
-      return "diverged";
-    case IterationStatus::over_budget:
-      return "over_budget";
-    case IterationStatus::stopped:
-      return "stopped";
-    case IterationStatus::indefinite:
-      return "indefinite";
-    case IterationStatus::non_finite:
-      return "non_finite";
-  }
-  return "non_finite";
+  constexpr const char* names[] = {"ok",      "diverged",   "over_budget",
+                                   "stopped", "indefinite", "non_finite"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 IterativeOutcome stationary(const SparseMatrix& a, const Preconditioner& m,
