@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/springs/spring_grid.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace odeum::scene {
