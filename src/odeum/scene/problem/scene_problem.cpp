@@ -212,8 +212,8 @@ void SceneProblem::jacobian_times(double, const double* y, const double* x, doub
   ProductSink sink(x, x + n, change);
   if (grid_) {
     on_grid(grid_->layout(), {y, x, x + n}, change,
-            [&](const double* gq, std::size_t entries, double* product) {
-              grid_->springs().derivative(gq, gq + entries, gq + 2 * entries, product, 0,
+            [&](const double* gq, std::size_t entries, double* derivative) {
+              grid_->springs().derivative(gq, gq + entries, gq + 2 * entries, derivative, 0,
                                           grid_->layout().rows);
             });
   } else {
