@@ -41,9 +41,15 @@ void require_sound(const Scene& scene) {
 template <class Work>
 void on_grid(const GridLayout& layout, std::initializer_list<const double*> vectors, double* result,
              const Work& work) {
-  thread_local std::vector<double> space;  // one for each thread: threads share the problem
+  // One for each thread, since threads share the problem.
+  thread_local std::vector<double> space;
+  thread_local GridLayout last;
   const std::size_t n = 3 * layout.size;
-  if (space.size() < (vectors.size() + 1) * n) space.resize((vectors.size() + 1) * n);
+  if (layout != last) {
+    // What another grid left in the margins of this one may not be finite.
+    space.assign((vectors.size() + 1) * n, 0);
+    last = layout;
+  }
   double* array = space.data();
   for (const double* const vector : vectors) layout.scatter(vector, array), array += n;
   work(space.data(), n, array);

@@ -28,6 +28,7 @@ struct GridLayout {
 
   GridLayout() = default;
   GridLayout(std::size_t rows, std::size_t columns);
+  bool operator==(const GridLayout&) const = default;
   std::size_t row(std::size_t r) const { return (r + margin) * stride + margin; }
   /// From the place of end a of a spring to that of end b.
   std::size_t offset(const SpringKind& kind) const {
