@@ -10,8 +10,6 @@
 #include <sunmatrix/sunmatrix_sparse.h>
 #endif
 
-#include <numeric>
-
 #include "odeum/linear/ordering.hpp"
 #include "odeum/linear/sparse_system.hpp"
 
@@ -81,10 +79,8 @@ void add_diagonal(const Sparsity& pattern, StructuredJacobian& jacobian) {
 
 /// The two widths of the band in the order of the unknowns.
 std::pair<sunindextype, sunindextype> band_of(const Sparsity& pattern) {
-  std::vector<int> given(pattern.unknowns());
-  std::iota(given.begin(), given.end(), 0);
-  const auto [lower, upper] = linear::bandwidths(pattern, given);
-  return {static_cast<sunindextype>(lower), static_cast<sunindextype>(upper)};
+  const linear::Band band = linear::band_of(pattern);
+  return {static_cast<sunindextype>(band.lower), static_cast<sunindextype>(band.upper)};
 }
 
 }  // namespace

@@ -73,11 +73,8 @@ TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
 
 /// Product of its widths in the reverse Cuthill-McKee ordering.
 double narrowest_band(const Sparsity& pattern) {
-  const std::vector<int> order = linear::reverse_cuthill_mckee(pattern);
-  std::vector<int> number(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
-  const auto [lower, upper] = linear::bandwidths(pattern, number);
-  return static_cast<double>(lower * upper);
+  const linear::Band band = linear::band_of(pattern, linear::reverse_cuthill_mckee(pattern));
+  return static_cast<double>(band.lower * band.upper);
 }
 
 truth::System system_of(const std::shared_ptr<const TextOde>& ode) {

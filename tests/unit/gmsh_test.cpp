@@ -4,8 +4,8 @@
 #include <random>
 
 #include "fuzz/read_any_mesh.hpp"
+#include "odeum/fem/field_files.hpp"
 #include "odeum/fem/shapes.hpp"
-#include "odeum/fem/vtk_writer.hpp"
 #include "support/damage.hpp"
 #include "support/gmsh_text.hpp"
 

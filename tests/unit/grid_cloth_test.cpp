@@ -87,6 +87,19 @@ void expect_near(const std::vector<double>& a, const std::vector<double>& b, dou
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance) << i;
 }
 
+// The work space of a thread still holds what is not finite when it serves a grid of another shape.
+TEST(GridOfAScene, IsComputedAloneAfterAnotherBlewUp) {
+  const SceneProblem first(make_net(9)), second(make_net(5));
+  const auto accelerations = [](const SceneProblem& problem, const std::vector<double>& y) {
+    std::vector<double> a(problem.size() / 2);
+    problem.acceleration(0, y.data(), y.data() + a.size(), a.data());
+    return a;
+  };
+  const std::vector<double> alone = accelerations(second, second.start());
+  accelerations(first, std::vector<double>(first.size(), INFINITY));
+  EXPECT_EQ(accelerations(second, second.start()), alone);
+}
+
 TEST(GridCloth, TakesTheStepsOfTheMethods) {
   const Scene scene = make_net(9);
   // Two hundred steps of numbers up to ten, whose forces are summed in another order.

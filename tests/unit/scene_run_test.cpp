@@ -8,7 +8,6 @@
 #include "odeum/contest/case.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/scene/read/reader.hpp"
-#include "odeum/scene/run/emission.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"

@@ -152,14 +152,14 @@ TEST(SparseSystem, RefusesWhatIsNoPattern) {
 
 TEST(Ordering, NarrowsTheBandOfTwoSpecies) {
   const Sparsity s = reaction(50);
-  const std::vector<int> order = linear::reverse_cuthill_mckee(s);
-  std::vector<int> number(order.size(), -1);
-  for (std::size_t k = 0; k < order.size(); ++k) number[order[k]] = static_cast<int>(k);
-  EXPECT_EQ(std::count(number.begin(), number.end(), -1), 0) << "a permutation";
-  const auto [lower, upper] = linear::bandwidths(s, number);
+  const linear::Band band = linear::band_of(s, linear::reverse_cuthill_mckee(s));
+  EXPECT_TRUE(
+      std::is_permutation(band.order.begin(), band.order.end(), linear::band_of(s).order.begin()));
+  for (std::size_t k = 0; k < band.order.size(); ++k)
+    EXPECT_EQ(band.number[band.order[k]], static_cast<int>(k));
   // A ladder of 50 rungs: two unknowns a level, and a level is coupled with the next.
-  EXPECT_LE(lower, 3U);
-  EXPECT_LE(upper, 3U);
+  EXPECT_LE(band.lower, 3U);
+  EXPECT_LE(band.upper, 3U);
 }
 
 TEST(Colouring, ColumnsOfAColourShareNoRow) {

@@ -13,7 +13,6 @@
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/scene_files.hpp"
-#include "odeum/scene/run/emission.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "support/scene_stage.hpp"
 

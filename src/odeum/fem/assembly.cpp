@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "odeum/fem/elliptic.hpp"
+#include "odeum/fem/element.hpp"
 #include "odeum/fem/half_edges.hpp"
 
 namespace odeum::fem {
@@ -31,29 +31,6 @@ Tensor diffusion_at(const EllipticProblem& problem, Point at) {
            at);
   return a;
 }
-
-/// A triangle: its nodes, and by node the other two's difference (a.y - b.y, b.x - a.x), which is
-/// twice the area times the gradient of the node's basis function.
-struct Corners {
-  Point p[3], turned[3];
-  double area;
-
-  Corners(const TriangleMesh& mesh, std::size_t t) {
-    const auto& ids = mesh.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.nodes[ids[k]];
-    turned[0] = {p[1].y - p[2].y, p[2].x - p[1].x};
-    turned[1] = {p[2].y - p[0].y, p[0].x - p[2].x};
-    turned[2] = {p[0].y - p[1].y, p[1].x - p[0].x};
-    area = (turned[2].y * turned[1].x - turned[1].y * turned[2].x) / 2;
-    double longest = 0;
-    for (const Point edge : turned) longest = std::max(longest, edge.x * edge.x + edge.y * edge.y);
-    if (!(2 * area > degenerate_area * longest)) check_triangle(mesh, t);
-  }
-  Point at(const std::array<double, 3>& barycentric) const {
-    return {barycentric[0] * p[0].x + barycentric[1] * p[1].x + barycentric[2] * p[2].x,
-            barycentric[0] * p[0].y + barycentric[1] * p[1].y + barycentric[2] * p[2].y};
-  }
-};
 
 /// One assembly. Rows of the matrix are numbered as the nodes are, so that those of a node's
 /// neighbours come out sorted, and no entry is sorted or looked for beyond its row.
@@ -189,25 +166,25 @@ class Assembly {
       const auto& ids = mesh_.triangles[t];
       const bool own[3] = {mine(ids[0]), mine(ids[1]), mine(ids[2])};
       if (!own[0] && !own[1] && !own[2]) continue;
-      const Corners corners(mesh_, t);
-      add_load(rule, corners, ids, own);
-      add_stiffness(corners, ids, own);
+      const Element element(mesh_, t);
+      add_load(rule, element, ids, own);
+      add_stiffness(element, ids, own);
     }
   }
 
-  void add_load(const Rule& rule, const Corners& triangle, const std::array<std::size_t, 3>& ids,
+  void add_load(const Rule& rule, const Element& element, const std::array<std::size_t, 3>& ids,
                 const bool* own) {
     double sums[3] = {};
     double absolute = 0;
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
       const Rule::Node& node = rule.nodes[k];
-      const double weight = node.weight * triangle.area;
+      const double weight = node.weight * element.area;
       if (const std::size_t corner = corners_[k]; corner < 3) {
         const double part = weight * at_nodes_[ids[corner]];
         sums[corner] += part, absolute += std::abs(part);
         continue;
       }
-      const Point at = triangle.at(node.at);
+      const Point at = element.at(node.at);
       const double part = weight * finite(problem_.load(at), "the load f", at);
       for (std::size_t i = 0; i < 3; ++i) sums[i] += node.at[i] * part;
       absolute += std::abs(part);
@@ -217,25 +194,17 @@ class Assembly {
     if (!determined_) absolute_ += absolute;
   }
 
-  void add_stiffness(const Corners& triangle, const std::array<std::size_t, 3>& ids,
+  void add_stiffness(const Element& element, const std::array<std::size_t, 3>& ids,
                      const bool* own) {
-    const auto& e = triangle.turned;
-    const double scale = 0.25 / triangle.area;
     const Tensor a = problem_.diffusion
-                         ? diffusion_at(problem_, triangle.at({1. / 3, 1. / 3, 1. / 3}))
+                         ? diffusion_at(problem_, element.at({1. / 3, 1. / 3, 1. / 3}))
                          : Tensor{};
-    const auto entry = [&](const Point& l, const Point& r) {
-      return scale * (a.xx * l.x * r.x + a.xy * (l.x * r.y + l.y * r.x) + a.yy * l.y * r.y);
-    };
-    // Row i meets the two others by these: opposite[k] is that of the nodes other than k.
-    const double opposite[3] = {entry(e[1], e[2]), entry(e[2], e[0]), entry(e[0], e[1])};
+    const ElementMatrix entries = element.stiffness(a);
     for (std::size_t i = 0; i < 3; ++i) {
       const int row = system_.unknown[ids[i]];
       if (row < 0 || !own[i]) continue;
-      system_.matrix.value[diagonal_[row]] += entry(e[i], e[i]);
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      add_entry(row, ids[j], opposite[k]);
-      add_entry(row, ids[k], opposite[j]);
+      system_.matrix.value[diagonal_[row]] += entries[i][i];
+      for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3}) add_entry(row, ids[j], entries[i][j]);
     }
   }
 

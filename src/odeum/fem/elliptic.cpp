@@ -30,11 +30,10 @@ std::vector<double> nodal_of_mean_zero(const TriangleMesh& mesh, const EllipticS
 linear::SparseMatrix mass_matrix(const TriangleMesh& mesh) {
   std::vector<linear::Triplet> entries;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto mass = Element(mesh, t).mass();
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        entries.push_back({static_cast<int>(mesh.triangles[t][i]),
-                           static_cast<int>(mesh.triangles[t][j]), mass[i][j]});
+    const double area = doubled_area(mesh, t) / 2;
+    for (const std::size_t i : mesh.triangles[t])
+      for (const std::size_t j : mesh.triangles[t])
+        entries.push_back({static_cast<int>(i), static_cast<int>(j), area * (i == j ? 2 : 1) / 12});
   }
   const auto n = static_cast<int>(mesh.nodes.size());
   return linear::from_triplets(n, n, entries);
@@ -62,8 +61,8 @@ FieldErrors field_errors(const TriangleMesh& mesh, const std::vector<double>& no
     const auto& ids = mesh.triangles[t];
     Point slope;
     for (std::size_t i = 0; i < 3; ++i) {
-      slope.x += nodal[ids[i]] * element.gradients[i].x;
-      slope.y += nodal[ids[i]] * element.gradients[i].y;
+      slope.x += nodal[ids[i]] * (element.turned[i].x / (2 * element.area));
+      slope.y += nodal[ids[i]] * (element.turned[i].y / (2 * element.area));
       errors.maximum =
           std::fmax(errors.maximum, std::abs(nodal[ids[i]] - value(mesh.nodes[ids[i]])));
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/fem/field_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "odeum/fem/field_files.hpp"
 
 namespace odeum::fem {
 namespace {

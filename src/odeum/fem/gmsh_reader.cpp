@@ -16,18 +16,11 @@ namespace odeum::fem {
 namespace {
 
 const char* element_name(int type) {
-  switch (type) {
-    case 3:
-      return "a quadrangle";
-    case 4:
-      return "a tetrahedron";
-    case 8:
-      return "a line of second order";
-    case 9:
-      return "a triangle of second order";
-    default:
-      return "another element";
-  }
+  return type == 3   ? "a quadrangle"
+         : type == 4 ? "a tetrahedron"
+         : type == 8 ? "a line of second order"
+         : type == 9 ? "a triangle of second order"
+                     : "another element";
 }
 
 class Reader {
@@ -103,13 +96,22 @@ class Reader {
       }
   }
 
-  void read_nodes() {
-    if (!nodes_.empty()) words_.refuse("the file", "$Nodes twice", "one section of nodes");
+  /// The blocks of a section, whose head says how many entries they add to `all`; `number` is what
+  /// errors call that count.
+  template <class All, class ReadBlock>
+  void read_blocks(const char* number, const All& all, ReadBlock&& read_block) {
     const std::size_t blocks = words_.count("the number of blocks");
-    const std::size_t count = words_.count("the number of nodes");
+    const std::size_t count = words_.count(number);
     const Place counted = words_.place();
     words_.count("the least tag"), words_.count("the greatest tag");
-    for (std::size_t block = 0; block < blocks; ++block) {
+    for (std::size_t block = 0; block < blocks; ++block) read_block();
+    if (all.size() != count)
+      words_.fail(counted, fmt::format("{}: got {}, but {} follow", number, count, all.size()));
+  }
+
+  void read_nodes() {
+    if (!nodes_.empty()) words_.refuse("the file", "$Nodes twice", "one section of nodes");
+    read_blocks("the number of nodes", nodes_, [this] {
       const int dimension = words_.integer("the dimension of an entity");
       words_.integer("the tag of an entity");
       const bool parametric = words_.count("whether there are parameters") != 0;
@@ -130,10 +132,7 @@ class Reader {
           words_.real("a parameter");
         tags_.nodes.push_back(tag);
       }
-    }
-    if (nodes_.size() != count)
-      words_.fail(counted,
-                  fmt::format("the number of nodes: got {}, but {} follow", count, nodes_.size()));
+    });
   }
 
   std::size_t node() {
@@ -146,11 +145,7 @@ class Reader {
   }
 
   void read_elements() {
-    const std::size_t blocks = words_.count("the number of blocks");
-    const std::size_t count = words_.count("the number of elements");
-    const Place counted = words_.place();
-    words_.count("the least tag"), words_.count("the greatest tag");
-    for (std::size_t block = 0; block < blocks; ++block) {
+    read_blocks("the number of elements", elements_, [this] {
       words_.integer("the dimension of an entity");
       const int entity = words_.integer("the tag of an entity");
       const int type = words_.integer("the type of elements");
@@ -159,10 +154,7 @@ class Reader {
                       "15, 1 or 2: points, lines, triangles of three nodes");
       const std::size_t here = words_.count("the number of elements");
       for (std::size_t i = 0; i < here; ++i) read_element(type, entity);
-    }
-    if (elements_.size() != count)
-      words_.fail(counted, fmt::format("the number of elements: got {}, but {} follow", count,
-                                       elements_.size()));
+    });
   }
 
   void read_element(int type, int entity) {

@@ -13,19 +13,8 @@ namespace {
 constexpr double field = 480, left = 60, top = 34;
 
 const char* colour_of(PdeType type) {
-  switch (type) {
-    case PdeType::elliptic:
-      return "#cfe3f5";
-    case PdeType::hyperbolic:
-      return "#f8dfc4";
-    case PdeType::parabolic:
-      return "#7a3e9d";
-    case PdeType::first_order:
-      return "#dddddd";
-    case PdeType::undefined:
-      return "#ffffff";
-  }
-  return "#ffffff";
+  constexpr const char* colours[] = {"#cfe3f5", "#7a3e9d", "#f8dfc4", "#dddddd", "#ffffff"};
+  return colours[static_cast<std::size_t>(type)];
 }
 
 std::string text(double x, double y, std::string_view anchor, std::string_view what) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/fem/second_order_pde.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 #include "odeum/formula/parser.hpp"
 
@@ -39,15 +37,8 @@ formula::Scope scope_of(Graph& graph, const std::string& second, bool with_u) {
 
 /// t stands alone or as the variable of a derivative, so that it is no part of a function's name.
 bool uses_time(const std::string& text) {
-  const auto part_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
-  for (const char* name : {"u_t", "u_tt", "u_xt", "u_tx", "t"})
-    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-      const std::size_t end = at + std::string(name).size();
-      const bool begins = at == 0 || (!part_of_name(text[at - 1]) && text[at - 1] != '_');
-      if (begins && (end == text.size() || (!part_of_name(text[end]) && text[end] != '_')))
-        return true;
-    }
-  return false;
+  static const std::regex time(R"(\b(t|u_t|u_tt|u_xt|u_tx)\b)");
+  return std::regex_search(text, time);
 }
 
 Id parsed(const std::string& text, std::size_t offset, const formula::Scope& scope, Graph& graph) {
@@ -96,17 +87,13 @@ PdePoint judged(const long double* k, bool lower_known) {
     add(a, q), add(q, c);
   } else {
     point.type = PdeType::parabolic;
-    if (std::abs(a) > std::abs(c))
-      add(a, b / 2);
-    else
-      add(b / 2, c);
+    const bool along_x = std::abs(a) > std::abs(c);
+    const long double x = along_x ? a : b / 2, y = along_x ? b / 2 : c;
+    add(x, y);
     // The second derivative is along the characteristic's direction turned by the form: what it
-    // does not see is the null vector of [[a, b/2], [b/2, c]].
-    const long double nx = std::abs(a) > std::abs(c) ? -b / 2 : c,
-                      ny = std::abs(a) > std::abs(c) ? a : -b / 2;
-    const long double first = std::abs(k[3] * nx + k[4] * ny);
-    point.degenerate =
-        lower_known && first <= rounding * (std::abs(k[3] * nx) + std::abs(k[4] * ny));
+    // does not see is the null vector of [[a, b/2], [b/2, c]], (-y, x).
+    point.degenerate = lower_known && std::abs(k[4] * x - k[3] * y) <=
+                                          rounding * (std::abs(k[4] * x) + std::abs(k[3] * y));
   }
   return point;
 }
@@ -114,19 +101,9 @@ PdePoint judged(const long double* k, bool lower_known) {
 }  // namespace
 
 const char* to_string(PdeType type) {
-  switch (type) {
-    case PdeType::elliptic:
-      return "elliptic";
-    case PdeType::parabolic:
-      return "parabolic";
-    case PdeType::hyperbolic:
-      return "hyperbolic";
-    case PdeType::first_order:
-      return "first_order";
-    case PdeType::undefined:
-      return "undefined";
-  }
-  return "undefined";
+  constexpr const char* names[] = {"elliptic", "parabolic", "hyperbolic", "first_order",
+                                   "undefined"};
+  return names[static_cast<std::size_t>(type)];
 }
 
 void SecondOrderPde::prepare(Graph& graph, const std::vector<Id>& coefficients) {

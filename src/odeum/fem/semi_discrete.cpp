@@ -65,11 +65,8 @@ class Solver final : public ShiftedSolver {
     if (wave_)
       for (std::size_t i = 0; i < n; ++i) right_[i] += gamma_h_ * v[i];
     system_.mass.multiply(right_.data(), product_.data());
-    if (!wave_) {
-      ldlt_->solve(product_.data(), x);
-      return true;
-    }
     ldlt_->solve(product_.data(), x);
+    if (!wave_) return true;
     // From the rate, not from the difference of positions, which cancels for small steps.
     system_.rate(x, product_.data());
     for (std::size_t i = 0; i < n; ++i) v[i] += gamma_h_ * (product_[i] - system_.source[i]);

@@ -59,24 +59,21 @@ TriangleMesh unstructured_square(std::size_t n, std::uint64_t seed) {
 
 TriangleMesh l_shape(std::size_t n) {
   require(n > 0, too_few);
-  TriangleMesh square;
+  TriangleMesh mesh;
   const std::size_t row = 2 * n + 1;
+  std::vector<std::size_t> place;  // by node of the whole square
   for (std::size_t j = 0; j < row; ++j)
-    for (std::size_t i = 0; i < row; ++i)
-      square.nodes.push_back({static_cast<double>(i) / static_cast<double>(n) - 1,
+    for (std::size_t i = 0; i < row; ++i) {
+      place.push_back(mesh.nodes.size());
+      if (i <= n || j >= n)
+        mesh.nodes.push_back({static_cast<double>(i) / static_cast<double>(n) - 1,
                               static_cast<double>(j) / static_cast<double>(n) - 1});
+    }
   for (std::size_t j = 0; j < 2 * n; ++j)
     for (std::size_t i = 0; i < 2 * n; ++i)
-      if (i < n || j >= n) add_cell(square, j * row + i, row, true);
-  TriangleMesh mesh;
-  std::vector<std::size_t> place(square.nodes.size());
-  for (std::size_t i = 0; i < square.nodes.size(); ++i) {
-    place[i] = mesh.nodes.size();
-    const Point p = square.nodes[i];
-    if (p.x <= 0 || p.y >= 0) mesh.nodes.push_back(p);
-  }
-  for (const auto& ids : square.triangles)
-    mesh.triangles.push_back({place[ids[0]], place[ids[1]], place[ids[2]]});
+      if (i < n || j >= n) add_cell(mesh, j * row + i, row, true);
+  for (auto& ids : mesh.triangles)
+    for (std::size_t& id : ids) id = place[id];
   return mesh;
 }
 

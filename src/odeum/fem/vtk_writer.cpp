@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/fem/vtk_writer.hpp"
-
 #include <fmt/format.h>
 
+#include "odeum/fem/field_files.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum::fem {

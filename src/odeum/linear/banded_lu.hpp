@@ -157,13 +157,8 @@ class BandedLu {
   }
   void swap_rows(std::size_t a, std::size_t b, std::size_t last) {
     const std::size_t from_a = place(a, a), from_b = place(b, a), count = last - a + 1;
-    std::swap_ranges(re_.begin() + static_cast<std::ptrdiff_t>(from_a),
-                     re_.begin() + static_cast<std::ptrdiff_t>(from_a + count),
-                     re_.begin() + static_cast<std::ptrdiff_t>(from_b));
-    if constexpr (is_complex)
-      std::swap_ranges(im_.begin() + static_cast<std::ptrdiff_t>(from_a),
-                       im_.begin() + static_cast<std::ptrdiff_t>(from_a + count),
-                       im_.begin() + static_cast<std::ptrdiff_t>(from_b));
+    std::swap_ranges(re() + from_a, re() + from_a + count, re() + from_b);
+    if constexpr (is_complex) std::swap_ranges(im() + from_a, im() + from_a + count, im() + from_b);
   }
   void invert(std::size_t at) {
     if constexpr (is_complex) {

@@ -57,7 +57,7 @@ class ComplexInverse {
         re_[i * n + j] = (i == j ? 1 : 0) - g.real() * jacobian[j * n + i];
         im_[i * n + j] = -g.imag() * jacobian[j * n + i];
       }
-    auto swapped = make_index_row<N>(n);
+    auto swapped = make_row<N, std::size_t>(n);
     for (std::size_t k = 0; k < n; ++k) {
       if constexpr (pivoting) {
         std::size_t pivot = k;

@@ -14,7 +14,6 @@ class Lu {
  public:
   explicit Lu(std::size_t n) : n_(n), lu_(n * n), row_(n), scratch_(n) {}
 
-  std::size_t size() const { return n_; }
   /// The n x n entries: fill them, then call factorise().
   Scalar* data() { return lu_.data(); }
 

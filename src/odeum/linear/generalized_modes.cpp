@@ -5,20 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "odeum/linear/sparse_eigen.hpp"
+
 namespace odeum::linear {
-
-using Dense = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-
-namespace {
-
-Dense dense(const SparseMatrix& a) {
-  Dense matrix = Dense::Zero(a.rows, a.columns);
-  for (int i = 0; i < a.rows; ++i)
-    for (int k = a.start[i]; k < a.start[i + 1]; ++k) matrix(i, a.column[k]) = a.value[k];
-  return matrix;
-}
-
-}  // namespace
 
 std::vector<long double> Modes::coordinates(const std::vector<long double>& v) const {
   std::vector<long double> all;
@@ -28,10 +17,12 @@ std::vector<long double> Modes::coordinates(const std::vector<long double>& v) c
 }
 
 Modes generalized_modes(const SparseMatrix& k, const SparseMatrix& m) {
-  const Dense mass = dense(m);
+  using Dense = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  const Dense mass = eigen_map(m).toDense().cast<long double>();
   if (Eigen::LLT<Dense>(mass).info() != Eigen::Success)
     throw std::invalid_argument("the mass matrix is not positive definite");
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Dense> solver(dense(k), mass);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Dense> solver(
+      eigen_map(k).toDense().cast<long double>(), mass);
   Modes modes;
   for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) {
     modes.values.push_back(solver.eigenvalues()(i));

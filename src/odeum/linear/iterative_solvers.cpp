@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
 #include "odeum/linear/conjugate_gradients.hpp"
-#include "odeum/linear/team_product.hpp"
-#include "odeum/linear/tridiagonal.hpp"
 
 namespace odeum::linear {
 namespace {
@@ -61,24 +60,24 @@ IterativeOutcome iterate(const SparseMatrix& a, const std::vector<double>& b, co
   return outcome;
 }
 
+/// How many eigenvalues lie below x.
+std::size_t below(const std::vector<double>& diagonal, const std::vector<double>& off, double x) {
+  std::size_t count = 0;
+  double q = 1;
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    q = diagonal[i] - x - (i > 0 ? off[i - 1] * off[i - 1] / q : 0);
+    if (q == 0) q = std::numeric_limits<double>::min();
+    count += q < 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 const char* to_string(IterationStatus status) {
-  switch (status) {
-    case IterationStatus::converged:
-      return "ok";
-    case IterationStatus::diverged:
-      return "diverged";
-    case IterationStatus::over_budget:
-      return "over_budget";
-    case IterationStatus::stopped:
-      return "stopped";
-    case IterationStatus::indefinite:
-      return "indefinite";
-    case IterationStatus::non_finite:
-      return "non_finite";
-  }
-  return "non_finite";
+  constexpr const char* names[] = {"ok",      "diverged",   "over_budget",
+                                   "stopped", "indefinite", "non_finite"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 IterativeOutcome stationary(const SparseMatrix& a, const Preconditioner& m,
@@ -120,6 +119,26 @@ IterativeOutcome steepest_descent(const SparseMatrix& a, const std::vector<doubl
   });
 }
 
+std::pair<double, double> extreme_eigenvalues(const std::vector<double>& diagonal,
+                                              const std::vector<double>& off) {
+  // All lie within Gershgorin's discs.
+  double low = diagonal[0], high = diagonal[0];
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const double radius =
+        (i > 0 ? std::abs(off[i - 1]) : 0) + (i < off.size() ? std::abs(off[i]) : 0);
+    low = std::min(low, diagonal[i] - radius), high = std::max(high, diagonal[i] + radius);
+  }
+  const auto bisect = [&](std::size_t at_most_below) {
+    double a = low, b = high;
+    for (int halving = 0; halving < 100; ++halving) {
+      const double middle = a + (b - a) / 2;
+      (below(diagonal, off, middle) <= at_most_below ? a : b) = middle;
+    }
+    return a + (b - a) / 2;
+  };
+  return {bisect(0), bisect(diagonal.size() - 1)};
+}
+
 CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
                             const std::vector<double>& b, const StopRule& rule, const Watch& watch,
                             std::size_t threads) {
@@ -135,7 +154,7 @@ CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
   Team team(threads);
   ConjugateGradients cg(b.size(), &team);
   const bool done = cg.solve(
-      [&](const double* x, double* ax) { multiply(a, x, ax, team); },
+      [&](const double* x, double* ax) { a.multiply(x, ax, &team); },
       [&](const double* r, double* z) { m.apply(r, z); }, b.data(), outcome.x.data(),
       rule.relative_residual,
       [&](const ConjugateGradients::Iteration& now) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "odeum/linear/preconditioners.hpp"
@@ -58,5 +58,11 @@ struct CgOutcome : IterativeOutcome {
 CgOutcome preconditioned_cg(const SparseMatrix& a, const Preconditioner& m,
                             const std::vector<double>& b, const StopRule& rule,
                             const Watch& watch = {}, std::size_t threads = 1);
+
+/// Lowest and highest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's
+/// sequence (Golub and Van Loan, Matrix Computations, 8.4.1), to the last digits. `off` is one
+/// shorter than `diagonal`, which is not empty.
+std::pair<double, double> extreme_eigenvalues(const std::vector<double>& diagonal,
+                                              const std::vector<double>& off);
 
 }  // namespace odeum::linear

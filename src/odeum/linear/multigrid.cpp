@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/linear/team_product.hpp"
-
 namespace odeum::linear {
 namespace {
 
@@ -58,13 +56,6 @@ Multigrid::Multigrid(const SparseMatrix& finest, std::vector<SparseMatrix> prolo
     block_.push_back(block_of(matrix(level)));
     residual_.emplace_back(n), right_.emplace_back(n), correction_.emplace_back(n);
   }
-}
-
-double Multigrid::complexity() const {
-  double entries = 0;
-  for (std::size_t level = 0; level < levels(); ++level)
-    entries += static_cast<double>(matrix(level).value.size());
-  return entries / static_cast<double>(finest_.value.size());
 }
 
 void Multigrid::apply(const double* r, double* z) const { cycle(0, r, z); }
@@ -125,12 +116,12 @@ void Multigrid::cycle(std::size_t level, const double* r, double* z) const {
   const SparseMatrix& a = matrix(level);
   sweep_forward(level, r, z);
   double* const residual = residual_[level].data();
-  multiply(a, z, residual, *team_);
+  a.multiply(z, residual, team_.get());
   for (int i = 0; i < a.rows; ++i) residual[i] = r[i] - residual[i];
   double *right = right_[level + 1].data(), *correction = correction_[level + 1].data();
-  multiply(restrictions_[level], residual, right, *team_);
+  restrictions_[level].multiply(residual, right, team_.get());
   cycle(level + 1, right, correction);
-  multiply(prolongations_[level], correction, residual, *team_);
+  prolongations_[level].multiply(correction, residual, team_.get());
   for (int i = 0; i < a.rows; ++i) z[i] += residual[i];
   sweep_backward(level, r, z);
 }

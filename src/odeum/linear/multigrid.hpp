@@ -25,8 +25,6 @@ class Multigrid final : public Preconditioner {
 
   void apply(const double* r, double* z) const override;
   std::size_t levels() const { return prolongations_.size() + 1; }
-  /// Entries of all matrices against those of the finest.
-  double complexity() const;
 
  private:
   const SparseMatrix& matrix(std::size_t level) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/linear/ordering.hpp"
 
+#include <numeric>
+
 namespace odeum::linear {
 namespace {
 
@@ -29,7 +31,7 @@ struct Levels {
   int depth = 0;           ///< of the last
 };
 
-/// From `start`; `seen` is restored.
+/// From `start`; `level` is all -1 before and after.
 Levels levels_from(int start, const std::vector<std::vector<int>>& neighbours,
                    std::vector<int>& level) {
   Levels found;
@@ -69,16 +71,23 @@ std::vector<int> reverse_cuthill_mckee(const Sparsity& pattern) {
   return order;
 }
 
-std::pair<std::size_t, std::size_t> bandwidths(const Sparsity& pattern,
-                                               const std::vector<int>& number) {
+Band band_of(const Sparsity& pattern, std::vector<int> order) {
+  if (order.empty()) {
+    order.resize(pattern.unknowns());
+    std::iota(order.begin(), order.end(), 0);
+  }
+  Band band{.order = std::move(order), .number = std::vector<int>(pattern.unknowns())};
+  for (std::size_t k = 0; k < band.order.size(); ++k)
+    band.number[band.order[k]] = static_cast<int>(k);
   int lower = 0, upper = 0;
   for (std::size_t i = 0; i < pattern.unknowns(); ++i)
     for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-      const int above = number[pattern.column[k]] - number[i];
+      const int above = band.number[pattern.column[k]] - band.number[i];
       lower = std::max(lower, -above);
       upper = std::max(upper, above);
     }
-  return {static_cast<std::size_t>(lower), static_cast<std::size_t>(upper)};
+  band.lower = static_cast<std::size_t>(lower), band.upper = static_cast<std::size_t>(upper);
+  return band;
 }
 
 }  // namespace odeum::linear

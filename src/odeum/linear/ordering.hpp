@@ -13,8 +13,12 @@ namespace odeum::linear {
 /// matrix in this order is narrow where its graph is long and thin.
 std::vector<int> reverse_cuthill_mckee(const Sparsity& pattern);
 
-/// The band's widths below and above the diagonal when unknown i has the number number[i].
-std::pair<std::size_t, std::size_t> bandwidths(const Sparsity& pattern,
-                                               const std::vector<int>& number);
+/// A numbering of unknowns, and the widths of their band below and above the diagonal.
+struct Band {
+  std::vector<int> order, number;  ///< inverse to one another: order[k] has the number k
+  std::size_t lower = 0, upper = 0;
+};
+/// An empty `order`: that of the pattern.
+Band band_of(const Sparsity& pattern, std::vector<int> order = {});
 
 }  // namespace odeum::linear

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <memory>
 #include <vector>
 
 #include "odeum/linear/sparse_matrix.hpp"

@@ -23,8 +23,9 @@ class DenseShiftedSolver final : public ShiftedSolver {
       : problem_(problem),
         n_(used ? size_of(problem) : 0),
         j_(linear::make_square<P::dimension>(n_)),
-        solver_(linear::make_dense_solver<P::dimension>(n_)) {}
+        solver_(n_) {}
 
+  void linearise(double t, const State<P>& y) { linearise(t, y.data()); }
   void linearise(double t, const double* y) {
     if constexpr (WithJacobian<P>)
       problem_.jacobian(t, y, j_.data());
@@ -93,27 +94,13 @@ auto make_shifted_solver(const P& problem) {
 template <Ode P>
 using ShiftedSolverOf = decltype(make_shifted_solver(std::declval<const P&>()));
 
-/// Solves (I - gamma_h J) x = r by the problem's own solver or the default, in two parts:
-/// `linearise` evaluates the Jacobian at (t, y), `factorise` takes gamma_h and may be called again
-/// alone. A problem's own solver does both at once, for which the point is stored.
+/// The problem's own solver where it offers one, else the dense default, with the functions of
+/// DenseShiftedSolver. A problem's own solver evaluates the Jacobian when it factorises, for which
+/// the point of `linearise` is stored.
 template <Ode P>
-class ShiftedSystem {
+class StructuredSystem {
  public:
-  explicit ShiftedSystem(const P& problem) : dense_(problem) {}
-  void linearise(double t, const State<P>& y) { dense_.linearise(t, y.data()); }
-  bool factorise(double gamma_h) { return dense_.factorise(gamma_h); }
-  bool solve(double* x, double = ShiftedSolver::exact) { return dense_.solve(x); }
-  bool negative_determinant() const { return dense_.negative_determinant(); }
-
- private:
-  DenseShiftedSolver<P> dense_;
-};
-
-template <Ode P>
-requires MayHaveStructure<P>
-class ShiftedSystem<P> {
- public:
-  explicit ShiftedSystem(const P& problem) : own_(make_structured_solver(problem)) {
+  explicit StructuredSystem(const P& problem) : own_(make_structured_solver(problem)) {
     if (!own_) dense_ = std::make_unique<DenseShiftedSolver<P>>(problem);
   }
   void linearise(double t, const State<P>& y) {
@@ -135,5 +122,12 @@ class ShiftedSystem<P> {
   double t_ = 0;
   State<P> y_{};
 };
+
+/// Solves (I - gamma_h J) x = r by the problem's own solver or the default, in two parts:
+/// `linearise` evaluates the Jacobian at (t, y), `factorise` takes gamma_h and may be called again
+/// alone.
+template <Ode P>
+using ShiftedSystem =
+    std::conditional_t<MayHaveStructure<P>, StructuredSystem<P>, DenseShiftedSolver<P>>;
 
 }  // namespace odeum

@@ -18,7 +18,8 @@ namespace odeum::linear {
 template <std::size_t N>
 class SmallInverse {
  public:
-  static constexpr std::size_t size() { return N; }
+  /// The argument is that of DenseLu.
+  explicit SmallInverse(std::size_t /*n*/ = N) {}
   /// The N x N entries: fill them, then call factorise().
   double* data() { return a_.data(); }
 
@@ -112,24 +113,16 @@ class SmallInverse {
     return true;
   }
 
-  std::array<double, N * N> a_, inverse_;
+  std::array<double, N * N> a_{}, inverse_{};
 };
 
 /// Up to this many unknowns the inverse is faster than a triangular solve.
 inline constexpr std::size_t small_inverse_limit = 16;
 
-/// The dense solver for a problem's dimension.
+/// The dense solver for a problem's dimension, made for its size at run time.
 template <std::size_t N>
 using DenseSolver =
     std::conditional_t<(N <= small_inverse_limit),
                        SmallInverse<(N <= small_inverse_limit ? N : std::size_t{1})>, DenseLu>;
-
-template <std::size_t N>
-DenseSolver<N> make_dense_solver([[maybe_unused]] std::size_t n) {
-  if constexpr (N <= small_inverse_limit)
-    return {};
-  else
-    return DenseLu(n);
-}
 
 }  // namespace odeum::linear

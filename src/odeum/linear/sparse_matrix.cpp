@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "odeum/core/team.hpp"
 #include "odeum/linear/sparse_eigen.hpp"
 
 namespace odeum::linear {
@@ -22,12 +23,18 @@ SparseMatrix from_eigen(const EigenRows& m) {
 
 }  // namespace
 
-void SparseMatrix::multiply(const double* x, double* y) const {
-  for (int i = 0; i < rows; ++i) {
-    double sum = 0;
-    for (int k = start[i]; k < start[i + 1]; ++k) sum += value[k] * x[column[k]];
-    y[i] = sum;
-  }
+void SparseMatrix::multiply(const double* x, double* y, Team* team) const {
+  const auto multiply_rows = [&, x, y](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      double sum = 0;
+      for (int k = start[i]; k < start[i + 1]; ++k) sum += value[k] * x[column[k]];
+      y[i] = sum;
+    }
+  };
+  if (team)
+    team->run(static_cast<std::size_t>(rows), multiply_rows);
+  else
+    multiply_rows(0, static_cast<std::size_t>(rows));
 }
 
 double SparseMatrix::at(int row, int col) const {

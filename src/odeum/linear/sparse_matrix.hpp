@@ -2,6 +2,10 @@
 #pragma once
 #include <vector>
 
+namespace odeum {
+class Team;
+}
+
 namespace odeum::linear {
 
 /// An entry to be added into a matrix.
@@ -17,8 +21,8 @@ struct SparseMatrix {
   std::vector<int> start{0}, column;
   std::vector<double> value;
 
-  /// y = A x, arrays of `columns` and `rows` doubles.
-  void multiply(const double* x, double* y) const;
+  /// y = A x, arrays of `columns` and `rows` doubles; the threads of `team` take some rows each.
+  void multiply(const double* x, double* y, Team* team = nullptr) const;
   /// An entry; 0 where none is stored.
   double at(int row, int col) const;
   /// Of a square matrix.

@@ -2,9 +2,6 @@
 #include "odeum/linear/sparse_system.hpp"
 
 #include <Eigen/SparseLU>
-#include <cmath>
-#include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +12,7 @@ namespace odeum {
 namespace {
 
 using Complex = std::complex<double>;
+using linear::Band;
 
 /// The factors of one I - g J.
 class Factors {
@@ -25,32 +23,17 @@ class Factors {
   virtual void solve(double* re, double* im) = 0;
 };
 
-/// How the unknowns are numbered for a band, and its widths.
-struct Band {
-  std::vector<int> order, number;  ///< inverse to one another
-  std::size_t lower = 0, upper = 0;
-
-  /// Multiplications per unknown of a factorisation without exchanges of rows.
-  double work() const { return static_cast<double>((lower + 1) * (upper + 1)); }
-};
-
-Band numbered(const Sparsity& pattern, std::vector<int> order) {
-  Band band;
-  band.number.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) band.number[order[k]] = static_cast<int>(k);
-  band.order = std::move(order);
-  std::tie(band.lower, band.upper) = linear::bandwidths(pattern, band.number);
-  return band;
+/// Multiplications per unknown of a factorisation without exchanges of rows.
+double work_of(const Band& band) {
+  return static_cast<double>((band.lower + 1) * (band.upper + 1));
 }
 
 /// The better of the given and the reverse Cuthill-McKee ordering.
 Band narrow_band(const Sparsity& pattern) {
-  std::vector<int> given(pattern.unknowns());
-  std::iota(given.begin(), given.end(), 0);
-  Band as_given = numbered(pattern, std::move(given));
-  if (as_given.work() <= 9) return as_given;  // tridiagonal, or nearly
-  Band ordered = numbered(pattern, linear::reverse_cuthill_mckee(pattern));
-  return ordered.work() < as_given.work() ? ordered : as_given;
+  Band as_given = linear::band_of(pattern);
+  if (work_of(as_given) <= 9) return as_given;  // tridiagonal, or nearly
+  Band ordered = linear::band_of(pattern, linear::reverse_cuthill_mckee(pattern));
+  return work_of(ordered) < work_of(as_given) ? ordered : as_given;
 }
 
 template <bool is_complex>
@@ -198,7 +181,7 @@ struct SparseSystem::Parts {
       : pattern(s),
         entries(std::move(e)),
         band(narrow_band(s)),
-        is_band(band.work() <= most_band_work),
+        is_band(work_of(band) <= most_band_work),
         values(s.entries()),
         y(s.unknowns()),
         real(shifts),

@@ -7,7 +7,7 @@
 #include "odeum/report/html.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/report/texts.hpp"
-#include "odeum/scene/run/emission.hpp"
+#include "odeum/scene/run/run.hpp"
 
 namespace odeum::report {
 namespace {

@@ -2,7 +2,6 @@
 #include <Eigen/Dense>
 #include <array>
 #include <optional>
-#include <tuple>
 
 #include "odeum/linear/banded_lu.hpp"
 #include "odeum/linear/ordering.hpp"
@@ -23,10 +22,7 @@ class StageFactors {
  public:
   explicit StageFactors(const System& system) : system_(system), n_(system.states) {
     if (!system_.entries) return;
-    order_ = linear::reverse_cuthill_mckee(*system_.sparsity);
-    number_.resize(n_);
-    for (std::size_t k = 0; k < n_; ++k) number_[order_[k]] = static_cast<int>(k);
-    std::tie(lower_, upper_) = linear::bandwidths(*system_.sparsity, number_);
+    narrow_ = linear::band_of(*system_.sparsity, linear::reverse_cuthill_mckee(*system_.sparsity));
     values_.resize(system_.sparsity->entries());
   }
   void linearise(Real t, const State& y) {
@@ -56,17 +52,20 @@ class StageFactors {
   double factor_work() const {
     const auto all = static_cast<double>(n_ * stages_);
     if (!system_.entries) return all * all * all * 2 / 3;
-    return 2 * all * static_cast<double>(stages_ * (lower_ + 1)) * width();
+    return 2 * all * static_cast<double>(stages_ * (narrow_.lower + 1)) * width();
   }
   double solve_work() const {
     const auto all = static_cast<double>(n_ * stages_);
-    return 2 * all * (system_.entries ? width() + static_cast<double>(stages_ * lower_) : all);
+    return 2 * all *
+           (system_.entries ? width() + static_cast<double>(stages_ * narrow_.lower) : all);
   }
 
  private:
-  double width() const { return static_cast<double>(stages_ * (lower_ + upper_ + 1)); }
+  double width() const {
+    return static_cast<double>(stages_ * (narrow_.lower + narrow_.upper + 1));
+  }
   std::size_t place(std::size_t stage, std::size_t i) const {
-    return static_cast<std::size_t>(number_[i]) * stages_ + stage;
+    return static_cast<std::size_t>(narrow_.number[i]) * stages_ + stage;
   }
   bool factorise_dense(Real h, const Matrix& a) {
     const auto n = static_cast<Index>(n_), all = n * a.rows();
@@ -77,8 +76,8 @@ class StageFactors {
     return true;
   }
   bool factorise_band(Real h, const Matrix& a) {
-    const std::size_t lower = stages_ * lower_ + stages_ - 1,
-                      upper = stages_ * upper_ + stages_ - 1;
+    const std::size_t lower = stages_ * narrow_.lower + stages_ - 1,
+                      upper = stages_ * narrow_.upper + stages_ - 1;
     band_.emplace(n_ * stages_, lower, upper);
     const Sparsity& pattern = *system_.sparsity;
     for (std::size_t i = 0; i < n_; ++i)
@@ -96,8 +95,7 @@ class StageFactors {
   std::size_t n_, stages_ = 1;
   Matrix dense_;
   Factors factors_;
-  std::vector<int> order_, number_;
-  std::size_t lower_ = 0, upper_ = 0;
+  linear::Band narrow_;
   State values_;
   std::optional<linear::BandedLu<false, Real>> band_;
 };

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/model/edge_springs.hpp"
-
 #include <algorithm>
 
 #include "odeum/scene/model/spring_law.hpp"
+#include "odeum/scene/model/terms.hpp"
 
 namespace odeum::scene {
 

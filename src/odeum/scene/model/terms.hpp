@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,29 +20,24 @@ struct Bodies {
 
   std::size_t size() const { return mass.size(); }
   bool free(std::size_t i) const { return inverse_mass[i] != 0; }
+  std::size_t fixed() const {
+    return static_cast<std::size_t>(std::ranges::count(inverse_mass, 0.0));
+  }
 };
 
-/// Counts evaluations, for the proof that an absent term costs nothing. May be shared by threads.
-class Tally {
- public:
-  void add(const std::string& term, std::uint64_t interactions) {
-    const std::lock_guard lock(mutex_);
-    Entry& entry = entries_[term];
-    ++entry.evaluations;
-    entry.interactions += interactions;
-  }
+/// Counts evaluations, for the proof that an absent term costs nothing. Not for several threads.
+struct Tally {
   struct Entry {
     std::uint64_t evaluations = 0;   ///< of the term
     std::uint64_t interactions = 0;  ///< springs, particles or pairs that were looked at
   };
-  std::map<std::string, Entry> entries() const {
-    const std::lock_guard lock(mutex_);
-    return entries_;
-  }
+  std::map<std::string, Entry> entries;
 
- private:
-  mutable std::mutex mutex_;
-  std::map<std::string, Entry> entries_;
+  void add(const std::string& term, std::uint64_t interactions) {
+    Entry& entry = entries[term];
+    ++entry.evaluations;
+    entry.interactions += interactions;
+  }
 };
 
 /// Receives the derivatives of forces: of the force on particle i by the position of j (N/m) and by
@@ -89,7 +83,25 @@ class Term {
   virtual double potential(const Bodies& /*bodies*/, const double* /*q*/) const { return 0; }
 };
 
-/// The terms of `forces` and of `contacts`; see edge_springs.hpp for that of springs.
+/// Springs as a list of edges, sorted by their first ends.
+class EdgeSprings final : public Term {
+ public:
+  EdgeSprings(const char* name, std::vector<Spring> springs);
+
+  const std::vector<Spring>& springs() const { return springs_; }
+  TermInfo info(const Bodies& bodies) const override;
+  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
+                    double* force) const override;
+  void add_blocks(const Bodies& bodies, const double* q, const double* v,
+                  BlockSink& sink) const override;
+  double potential(const Bodies& bodies, const double* q) const override;
+
+ private:
+  const char* name_;
+  std::vector<Spring> springs_;
+};
+
+/// The terms of `forces` and of `contacts`.
 std::unique_ptr<Term> make_uniform_force(const UniformForce& force);
 std::unique_ptr<Term> make_contact(const Contact& contact);
 

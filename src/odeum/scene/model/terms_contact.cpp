@@ -88,97 +88,78 @@ bool touch_surface(const SphereContact& sphere, const double* q, double radius, 
   return touch_round(x, sphere.radius + radius, touch);
 }
 
-TermInfo contact_info(const char* name, const Penalty& law, std::size_t count, const char* unit) {
-  return {.name = name,
-          .law = law.friction > 0 ? "N n - mu N s, N = max(0, k depth - c v.n)"
-                                  : "N n, N = max(0, k depth - c v.n)",
-          .count = count,
-          .unit = unit,
-          .velocity_dependent = law.damping != 0 || law.friction != 0,
-          .linear = false,
-          .smooth = false};
+const char* name_of(const PlaneContact&) { return "contact_plane"; }
+const char* name_of(const SphereContact&) { return "contact_sphere"; }
+const char* name_of(const ParticleContact&) { return "contact_particles"; }
+
+/// Calls visit(i, j, touch, relative velocity) for each contact of a particle i with j, which is i
+/// again for a surface that does not move; the number of pairs that were looked at.
+template <class Surface, class Visit>
+std::uint64_t for_touching(const Surface& surface, const Bodies& bodies, const double* q,
+                           const double* v, const Visit& visit) {
+  Touch touch{};
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies.free(i) && touch_surface(surface, q + 3 * i, bodies.radius[i], touch))
+      visit(i, i, touch, v + 3 * i);
+  return bodies.size();
+}
+template <class Visit>
+std::uint64_t for_touching(const ParticleContact&, const Bodies& bodies, const double* q,
+                           const double* v, const Visit& visit) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  possible_contacts(bodies, q, pairs);
+  Touch touch{};
+  for (const auto& [i, j] : pairs) {
+    const std::size_t a = std::size_t{3} * i, b = std::size_t{3} * j;
+    const double *qi = q + a, *qj = q + b, *vi = v + a, *vj = v + b;
+    const double x[3] = {qi[0] - qj[0], qi[1] - qj[1], qi[2] - qj[2]};
+    if (!touch_round(x, bodies.radius[i] + bodies.radius[j], touch)) continue;
+    const double w[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
+    visit(std::size_t{i}, std::size_t{j}, touch, w);
+  }
+  return pairs.size();
 }
 
-/// A surface that does not move, against every free particle.
-template <class Surface>
-class SurfaceContact final : public Term {
+/// A surface against every free particle, or every particle against every other one.
+template <class Law>
+class ContactTerm final : public Term {
  public:
-  SurfaceContact(const Surface& surface, const char* name) : surface_(surface), name_(name) {}
-
-  TermInfo info(const Bodies&) const override {
-    return contact_info(name_, surface_, 1, "surfaces");
-  }
-
-  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
-                    double* force) const override {
-    for_touching(bodies, q, [&](std::size_t i, const Touch& touch) {
-      double f[3];
-      Push(surface_, touch, v + 3 * i).force(surface_, touch, f);
-      for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += f[d];
-    });
-    return bodies.size();
-  }
-
-  void add_blocks(const Bodies& bodies, const double* q, const double* v,
-                  BlockSink& sink) const override {
-    for_touching(bodies, q, [&](std::size_t i, const Touch& touch) {
-      const Push push(surface_, touch, v + 3 * i);
-      if (push.n_force == 0) return;
-      Mat3 x, y;
-      push.derivatives(surface_, touch, x, y);
-      sink.add(i, i, x, y);
-    });
-  }
-
-  double potential(const Bodies& bodies, const double* q) const override {
-    double sum = 0;
-    for_touching(bodies, q, [&](std::size_t, const Touch& touch) {
-      sum += surface_.stiffness * touch.depth * touch.depth / 2;
-    });
-    return sum;
-  }
-
- private:
-  template <class Visit>
-  void for_touching(const Bodies& bodies, const double* q, const Visit& visit) const {
-    Touch touch{};
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      if (bodies.free(i) && touch_surface(surface_, q + 3 * i, bodies.radius[i], touch))
-        visit(i, touch);
-  }
-
-  Surface surface_;
-  const char* name_;
-};
-
-/// Every particle against every other one.
-class ParticlesContact final : public Term {
- public:
-  explicit ParticlesContact(const Penalty& law) : law_(law) {}
+  explicit ContactTerm(const Law& law) : law_(law) {}
 
   TermInfo info(const Bodies& bodies) const override {
-    return contact_info("contact_particles", law_, bodies.size(), "particles");
+    constexpr bool particles = std::is_same_v<Law, ParticleContact>;
+    return {.name = name_of(law_),
+            .law = law_.friction > 0 ? "N n - mu N s, N = max(0, k depth - c v.n)"
+                                     : "N n, N = max(0, k depth - c v.n)",
+            .count = particles ? bodies.size() : 1,
+            .unit = particles ? "particles" : "surfaces",
+            .velocity_dependent = law_.damping != 0 || law_.friction != 0,
+            .linear = false,
+            .smooth = false};
   }
 
   std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
                     double* force) const override {
-    return for_touching(bodies, q, v,
+    return for_touching(law_, bodies, q, v,
                         [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
                           double f[3];
                           Push(law_, touch, w).force(law_, touch, f);
-                          for (std::size_t d = 0; d < 3; ++d)
-                            force[3 * i + d] += f[d], force[3 * j + d] -= f[d];
+                          for (std::size_t d = 0; d < 3; ++d) {
+                            force[3 * i + d] += f[d];
+                            if (j != i) force[3 * j + d] -= f[d];
+                          }
                         });
   }
 
   void add_blocks(const Bodies& bodies, const double* q, const double* v,
                   BlockSink& sink) const override {
-    for_touching(bodies, q, v,
+    for_touching(law_, bodies, q, v,
                  [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
                    const Push push(law_, touch, w);
                    if (push.n_force == 0) return;
                    Mat3 x, y;
                    push.derivatives(law_, touch, x, y);
+                   if (j == i) return sink.add(i, i, x, y);
                    for (std::size_t k = 0; k < 9; ++k) x[k] = -x[k], y[k] = -y[k];
                    sink.add_pair(i, j, x, y);
                  });
@@ -186,47 +167,25 @@ class ParticlesContact final : public Term {
 
   double potential(const Bodies& bodies, const double* q) const override {
     double sum = 0;
-    for_touching(bodies, q, q, [&](std::size_t, std::size_t, const Touch& touch, const double*) {
-      sum += law_.stiffness * touch.depth * touch.depth / 2;
-    });
+    for_touching(law_, bodies, q, q,
+                 [&](std::size_t, std::size_t, const Touch& touch, const double*) {
+                   sum += law_.stiffness * touch.depth * touch.depth / 2;
+                 });
     return sum;
   }
 
  private:
-  template <class Visit>
-  static std::uint64_t for_touching(const Bodies& bodies, const double* q, const double* v,
-                                    const Visit& visit) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    possible_contacts(bodies, q, pairs);
-    Touch touch{};
-    for (const auto& [i, j] : pairs) {
-      const std::size_t a = std::size_t{3} * i, b = std::size_t{3} * j;
-      const double *qi = q + a, *qj = q + b, *vi = v + a, *vj = v + b;
-      const double x[3] = {qi[0] - qj[0], qi[1] - qj[1], qi[2] - qj[2]};
-      if (!touch_round(x, bodies.radius[i] + bodies.radius[j], touch)) continue;
-      const double w[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
-      visit(i, j, touch, w);
-    }
-    return pairs.size();
-  }
-
-  Penalty law_;
-};
-
-struct Maker {
-  std::unique_ptr<Term> operator()(const PlaneContact& plane) const {
-    return std::make_unique<SurfaceContact<PlaneContact>>(plane, "contact_plane");
-  }
-  std::unique_ptr<Term> operator()(const SphereContact& sphere) const {
-    return std::make_unique<SurfaceContact<SphereContact>>(sphere, "contact_sphere");
-  }
-  std::unique_ptr<Term> operator()(const ParticleContact& particles) const {
-    return std::make_unique<ParticlesContact>(particles);
-  }
+  Law law_;
 };
 
 }  // namespace
 
-std::unique_ptr<Term> make_contact(const Contact& contact) { return std::visit(Maker{}, contact); }
+std::unique_ptr<Term> make_contact(const Contact& contact) {
+  return std::visit(
+      []<class Law>(const Law& law) -> std::unique_ptr<Term> {
+        return std::make_unique<ContactTerm<Law>>(law);
+      },
+      contact);
+}
 
 }  // namespace odeum::scene

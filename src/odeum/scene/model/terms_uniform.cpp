@@ -7,21 +7,18 @@
 namespace odeum::scene {
 namespace {
 
-std::size_t count_free(const Bodies& bodies) {
-  std::size_t count = 0;
-  for (const double inverse : bodies.inverse_mass) count += inverse != 0;
-  return count;
-}
+/// How a force acts: its info(), force(v, f) and derivative(v).
+template <class Force>
+struct Law;
 
-/// A law gives the force and its derivative: `law.force(v, f)` and `law.derivative(v)`.
-template <class Law>
+template <class Force>
 class UniformTerm final : public Term {
  public:
-  explicit UniformTerm(const Law& law) : law_(law) {}
+  explicit UniformTerm(const Force& force) : law_{force} {}
 
   TermInfo info(const Bodies& bodies) const override {
     TermInfo info = law_.info();
-    info.count = count_free(bodies);
+    info.count = bodies.size() - bodies.fixed();
     info.unit = "particles";
     info.velocity_dependent = true;
     return info;
@@ -45,12 +42,13 @@ class UniformTerm final : public Term {
   }
 
  private:
-  Law law_;
+  Law<Force> law_;
 };
 
 Mat3 diagonal(double x) { return {x, 0, 0, 0, x, 0, 0, 0, x}; }
 
-struct DragLaw : Drag {
+template <>
+struct Law<Drag> : Drag {
   static TermInfo info() { return {.name = "drag", .law = "-c v", .unit = {}, .linear = true}; }
   void force(const double* v, double* f) const {
     for (int d = 0; d < 3; ++d) f[d] = -coefficient * v[d];
@@ -58,7 +56,8 @@ struct DragLaw : Drag {
   Mat3 derivative(const double*) const { return diagonal(-coefficient); }
 };
 
-struct WindLaw : Wind {
+template <>
+struct Law<Wind> : Wind {
   static TermInfo info() {
     return {.name = "wind", .law = "c (w - v)", .unit = {}, .linear = true};
   }
@@ -68,7 +67,8 @@ struct WindLaw : Wind {
   Mat3 derivative(const double*) const { return diagonal(-coefficient); }
 };
 
-struct QuadraticDragLaw : QuadraticDrag {
+template <>
+struct Law<QuadraticDrag> : QuadraticDrag {
   static TermInfo info() { return {.name = "quadratic_drag", .law = "-c |v| v", .unit = {}}; }
   static double speed(const double* v) {
     return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -88,7 +88,8 @@ struct QuadraticDragLaw : QuadraticDrag {
   }
 };
 
-struct MagneticLaw : MagneticField {
+template <>
+struct Law<MagneticField> : MagneticField {
   static TermInfo info() {
     return {.name = "magnetic", .law = "q v x B", .unit = {}, .linear = true};
   }
@@ -103,24 +104,14 @@ struct MagneticLaw : MagneticField {
   }
 };
 
-template <class Law>
-std::unique_ptr<Term> make(const Law& law) {
-  return std::make_unique<UniformTerm<Law>>(law);
-}
-
-struct Maker {
-  std::unique_ptr<Term> operator()(const Drag& f) const { return make(DragLaw{f}); }
-  std::unique_ptr<Term> operator()(const QuadraticDrag& f) const {
-    return make(QuadraticDragLaw{f});
-  }
-  std::unique_ptr<Term> operator()(const Wind& f) const { return make(WindLaw{f}); }
-  std::unique_ptr<Term> operator()(const MagneticField& f) const { return make(MagneticLaw{f}); }
-};
-
 }  // namespace
 
 std::unique_ptr<Term> make_uniform_force(const UniformForce& force) {
-  return std::visit(Maker{}, force);
+  return std::visit(
+      []<class Force>(const Force& f) -> std::unique_ptr<Term> {
+        return std::make_unique<UniformTerm<Force>>(f);
+      },
+      force);
 }
 
 }  // namespace odeum::scene

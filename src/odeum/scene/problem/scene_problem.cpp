@@ -36,11 +36,24 @@ void require_sound(const Scene& scene) {
           fmt::format("spring between particles {} and {} of {}", s.a, s.b, scene.size()));
 }
 
-/// Work space of the grid kernel, one for each thread, since threads share the problem.
-double* scratch(std::size_t size) {
+/// Calls work(arrays, entries of each, array of the result) with vectors of the particles in the
+/// layout of a grid.
+template <class Work>
+void on_grid(const GridLayout& layout, std::initializer_list<const double*> vectors, double* result,
+             const Work& work) {
+  // One for each thread, since threads share the problem.
   thread_local std::vector<double> space;
-  if (space.size() < size) space.resize(size);
-  return space.data();
+  thread_local GridLayout last;
+  const std::size_t n = 3 * layout.size;
+  if (layout != last) {
+    // What another grid left in the margins of this one may not be finite.
+    space.assign((vectors.size() + 1) * n, 0);
+    last = layout;
+  }
+  double* array = space.data();
+  for (const double* const vector : vectors) layout.scatter(vector, array), array += n;
+  work(space.data(), n, array);
+  layout.gather(array, result);
 }
 
 /// Adds the derivatives times a direction.
@@ -90,7 +103,7 @@ SceneProblem::SceneProblem(const Scene& scene)
 void SceneProblem::describe(const Scene& scene) {
   Structure& s = structure_;
   s.particles = bodies_.size();
-  for (const double inverse : bodies_.inverse_mass) s.fixed += inverse == 0;
+  s.fixed = bodies_.fixed();
   if (gravity_ != Vec3{})
     s.terms.push_back({.name = "gravity",
                        .law = "m g",
@@ -118,32 +131,12 @@ void SceneProblem::describe(const Scene& scene) {
   s.closed_form = scene.springs.empty() && terms_.empty();
 }
 
-void SceneProblem::grid_forces(const double* q, const double* v, double* force) const {
-  const GridLayout& layout = grid_->layout();
-  const std::size_t n = 3 * layout.size;
-  double *const gq = scratch(3 * n), *const gv = gq + n, *const gathered = gv + n;
-  layout.scatter(q, gq);
-  layout.scatter(v, gv);
-  grid_->springs().forces(gq, gv, gathered, 0, layout.rows);
-  layout.gather(gathered, force);
-}
-
-void SceneProblem::grid_derivative(const double* y, const double* x, double* change) const {
-  const GridLayout& layout = grid_->layout();
-  const std::size_t n = 3 * layout.size;
-  double *const gq = scratch(4 * n), *const gdq = gq + n, *const gdv = gdq + n,
-                *const gathered = gdv + n;
-  layout.scatter(y, gq);
-  layout.scatter(x, gdq);
-  layout.scatter(x + size() / 2, gdv);
-  grid_->springs().derivative(gq, gdq, gdv, gathered, 0, layout.rows);
-  layout.gather(gathered, change);
-}
-
 void SceneProblem::acceleration(double, const double* q, const double* v, double* a) const {
   if (!v) v = q;  // no force depends on it: any finite numbers do
   if (grid_) {
-    grid_forces(q, v, a);
+    on_grid(grid_->layout(), {q, v}, a, [&](const double* gq, std::size_t n, double* force) {
+      grid_->springs().forces(gq, gq + n, force, 0, grid_->layout().rows);
+    });
   } else {
     std::fill_n(a, size() / 2, 0.0);
     springs_.add(bodies_, q, v, a);
@@ -167,12 +160,9 @@ void SceneProblem::undamped_acceleration(double t, const double* q, double* a) c
     const std::vector<double> at_rest(size() / 2);
     return acceleration(t, q, at_rest.data(), a);
   }
-  const GridLayout& layout = grid_->layout();
-  const std::size_t n = 3 * layout.size;
-  double *const gq = scratch(2 * n), *const ga = gq + n;
-  layout.scatter(q, gq);
-  grid_->undamped_acceleration(t, gq, ga);
-  layout.gather(ga, a);
+  on_grid(grid_->layout(), {q}, a, [&](const double* gq, std::size_t, double* ga) {
+    grid_->undamped_acceleration(t, gq, ga);
+  });
 }
 
 std::uint64_t SceneProblem::damp(double t, const double* q, double h, double* v,
@@ -227,7 +217,11 @@ void SceneProblem::jacobian_times(double, const double* y, const double* x, doub
   std::copy_n(x + n, n, product);
   ProductSink sink(x, x + n, change);
   if (grid_) {
-    grid_derivative(y, x, change);
+    on_grid(grid_->layout(), {y, x, x + n}, change,
+            [&](const double* gq, std::size_t entries, double* derivative) {
+              grid_->springs().derivative(gq, gq + entries, gq + 2 * entries, derivative, 0,
+                                          grid_->layout().rows);
+            });
   } else {
     std::fill_n(change, n, 0.0);
     springs_.add_blocks(bodies_, y, y + n, sink);

@@ -8,7 +8,6 @@
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/extended_problem.hpp"
 #include "odeum/problem/shifted_solver.hpp"
-#include "odeum/scene/model/edge_springs.hpp"
 #include "odeum/scene/model/scene.hpp"
 #include "odeum/scene/model/terms.hpp"
 #include "odeum/scene/springs/grid_cloth.hpp"
@@ -80,12 +79,10 @@ class SceneProblem {
   const GridCloth<double>* grid() const { return grid_ ? &*grid_ : nullptr; }
   /// The scene for physics engines; null where it has terms other than gravity and `springs`.
   std::shared_ptr<const Scene> plain_scene() const { return plain_; }
-  /// Evaluations are counted there from now on; null stops it.
+  /// Evaluations are counted there from now on.
   void count_into(Tally* tally) { tally_ = tally; }
 
  private:
-  void grid_forces(const double* q, const double* v, double* force) const;
-  void grid_derivative(const double* y, const double* x, double* change) const;
   std::uint64_t damp_edges(double h, double* v, double relative) const;
   void describe(const Scene& scene);
 

@@ -2,7 +2,6 @@
 // Bodies of a scene: particles and springs.
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "odeum/scene/read/reader_fields.hpp"
@@ -87,7 +86,7 @@ void read_springs(const Value& list) {
                "two different ids");
     spring.stiffness = mapping.at("stiffness").number(Sign::not_negative);
     spring.damping = mapping.damping();
-    spring.axial = mapping.axial_or(true);
+    spring.axial = mapping.axial();
     spring.rest_length = mapping.number_or("rest_length", Sign::not_negative, 0);
     spring.tension_only = mapping.boolean_or("tension_only", false);
     add_spring(entry, spring, mapping.has("rest_length"));

@@ -81,37 +81,28 @@ void read_velocity(const Mapping& cloth, const ClothPatch& patch) {
   });
 }
 
-/// The springs of one kind in a cloth.
-struct ClothLinks {
-  bool wanted = false;
-  Spring like;
-};
-
-ClothLinks read_links(const Mapping& cloth, std::string_view key, bool axial, bool tension_only) {
-  ClothLinks links;
-  cloth.with(key, [&](const Value& value) {
-    const Mapping mapping(value, {"stiffness", "damping"});
-    links.wanted = true;
-    links.like.stiffness = mapping.at("stiffness").number(Sign::not_negative);
-    links.like.damping = mapping.damping();
-    links.like.axial = axial;
-    links.like.tension_only = tension_only;
-  });
-  return links;
+/// What all springs of one kind in a cloth are like, if it has any.
+std::optional<Spring> read_links(const Mapping& cloth, std::string_view key, Spring like) {
+  if (!cloth.has(key)) return std::nullopt;
+  const Mapping mapping(cloth.at(key), {"stiffness", "damping"});
+  like.stiffness = mapping.at("stiffness").number(Sign::not_negative);
+  like.damping = mapping.damping();
+  return like;
 }
 
 void read_springs_of(const Mapping& cloth, const ClothPatch& patch) {
-  const bool axial = cloth.axial_or(true), tension_only = cloth.boolean_or("tension_only", false);
-  const ClothLinks structural = read_links(cloth, "structural", axial, tension_only);
-  const ClothLinks shear = read_links(cloth, "shear", axial, tension_only);
-  const ClothLinks bend = read_links(cloth, "bend", axial, tension_only);
-  const auto join = [&](const ClothLinks& links, std::size_t i, std::size_t j, std::size_t down,
-                        std::ptrdiff_t along) {
+  Spring like;
+  like.axial = cloth.axial();
+  like.tension_only = cloth.boolean_or("tension_only", false);
+  const auto structural = read_links(cloth, "structural", like);
+  const auto shear = read_links(cloth, "shear", like), bend = read_links(cloth, "bend", like);
+  const auto join = [&](const std::optional<Spring>& links, std::size_t i, std::size_t j,
+                        std::size_t down, std::ptrdiff_t along) {
     const auto column = static_cast<std::ptrdiff_t>(j) + along;
-    if (!links.wanted || i + down >= patch.rows || column < 0 ||
+    if (!links || i + down >= patch.rows || column < 0 ||
         column >= static_cast<std::ptrdiff_t>(patch.columns))
       return;
-    Spring spring = links.like;
+    Spring spring = *links;
     spring.a = patch.first + i * patch.columns + j;
     spring.b = patch.first + (i + down) * patch.columns + static_cast<std::size_t>(column);
     add_spring(cloth.value(), spring, false);

@@ -13,33 +13,18 @@
 namespace odeum::scene::reading {
 namespace {
 
-bool digit(char c) { return c >= '0' && c <= '9'; }
-
-std::size_t skip_digits(std::string_view text, std::size_t i) {
-  while (i < text.size() && digit(text[i])) ++i;
-  return i;
-}
-
-// Whether the text is a decimal number: sign, digits, point, exponent.
-bool is_decimal(std::string_view text) {
-  std::size_t i = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-  const std::size_t start = i;
-  i = skip_digits(text, i);
-  std::size_t digits = i - start;
-  if (i < text.size() && text[i] == '.') {
-    const std::size_t end = skip_digits(text, i + 1);
-    digits += end - i - 1;
-    i = end;
-  }
-  if (digits == 0) return false;
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    ++i;
-    if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
-    const std::size_t end = skip_digits(text, i);
-    if (end == i) return false;
-    i = end;
-  }
-  return i == text.size();
+/// A decimal number: sign, digits, point, exponent. `invalid_argument` for any other text, and
+/// `result_out_of_range`, `value` unchanged, where a double does not hold it.
+std::errc parse_decimal(std::string_view text, double& value) {
+  if (text.starts_with("+-")) return std::errc::invalid_argument;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  // It takes inf and nan too.
+  if (end != last || !std::isfinite(number)) return std::errc::invalid_argument;
+  if (error == std::errc{}) value = number;
+  return error;
 }
 
 std::string without_sign(const std::string& text) {
@@ -49,14 +34,15 @@ std::string without_sign(const std::string& text) {
 // 010 is 8 in YAML 1.1 and 10 in YAML 1.2.
 bool has_octal_look(const std::string& text) {
   const std::string bare = without_sign(text);
-  return bare.size() > 1 && bare[0] == '0' && digit(bare[1]);
+  return bare.size() > 1 && bare[0] == '0' && bare[1] >= '0' && bare[1] <= '9';
 }
 
 bool has_decimal_comma(std::string text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return false;
   text[comma] = '.';
-  return is_decimal(text);
+  double value = 0;
+  return parse_decimal(text, value) != std::errc::invalid_argument;
 }
 
 bool is_not_finite(std::string text) {
@@ -90,15 +76,13 @@ double Value::number(Sign sign) const {
   const std::string& text = node_->text;
   if (is_not_finite(text)) fail("not finite", "a finite number");
   if (has_decimal_comma(text)) fail("a decimal comma", "a number with a decimal point");
-  if (!is_decimal(text)) fail("not a number", expected);
+  double value = 0;
+  const std::errc error = parse_decimal(text, value);
+  if (error == std::errc::invalid_argument) fail("not a number", expected);
   if (has_octal_look(text))
     fail("a leading zero, which YAML may take as octal", "a number without it");
-  double value = 0;
-  const std::string bare = text[0] == '+' ? text.substr(1) : text;
-  const auto [end, error] = std::from_chars(bare.data(), bare.data() + bare.size(), value);
-  if (error == std::errc::result_out_of_range)
+  if (error != std::errc{})
     fail("beyond the range of doubles", "a number between 1e-308 and 1e308, or 0");
-  if (error != std::errc{} || end != bare.data() + bare.size()) fail("not a number", expected);
   if ((sign != Sign::any && value < 0) || (sign == Sign::positive && value == 0))
     fail(value < 0 ? "negative" : "zero", expected);
   return value;
@@ -108,7 +92,8 @@ std::uint64_t Value::whole(std::uint64_t least, std::uint64_t most) const {
   const std::string expected = fmt::format("a whole number from {} to {}", least, most);
   if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("not a number", expected);
   const std::string& text = node_->text;
-  if (!is_decimal(text)) fail("no whole number", expected);
+  if (double any = 0; parse_decimal(text, any) == std::errc::invalid_argument)
+    fail("no whole number", expected);
   if (has_octal_look(text))
     fail("a leading zero, which YAML takes as octal", "a number without it");
   if (text[0] == '-') fail("negative", expected);
@@ -217,8 +202,8 @@ double Mapping::damping() const {
   return damping;
 }
 
-bool Mapping::axial_or(bool otherwise) const {
-  if (!has("damping_model")) return otherwise;
+bool Mapping::axial() const {
+  if (!has("damping_model")) return true;
   const Value value = at("damping_model");
   const std::string model = value.text();
   if (model != "axial" && model != "full") {

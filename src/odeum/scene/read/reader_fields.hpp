@@ -74,11 +74,9 @@ class Mapping {
   bool boolean_or(std::string_view key, bool otherwise) const;
   /// A damping: not negative, or a warning where the scene allows it.
   double damping() const;
-  /// `axial` or `full`.
-  bool axial_or(bool otherwise) const;
+  /// Whether the damping model is `axial`, the default, and not `full`.
+  bool axial() const;
 
-  /// The only key of a mapping that selects a kind: `- drag: {...}`.
-  const std::string& only_key() const { return value_.node().items.front()->text; }
   const Value& value() const { return value_; }
 
  private:

@@ -11,12 +11,14 @@
 namespace odeum::scene::reading {
 namespace {
 
-// An entry of a list of kinds, `- drag: {...}`: a mapping of one key.
-Mapping read_choice(const Value& entry, std::initializer_list<std::string_view> known) {
-  Mapping mapping(entry, known);
+// An entry of a list of kinds, `- drag: {...}`: its kind and what follows.
+std::pair<std::string, Value> read_choice(const Value& entry,
+                                          std::initializer_list<std::string_view> known) {
+  const Mapping mapping(entry, known);
   if (entry.node().items.size() != 2)
     entry.fail("not one key", fmt::format("{} keys", entry.node().items.size() / 2), "one key");
-  return mapping;
+  const std::string& kind = entry.node().items.front()->text;
+  return {kind, mapping.at(kind)};
 }
 
 UniformForce read_force(const std::string& kind, const Value& value) {
@@ -122,17 +124,15 @@ Look read_look(const Value& value) {
 
 void read_forces(const Value& list) {
   for (const Value& entry : list.list()) {
-    const Mapping choice = read_choice(entry, {"drag", "quadratic_drag", "wind", "magnetic"});
-    list.context().scene.forces.push_back(
-        read_force(choice.only_key(), choice.at(choice.only_key())));
+    const auto [kind, value] = read_choice(entry, {"drag", "quadratic_drag", "wind", "magnetic"});
+    list.context().scene.forces.push_back(read_force(kind, value));
   }
 }
 
 void read_contacts(const Value& list) {
   for (const Value& entry : list.list()) {
-    const Mapping choice = read_choice(entry, {"plane", "sphere", "particles"});
-    list.context().scene.contacts.push_back(
-        read_contact(choice.only_key(), choice.at(choice.only_key())));
+    const auto [kind, value] = read_choice(entry, {"plane", "sphere", "particles"});
+    list.context().scene.contacts.push_back(read_contact(kind, value));
   }
 }
 

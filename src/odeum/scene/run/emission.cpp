@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/scene/run/emission.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "odeum/scene/run/run.hpp"
 
 namespace odeum::scene {
 namespace {

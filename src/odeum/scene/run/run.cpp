@@ -10,8 +10,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "odeum/scene/run/emission.hpp"
-
 namespace odeum::scene {
 namespace {
 
@@ -63,8 +61,8 @@ class Clock {
 
 class Run {
  public:
-  Run(const Scene& scene, const RunSetting& setting, const Solve& solve, Tally* tally)
-      : now_(scene), setting_(setting), solve_(solve), tally_(tally), clock_(setting) {
+  Run(const Scene& scene, const RunSetting& setting, const Solve& solve)
+      : now_(scene), setting_(setting), solve_(solve), clock_(setting) {
     now_.emitters.clear();
     for (std::size_t i = 0; i < now_.particles.size(); ++i) ids_.push_back(i);
     next_id_ = ids_.size();
@@ -87,7 +85,7 @@ class Run {
   RunResult operator()() {
     double t = 0;
     if (births_.contains(0)) change_population(0);
-    compile();
+    problem_ = std::make_shared<const SceneProblem>(now_);
     keep_frame(0, problem_->start().data());
     while (t < setting_.until && result_.status == Status::ok) {
       const auto next = births_.upper_bound(t);
@@ -97,19 +95,13 @@ class Run {
       t = end;
       if (t < setting_.until && result_.status == Status::ok) {
         change_population(t);
-        compile();
+        problem_ = std::make_shared<const SceneProblem>(now_);
       }
     }
     return std::move(result_);
   }
 
  private:
-  void compile() {
-    auto problem = std::make_shared<SceneProblem>(now_);
-    problem->count_into(tally_);
-    problem_ = std::move(problem);
-  }
-
   void keep_frame(double t, const double* y) {
     Frame frame{.t = t, .ids = ids_, .y = {y, y + problem_->size()}};
     frame.kinetic = problem_->kinetic(y);
@@ -186,7 +178,6 @@ class Run {
   Scene now_;  ///< with the particles that exist, in their present state
   const RunSetting& setting_;
   const Solve& solve_;
-  Tally* tally_;
   Clock clock_;
   std::map<double, std::vector<EmittedParticle>> births_;  ///< and, empty, the times of deaths
   std::vector<double> frames_due_;
@@ -200,13 +191,8 @@ class Run {
 
 }  // namespace
 
-RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
-                    Tally* tally) {
-  return Run(scene, setting, solve, tally)();
-}
-
-double default_frame_interval(double until) {
-  return std::clamp(1.0 / 60, until / 1000, until / 100);
+RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve) {
+  return Run(scene, setting, solve)();
 }
 
 Scene at_start(const Scene& scene) {
@@ -218,7 +204,8 @@ Scene at_start(const Scene& scene) {
 
 double frame_interval(const Scene& scene, double until) {
   constexpr double most_numbers = 2e8;  // of 8 bytes each
-  const double interval = scene.frame_interval.value_or(default_frame_interval(until));
+  const double interval =
+      scene.frame_interval.value_or(std::clamp(1.0 / 60, until / 1000, until / 100));
   const double frames = until / interval + 1;
   double particles = static_cast<double>(scene.particles.size());
   for (const Emitter& emitter : scene.emitters) {

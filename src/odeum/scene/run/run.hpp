@@ -45,17 +45,27 @@ struct RunResult {
 using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, const Request&)>;
 
 /// At a fixed step, births and deaths take effect at the end of the step in which they fall. A
-/// method that is not self-starting is restarted in each solve. `tally` may be null.
-RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve,
-                    Tally* tally = nullptr);
+/// method that is not self-starting is restarted in each solve.
+RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve);
+
+/// An emitted particle, which exists from `birth` to `death`, s.
+struct EmittedParticle {
+  double birth = 0, death = 0;
+  std::size_t emitter = 0;
+  Particle particle;
+};
+
+/// All particles born before `until`, by time of birth (those of one time in the order of their
+/// emitters): number k of an emitter at k / rate, its direction uniform in the cone of `spread`
+/// around the emitter's velocity. The same seed gives the same particles on every machine.
+std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitters, double until);
 
 /// The scene at time 0: with the particles that are emitted then.
 Scene at_start(const Scene& scene);
 
-/// The default frame interval: 60 a second, at least 100 and at most 1000 in all.
-double default_frame_interval(double until);
-/// The scene's own frame interval, or the default; throws std::length_error where a run until then
-/// emits a million particles from one emitter or keeps more than 2e8 numbers.
+/// The scene's own frame interval, or the default: 60 a second, at least 100 and at most 1000 in
+/// all. Throws std::length_error where a run until then emits a million particles from one emitter
+/// or keeps more than 2e8 numbers.
 double frame_interval(const Scene& scene, double until);
 
 }  // namespace odeum::scene

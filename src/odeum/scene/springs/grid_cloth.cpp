@@ -10,23 +10,11 @@
 namespace odeum::scene {
 namespace {
 
-std::vector<SpringKind> undamped(std::vector<SpringKind> kinds) {
-  for (SpringKind& kind : kinds) kind.damping = 0;
-  return kinds;
-}
-
 /// The rounds of Chebyshev's iteration on a spectrum in [low, high] that reduce an error to
 /// `relative` of it (Saad, Iterative Methods for Sparse Linear Systems, section 12.3).
 int chebyshev_rounds(double low, double high, double relative) {
   const double root = std::sqrt(high / low), rate = (root - 1) / (root + 1);
   return rate > 0 ? static_cast<int>(std::ceil(std::log(relative / 2) / std::log(rate))) + 1 : 1;
-}
-
-/// Work space of a step of the dampers, one for each thread: threads share the problem.
-template <class Real>
-std::vector<Real>& work_space() {
-  thread_local std::vector<Real> space;
-  return space;
 }
 
 }  // namespace
@@ -38,7 +26,6 @@ GridCloth<Real>::GridCloth(const Scene& scene, std::size_t threads)
 template <class Real>
 GridCloth<Real>::GridCloth(const Scene& scene, const GridStructure& grid, std::size_t threads)
     : springs_(GridLayout(grid.rows, grid.columns), grid.kinds),
-      elastic_(layout(), undamped(grid.kinds)),
       mass_(by_place(scene, [](const Particle& p, std::size_t) { return p.fixed ? 0 : p.mass; })),
       inverse_mass_(
           by_place(scene, [](const Particle& p, std::size_t) { return p.fixed ? 0 : 1 / p.mass; })),
@@ -92,25 +79,14 @@ std::vector<double> GridCloth<Real>::gathered(const std::vector<Real>& state) co
 }
 
 template <class Real>
-void GridCloth<Real>::accelerate(const GridSprings<Real>& springs, const Real* q, const Real* v,
-                                 Real* a) const {
+void GridCloth<Real>::acceleration(Real, const Real* q, const Real* v, Real* a) const {
   team_->run(layout().rows, [&](std::size_t begin, std::size_t end) {
     const Real *const m = inverse_mass_.data(), *const g = gravity_.data();
     for (std::size_t row = begin; row < end; ++row) {
-      springs.forces(q, v, a, row, row + 1);
+      springs_.forces(q, v, a, row, row + 1);
       each(row, [=](std::size_t i) { a[i] = a[i] * m[i] + g[i]; });
     }
   });
-}
-
-template <class Real>
-void GridCloth<Real>::acceleration(Real, const Real* q, const Real* v, Real* a) const {
-  accelerate(springs_, q, v, a);
-}
-
-template <class Real>
-void GridCloth<Real>::undamped_acceleration(Real, const Real* q, Real* a) const {
-  accelerate(elastic_, q, q, a);
 }
 
 // v += x with (M - h/2 D) x = h D v. The iteration's spectrum is that of Jacobi's matrix: its
@@ -128,7 +104,7 @@ std::uint64_t GridCloth<Real>::damp(Real, const Real*, Real h, Real* v, double r
   const int rounds = chebyshev_rounds(low, 2 - low, relative);
 
   const std::size_t n = size() / 2;
-  std::vector<Real>& space = work_space<Real>();
+  thread_local std::vector<Real> space;  // one for each thread: threads share the problem
   space.assign(5 * n, Real(0));
   Real *const r = space.data(), *const w = r + n, *const inverse = w + n, *x = inverse + n,
               *next = x + n;

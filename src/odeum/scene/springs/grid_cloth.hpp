@@ -40,9 +40,11 @@ class GridCloth {
   void rhs(Real t, const Real* y, Real* dydt) const {
     second_order_rhs(*this, size() / 2, t, y, dydt);
   }
+  /// v may be null: without the dampers.
   void acceleration(Real t, const Real* q, const Real* v, Real* a) const;
-  /// The acceleration without the dampers.
-  void undamped_acceleration(Real t, const Real* q, Real* a) const;
+  void undamped_acceleration(Real t, const Real* q, Real* a) const {
+    acceleration(t, q, nullptr, a);
+  }
   /// See WithDamping. M v' = D v with a constant D, so that Chebyshev's iteration with Jacobi's
   /// preconditioner needs no inner product.
   std::uint64_t damp(Real t, const Real* q, Real h, Real* v, double relative) const;
@@ -52,12 +54,11 @@ class GridCloth {
  private:
   template <class Of>
   std::vector<Real> by_place(const Scene& scene, Of&& of) const;
-  void accelerate(const GridSprings<Real>& springs, const Real* q, const Real* v, Real* a) const;
   /// Calls update(i) for every place of a row in each of the three components.
   template <class Update>
   void each(std::size_t row, Update&& update) const;
 
-  GridSprings<Real> springs_, elastic_;              // with and without dampers
+  GridSprings<Real> springs_;
   std::vector<Real> mass_, inverse_mass_, gravity_;  // by place; zero where fixed, in the margins
   std::vector<Real> damping_;                        // by place: the sum over a particle's dampers
   std::unique_ptr<Team> team_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/springs/spring_grid.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace odeum::scene {
@@ -79,30 +78,6 @@ SpringRows<Real> GridSprings<Real>::view() const {
           .neighbours = neighbours_.data(),
           .count = neighbours_.size(),
           .damped = damped_};
-}
-
-template <class Real>
-void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::size_t begin,
-                               std::size_t end) const {
-  kernels_->forces(view(), q, v, force, begin, end);
-}
-
-template <class Real>
-void GridSprings<Real>::damping(const Real* v, Real* force, std::size_t begin,
-                                std::size_t end) const {
-  kernels_->damping(view(), v, force, begin, end);
-}
-
-template <class Real>
-void GridSprings<Real>::derivative(const Real* q, const Real* dq, const Real* dv, Real* change,
-                                   std::size_t begin, std::size_t end) const {
-  kernels_->derivative(view(), q, dq, dv, change, begin, end);
-}
-
-template <class Real>
-void GridSprings<Real>::stiffness(std::size_t kind, const Real* q, bool clamped, Real* across,
-                                  Real* s) const {
-  kernels_->stiffness(view(), kind, q, clamped, across, s);
 }
 
 template class GridSprings<double>;

@@ -28,6 +28,7 @@ struct GridLayout {
 
   GridLayout() = default;
   GridLayout(std::size_t rows, std::size_t columns);
+  bool operator==(const GridLayout&) const = default;
   std::size_t row(std::size_t r) const { return (r + margin) * stride + margin; }
   /// From the place of end a of a spring to that of end b.
   std::size_t offset(const SpringKind& kind) const {
@@ -67,18 +68,29 @@ class GridSprings {
   const std::vector<SpringKind>& kinds() const { return kinds_; }
 
   /// Force on each particle of rows [begin, end); q, v and force have 3 * layout().size numbers.
-  void forces(const Real* q, const Real* v, Real* force, std::size_t begin, std::size_t end) const;
+  /// v may be null: without the dampers.
+  void forces(const Real* q, const Real* v, Real* force, std::size_t begin, std::size_t end) const {
+    SpringRows<Real> rows = view();
+    rows.damped = rows.damped && v;
+    kernels_->forces(rows, q, v ? v : q, force, begin, end);
+  }
   /// The part of the dampers alone, D v with a constant D that is the same in all components.
-  void damping(const Real* v, Real* force, std::size_t begin, std::size_t end) const;
+  void damping(const Real* v, Real* force, std::size_t begin, std::size_t end) const {
+    kernels_->damping(view(), v, force, begin, end);
+  }
   /// Its derivative at q in the direction (dq, dv).
   void derivative(const Real* q, const Real* dq, const Real* dv, Real* change, std::size_t begin,
-                  std::size_t end) const;
+                  std::size_t end) const {
+    kernels_->derivative(view(), q, dq, dv, change, begin, end);
+  }
   /// Of the springs of one kind, each at the place of its end a: the derivative of the force on a
   /// with respect to the position of b is across I + s s^T. `across` has layout().size numbers,
   /// `s` three times as many; where there is no spring they are zero in the rows, and not
   /// written in the margins. No rest length may be negative. `clamped`: without the part across a
   /// compressed spring, which is negative, so that what all springs add up to is semidefinite.
-  void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const;
+  void stiffness(std::size_t kind, const Real* q, bool clamped, Real* across, Real* s) const {
+    kernels_->stiffness(view(), kind, q, clamped, across, s);
+  }
 
  private:
   SpringRows<Real> view() const;

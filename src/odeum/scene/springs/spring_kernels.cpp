@@ -1,56 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/springs/spring_kernels.hpp"
 
+#include <type_traits>
+
 namespace odeum::scene {
 
-#define ODEUM_DECLARE_LANE_SET(name)                     \
-  namespace name {                                       \
-  extern const SpringKernels<double> spring_kernels_f64; \
-  extern const SpringKernels<float> spring_kernels_f32;  \
-  }
-ODEUM_DECLARE_LANE_SET(target)
+// Defined in spring_kernels_lanes.cpp, which is compiled for each of them.
+namespace target {
+extern const SpringKernelSet kernel_set;
+}
 #ifdef ODEUM_LANE_SETS_OF_X86
-ODEUM_DECLARE_LANE_SET(avx2)
-ODEUM_DECLARE_LANE_SET(avx512)
-#endif
+namespace avx2 {
+extern const SpringKernelSet kernel_set;
+}
+namespace avx512 {
+extern const SpringKernelSet kernel_set;
+}
 
 namespace {
 
-#ifdef ODEUM_LANE_SETS_OF_X86
 // What the units are compiled with, see CMakeLists.txt.
 bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 bool has_avx512() {
   return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
 }
-#endif
 
 }  // namespace
+#endif
 
-template <>
-const std::vector<const SpringKernels<double>*>& spring_kernels<double>() {
-  static const auto all = [] {
-    std::vector<const SpringKernels<double>*> runnable{&target::spring_kernels_f64};
+template <class Real>
+const std::vector<const SpringKernels<Real>*>& spring_kernels() {
+  const auto of_real = [](const SpringKernelSet& set) -> const SpringKernels<Real>* {
+    if constexpr (std::is_same_v<Real, double>)
+      return &set.f64;
+    else
+      return &set.f32;
+  };
+  static const auto all = [&] {
+    std::vector runnable{of_real(target::kernel_set)};
 #ifdef ODEUM_LANE_SETS_OF_X86
-    if (has_avx2()) runnable.push_back(&avx2::spring_kernels_f64);
-    if (has_avx512()) runnable.push_back(&avx512::spring_kernels_f64);
+    if (has_avx2()) runnable.push_back(of_real(avx2::kernel_set));
+    if (has_avx512()) runnable.push_back(of_real(avx512::kernel_set));
 #endif
     return runnable;
   }();
   return all;
 }
 
-template <>
-const std::vector<const SpringKernels<float>*>& spring_kernels<float>() {
-  static const auto all = [] {
-    std::vector<const SpringKernels<float>*> runnable{&target::spring_kernels_f32};
-#ifdef ODEUM_LANE_SETS_OF_X86
-    if (has_avx2()) runnable.push_back(&avx2::spring_kernels_f32);
-    if (has_avx512()) runnable.push_back(&avx512::spring_kernels_f32);
-#endif
-    return runnable;
-  }();
-  return all;
-}
+template const std::vector<const SpringKernels<double>*>& spring_kernels();
+template const std::vector<const SpringKernels<float>*>& spring_kernels();
 
 }  // namespace odeum::scene

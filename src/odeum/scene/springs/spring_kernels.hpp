@@ -42,12 +42,13 @@ struct SpringKernels {
                     Real* across, Real* s);
 };
 
+struct SpringKernelSet {
+  SpringKernels<double> f64;
+  SpringKernels<float> f32;
+};
+
 /// Those that this processor can run, the widest last; never empty.
 template <class Real>
 const std::vector<const SpringKernels<Real>*>& spring_kernels();
-template <>
-const std::vector<const SpringKernels<double>*>& spring_kernels<double>();
-template <>
-const std::vector<const SpringKernels<float>*>& spring_kernels<float>();
 
 }  // namespace odeum::scene

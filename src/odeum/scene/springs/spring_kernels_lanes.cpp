@@ -212,10 +212,8 @@ constexpr SpringKernels<Real> kernels{ODEUM_NAME_OF(ODEUM_LANE_SET), &forces<Rea
 }  // namespace
 
 namespace ODEUM_LANE_SET {
-extern const SpringKernels<double> spring_kernels_f64;
-extern const SpringKernels<float> spring_kernels_f32;
-const SpringKernels<double> spring_kernels_f64 = kernels<double>;
-const SpringKernels<float> spring_kernels_f32 = kernels<float>;
+extern const SpringKernelSet kernel_set;
+const SpringKernelSet kernel_set{kernels<double>, kernels<float>};
 }  // namespace ODEUM_LANE_SET
 
 }  // namespace odeum::scene

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "odeum/fem/field_picture.hpp"
+#include "odeum/fem/field_files.hpp"
 #include "odeum/report/chart.hpp"
 #include "odeum/report/html.hpp"
 

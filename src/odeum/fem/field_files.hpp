@@ -15,4 +15,10 @@ struct NodalField {
 std::string vtk_of(const TriangleMesh& mesh, const std::string& title,
                    const std::vector<NodalField>& fields);
 
+/// An <svg> of a mesh whose triangles have the colours of the means of their nodes' values, from
+/// the lowest to the highest, which stand beside; a triangle tells its middle and its value when
+/// pointed at. `values` by node; `title` is shown above and must be safe in markup.
+std::string field_picture(const TriangleMesh& mesh, const std::vector<double>& values,
+                          const std::string& title);
+
 }  // namespace odeum::fem
