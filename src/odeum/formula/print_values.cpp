@@ -59,11 +59,11 @@ class ValuesPrinter {
       const auto argument = [&](std::size_t k) {
         return node.of[k] == no_node ? std::string() : out_.name(node.of[k], type_);
       };
-      const std::string value =
-          node.op == Op::state ? state(node.index)
-          : node.op == Op::time
-              ? "t"
-              : out_.operation(node.op, argument(0), argument(1), argument(2), type_);
+      std::string value = "t";
+      if (node.op == Op::state)
+        value = state(node.index);
+      else if (node.op != Op::time)
+        value = out_.operation(node.op, argument(0), argument(1), argument(2), type_);
       out_.line("  const {} v{} = {};", type_.name, id, value);
     }
   }

@@ -100,16 +100,12 @@ void Reader::read_parameters() {
   for (const Item& item : all) {
     const std::string key = "parameters: " + item.key;
     const auto set = overrides_.find(item.key);
-    long double value = 0;
-    if (set != overrides_.end()) {
-      YamlNode text;
-      text.kind = YamlNode::Kind::scalar;
-      text.place = item.key_place;
-      text.text = set->second;
-      value = number(text, key + " (--set)");
-    } else {
-      value = number(*item.value, key);
-    }
+    const long double value = set == overrides_.end() ? number(*item.value, key)
+                                                      : number({.kind = YamlNode::Kind::scalar,
+                                                                .place = item.key_place,
+                                                                .text = set->second,
+                                                                .items = {}},
+                                                               key + " (--set)");
     problem_.parameters[item.key] = value;
     constants_.refused.erase(item.key);
     constants_.names[item.key] = problem_.graph.constant(value);
