@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "odeum/contest/late.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

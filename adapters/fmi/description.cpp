@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "odeum/contest/late.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

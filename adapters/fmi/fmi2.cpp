@@ -11,7 +11,7 @@
 
 #include "fmi/model.hpp"
 #include "odeum/contest/late.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

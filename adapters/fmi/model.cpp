@@ -10,7 +10,7 @@
 #include <set>
 
 #include "odeum/contest/late.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

@@ -14,7 +14,7 @@
 #include "fmi/model.hpp"
 #include "odeum/contest/late.hpp"
 #include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 #include "odeum/linear/dense_limit.hpp"
 
 namespace odeum {

@@ -12,7 +12,6 @@
 
 #include "odeum/contest/late.hpp"
 #include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/names.hpp"
 #include "odeum/foreign/problem.hpp"
 #include "plugin/solver.hpp"
 

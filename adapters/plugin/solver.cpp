@@ -10,7 +10,7 @@
 
 #include "odeum/contest/dense_jacobian.hpp"
 #include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/names.hpp"
+#include "odeum/foreign/problem.hpp"
 
 namespace odeum::adapters::plugin {
 namespace {

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-#include "odeum/formula/print_c.hpp"
+#include "odeum/formula/text_ode.hpp"
 #include "odeum/linear/ordering.hpp"
 #include "odeum/truth/system.hpp"
 #include "odeum_build_info.hpp"

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "odeum/formula/print_c.hpp"
 #include "odeum/formula/text_ode.hpp"
 
 namespace odeum {

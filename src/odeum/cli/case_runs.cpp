@@ -14,6 +14,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
+record::CsvRow row_of(const Case& c, const std::string& library, const std::string& solver) {
+  return record::CsvRow().text(c.id).text(library).text(solver);
+}
+
 std::vector<double> exact_at(const Case& c, double t) {
   std::vector<double> y(c.y0.size(), nan);
   if (t == c.t0) return c.y0;
@@ -43,13 +47,9 @@ ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs) {
   for (const double t : c.stops)
     if (t <= end) times.insert(t);
   ExactStates exact;
-  std::size_t unknown = times.size() - outputs;
   for (const double t : times) {
     std::vector<double> y = exact_at(c, t);
-    if (std::isnan(y.front())) {
-      ++unknown;
-      continue;
-    }
+    if (std::isnan(y.front())) continue;
     exact.times.push_back(t);
     exact.states.push_back(std::move(y));
   }
@@ -65,8 +65,7 @@ std::string case_trajectory_csv(const Case& c, const std::vector<CaseRun>& runs,
   const std::size_t n = c.y0.size();
   const auto add = [&](const std::string& library, const std::string& solver, double t,
                        const double* y, double error) {
-    record::CsvRow row;
-    row.text(c.id).text(library).text(solver).number(t);
+    record::CsvRow row = row_of(c, library, solver).number(t);
     for (std::size_t i = 0; i < n; ++i) row.number(y[i]);
     table.add(row.number(c.energy ? c.energy(y) : nan).number(error));
   };
@@ -93,10 +92,7 @@ std::string case_solution_csv(const Case& c, const std::vector<CaseRun>& runs) {
     const std::vector<double> exact = exact_at(c, t);
     const double* const y = run.outcome.states.data() + (run.reached(n) - 1) * n;
     for (std::size_t i = 0; i < n; ++i)
-      table.add(record::CsvRow()
-                    .text(c.id)
-                    .text(run.entrant->info.library)
-                    .text(run.entrant->info.method)
+      table.add(row_of(c, run.entrant->info.library, run.entrant->info.method)
                     .text(to_string(run.outcome.status))
                     .number(t)
                     .count(i)
@@ -113,10 +109,7 @@ std::string case_steps_csv(const Case& c, const std::vector<CaseRun>& runs) {
   for (const CaseRun& run : runs) {
     double before = c.t0;
     for (const double t : run.outcome.step_ends) {
-      table.add(record::CsvRow()
-                    .text(c.id)
-                    .text(run.entrant->info.library)
-                    .text(run.entrant->info.method)
+      table.add(row_of(c, run.entrant->info.library, run.entrant->info.method)
                     .number(t)
                     .number(t - before));
       before = t;

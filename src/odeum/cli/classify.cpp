@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "odeum/cli/session.hpp"
 #include "odeum/fem/second_order_pde.hpp"
 #include "odeum/formula/parser.hpp"
@@ -27,12 +25,12 @@ fem::SecondOrderPde read_pde(const std::vector<std::string>& pde) {
     if (pde.size() == 1) return fem::SecondOrderPde(pde[0]);
     if (pde.size() == 3) return fem::SecondOrderPde(pde[0], pde[1], pde[2]);
   } catch (const formula::ExpressionError& error) {
-    throw UsageError(fmt::format("the equation, character {}: {}", error.at() + 1, error.what()));
+    throw UsageError("the equation, character {}: {}", error.at() + 1, error.what());
   }
-  throw UsageError(fmt::format(
+  throw UsageError(
       "got {} arguments, expected an equation in quotes ('y*u_xx + u_yy = 0'), or three "
       "coefficients of u_xx, u_xy and u_yy",
-      pde.size()));
+      pde.size());
 }
 
 /// The slope dy/dx of a direction.
@@ -137,7 +135,7 @@ void classify(const ClassifyOptions& given) {
     const auto& r = given.region;
     map = fem::map_types(pde, {r[0], r[1], r[2], r[3]}, given.divisions);
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--region: {}", error.what()));
+    throw UsageError("--region: {}", error.what());
   }
   print(describe(map));
   if (given.out.empty()) return;
@@ -148,12 +146,12 @@ void classify(const ClassifyOptions& given) {
                                               given.pde[1], given.pde[2]);
   folder.write("classify.svg", fem::picture_of(map, title, pde.second()));
   folder.write("classify.csv", csv_of(map, pde.second()));
-  remark(fmt::format("classify.svg, classify.csv are in {}", given.out));
+  remark("classify.svg, classify.csv are in {}", given.out);
 }
 
 }  // namespace
 
-void add_classify(CLI::App& app, int& result) {
+void add_classify(CLI::App& app) {
   const auto given = std::make_shared<ClassifyOptions>();
   CLI::App* command = app.add_subcommand(
       "classify", "the type of a second-order partial differential equation, and where it changes");
@@ -172,10 +170,7 @@ void add_classify(CLI::App& app, int& result) {
       ->check(CLI::Range(1, 2000));
   command->add_option("--out", given->out, "folder for a picture and a table of the map")
       ->type_name("DIR");
-  command->callback([given, &result] {
-    classify(*given);
-    result = success;
-  });
+  command->callback([given] { classify(*given); });
 }
 
 }  // namespace odeum::cli

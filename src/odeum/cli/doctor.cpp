@@ -7,7 +7,7 @@
 
 namespace odeum::cli {
 
-void add_doctor(CLI::App& app, int&) {
+void add_doctor(CLI::App& app) {
   app.add_subcommand("doctor", "libraries found, versions, compiler, flags")->callback([] {
     std::string text = fmt::format("odeum      {}\ncompiler   {}\nflags      {}\n", build::version,
                                    build::compiler, build::flags);

@@ -96,8 +96,8 @@ void remark_on(const record::Store* store) {
   if (!store->problem().empty())
     remark("results are not kept: " + store->problem());
   else if (store->taken() > 0)
-    remark(fmt::format("{} of {} results are those of earlier runs, from {}; --no-cache measures",
-                       store->taken(), store->taken() + store->added(), store->folder().string()));
+    remark("{} of {} results are those of earlier runs, from {}; --no-cache measures",
+           store->taken(), store->taken() + store->added(), store->folder().string());
 }
 
 std::string what_continues(const record::Store* store) {

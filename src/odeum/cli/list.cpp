@@ -17,11 +17,13 @@ namespace {
 /// A table of text in three formats.
 struct Listing {
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::vector<std::string>> rows = {};
+  std::size_t shown = columns.size();  ///< the table omits the long columns of the other formats
 };
 
 Listing list_cases() {
-  Listing listing{{"id", "title", "equation", "dimension", "horizon", "tags", "truth"}, {}};
+  Listing listing{.columns = {"id", "title", "equation", "dimension", "horizon", "tags", "truth"},
+                  .shown = 3};
   for (const Case& c : all_cases())
     listing.rows.push_back({c.id, c.title, c.equation, std::to_string(c.y0.size()),
                             record::format_number(c.stops.back()),
@@ -36,7 +38,7 @@ Listing list_cases() {
 }
 
 Listing list_parameters() {
-  Listing listing{{"case", "parameter", "value", "meaning"}, {}};
+  Listing listing{{"case", "parameter", "value", "meaning"}};
   for (const Case& c : all_cases())
     for (const Parameter& parameter : c.parameters)
       listing.rows.push_back(
@@ -52,7 +54,7 @@ std::string modes(const SolverInfo& info) {
 }
 
 Listing list_solvers() {
-  Listing listing{{"id", "family", "order", "settings", "needs", "source"}, {}};
+  Listing listing{.columns = {"id", "family", "order", "settings", "needs", "source"}, .shown = 5};
   for (const Entrant& entrant : all_cases().front().entrants) {
     const SolverInfo& info = entrant.info;
     listing.rows.push_back({info.id(), info.family,
@@ -77,7 +79,7 @@ std::string first_comment(std::string_view text) {
 }
 
 Listing list_scenes() {
-  Listing listing{{"name", "solver", "duration", "particles", "springs", "shows"}, {}};
+  Listing listing{{"name", "solver", "duration", "particles", "springs", "shows"}};
   for (const cases::SceneText& text : cases::all_scenes()) {
     const scene::Scene scene =
         scene::read_scene(std::string(text.name), std::string(text.text)).scene;
@@ -89,20 +91,20 @@ Listing list_scenes() {
   return listing;
 }
 
-std::string as_table(const Listing& listing, std::size_t columns) {
+std::string as_table(const Listing& listing) {
   // One long cell must not move the columns of two hundred lines off the screen.
   constexpr std::size_t widest = 62;
-  std::vector<std::size_t> widths(columns);
-  for (std::size_t k = 0; k < columns; ++k) {
+  std::vector<std::size_t> widths(listing.shown);
+  for (std::size_t k = 0; k < listing.shown; ++k) {
     widths[k] = listing.columns[k].size();
     for (const auto& row : listing.rows)
       widths[k] = std::max(widths[k], std::min(row[k].size(), widest));
   }
   std::string text;
   const auto line = [&](const std::vector<std::string>& row) {
-    for (std::size_t k = 0; k + 1 < columns; ++k)
+    for (std::size_t k = 0; k + 1 < listing.shown; ++k)
       text += fmt::format("{:<{}}  ", row[k], widths[k]);
-    text += row[columns - 1] + "\n";
+    text += row[listing.shown - 1] + "\n";
   };
   line(listing.columns);
   for (const auto& row : listing.rows) line(row);
@@ -131,7 +133,7 @@ std::string as_json(const Listing& listing) {
 
 }  // namespace
 
-void add_list(CLI::App& app, int&) {
+void add_list(CLI::App& app) {
   struct Options {
     std::string what = "cases";
     std::string format = "table";
@@ -146,21 +148,16 @@ void add_list(CLI::App& app, int&) {
   command->add_flag("--parameters", options->parameters,
                     "the parameters of cases, which odeum run --set changes");
   command->callback([options] {
-    const std::string what = options->parameters ? "parameters" : options->what;
     if (options->parameters && options->what != "cases")
       throw UsageError(
           "--parameters: only cases have parameters; use odeum list cases --parameters");
-    const Listing listing = what == "cases"        ? list_cases()
-                            : what == "parameters" ? list_parameters()
-                            : what == "scenes"     ? list_scenes()
-                                                   : list_solvers();
-    // The table omits the long columns of the other formats.
+    const Listing listing = options->parameters         ? list_parameters()
+                            : options->what == "cases"  ? list_cases()
+                            : options->what == "scenes" ? list_scenes()
+                                                        : list_solvers();
     print(options->format == "csv"    ? as_csv(listing)
           : options->format == "json" ? as_json(listing)
-                                      : as_table(listing, what == "cases"        ? 3
-                                                          : what == "parameters" ? 4
-                                                          : what == "scenes"     ? 6
-                                                                                 : 5));
+                                      : as_table(listing));
   });
 }
 

@@ -4,13 +4,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <new>
-#include <string_view>
 
-#include "odeum/cli/plugins.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/cli/study_command.hpp"
+#include "odeum/contest/late.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
 #include "odeum_build_info.hpp"
 
 namespace {
@@ -34,20 +33,37 @@ constexpr const char* introduction =
     "\n"
     "odeum --help lists every command.\n";
 
+// --plugin FILE on every command that has been added: its problems and solvers are known before
+// the command runs.
+void add_plugin_option(CLI::App& app) {
+  const auto add = [](CLI::App& to) {
+    to.add_option_function<std::vector<std::string>>(
+          "--plugin",
+          [](const std::vector<std::string>& files) {
+            for (const std::string& file : files) odeum::add_plugin(file);
+          },
+          "a shared object with problems and solvers of your own, see odeum/plugin.h")
+        ->type_name("FILE.so")
+        ->allow_extra_args(false);
+  };
+  add(app);
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) add(*command);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Odeum: a laboratory that compares time integrators", "odeum"};
   app.set_version_flag("--version", fmt::format("odeum {}", odeum::build::version));
   app.require_subcommand(0, 1);
   int result = success;
-  add_list(app, result);
+  add_list(app);
   add_run(app, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
-  for (const auto& study : studies) add_study(app, *study, result);
-  add_report(app, result);
+  for (const auto& study : studies) add_study(app, *study);
+  add_report(app);
   add_verify(app, result);
-  add_classify(app, result);
-  add_poisson(app, result);
-  add_doctor(app, result);
+  add_classify(app);
+  add_poisson(app);
+  add_doctor(app);
   add_plugin_option(app);
   try {
     app.parse(argc, argv);

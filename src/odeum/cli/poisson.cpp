@@ -51,8 +51,7 @@ fem::GmshMesh read_mesh(const std::string& name) {
     const char* const end = name.data() + name.size();
     if (const auto read = std::from_chars(name.data() + colon + 1, end, n);
         read.ptr != end || read.ec != std::errc() || n < 1 || n > 4096)
-      throw UsageError(
-          fmt::format("the mesh {}: expected {}:N with N from 1 to 4096", name, shape));
+      throw UsageError("the mesh {}: expected {}:N with N from 1 to 4096", name, shape);
   }
   fem::GmshMesh mesh;
   mesh.mesh = shape == "square"    ? fem::unit_square(n)
@@ -67,7 +66,7 @@ fem::PlaneFunction read_function(const std::string& option, const std::string& t
   try {
     return fem::PlaneFunction(text);
   } catch (const formula::ExpressionError& error) {
-    throw UsageError(fmt::format("--{}, character {}: {}", option, error.at() + 1, error.what()));
+    throw UsageError("--{}, character {}: {}", option, error.at() + 1, error.what());
   }
 }
 
@@ -81,11 +80,11 @@ Middles given_edges(const fem::GmshMesh& mesh, const std::vector<std::string>& o
   const bool everywhere = on.empty(), nowhere = on == std::vector<std::string>{"none"};
   for (const std::string& group : on)
     if (!nowhere && std::find(mesh.groups.begin(), mesh.groups.end(), group) == mesh.groups.end())
-      throw UsageError(fmt::format(
+      throw UsageError(
           "--on {}: the mesh has no physical group of curves of that name; it has {}, and none "
           "means nowhere{}",
           group, mesh.groups.empty() ? "none" : fmt::format("{}", fmt::join(mesh.groups, ", ")),
-          did_you_mean(group, mesh.groups)));
+          did_you_mean(group, mesh.groups));
   Middles middles;
   for (const auto& edge : fem::boundary_edges(mesh.mesh))
     if (everywhere || std::any_of(on.begin(), on.end(), [&](const std::string& group) {
@@ -134,9 +133,8 @@ class Solution {
  public:
   explicit Solution(const PoissonOptions& given) : given_(given) {
     if (!given.exact.empty()) exact_.emplace(read_function("exact", given.exact));
-    print(fmt::format("{:>10} {:>10} {:>10} {:>10} {:>10}{}\n", "triangles", "unknowns", "h",
-                      "iterations", "residual",
-                      exact_ ? "      L2 error      H1 error     max error  order L2, H1" : ""));
+    print("{:>10} {:>10} {:>10} {:>10} {:>10}{}\n", "triangles", "unknowns", "h", "iterations",
+          "residual", exact_ ? "      L2 error      H1 error     max error  order L2, H1" : "");
   }
 
   void add(const fem::Levels& levels) {
@@ -166,8 +164,8 @@ class Solution {
     }
     print(line + '\n');
     if (level.system.imbalance != 0)
-      remark(fmt::format("load and flux add up to {:.2g} of their size, which was subtracted",
-                         level.system.imbalance));
+      remark("load and flux add up to {:.2g} of their size, which was subtracted",
+             level.system.imbalance);
   }
 
   std::string vtk(const fem::TriangleMesh& mesh) const {
@@ -222,12 +220,12 @@ void solve(const PoissonOptions& given) {
   // A browser shows no more triangles at once.
   const bool drawn = levels.finest().mesh.triangles.size() <= 20'000;
   if (drawn) folder.write("solution.svg", solution.picture(levels.finest().mesh));
-  remark(fmt::format("solution.vtk{} in {}", drawn ? ", solution.svg are" : " is", given.out));
+  remark("solution.vtk{} in {}", drawn ? ", solution.svg are" : " is", given.out);
 }
 
 }  // namespace
 
-void add_poisson(CLI::App& app, int& result) {
+void add_poisson(CLI::App& app) {
   const auto given = std::make_shared<PoissonOptions>();
   CLI::App* command = app.add_subcommand(
       "poisson", "solves -div(a grad u) = f by linear finite elements on a mesh");
@@ -253,15 +251,14 @@ void add_poisson(CLI::App& app, int& result) {
       ->check(CLI::Range(1e-15, 1.0));
   command->add_option("--out", given->out, "folder for solution.vtk and a picture")
       ->type_name("DIR");
-  command->callback([given, &result] {
+  command->callback([given] {
     try {
       solve(*given);
     } catch (const fem::MeshError& error) {
-      throw UsageError(fmt::format("the mesh: {}", error.what()));
+      throw UsageError("the mesh: {}", error.what());
     } catch (const fem::ProblemError& error) {
       throw UsageError(error.what());
     }
-    result = success;
   });
 }
 

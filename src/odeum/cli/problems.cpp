@@ -33,9 +33,9 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
   for (const std::string& set : sets) {
     const std::size_t equal = set.find('=');
     if (equal == std::string::npos || equal == 0 || equal + 1 == set.size())
-      throw UsageError(fmt::format("--set: got {}, expected NAME=VALUE", shown(set)));
+      throw UsageError("--set: got {}, expected NAME=VALUE", shown(set));
     if (!overrides.emplace(set.substr(0, equal), set.substr(equal + 1)).second)
-      throw UsageError(fmt::format("--set: {} is given twice", shown(set.substr(0, equal))));
+      throw UsageError("--set: {} is given twice", shown(set.substr(0, equal)));
   }
   return overrides;
 }
@@ -50,11 +50,10 @@ std::string unused_id(const std::string& path, const std::string& otherwise) {
     const auto known = known_cases();
     return std::any_of(known.begin(), known.end(), [&](const Case* c) { return c->id == id; });
   };
-  if (!taken(stem)) return stem;
-  if (!taken(stem + otherwise)) return stem + otherwise;
-  int number = 2;
-  while (taken(fmt::format("{}{}{}", stem, otherwise, number))) ++number;
-  return fmt::format("{}{}{}", stem, otherwise, number);
+  std::string id = stem;
+  for (int number = 1; taken(id); ++number)
+    id = stem + otherwise + (number == 1 ? "" : std::to_string(number));
+  return id;
 }
 
 GivenProblem load_fmu(const std::string& path, const std::vector<std::string>& sets) {
@@ -107,7 +106,7 @@ GivenProblem load_problem(const std::string& path, const std::vector<std::string
   } catch (const InputError& error) {
     throw UsageError(error.what());
   } catch (const std::length_error& error) {
-    throw UsageError(fmt::format("{}:1:1: {}", path, error.what()));
+    throw UsageError("{}:1:1: {}", path, error.what());
   }
 }
 
@@ -122,7 +121,7 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
       continue;
     }
     GivenProblem given = load_problem(word, options.sets);
-    for (const auto& [name, fact] : given.facts) remark(fmt::format("{:<9}  {}", name, fact));
+    for (const auto& [name, fact] : given.facts) remark("{:<9}  {}", name, fact);
     globs.push_back(given.c->id);
     loaded = true;
   }

@@ -2,14 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
-#include "odeum/cli/report_scenes.hpp"
-#include "odeum/cli/report_solutions.hpp"
+#include "odeum/cli/report_parts.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/report/html.hpp"
@@ -136,7 +134,7 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, int& result) {
+void add_report(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("report", "the whole comparison: tables, plots and a page");
@@ -148,11 +146,10 @@ void add_report(CLI::App& app, int& result) {
       ->type_name("GLOB");
   add_study_options(*command, *options);
   add_problem_options(*command, options->problems);
-  command->callback([options, &result] {
+  command->callback([options] {
     options->given = load_problems(options->problems, {});
     check_case_globs(options->given);
     run(*options);
-    result = success;
   });
 }
 

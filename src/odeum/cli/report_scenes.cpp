@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/report_scenes.hpp"
+#include "odeum/cli/report_parts.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/report_solutions.hpp"
-
-#include <fmt/format.h>
+#include "odeum/cli/report_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

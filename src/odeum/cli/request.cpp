@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/request.hpp"
-
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "odeum/cli/session.hpp"
+#include "odeum/cli/run.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -15,23 +13,20 @@ namespace {
 constexpr double most_steps = 1e9;
 
 void set_step(Request& request, double h, double length, const SolverInfo& info) {
-  if (!std::isfinite(h) || !(h > 0))
-    throw UsageError(fmt::format("--step: got {}, expected a positive number", h));
-  if (h > length)
-    throw UsageError(fmt::format("--step: got {}, expected at most the horizon {}", h, length));
+  require_positive("--step", h);
+  if (h > length) throw UsageError("--step: got {}, expected at most the horizon {}", h, length);
   if (length / h > most_steps)
-    throw UsageError(fmt::format("--step: got {}, which takes more than {:g} steps to t = {}", h,
-                                 most_steps, request.stops.back()));
-  if (!info.fixed)
-    throw UsageError(fmt::format("{} runs to a tolerance only: use --tol", info.id()));
+    throw UsageError("--step: got {}, which takes more than {:g} steps to t = {}", h, most_steps,
+                     request.stops.back());
+  if (!info.fixed) throw UsageError("{} runs to a tolerance only: use --tol", info.id());
   request.mode = Mode::fixed;
   // Steps are equal and end at the horizon: take the next smaller divisor, unless the difference is
   // rounding.
   request.steps = static_cast<std::uint64_t>(std::ceil(length / h * (1 - 1e-12)));
   const double used = length / static_cast<double>(request.steps);
   if (std::abs(used - h) > 1e-9 * h)
-    remark(fmt::format("the step is reduced from {} to {}, so that {} steps end at t = {}", h, used,
-                       request.steps, request.stops.back()));
+    remark("the step is reduced from {} to {}, so that {} steps end at t = {}", h, used,
+           request.steps, request.stops.back());
 }
 
 void set_tolerances(Request& request, const RunSettings& settings, std::size_t numbers,
@@ -39,24 +34,26 @@ void set_tolerances(Request& request, const RunSettings& settings, std::size_t n
   const double smallest = std::numeric_limits<double>::epsilon();
   const double tolerance = settings.relative.value_or(settings.tolerance.value_or(0));
   if (!std::isfinite(tolerance) || !(tolerance > smallest))
-    throw UsageError(fmt::format("{}: got {}, expected a number above machine precision, {:.2g}",
-                                 settings.relative ? "--rtol" : "--tol", tolerance, smallest));
+    throw UsageError("{}: got {}, expected a number above machine precision, {:.2g}",
+                     settings.relative ? "--rtol" : "--tol", tolerance, smallest);
   for (const double each : settings.absolute)
     if (!std::isfinite(each) || !(each > 0))
-      throw UsageError(fmt::format("--atol: got {}, expected positive numbers", each));
+      throw UsageError("--atol: got {}, expected positive numbers", each);
   if (settings.absolute.size() > 1 && settings.absolute.size() != numbers)
-    throw UsageError(
-        fmt::format("--atol: got {} numbers, expected one, or {}: one for each of the "
-                    "state's",
-                    settings.absolute.size(), numbers));
-  if (!info.adaptive)
-    throw UsageError(fmt::format("{} runs at a fixed step only: use --step", info.id()));
+    throw UsageError("--atol: got {} numbers, expected one, or {}: one for each of the state's",
+                     settings.absolute.size(), numbers);
+  if (!info.adaptive) throw UsageError("{} runs at a fixed step only: use --step", info.id());
   request.mode = Mode::adaptive;
   request.tolerance = tolerance;
   request.absolute = settings.absolute;
 }
 
 }  // namespace
+
+void require_positive(const char* option, double value) {
+  if (!std::isfinite(value) || !(value > 0))
+    throw UsageError("{}: got {}, expected a positive number", option, value);
+}
 
 bool has_setting(const RunSettings& settings) {
   return settings.step || settings.tolerance || settings.relative;
@@ -86,7 +83,7 @@ Request make_request(const RunSettings& settings, double t0, double horizon, std
   Request request;
   const double end = settings.until.value_or(horizon), length = end - t0;
   if (!std::isfinite(length) || !(length > 0))
-    throw UsageError(fmt::format("--until: got {}, expected a finite time after {}", end, t0));
+    throw UsageError("--until: got {}, expected a finite time after {}", end, t0);
   request.stops = {end};
   if (settings.step)
     set_step(request, *settings.step, length, info);
@@ -102,11 +99,9 @@ void ask_for_output(Request& request, const RunSettings& settings, double t0, st
   constexpr double usual_outputs = 500, most_numbers = 2e8;  // of 8 bytes each
   const double end = request.stops.back(), length = end - t0;
   const double every = settings.every.value_or(length / usual_outputs);
-  if (!std::isfinite(every) || !(every > 0))
-    throw UsageError(fmt::format("--every: got {}, expected a positive number", every));
+  require_positive("--every", every);
   if (!(length / every * static_cast<double>(numbers) < most_numbers))
-    throw UsageError(
-        fmt::format("--every: got {}, which keeps more than {:g} numbers", every, most_numbers));
+    throw UsageError("--every: got {}, which keeps more than {:g} numbers", every, most_numbers);
   request.over_stops = request.record_steps = true;
   request.stops.clear();
   if (request.mode == Mode::fixed) {
@@ -115,7 +110,7 @@ void ask_for_output(Request& request, const RunSettings& settings, double t0, st
         std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(every / h)));
     const double used = static_cast<double>(apart) * h;
     if (settings.every && std::abs(used - every) > 1e-9 * every)
-      remark(fmt::format("output is {} apart instead of {}, a whole number of steps", used, every));
+      remark("output is {} apart instead of {}, a whole number of steps", used, every);
     for (std::uint64_t i = apart; i < request.steps; i += apart)
       request.stops.push_back(t0 + static_cast<double>(i) * h);
   } else {

@@ -5,11 +5,44 @@
 #include <vector>
 
 #include "odeum/cli/problems.hpp"
-#include "odeum/cli/request.hpp"
 #include "odeum/cli/session.hpp"
+#include "odeum/report/comparison.hpp"
+#include "odeum/report/html.hpp"
 #include "odeum/scene/read/reader.hpp"
+#include "odeum/scene/run/run.hpp"
 
 namespace odeum::cli {
+
+/// The settings of one run.
+struct RunSettings {
+  /// One of them: a step, a tolerance, or a relative tolerance with absolute ones.
+  std::optional<double> step, tolerance, relative;
+  std::vector<double> absolute;  ///< by component, or one for all
+  std::optional<double> until;
+  std::optional<double> every;  ///< between outputs
+};
+
+/// Throws UsageError for a value of an option that is not positive and finite.
+void require_positive(const char* option, double value);
+/// Whether a step or a tolerance is given.
+bool has_setting(const RunSettings& settings);
+/// The settings for a case: without one the tolerance that its author asks for, and a tolerance
+/// alone with the absolute ones of its thresholds.
+RunSettings settings_for(const Case& c, RunSettings settings);
+/// `rtol R, atol A`, or `R` where it is one number, for people.
+std::string text_of_tolerance(const Request& request);
+
+/// The request for a solver over [t0, until or `horizon`], with the only stop at the end;
+/// `numbers`: the size of a state. A step that does not divide it is reduced, with a remark. Throws
+/// UsageError for an invalid setting or one that the solver does not support.
+Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,
+                     const SolverInfo& info);
+
+/// Makes the request ask for states at times `every` apart too (by default at some 500), which do
+/// not limit the steps of own adaptive solvers; at a fixed step at the nearest whole steps, with a
+/// remark where that is another interval. `numbers`: the size of a state. Throws UsageError for an
+/// invalid interval, and where the states are too many to keep.
+void ask_for_output(Request& request, const RunSettings& settings, double t0, std::size_t numbers);
 
 struct RunOptions {
   std::string what;  ///< a case or a scene
@@ -46,5 +79,48 @@ int run_case(const RunOptions& options);
 
 /// Prints what was found in a problem file; the same for its case where a solver is given.
 int run_problem(const RunOptions& options);
+
+/// A row for each run, of a case or a scene; the last column, with the heading `last`, has the
+/// number last_of(run).
+template <class Run, class Last>
+report::Table table_of(const std::vector<Run>& runs, const char* last, const Last& last_of) {
+  report::Table table("numbers");
+  table.head({{.text = "solver"},
+              {.text = "status"},
+              {.text = "steps"},
+              {.text = "rejected"},
+              {.text = "evaluations"},
+              {.text = last}});
+  for (const Run& run : runs) {
+    const Counters& counters = run.outcome.counters;
+    table.row({.text = run.entrant->info.id()},
+              {{.text = to_string(run.outcome.status), .title = run.outcome.detail},
+               {.text = std::to_string(counters.steps)},
+               {.text = std::to_string(counters.rejected_steps)},
+               {.text = std::to_string(counters.rhs_evaluations)},
+               {.text = report::show_number(last_of(run))}});
+  }
+  return table;
+}
+
+/// A C++ program that makes one run of an own method on a case with the installed package and
+/// prints the state at its end. Throws UsageError for a solver of another library.
+std::string code_of(const Case& c, const Entrant& entrant, const Request& request);
+
+/// One solver's run of a scene.
+struct SceneRun {
+  const Entrant* entrant;
+  Request request;
+  scene::RunResult outcome;
+  std::string folder;  ///< of its files, with a slash at the end; empty: that of all files
+};
+
+inline double energy(const scene::Frame& frame) { return frame.kinetic + frame.potential; }
+
+/// The coordinate that the scene plots (else the height of its first free particle) over time and
+/// in the state plane, and the energy; with the exact motion of free particles under gravity.
+std::vector<report::Figure> scene_figures(const scene::Scene& scene,
+                                          const scene::SceneProblem& problem,
+                                          const std::vector<SceneRun>& runs);
 
 }  // namespace odeum::cli

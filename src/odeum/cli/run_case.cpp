@@ -2,26 +2,51 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
-#include "odeum/cli/assignments.hpp"
 #include "odeum/cli/case_runs.hpp"
 #include "odeum/cli/run.hpp"
-#include "odeum/cli/run_code.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/input/yaml_tree.hpp"
 #include "odeum/judge/answer.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "odeum/report/html.hpp"
 #include "support/computed_truth.hpp"
 
 namespace odeum::cli {
 namespace {
 
+using Sets = std::vector<std::pair<std::string, double>>;
+
+// The values of --set, in their order. Throws UsageError for what is no NAME=NUMBER, a number that
+// is not finite, and a name that is given twice.
+Sets parse_sets(const std::vector<std::string>& texts) {
+  Sets sets;
+  for (const std::string& text : texts) {
+    const auto fail = [&](const char* what) {
+      throw UsageError("--set: {}; got {}, expected NAME=NUMBER", what, shown(text));
+    };
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) fail("no assignment");
+    const std::string name = text.substr(0, equals);
+    const char *begin = text.data() + equals + 1, *const end = text.data() + text.size();
+    if (begin != end && *begin == '+') ++begin;
+    double value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || stop != end) fail("not a number");
+    if (!std::isfinite(value)) fail("not finite");
+    for (const auto& [other, unused] : sets)
+      if (other == name) fail("given twice");
+    sets.emplace_back(name, value);
+  }
+  return sets;
+}
+
 // The case with other values of some of its parameters. Throws UsageError.
-Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& sets) {
+Case changed(const Case& c, const Sets& sets) {
   std::vector<std::string> names;
   std::vector<double> values;
   for (const Parameter& parameter : c.parameters) {
@@ -29,14 +54,14 @@ Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& s
     values.push_back(parameter.value);
   }
   if (names.empty())
-    throw UsageError(fmt::format(
+    throw UsageError(
         "--set: {} has no parameters; odeum list cases --parameters lists the cases that have",
-        c.id));
+        c.id);
   for (const auto& [name, value] : sets) {
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end())
-      throw UsageError(fmt::format("--set: {} has no parameter {}{}; expected one of {}", c.id,
-                                   name, did_you_mean(name, names), fmt::join(names, ", ")));
+      throw UsageError("--set: {} has no parameter {}{}; expected one of {}", c.id, name,
+                       did_you_mean(name, names), fmt::join(names, ", "));
     values[static_cast<std::size_t>(at - names.begin())] = value;
   }
   try {
@@ -44,12 +69,12 @@ Case changed(const Case& c, const std::vector<std::pair<std::string, double>>& s
     other.id = c.id;
     return other;
   } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("--set: {}", error.what()));
+    throw UsageError("--set: {}", error.what());
   }
 }
 
 CaseRun prepare(const Case& c, const std::string& solver, const RunOptions& options) {
-  const Entrant& entrant = find_entrant(c, solver);
+  const Entrant& entrant = find_entrant(c.entrants, c.id, solver);
   CaseRun run{&entrant,
               make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info),
               {}};
@@ -136,27 +161,10 @@ std::string describe(const Case& c, const CaseRun& run) {
   return text;
 }
 
-report::Table table_of(const Case& c, const std::vector<CaseRun>& runs) {
-  report::Table table("numbers");
-  table.head({{.text = "solver"},
-              {.text = "status"},
-              {.text = "steps"},
-              {.text = "rejected"},
-              {.text = "evaluations"},
-              {.text = "error at the end"}});
-  for (const CaseRun& run : runs) {
-    const Counters& counters = run.outcome.counters;
-    const bool ok = run.outcome.status == Status::ok;
-    const double error =
-        ok ? judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max : std::nan("");
-    table.row({.text = run.entrant->info.id()},
-              {{.text = to_string(run.outcome.status), .title = run.outcome.detail},
-               {.text = std::to_string(counters.steps)},
-               {.text = std::to_string(counters.rejected_steps)},
-               {.text = std::to_string(counters.rhs_evaluations)},
-               {.text = report::show_number(error)}});
-  }
-  return table;
+// NaN where the run did not reach the end.
+double error_at_end(const Case& c, const CaseRun& run) {
+  if (run.outcome.status != Status::ok) return std::nan("");
+  return judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max;
 }
 
 using Facts = std::vector<std::pair<std::string, std::string>>;
@@ -179,7 +187,8 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   page.facts.emplace_back("Setting", options.settings.step
                                          ? fmt::format("step {}", *options.settings.step)
                                          : "tolerance " + text_of_tolerance(runs.front().request));
-  page.table = table_of(c, runs);
+  page.table =
+      table_of(runs, "error at the end", [&](const CaseRun& run) { return error_at_end(c, run); });
   page.figures = case_figures(c, runs, exact);
   folder.write("comparison.html", report::comparison_page(page));
   std::string text;
@@ -188,8 +197,6 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   return text;
 }
 
-using Sets = std::vector<std::pair<std::string, double>>;
-
 int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts = {}) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
   options.settings = settings_for(c, options.settings);
@@ -197,15 +204,15 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts
     throw UsageError("run needs --step or --tol, or --rtol and --atol");
   if (options.code) {
     if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
-    const Entrant& entrant = find_entrant(c, options.solvers.front());
+    const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
     print(code_of(c, entrant,
                   make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info)));
     return success;
   }
   std::vector<CaseRun> runs;
   for (const std::string& solver : options.solvers) runs.push_back(prepare(c, solver, options));
-  for (const auto& [name, value] : sets) print(fmt::format("set     {} = {}\n", name, value));
-  print(fmt::format("case    {}: {}\n", c.id, c.equation));
+  for (const auto& [name, value] : sets) print("set     {} = {}\n", name, value);
+  print("case    {}: {}\n", c.id, c.equation);
   c.truth = truth_of(c, runs);
   bool any_ok = false;
   for (CaseRun& run : runs) {
@@ -222,7 +229,7 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts
 
 int run_case(const RunOptions& options) {
   const Case& original = find_case(options.what);
-  const auto sets = parse_assignments("--set", options.problems.sets);
+  const auto sets = parse_sets(options.problems.sets);
   if (sets.empty()) return run_solvers(original, {}, options);
   if (options.code) throw UsageError("--code takes a case with its own parameters, without --set");
   return run_solvers(changed(original, sets), sets, options);

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/run_code.hpp"
-
-#include <fmt/format.h>
-
-#include "odeum/cli/session.hpp"
+#include "odeum/cli/run.hpp"
 #include "odeum/record/csv.hpp"
 
 namespace odeum::cli {
@@ -20,9 +16,9 @@ const char* type_of_problem(const Case& c, const SolverInfo& info) {
 std::string code_of(const Case& c, const Entrant& entrant, const Request& request) {
   const SolverInfo& info = entrant.info;
   if (info.library != "odeum")
-    throw UsageError(fmt::format(
+    throw UsageError(
         "--code prints programs for Odeum's own methods; {} is called through its own library",
-        info.id()));
+        info.id());
   const double end = request.stops.back();
   std::string absolute;
   for (const double each : request.absolute)

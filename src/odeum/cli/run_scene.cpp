@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
 
 #include "odeum/cli/run.hpp"
-#include "odeum/cli/scene_runs.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "odeum/report/html.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "support/scene_stage.hpp"
@@ -62,9 +58,8 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
     lines.push_back(
         fmt::format("solves     {}: {} births, {} deaths", run.solves, run.births, run.deaths));
   const scene::Frame &first = run.frames.front(), &last = run.frames.back();
-  const double before = first.kinetic + first.potential, after = last.kinetic + last.potential;
-  lines.push_back(fmt::format("energy     {:.9g} J at t = {}, {:.9g} J at t = {:.9g}", before,
-                              first.t, after, last.t));
+  lines.push_back(fmt::format("energy     {:.9g} J at t = {}, {:.9g} J at t = {:.9g}",
+                              energy(first), first.t, energy(last), last.t));
   lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
                               last.momentum[0], last.momentum[1], last.momentum[2]));
   return lines;
@@ -76,9 +71,8 @@ RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   RunSettings settings = options.settings;
   if (settings.absolute.size() > 1)
     throw UsageError(
-        fmt::format("--atol: got {} numbers, expected one for a scene, whose particles "
-                    "may change in number",
-                    settings.absolute.size()));
+        "--atol: got {} numbers, expected one for a scene, whose particles may change in number",
+        settings.absolute.size());
   if (!has_setting(settings) && scene.solver) {
     settings.step = scene.solver->step;
     settings.tolerance = scene.solver->tolerance;
@@ -93,8 +87,8 @@ const Entrant& choose(const std::vector<Entrant>& entrants, const std::string& s
   try {
     return find_entrant(entrants, "this scene", scene.solver->type);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}; got {}, expected a solver that fits", scene.solver->where,
-                                 error.what(), shown(scene.solver->type)));
+    throw UsageError("{}: {}; got {}, expected a solver that fits", scene.solver->where,
+                     error.what(), shown(scene.solver->type));
   }
 }
 
@@ -114,7 +108,7 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
   setting.until = one.request.stops.back();
   setting.budget = one.request.budget;
   setting.frame_interval = scene::frame_interval(scene, setting.until);
-  one.result = scene::run_scene(
+  one.outcome = scene::run_scene(
       scene, setting, [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
         return cases::enroll_scene(problem, entrant.info.id()).solve(part);
       });
@@ -136,7 +130,9 @@ void write_comparison(const record::OutputFolder& folder, const Scene& scene,
   report::Comparison page;
   page.title = scene.name;
   for (const std::string& line : model) page.facts.emplace_back("", line);
-  page.table = scene_table(runs);
+  page.table = table_of(runs, "change of energy (J)", [](const SceneRun& run) {
+    return energy(run.outcome.frames.back()) - energy(run.outcome.frames.front());
+  });
   page.figures = scene_figures(scene, problem, runs);
   for (const SceneRun& run : runs)
     page.replays.push_back({run.entrant->info.id(), run.folder + "replay.html"});
@@ -175,19 +171,19 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
     runs.push_back(run_one(scene, *entrant, settings));
     if (interrupted) return interrupted_code;
     SceneRun& one = runs.back();
-    const Lines result = describe_result(*entrant, one.request, one.result);
+    const Lines result = describe_result(*entrant, one.request, one.outcome);
     print(text_of(result));
-    any_ok = any_ok || one.result.status == Status::ok;
+    any_ok = any_ok || one.outcome.status == Status::ok;
     if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
     if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
-    write_files(*folder, one.folder, scene, one.result, facts);
-    print(fmt::format("files      {}\n", (folder->path() / (one.folder + "replay.html")).string()));
+    write_files(*folder, one.folder, scene, one.outcome, facts);
+    print("files      {}\n", (folder->path() / (one.folder + "replay.html")).string());
   }
   if (folder) {
     write_comparison(*folder, scene, *whole, runs, model);
-    print(fmt::format("files      {}\n", (folder->path() / "comparison.html").string()));
+    print("files      {}\n", (folder->path() / "comparison.html").string());
   }
   return any_ok ? success : solver_failed;
 }
@@ -252,10 +248,7 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
   read_options.need_solver = options.solvers.empty() || !has_setting(options.settings);
   if (!options.problems.sets.empty())
     throw UsageError("--set: a scene has no parameters; change its file");
-  if (options.settings.every &&
-      !(*options.settings.every > 0 && std::isfinite(*options.settings.every)))
-    throw UsageError(
-        fmt::format("--every: got {}, expected a positive number", *options.settings.every));
+  if (options.settings.every) require_positive("--every", *options.settings.every);
   try {
     return run_read(source.text ? scene::read_scene(source.file, *source.text, read_options)
                                 : scene::read_scene_file(source.file, read_options),

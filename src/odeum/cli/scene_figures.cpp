@@ -3,8 +3,7 @@
 
 #include <functional>
 
-#include "odeum/cli/scene_runs.hpp"
-#include "odeum/report/html.hpp"
+#include "odeum/cli/run.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -13,7 +12,6 @@ using report::ChartPoint;
 using report::Figure;
 using Quantity = std::function<double(const scene::Frame& frame)>;
 
-double energy(const scene::Frame& frame) { return frame.kinetic + frame.potential; }
 double time(const scene::Frame& frame) { return frame.t; }
 
 // What is drawn: the scene's plot, or the height of its first free particle.
@@ -29,7 +27,8 @@ std::optional<scene::Plot> plot_of(const scene::Scene& scene) {
 void draw(Figure& figure, const std::vector<SceneRun>& runs, const Quantity& x, const Quantity& y) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     std::vector<ChartPoint> points;
-    for (const scene::Frame& frame : runs[r].result.frames) points.emplace_back(x(frame), y(frame));
+    for (const scene::Frame& frame : runs[r].outcome.frames)
+      points.emplace_back(x(frame), y(frame));
     figure.lines.push_back(
         {.name = runs[r].entrant->info.id(), .style = r, .points = std::move(points)});
   }
@@ -51,27 +50,6 @@ std::vector<scene::Frame> exact_frames(const scene::SceneProblem& problem,
 
 }  // namespace
 
-report::Table scene_table(const std::vector<SceneRun>& runs) {
-  report::Table table("numbers");
-  table.head({{.text = "solver"},
-              {.text = "status"},
-              {.text = "steps"},
-              {.text = "rejected"},
-              {.text = "evaluations"},
-              {.text = "change of energy (J)"}});
-  for (const SceneRun& run : runs) {
-    const scene::RunResult& result = run.result;
-    table.row({.text = run.entrant->info.id()},
-              {{.text = to_string(result.status), .title = result.detail},
-               {.text = std::to_string(result.counters.steps)},
-               {.text = std::to_string(result.counters.rejected_steps)},
-               {.text = std::to_string(result.counters.rhs_evaluations)},
-               {.text = report::show_number(energy(result.frames.back()) -
-                                            energy(result.frames.front()))}});
-  }
-  return table;
-}
-
 std::vector<report::Figure> scene_figures(const scene::Scene& scene,
                                           const scene::SceneProblem& problem,
                                           const std::vector<SceneRun>& runs) {
@@ -91,7 +69,7 @@ std::vector<report::Figure> scene_figures(const scene::Scene& scene,
                  .y = fmt::format("v{} (m/s)", axis)};
     over_time.y_range = plot->y_range;
     report::FigureLine exact{.name = "exact", .points = {}}, exact_plane = exact;
-    for (const scene::Frame& frame : exact_frames(problem, runs.front().result)) {
+    for (const scene::Frame& frame : exact_frames(problem, runs.front().outcome)) {
       exact.points.emplace_back(frame.t, position(frame));
       exact_plane.points.emplace_back(position(frame), velocity(frame));
     }
@@ -104,7 +82,7 @@ std::vector<report::Figure> scene_figures(const scene::Scene& scene,
     figures = {std::move(over_time), std::move(plane)};
   }
   Figure total{.title = "Energy, less that at the start", .x = "time (s)", .y = "energy (J)"};
-  const double start = energy(runs.front().result.frames.front());
+  const double start = energy(runs.front().outcome.frames.front());
   draw(total, runs, time, [start](const scene::Frame& frame) { return energy(frame) - start; });
   figures.push_back(std::move(total));
   return figures;

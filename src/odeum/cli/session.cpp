@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -44,19 +43,19 @@ std::string missing_library(const std::string& word) {
 void check_globs(const char* what, const std::vector<std::string>& globs,
                  const std::vector<std::string>& ids) {
   for (const std::string& glob : globs) {
-    bool found = false;
-    for (const std::string& id : ids)
-      found = found || glob_matches(glob.substr(glob.starts_with('!')), id);
-    if (found) continue;
+    const std::string pattern = glob.substr(glob.starts_with('!'));
+    if (std::any_of(ids.begin(), ids.end(),
+                    [&](const std::string& id) { return glob_matches(pattern, id); }))
+      continue;
     if (const std::string missing = missing_library(glob); !missing.empty())
       throw UsageError(missing);
     const std::string near = did_you_mean(glob, ids);
-    throw UsageError(fmt::format("no {0} matches '{1}'{2}", what, glob,
-                                 near.empty() ? fmt::format("; see odeum list {}s", what) : near));
+    throw UsageError("no {0} matches '{1}'{2}", what, glob,
+                     near.empty() ? fmt::format("; see odeum list {}s", what) : near);
   }
   if (std::none_of(ids.begin(), ids.end(),
                    [&](const std::string& id) { return any_glob_matches(globs, id); }))
-    throw UsageError(fmt::format("no {} is left by '{}'", what, fmt::join(globs, " ")));
+    throw UsageError("no {} is left by '{}'", what, fmt::join(globs, " "));
 }
 
 // A name without a library and without * or ? is that of an own solver, as in odeum run.
@@ -109,11 +108,7 @@ const Case& find_case(const std::string& id) {
     if (c->id == id) return *c;
   std::vector<std::string> names = case_ids();
   for (const auto& scene : cases::all_scenes()) names.emplace_back(scene.name);
-  throw UsageError(fmt::format("unknown case '{}'{}", id, did_you_mean(id, names)));
-}
-
-const Entrant& find_entrant(const Case& c, const std::string& id) {
-  return find_entrant(c.entrants, c.id, id);
+  throw UsageError("unknown case '{}'{}", id, did_you_mean(id, names));
 }
 
 const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
@@ -121,8 +116,7 @@ const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::str
   const std::string full = id.find('/') == std::string::npos ? "odeum/" + id : id;
   for (const Entrant& entrant : entrants) {
     if (entrant.info.id() != full) continue;
-    if (!entrant.unfit.empty())
-      throw UsageError(fmt::format("{} does not fit {}: {}", full, on, entrant.unfit));
+    if (!entrant.unfit.empty()) throw UsageError("{} does not fit {}: {}", full, on, entrant.unfit);
     return entrant;
   }
   if (const std::string missing = missing_library(full); !missing.empty())
@@ -130,21 +124,20 @@ const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::str
   if (full == "odeum/closed_form")
     throw UsageError(
         "odeum/closed_form runs scenes; the exact solution of a case is drawn beside its solvers");
-  throw UsageError(fmt::format("unknown solver '{}'{}", id, did_you_mean(full, solver_ids())));
+  throw UsageError("unknown solver '{}'{}", id, did_you_mean(full, solver_ids()));
 }
 
 unsigned StudyOptions::jobs_or_cores() const {
   return jobs ? jobs : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers) {
-  if (with_solvers)
-    command
-        .add_option("--solver", options.solvers,
-                    "solvers, as library/method with * and ? (a method alone: Odeum's own); !GLOB "
-                    "excludes")
-        ->type_name("GLOB")
-        ->transform(with_library);
+void add_study_options(CLI::App& command, StudyOptions& options) {
+  command
+      .add_option("--solver", options.solvers,
+                  "solvers, as library/method with * and ? (a method alone: Odeum's own); !GLOB "
+                  "excludes")
+      ->type_name("GLOB")
+      ->transform(with_library);
   command.add_option("--out", options.out, "folder for the files")
       ->type_name("DIR")
       ->capture_default_str();

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "odeum/contest/case.hpp"
+
+namespace odeum::study {
+class Study;
+}
 
 namespace odeum::cli {
 
@@ -24,6 +29,9 @@ enum ExitCode {
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  template <class First, class... More>
+  explicit UsageError(fmt::format_string<First, More...> format, First&& first, More&&... more)
+      : UsageError(fmt::format(format, std::forward<First>(first), std::forward<More>(more)...)) {}
 };
 
 /// The work was interrupted; what() says how to continue.
@@ -36,16 +44,23 @@ class Stopped : public std::runtime_error {
 void print(const std::string& text);
 /// Prints a remark for people to stderr.
 void remark(const std::string& text);
+template <class First, class... More>
+void print(fmt::format_string<First, More...> format, First&& first, More&&... more) {
+  print(fmt::format(format, std::forward<First>(first), std::forward<More>(more)...));
+}
+template <class First, class... More>
+void remark(fmt::format_string<First, More...> format, First&& first, More&&... more) {
+  remark(fmt::format(format, std::forward<First>(first), std::forward<More>(more)...));
+}
 
 /// Throws UsageError where a glob matches no case (no solver), with the nearest name, or for a
 /// library that is not in this build with the option that builds it.
 void check_case_globs(const std::vector<std::string>& globs);
 void check_solver_globs(const std::vector<std::string>& globs);
 
-/// The case (the solver on a case) of that name. A solver id without a library is Odeum's own.
-/// Throws UsageError.
+/// The case (the solver among those on a case or a scene) of that name. A solver id without a
+/// library is Odeum's own. Throws UsageError.
 const Case& find_case(const std::string& id);
-const Entrant& find_entrant(const Case& c, const std::string& id);
 const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
                             const std::string& id);
 /// "; did you mean X?", or "one of X, Y" where several begin with the word; nothing where no
@@ -61,15 +76,18 @@ struct StudyOptions {
   bool no_cache = false;  ///< neither take nor keep results
   unsigned jobs_or_cores() const;
 };
-void add_study_options(CLI::App& command, StudyOptions& options, bool with_solvers = true);
+void add_study_options(CLI::App& command, StudyOptions& options);
 
-/// Each adds its subcommand; `result` receives the exit code when it runs.
-void add_list(CLI::App& app, int& result);
+/// Each adds its subcommand; `result` receives the exit code where that can be another one than
+/// `success` without an error.
+void add_list(CLI::App& app);
 void add_run(CLI::App& app, int& result);
-void add_report(CLI::App& app, int& result);
+void add_report(CLI::App& app);
 void add_verify(CLI::App& app, int& result);
-void add_classify(CLI::App& app, int& result);
-void add_poisson(CLI::App& app, int& result);
-void add_doctor(CLI::App& app, int& result);
+void add_classify(CLI::App& app);
+void add_poisson(CLI::App& app);
+void add_doctor(CLI::App& app);
+/// The command that a study declares.
+void add_study(CLI::App& app, study::Study& study);
 
 }  // namespace odeum::cli

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/study_command.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -59,28 +57,24 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
     return !std::filesystem::exists(folder.path() / file);
   });
   if (files.empty())
-    remark(fmt::format("no file is in {}: there are no rows", common.out));
+    remark("no file is in {}: there are no rows", common.out);
   else
-    remark(fmt::format("{} {} in {}", fmt::join(files, ", "), files.size() == 1 ? "is" : "are",
-                       common.out));
+    remark("{} {} in {}", fmt::join(files, ", "), files.size() == 1 ? "is" : "are", common.out);
 }
 
 /// Takes the globs that match problems of the study `elements` and no case out of `globs`.
 std::vector<std::string> take_elements(std::vector<std::string>& globs) {
-  const auto matches = [](const std::string& glob, const auto& id) {
-    return glob_matches(glob, id) && !glob.starts_with('!');
-  };
-  std::vector<std::string> taken;
-  for (const std::string& glob : globs) {
-    bool case_found = false, element_found = false;
-    for (const Case* c : known_cases()) case_found = case_found || matches(glob, c->id);
-    for (const study::ModelProblem& model : study::model_problems())
-      element_found = element_found || matches(glob, model.id);
-    if (element_found && !case_found) taken.push_back(glob);
-  }
-  std::erase_if(globs, [&](const std::string& glob) {
-    return std::find(taken.begin(), taken.end(), glob) != taken.end();
+  const auto cases = known_cases();
+  const auto models = study::model_problems();
+  const auto first_taken = std::stable_partition(globs.begin(), globs.end(), [&](const auto& glob) {
+    const auto matches = [&](const auto& id) { return glob_matches(glob, id); };
+    return glob.starts_with('!') ||
+           std::any_of(cases.begin(), cases.end(), [&](const Case* c) { return matches(c->id); }) ||
+           std::none_of(models.begin(), models.end(),
+                        [&](const study::ModelProblem& model) { return matches(model.id); });
   });
+  std::vector<std::string> taken(first_taken, globs.end());
+  globs.erase(first_taken, globs.end());
   return taken;
 }
 
@@ -92,10 +86,10 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
   for (std::string& word : take_elements(words.words)) problems.push_back(std::move(word));
   if (problems.empty()) return false;
   if (study.declaration().name != "converge")
-    throw UsageError(fmt::format(
+    throw UsageError(
         "'{}' names problems in space alone, which have no steps in time; odeum elements and odeum "
         "converge measure their orders in the mesh size",
-        problems.front()));
+        problems.front());
   for (const auto& other : study::make_studies())
     if (other->declaration().name == "elements")
       run_study(*other, {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}},
@@ -105,7 +99,7 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
 
 }  // namespace
 
-void add_study(CLI::App& app, study::Study& study, int& result) {
+void add_study(CLI::App& app, study::Study& study) {
   struct Given {
     StudyOptions common;
     study::Options study;
@@ -123,11 +117,10 @@ void add_study(CLI::App& app, study::Study& study, int& result) {
   for (const study::Option& option : declaration.options)
     add_own_option(*command, option, given->study);
   add_study_options(*command, given->common);
-  command->callback([given, &study, &result] {
-    const bool done = run_elements(study, given->study, given->problems, given->common);
-    if (!done) given->study.cases = load_problems(given->problems, given->study.cases);
-    if (!done) run_study(study, given->study, given->common);
-    result = success;
+  command->callback([given, &study] {
+    if (run_elements(study, given->study, given->problems, given->common)) return;
+    given->study.cases = load_problems(given->problems, given->study.cases);
+    run_study(study, given->study, given->common);
   });
 }
 

@@ -20,7 +20,6 @@
 #include <ctime>
 #include <exception>
 #include <new>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -154,16 +153,14 @@ std::string run_apart(Report& report, double seconds, bool& over_budget,
   settle_in(report, parent);
   try {
     work();
-    report.done = true;
   } catch (const std::exception& error) {
     report.status = static_cast<int>(Status::refused);
     report.say(fmt::format("foreign code threw {}", error.what()));
-    report.done = true;
   } catch (...) {
     report.status = static_cast<int>(Status::refused);
     report.say("foreign code threw something that is no std::exception");
-    report.done = true;
   }
+  report.done = true;
   _exit(0);
 }
 
@@ -204,15 +201,6 @@ Outcome taken_over(Report& report, std::size_t room) {
   return outcome;
 }
 
-}  // namespace
-
-bool inside() { return own_report != nullptr; }
-void alive() {
-  if (own_report) own_report->signs.fetch_add(1, std::memory_order_relaxed);
-}
-
-namespace {
-
 /// See solve_apart; `solve_ns` and `processor_s` become the times of the solve.
 Outcome solve_there(const std::function<Outcome(const Request&)>& solve, const Request& request,
                     std::size_t room, double& solve_ns, double& processor_s) {
@@ -239,6 +227,11 @@ Outcome solve_there(const std::function<Outcome(const Request&)>& solve, const R
 }
 
 }  // namespace
+
+bool inside() { return own_report != nullptr; }
+void alive() {
+  if (own_report) own_report->signs.fetch_add(1, std::memory_order_relaxed);
+}
 
 Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
                     std::size_t dimension) {

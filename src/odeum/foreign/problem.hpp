@@ -42,6 +42,11 @@ class Problem {
   std::shared_ptr<Evaluator> evaluator_;
 };
 
+/// What is wrong with a name that goes into ids, files and pages; empty where nothing is.
+std::string fault_of_name(const char* what, const char* name);
+/// A text for people on one line, without control characters, of at most 300 characters.
+std::string cleaned(const char* text);
+
 /// What is wrong with the description, in a sentence; empty where nothing is.
 std::string fault_of(const odeum_problem& problem);
 

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "odeum/foreign/apart.hpp"
+#include "odeum/problem/shared.hpp"
 
 namespace odeum::foreign {
 namespace {
@@ -16,51 +16,33 @@ using truth::Real;
 constexpr std::size_t most_unknowns = 1000;
 constexpr double most_seconds = 60;
 
-/// The view's functions on numbers of extended precision.
+/// A problem's functions on numbers of extended precision.
 class Widened {
  public:
   explicit Widened(const OdeView& view)
-      : view_(view),
-        n_(view.dimension),
-        y_(n_),
-        f_(n_),
-        moved_(n_),
-        j_(n_ <= dense ? n_ * n_ : 0) {}
+      : problem_(view, nullptr),
+        y_(problem_.size()),
+        f_(y_.size()),
+        j_(y_.size() <= dense ? y_.size() * y_.size() : 0) {}
 
   static constexpr std::size_t dense = 64;  ///< full matrices take too long beyond this
 
   void rhs(Real t, const Real* y, Real* f) {
-    std::copy_n(y, n_, y_.begin());
-    view_.rhs(view_.problem, static_cast<double>(t), y_.data(), f_.data());
+    std::copy_n(y, y_.size(), y_.begin());
+    problem_.rhs(static_cast<double>(t), y_.data(), f_.data());
     std::copy(f_.begin(), f_.end(), f);
   }
   /// The problem's own, or by differences: Newton's method converges with either, and the
   /// extrapolated Euler method has its order with any matrix.
-  void jacobian(Real at, const Real* state, Real* j) {
-    std::copy_n(state, n_, y_.begin());
-    const auto t = static_cast<double>(at);
-    if (view_.jacobian)
-      view_.jacobian(view_.problem, t, y_.data(), j_.data());
-    else
-      by_differences(t);
+  void jacobian(Real t, const Real* y, Real* j) {
+    std::copy_n(y, y_.size(), y_.begin());
+    problem_.jacobian(static_cast<double>(t), y_.data(), j_.data());
     std::copy(j_.begin(), j_.end(), j);
   }
 
  private:
-  void by_differences(double t) {
-    view_.rhs(view_.problem, t, y_.data(), f_.data());
-    for (std::size_t k = 0; k < n_; ++k) {
-      const double before = y_[k];
-      y_[k] += 0x1p-26 * std::max(std::abs(before), 1e-5);
-      view_.rhs(view_.problem, t, y_.data(), moved_.data());
-      for (std::size_t i = 0; i < n_; ++i) j_[i * n_ + k] = (moved_[i] - f_[i]) / (y_[k] - before);
-      y_[k] = before;
-    }
-  }
-
-  OdeView view_;
-  std::size_t n_;
-  std::vector<double> y_, f_, moved_, j_;
+  SharedOde problem_;
+  std::vector<double> y_, f_, j_;
 };
 
 }  // namespace

@@ -11,23 +11,18 @@ namespace {
 
 constexpr std::size_t largest_series = 2000;  // nodes: a coefficient array each, on the stack
 
-/// The state that an equation equals, or none.
-std::optional<std::uint32_t> same_as_state(const Graph& graph, Id equation) {
-  if (graph[equation].op != Op::state) return std::nullopt;
-  return graph[equation].index;
-}
-
 void find_second_order(const Problem& problem, const Analysis& analysis, Structure& s) {
   if (s.states % 2 != 0) return;
   const auto half = static_cast<std::uint32_t>(s.states / 2);
   bool in_order = true;
   std::set<std::uint32_t> velocities, positions;
   for (std::uint32_t k = 0; k < s.states; ++k) {
-    const auto velocity = same_as_state(problem.graph, problem.equations[k]);
-    if (k < half) in_order = in_order && velocity == k + half;
-    if (!velocity || *velocity == k) continue;
+    const Node& rate = problem.graph[problem.equations[k]];
+    const bool is_state = rate.op == Op::state;
+    if (k < half) in_order = in_order && is_state && rate.index == k + half;
+    if (!is_state || rate.index == k) continue;
     positions.insert(k);
-    velocities.insert(*velocity);
+    velocities.insert(rate.index);
   }
   s.second_order = in_order;
   if (!in_order) {
@@ -53,11 +48,11 @@ Analysis analyse(Problem& problem) {
   for (const Id id : graph.needed(problem.equations))
     if (has_kinks(graph[id].op)) s.smooth = false;
   analysis.jacobian = gradients(graph, problem.equations, n);
-  std::vector<Id> by_time(n, graph.constant(0));
+  analysis.time_derivative.assign(n, graph.constant(0));
   for (std::uint32_t row = 0; row < n; ++row) {
     std::vector<Entry>& entries = analysis.jacobian[row];
     if (!entries.empty() && entries.back().by == n) {
-      by_time[row] = entries.back().value;
+      analysis.time_derivative[row] = entries.back().value;
       s.autonomous = false;
       entries.pop_back();
     }
@@ -70,7 +65,7 @@ Analysis analyse(Problem& problem) {
   }
   // A condition or sign(t) has no derivative, and is no linear problem either.
   s.linear = s.linear && s.smooth;
-  if (!s.autonomous) analysis.time_derivative = by_time;
+  if (s.autonomous) analysis.time_derivative.clear();
   find_second_order(problem, analysis, s);
   if (s.smooth) {
     SeriesPlan plan = make_series_plan(graph, problem.equations);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/formula/check.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "odeum/formula/reader.hpp"
 
 namespace odeum::formula {
 namespace {
@@ -52,24 +50,23 @@ void require_invariants(Problem& problem, long double t, const long double* y) {
   }
 }
 
-namespace check {
+namespace reading {
 
-void require_start(Problem& problem, const reading::Source& source) {
-  const Evaluator<Real> evaluate(problem.graph, problem.equations);
-  std::vector<Real> f(problem.states.size());
-  evaluate(problem.t0, problem.y0.data(), f.data());
+void Reader::require_start() {
+  const Evaluator<Real> evaluate(problem_.graph, problem_.equations);
+  std::vector<Real> f(problem_.states.size());
+  evaluate(problem_.t0, problem_.y0.data(), f.data());
   for (std::size_t k = 0; k < f.size(); ++k)
     if (!std::isfinite(static_cast<double>(f[k])))
-      source.fail(problem.places[k],
-                  fmt::format("equations: {}: not finite at the start, t = {}; got {}, expected a "
-                              "finite number (a division by zero, or the root or logarithm of a "
-                              "negative number)",
-                              problem.states[k], static_cast<double>(problem.t0),
-                              static_cast<double>(f[k])));
-  require_invariants(problem, problem.t0, problem.y0.data());
+      fail(problem_.places[k],
+           "equations: {}: not finite at the start, t = {}; got {}, expected a finite number (a "
+           "division by zero, or the root or logarithm of a negative number)",
+           problem_.states[k], static_cast<double>(problem_.t0), static_cast<double>(f[k]));
+  require_invariants(problem_, problem_.t0, problem_.y0.data());
 }
 
-void require_exact(Problem& problem, const reading::Source& source) {
+void Reader::require_exact() {
+  Problem& problem = problem_;
   if (problem.exact.empty()) return;
   const std::size_t n = problem.states.size();
   const auto by_time = gradients(problem.graph, problem.exact, static_cast<std::uint32_t>(n));
@@ -79,9 +76,8 @@ void require_exact(Problem& problem, const reading::Source& source) {
   const Evaluator<Real> solution(problem.graph, roots), equations(problem.graph, problem.equations);
   std::vector<Real> y(2 * n), f(n), moved(n), f_moved(n);
   const auto refuse = [&](std::size_t k, const std::string& what, Real got, Real expected) {
-    source.fail(problem.exact_places[k],
-                fmt::format("exact: {}: {}; got {:.12Lg}, expected {:.12Lg}", problem.states[k],
-                            what, got, expected));
+    fail(problem.exact_places[k], "exact: {}: {}; got {:.12Lg}, expected {:.12Lg}",
+         problem.states[k], what, got, expected);
   };
   constexpr int points = 64;
   const Real end = problem.stops.back();
@@ -108,5 +104,5 @@ void require_exact(Problem& problem, const reading::Source& source) {
   }
 }
 
-}  // namespace check
+}  // namespace reading
 }  // namespace odeum::formula

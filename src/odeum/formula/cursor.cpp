@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/formula/cursor.hpp"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "odeum/formula/names.hpp"
-#include "odeum/formula/parser.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum::formula {
 
-void Cursor::fail(std::size_t at, const std::string& what) { throw ExpressionError(at, what); }
 void Cursor::unexpected(char c) const {
   if (c == '\0') fail(at_, "ends too early; got the end, expected a number, a name or (");
   if (c == '<' || c == '>' || c == '=' || c == '!')
-    fail(at_, fmt::format("a comparison outside of a condition; got {}, expected it in "
-                          "if(condition, a, b)",
-                          c));
+    fail(at_, "a comparison outside of a condition; got {}, expected it in if(condition, a, b)", c);
   if (continues_name(c) || c == '(')
-    fail(at_, fmt::format("no operator; got {}, expected + - * / or ^ before it (2*x, not 2x)",
-                          shown(text_.substr(at_, 12))));
+    fail(at_, "no operator; got {}, expected + - * / or ^ before it (2*x, not 2x)",
+         shown(text_.substr(at_, 12)));
   if (c == ',')
     fail(at_,
          "a comma; got it outside of a function's arguments, expected a decimal point or an "
          "operator");
-  fail(at_, fmt::format("not understood; got {}, expected an operator or the end",
-                        shown(text_.substr(at_, 12))));
+  fail(at_, "not understood; got {}, expected an operator or the end",
+       shown(text_.substr(at_, 12)));
 }
 
 char Cursor::peek() {
@@ -44,9 +38,8 @@ bool Cursor::take(char c) {
 void Cursor::expect(char c, const char* where) {
   if (take(c)) return;
   const std::string got = peek() == '\0' ? "the end" : shown(text_.substr(at_, 12));
-  fail(at_, fmt::format(
-                "{}; got {}, expected {}{}", where, got, c,
-                peek() == '\0' ? " (within { } of YAML, quote an expression with a comma)" : ""));
+  fail(at_, "{}; got {}, expected {}{}", where, got, c,
+       peek() == '\0' ? " (within { } of YAML, quote an expression with a comma)" : "");
 }
 
 long double Cursor::number() {
@@ -58,10 +51,9 @@ long double Cursor::number() {
   constexpr auto least = static_cast<long double>(std::numeric_limits<double>::min());
   if (error == std::errc::result_out_of_range || (value != 0 && value < least) ||
       value > static_cast<long double>(std::numeric_limits<double>::max()))
-    fail(at_, fmt::format("a number out of range; got {}, expected 0 or 2.3e-308 to 1.8e308",
-                          shown(read)));
+    fail(at_, "a number out of range; got {}, expected 0 or 2.3e-308 to 1.8e308", shown(read));
   if (error != std::errc{})
-    fail(at_, fmt::format("not a number; got {}, expected digits", shown(text_.substr(at_, 12))));
+    fail(at_, "not a number; got {}, expected digits", shown(text_.substr(at_, 12)));
   at_ += read.size();
   if (at_ < text_.size() && text_[at_] == '.')
     fail(at_, "a number with two points; got a second one, expected one at most");
@@ -74,9 +66,9 @@ void Cursor::require_finite(std::size_t where, long double value) {
          "a constant part is not a number; got nan (0/0, or the root or logarithm of a "
          "negative number), expected a finite number");
   if (std::abs(value) > static_cast<long double>(std::numeric_limits<double>::max()))
-    fail(where, fmt::format("a constant part is too large; got {}, expected at most 1.8e308 (a "
-                            "division by zero?)",
-                            std::isinf(value) ? "infinity" : fmt::format("{:.3Lg}", value)));
+    fail(where,
+         "a constant part is too large; got {}, expected at most 1.8e308 (a division by zero?)",
+         std::isinf(value) ? "infinity" : fmt::format("{:.3Lg}", value));
 }
 
 }  // namespace odeum::formula

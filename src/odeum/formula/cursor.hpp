@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cstddef>
-#include <string>
+#include <fmt/format.h>
+
 #include <string_view>
+#include <utility>
+
+#include "odeum/formula/parser.hpp"
 
 namespace odeum::formula {
 
@@ -13,7 +16,11 @@ class Cursor {
   explicit Cursor(std::string_view text) : text_(text) {}
 
  protected:
-  [[noreturn]] static void fail(std::size_t at, const std::string& what);
+  template <class... Values>
+  [[noreturn]] static void fail(std::size_t at, fmt::format_string<Values...> what,
+                                Values&&... values) {
+    throw ExpressionError(at, fmt::format(what, std::forward<Values>(values)...));
+  }
   /// Something other than an operator or the end follows an operand.
   [[noreturn]] void unexpected(char c) const;
   /// The next character that is no space; 0: the end.

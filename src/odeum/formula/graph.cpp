@@ -51,10 +51,6 @@ Real apply_function(Op op, Real a) {
 template <class Real>
 Real apply(Op op, Real a, Real b, Real c) {
   switch (op) {
-    case Op::constant:
-    case Op::time:
-    case Op::state:
-      return a;
     case Op::add:
       return a + b;
     case Op::subtract:
@@ -89,28 +85,7 @@ template double apply(Op, double, double, double);
 template long double apply(Op, long double, long double, long double);
 
 std::size_t arity(Op op) {
-  switch (op) {
-    case Op::constant:
-    case Op::time:
-    case Op::state:
-      return 0;
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::power:
-    case Op::less:
-    case Op::less_equal:
-    case Op::equal:
-    case Op::atan2:
-    case Op::min:
-    case Op::max:
-      return 2;
-    case Op::choose:
-      return 3;
-    default:
-      return 1;
-  }
+  return op <= Op::state ? 0 : op <= Op::sign ? 1 : op <= Op::max ? 2 : 3;
 }
 
 bool has_kinks(Op op) {

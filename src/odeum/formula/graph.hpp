@@ -9,27 +9,19 @@
 /// Expressions of a time and of states, as a graph in which equal subexpressions are one node.
 namespace odeum::formula {
 
+/// By the number of arguments: none to state, one to sign, two to max, three; arithmetic and
+/// comparisons come before functions.
 enum class Op : std::uint8_t {
   constant,
   time,
   state,
-  add,
-  subtract,
-  multiply,
-  divide,
-  power,
   negate,
-  less,
-  less_equal,
-  equal,
-  choose,  ///< of[0] != 0 ? of[1] : of[2]
   sin,
   cos,
   tan,
   asin,
   acos,
   atan,
-  atan2,
   sinh,
   cosh,
   tanh,
@@ -39,8 +31,18 @@ enum class Op : std::uint8_t {
   sqrt,
   abs,
   sign,
+  add,
+  subtract,
+  multiply,
+  divide,
+  less,
+  less_equal,
+  equal,
+  power,
+  atan2,
   min,
-  max
+  max,
+  choose  ///< of[0] != 0 ? of[1] : of[2]
 };
 
 using Id = std::uint32_t;

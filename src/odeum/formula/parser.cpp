@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/formula/parser.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "odeum/formula/cursor.hpp"
@@ -22,8 +18,8 @@ class Parser : Cursor {
 
   Id whole() {
     if (text_.size() > longest_expression)
-      fail(0, fmt::format("too long; got {} bytes, expected at most {}: split it by definitions",
-                          text_.size(), longest_expression));
+      fail(0, "too long; got {} bytes, expected at most {}: split it by definitions", text_.size(),
+           longest_expression);
     const Id value = sum();
     if (const char c = peek(); c != '\0') unexpected(c);
     return value;
@@ -34,12 +30,10 @@ class Parser : Cursor {
   class Level {
    public:
     explicit Level(Parser& parser) : depth_(parser.depth_) {
-      if (++depth_ > deepest_nesting) {
-        const std::size_t at = parser.at_;
-        depth_ = 0;
-        fail(at, fmt::format("nested too deeply; got more than {} levels, expected at most that",
-                             deepest_nesting));
-      }
+      if (depth_ >= deepest_nesting)
+        fail(parser.at_, "nested too deeply; got more than {} levels, expected at most that",
+             deepest_nesting);
+      ++depth_;
     }
     ~Level() { --depth_; }
     Level(const Level&) = delete;
@@ -52,9 +46,10 @@ class Parser : Cursor {
   Id make(std::size_t where, Op op, Id a, Id b = no_node, Id c = no_node) {
     const Id id = graph_.make(op, a, b, c);
     if (graph_.size() > most_nodes)
-      fail(where, fmt::format("too large; got more than {} operations in all expressions together, "
-                              "expected at most that",
-                              most_nodes));
+      fail(where,
+           "too large; got more than {} operations in all expressions together, "
+           "expected at most that",
+           most_nodes);
     if (graph_.is_constant(id)) require_finite(where, graph_[id].value);
     return id;
   }
@@ -115,8 +110,8 @@ class Parser : Cursor {
       return inner;
     }
     if (c == '\0') unexpected(c);
-    fail(where, fmt::format("not understood; got {}, expected a number, a name or (",
-                            shown(text_.substr(at_, 12))));
+    fail(where, "not understood; got {}, expected a number, a name or (",
+         shown(text_.substr(at_, 12)));
   }
 
   Id named() {
@@ -136,15 +131,14 @@ class Parser : Cursor {
       return graph_.constant(static_cast<long double>(*scope_.index));
     if (const auto found = scope_.names.find(name); found != scope_.names.end())
       return found->second;
-    if (scope_.arrays.contains(name))
-      fail(where, fmt::format("no index; got {0}, expected {0}[...]", name));
+    if (scope_.arrays.contains(name)) fail(where, "no index; got {0}, expected {0}[...]", name);
     if (functions().contains(name))
-      fail(where, fmt::format("a function without arguments; got {0}, expected {0}(...)", name));
+      fail(where, "a function without arguments; got {0}, expected {0}(...)", name);
     fail_unknown(where, name);
   }
   [[noreturn]] void fail_refused(std::size_t where, std::string_view name) const {
-    fail(where, fmt::format("{} cannot be used here; got it, expected {}", name,
-                            scope_.refused.find(name)->second));
+    fail(where, "{} cannot be used here; got it, expected {}", name,
+         scope_.refused.find(name)->second);
   }
   [[noreturn]] void fail_unknown(std::size_t where, std::string_view name) const {
     if (scope_.refused.contains(name)) fail_refused(where, name);
@@ -152,9 +146,8 @@ class Parser : Cursor {
     for (const auto& [known, id] : scope_.names) candidates.push_back(known);
     for (const auto& [known, array] : scope_.arrays) candidates.push_back(known);
     for (const auto& [known, op] : functions()) candidates.push_back(known);
-    fail(where,
-         fmt::format("unknown name; got {}, expected a parameter, a definition, a state or t{}",
-                     shown(name), near_one(name, candidates)));
+    fail(where, "unknown name; got {}, expected a parameter, a definition, a state or t{}",
+         shown(name), near_one(name, candidates));
   }
 
   Id condition() {
@@ -182,9 +175,8 @@ class Parser : Cursor {
     if (found == functions().end()) {
       std::vector<std::string> known;
       for (const auto& [each, op] : functions()) known.push_back(each);
-      fail(where, fmt::format("no such function; got {}, expected one of sin cos tan exp log sqrt "
-                              "...{}",
-                              shown(name), near_one(name == "ln" ? "log" : name, known)));
+      fail(where, "no such function; got {}, expected one of sin cos tan exp log sqrt ...{}",
+           shown(name), near_one(name == "ln" ? "log" : name, known));
     }
     const Op op = found->second;
     const std::size_t wanted = arity(op);
@@ -195,8 +187,8 @@ class Parser : Cursor {
     } while (arguments.size() < wanted && take(','));
     if (arguments.size() < wanted && peek() == '\0') expect(')', "an open parenthesis");
     if (arguments.size() < wanted || peek() == ',')
-      fail(where, fmt::format("the number of arguments of {}; got {}, expected {}", name,
-                              peek() == ',' ? "more" : std::to_string(arguments.size()), wanted));
+      fail(where, "the number of arguments of {}; got {}, expected {}", name,
+           peek() == ',' ? "more" : std::to_string(arguments.size()), wanted);
     if (const char next = peek(); next != ')' && next != '\0') unexpected(next);
     expect(')', "an open parenthesis");
     arguments.resize(3, no_node);
@@ -210,15 +202,15 @@ class Parser : Cursor {
     expect(']', "an open bracket");
     if (found == scope_.arrays.end()) {
       if (scope_.names.contains(name))
-        fail(where, fmt::format("an index of what has none; got {0}[...], expected {0}", name));
+        fail(where, "an index of what has none; got {0}[...], expected {0}", name);
       fail_unknown(where, name);
     }
     const Array& array = found->second;
     const long double value = graph_[id].value;
     if (!graph_.is_constant(id) || value != std::floor(value))
-      fail(where, fmt::format("an index that is no whole number; got {}, expected whole numbers, "
-                              "i and parameters",
-                              shown(text_.substr(where, at_ - where))));
+      fail(where,
+           "an index that is no whole number; got {}, expected whole numbers, i and parameters",
+           shown(text_.substr(where, at_ - where)));
     if (value >= static_cast<long double>(array.first) &&
         value <= static_cast<long double>(array.last()))
       return array
@@ -227,9 +219,10 @@ class Parser : Cursor {
       if (const auto beyond = array.beyond.find(static_cast<std::int64_t>(value));
           beyond != array.beyond.end())
         return beyond->second;
-    fail(where, fmt::format("an index out of range; got {}[{:.0Lf}], expected {} to {}, or a value "
-                            "for it in boundaries",
-                            name, value, array.first, array.last()));
+    fail(where,
+         "an index out of range; got {}[{:.0Lf}], expected {} to {}, or a value "
+         "for it in boundaries",
+         name, value, array.first, array.last());
   }
 
   const Scope& scope_;

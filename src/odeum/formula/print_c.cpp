@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/formula/print_c.hpp"
-
-#include <fmt/format.h>
-
-#include <numeric>
-
-#include "odeum/formula/print_values.hpp"
+#include "odeum/formula/printer.hpp"
+#include "odeum/formula/text_ode.hpp"
 
 namespace odeum::formula {
 namespace {
 
 constexpr const char* unused = "  (void)problem; (void)t; (void)y;";
-
-std::vector<std::uint32_t> in_order(std::size_t count) {
-  std::vector<std::uint32_t> places(count);
-  std::iota(places.begin(), places.end(), 0U);
-  return places;
-}
 
 /// `name` fills f with the roots.
 void print_all(Printer& out, const char* name, const std::vector<Id>& roots, const Type& type) {

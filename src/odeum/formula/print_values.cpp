@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/formula/print_values.hpp"
-
 #include <algorithm>
-#include <numeric>
 
+#include "odeum/formula/printer.hpp"
 #include "odeum/formula/repeated.hpp"
 
 namespace odeum::formula {
@@ -15,8 +13,8 @@ constexpr std::size_t most_shared = 1U << 16;  // they stand on the stack
 
 class ValuesPrinter {
  public:
-  ValuesPrinter(Printer& out, const Function& function, const Graph& graph, const Type& type)
-      : out_(out), function_(function), graph_(graph), type_(type) {}
+  ValuesPrinter(Printer& out, const Function& function, const Type& type)
+      : out_(out), function_(function), graph_(out.graph()), type_(type) {}
 
   void print(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places) {
     std::vector<Id> shared;
@@ -33,8 +31,7 @@ class ValuesPrinter {
         found = find_repeated(graph_, roots, fewest_in_loop, function_.split);
       }
     } else {
-      found.others.resize(roots.size());
-      std::iota(found.others.begin(), found.others.end(), 0U);
+      found.others = in_order(roots.size());
     }
     print_all(roots, places, shared, found, of_shared);
   }
@@ -54,8 +51,21 @@ class ValuesPrinter {
     if (k >= function_.split) return fmt::format("{}[{}]", function_.second, k - function_.split);
     return fmt::format("{}[{}]", function_.first, k);
   }
+  /// Computes the nodes on which roots depend.
   void nodes(const std::vector<Id>& roots) {
-    out_.nodes(roots, type_, [&](std::uint32_t k) { return state(k); });
+    for (const Id id : graph_.needed(roots)) {
+      const Node& node = graph_[id];
+      if (node.op == Op::constant) continue;
+      const auto argument = [&](std::size_t k) {
+        return node.of[k] == no_node ? std::string() : out_.name(node.of[k], type_);
+      };
+      std::string value = "t";
+      if (node.op == Op::state)
+        value = state(node.index);
+      else if (node.op != Op::time)
+        value = out_.operation(node.op, argument(0), argument(1), argument(2), type_);
+      out_.line("  const {} v{} = {};", type_.name, id, value);
+    }
   }
 
   void print_all(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places,
@@ -85,9 +95,8 @@ class ValuesPrinter {
     before.insert(before.end(), of_shared.before.begin(), of_shared.before.end());
     nodes(before);
     if (!shared.empty()) out_.line("  {} shared[{}];", type_.name, shared.size());
-    std::vector<std::uint32_t> in_order(shared.size());
-    std::iota(in_order.begin(), in_order.end(), 0U);
-    for (const Repeated& group : of_shared.groups) print_loop(group, "shared", in_order);
+    for (const Repeated& group : of_shared.groups)
+      print_loop(group, "shared", in_order(shared.size()));
     for (const Repeated& group : found.groups) print_loop(group, function_.target, places);
     for (std::size_t part = 0; part < parts; ++part)
       out_.line("  {}_{}({});", function_.name, part, function_.passed);
@@ -184,7 +193,7 @@ Function values_function(const std::string& name, const Type& type) {
 
 void print_values(Printer& out, const Function& function, const std::vector<Id>& roots,
                   const std::vector<std::uint32_t>& places, const Type& type) {
-  ValuesPrinter(out, function, out.graph(), type).print(roots, places);
+  ValuesPrinter(out, function, type).print(roots, places);
 }
 
 }  // namespace odeum::formula

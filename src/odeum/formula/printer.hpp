@@ -2,13 +2,16 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "odeum/formula/graph.hpp"
+#include "odeum/formula/names.hpp"
 
 namespace odeum::formula {
 
@@ -24,6 +27,13 @@ inline std::string constant_text(long double value, const Type& type) {
   const std::string text = *type.constant ? fmt::format("{:a}L", value)
                                           : fmt::format("{:a}", static_cast<double>(value));
   return std::signbit(value) ? "(" + text + ")" : text;
+}
+
+/// 0, 1, ..., count - 1
+inline std::vector<std::uint32_t> in_order(std::size_t count) {
+  std::vector<std::uint32_t> places(count);
+  std::iota(places.begin(), places.end(), 0U);
+  return places;
 }
 
 /// Writes operations of a graph as C.
@@ -44,8 +54,8 @@ class Printer {
     const Node& node = graph_[id];
     return node.op == Op::constant ? constant_text(node.value, type) : fmt::format("v{}", id);
   }
-  std::string operation(Op op, const std::string& a, const std::string& b, const std::string& c,
-                        const Type& type) const {
+  static std::string operation(Op op, const std::string& a, const std::string& b,
+                               const std::string& c, const Type& type) {
     const char* const l = type.function;
     switch (op) {
       case Op::add:
@@ -80,61 +90,39 @@ class Printer {
         return fmt::format("__builtin_{}{}({})", function_name(op), l, a);
     }
   }
-  std::string operation(const Node& node, const Type& type) const {
-    const auto argument = [&](std::size_t k) {
-      return node.of[k] == no_node ? std::string() : name(node.of[k], type);
-    };
-    return operation(node.op, argument(0), argument(1), argument(2), type);
-  }
-
-  /// Computes the nodes on which roots depend; `state` prints state number k.
-  template <class StateText>
-  void nodes(const std::vector<Id>& roots, const Type& type, StateText&& state) {
-    for (const Id id : graph_.needed(roots)) {
-      const Node& node = graph_[id];
-      if (node.op == Op::constant) continue;
-      const std::string value = node.op == Op::state  ? state(node.index)
-                                : node.op == Op::time ? "t"
-                                                      : operation(node, type);
-      line("  const {} v{} = {};", type.name, id, value);
-    }
-  }
 
  private:
-  static const char* function_name(Op op) {
-    switch (op) {
-      case Op::sin:
-        return "sin";
-      case Op::cos:
-        return "cos";
-      case Op::tan:
-        return "tan";
-      case Op::asin:
-        return "asin";
-      case Op::acos:
-        return "acos";
-      case Op::atan:
-        return "atan";
-      case Op::sinh:
-        return "sinh";
-      case Op::cosh:
-        return "cosh";
-      case Op::tanh:
-        return "tanh";
-      case Op::exp:
-        return "exp";
-      case Op::log:
-        return "log";
-      case Op::log10:
-        return "log10";
-      case Op::sqrt:
-        return "sqrt";
-      default:
-        return "fabs";
-    }
+  /// The name in C of a function.
+  static std::string function_name(Op op) {
+    if (op == Op::abs) return "fabs";
+    return std::find_if(functions().begin(), functions().end(),
+                        [op](const auto& known) { return known.second == op; })
+        ->first;
   }
 
   const Graph& graph_;
 };
+
+/// A function of C that fills an array with values of nodes.
+struct Function {
+  std::string name;
+  std::string arguments;    ///< between its parentheses, all of them
+  std::string passed;       ///< their names
+  std::string target;       ///< the name of the array
+  std::size_t cleared = 0;  ///< so many of its elements are set to 0 before
+  std::string first = "y",
+              second = "";  ///< the arrays of the states up to `split` and from there on
+  std::uint32_t split = static_cast<std::uint32_t>(-1);
+};
+
+/// `name`(const void* problem, t, y, f) in numbers of a type.
+Function values_function(const std::string& name, const Type& type);
+
+/// The function sets target[places[k]] to root number k. Many roots of one form are computed in
+/// loops, so that the text, and with it the compiler's time, does not grow with a family of states;
+/// the others in parts, since that time grows faster than the length of a function. What two parts
+/// need is computed in both.
+void print_values(Printer& out, const Function& function, const std::vector<Id>& roots,
+                  const std::vector<std::uint32_t>& places, const Type& type);
 
 }  // namespace odeum::formula

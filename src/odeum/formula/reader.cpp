@@ -5,10 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "odeum/core/glob.hpp"
-#include "odeum/formula/check.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum::formula {
@@ -22,23 +19,18 @@ const std::vector<std::string> known_keys = {"name",       "parameters", "defini
 
 namespace reading {
 
-std::string joined(const std::string& text, const std::string& near) {
-  return near.empty() ? text : text + "; did you mean " + near + "?";
-}
-
 Reader::Reader(const std::string& file, const std::string& text, const Overrides& overrides)
-    : source_(file, text), overrides_(overrides) {
+    : Source(file, text), overrides_(overrides) {
   problem_.file = file;
 }
 
 Problem Reader::read() {
-  for (const Item& item : source_.items(source_.root(), "problem")) {
+  for (const Item& item : items(root(), "problem")) {
     if (std::find(known_keys.begin(), known_keys.end(), item.key) == known_keys.end())
-      source_.fail(item.key_place, joined(fmt::format("an unknown key; got {}, expected {}",
-                                                      shown(item.key), fmt::join(known_keys, ", ")),
-                                          nearest(item.key, known_keys)));
+      fail(item.key_place, "an unknown key; got {}, expected {}{}", shown(item.key),
+           fmt::join(known_keys, ", "), near_one(item.key, known_keys));
     if (item.key == "name" && item.value->kind != YamlNode::Kind::scalar)
-      source_.fail(item.value->place, "name: got " + item.value->kind_name() + ", expected text");
+      fail(item.value->place, "name: got {}, expected text", item.value->kind_name());
     if (item.key == "name") problem_.name = with_brackets(item.value->text);
     sections_.push_back(item);
   }
@@ -57,8 +49,8 @@ Problem Reader::read() {
   read_invariants(all);
   read_scale();
   read_tolerance();
-  check::require_start(problem_, source_);
-  check::require_exact(problem_, source_);
+  require_start();
+  require_exact();
   return std::move(problem_);
 }
 
@@ -70,28 +62,24 @@ const Item* Reader::section(std::string_view key) const {
 
 std::vector<Item> Reader::items(const std::string& key) const {
   const Item* const found = section(key);
-  return found ? source_.items(*found->value, key) : std::vector<Item>{};
+  return found ? items(*found->value, key) : std::vector<Item>{};
 }
 
 std::vector<Item> Reader::required_items(const std::string& key) const {
   const Item* const found = section(key);
-  if (!found)
-    source_.fail({},
-                 fmt::format("{}: missing; got no such key, expected `{}: {{x: ...}}`", key, key));
-  std::vector<Item> all = source_.items(*found->value, key);
-  if (all.empty())
-    source_.fail(found->value->place, key + ": empty; got none, expected one at least");
+  if (!found) fail({}, "{0}: missing; got no such key, expected `{0}: {{x: ...}}`", key);
+  std::vector<Item> all = items(*found->value, key);
+  if (all.empty()) fail(found->value->place, "{}: empty; got none, expected one at least", key);
   return all;
 }
 
 void Reader::require_new(const Item& item, const std::string& in, const std::string& name) {
   if (const std::string fault = fault_of_name(name); !fault.empty())
-    source_.fail(item.key_place, in + ": " + fault);
+    fail(item.key_place, "{}: {}", in, fault);
   const auto [at, added] = names_.try_emplace(name, in);
   if (!added)
-    source_.fail(item.key_place, fmt::format("{}: a name twice; got {}, which is also among the {},"
-                                             " expected another",
-                                             in, name, at->second));
+    fail(item.key_place, "{}: a name twice; got {}, which is also among the {}, expected another",
+         in, name, at->second);
 }
 
 void Reader::read_parameters() {
@@ -101,29 +89,23 @@ void Reader::read_parameters() {
     if (!names_.contains(name)) {
       std::vector<std::string> candidates;
       for (const Item& item : all) candidates.push_back(item.key);
-      source_.fail(section("parameters") ? section("parameters")->key_place : Place{},
-                   joined(fmt::format("parameters: none to set of that name; got --set {}={}, "
-                                      "expected {}",
-                                      shown(name), shown(value),
-                                      candidates.empty()
-                                          ? "no --set: the file has no parameters"
-                                          : fmt::format("one of: {}", fmt::join(candidates, ", "))),
-                          nearest(name, candidates)));
+      fail(section("parameters") ? section("parameters")->key_place : Place{},
+           "parameters: none to set of that name; got --set {}={}, expected {}{}", shown(name),
+           shown(value),
+           candidates.empty() ? "no --set: the file has no parameters"
+                              : fmt::format("one of: {}", fmt::join(candidates, ", ")),
+           near_one(name, candidates));
     }
   for (const Item& item : all) constants_.refused[item.key] = "a parameter that stands above";
   for (const Item& item : all) {
     const std::string key = "parameters: " + item.key;
     const auto set = overrides_.find(item.key);
-    long double value = 0;
-    if (set != overrides_.end()) {
-      YamlNode text;
-      text.kind = YamlNode::Kind::scalar;
-      text.place = item.key_place;
-      text.text = set->second;
-      value = source_.number(text, key + " (--set)", constants_, problem_.graph);
-    } else {
-      value = source_.number(*item.value, key, constants_, problem_.graph);
-    }
+    const long double value = set == overrides_.end() ? number(*item.value, key)
+                                                      : number({.kind = YamlNode::Kind::scalar,
+                                                                .place = item.key_place,
+                                                                .text = set->second,
+                                                                .items = {}},
+                                                               key + " (--set)");
     problem_.parameters[item.key] = value;
     constants_.refused.erase(item.key);
     constants_.names[item.key] = problem_.graph.constant(value);
@@ -132,32 +114,28 @@ void Reader::read_parameters() {
 
 void Reader::read_time() {
   const Item* const time = section("time");
-  if (!time) source_.fail({}, "time: missing; got no such key, expected `time: {end: 20}`");
+  if (!time) fail({}, "time: missing; got no such key, expected `time: {{end: 20}}`");
   const Item* end = nullptr;
   const Item* stops = nullptr;
-  const std::vector<Item> all = source_.items(*time->value, "time");
+  const std::vector<Item> all = items(*time->value, "time");
   for (const Item& item : all) {
     if (item.key == "start")
-      problem_.t0 = source_.number(*item.value, "time: start", constants_, problem_.graph);
+      problem_.t0 = number(*item.value, "time: start");
     else if (item.key == "end")
       end = &item;
     else if (item.key == "stops")
       stops = &item;
     else
-      source_.fail(item.key_place,
-                   joined(fmt::format("time: an unknown key; got {}, expected start, end, stops",
-                                      shown(item.key)),
-                          nearest(item.key, {"start", "end", "stops"})));
+      fail(item.key_place, "time: an unknown key; got {}, expected start, end, stops{}",
+           shown(item.key), near_one(item.key, {"start", "end", "stops"}));
   }
-  if (!end) source_.fail(time->value->place, "time: end: missing; got none, expected a time");
-  const auto last =
-      static_cast<double>(source_.number(*end->value, "time: end", constants_, problem_.graph));
+  if (!end) fail(time->value->place, "time: end: missing; got none, expected a time");
+  const auto last = static_cast<double>(number(*end->value, "time: end"));
   const auto first = static_cast<double>(problem_.t0);
   problem_.t0 = first;
   if (!(last > first))
-    source_.fail(
-        end->value->place,
-        fmt::format("time: end: not after the start; got {}, expected more than {}", last, first));
+    fail(end->value->place, "time: end: not after the start; got {}, expected more than {}", last,
+         first);
   if (stops)
     read_stops(*stops->value, first, last);
   else
@@ -167,20 +145,19 @@ void Reader::read_time() {
 
 void Reader::read_stops(const YamlNode& list, double first, double last) {
   if (list.kind != YamlNode::Kind::sequence || list.items.empty())
-    source_.fail(list.place,
-                 fmt::format("time: stops: got {}, expected a list of times", list.kind_name()));
+    fail(list.place, "time: stops: got {}, expected a list of times", list.kind_name());
   double before = first;
   for (const auto& item : list.items) {
-    const auto stop =
-        static_cast<double>(source_.number(*item, "time: stops", constants_, problem_.graph));
+    const auto stop = static_cast<double>(number(*item, "time: stops"));
     if (!(stop > before) || stop > last)
-      source_.fail(item->place, fmt::format("time: stops: outside or not ascending; got {}, "
-                                            "expected more than {} and at most the end {}",
-                                            stop, before, last));
+      fail(item->place,
+           "time: stops: outside or not ascending; got {}, expected more than {} and at most the "
+           "end {}",
+           stop, before, last);
     problem_.stops.push_back(before = stop);
   }
   if (problem_.stops.size() > 1000)
-    source_.fail(list.place, "time: stops: too many; got more than 1000, expected fewer");
+    fail(list.place, "time: stops: too many; got more than 1000, expected fewer");
   if (problem_.stops.back() < last) problem_.stops.push_back(last);
 }
 
@@ -189,15 +166,16 @@ void Reader::read_definitions(Scope& scope) {
   for (const Item& item : all) {
     require_new(item, "definitions", item.key);
     if (item.key == "i" && !first_of_.empty())
-      source_.fail(item.key_place,
-                   "definitions: i is the index of indexed states; got a definition of "
-                   "it, expected another name");
+      fail(
+          item.key_place,
+          "definitions: i is the index of indexed states; got a definition of it, expected another "
+          "name");
     scope.refused[item.key] =
         "one that stands above (definitions are computed in their order; two "
         "that need each other are cyclic)";
   }
   for (const Item& item : all) {
-    const Id id = source_.expression(item, "definitions", scope, problem_.graph);
+    const Id id = expression(item, "definitions", scope);
     scope.refused.erase(item.key);
     scope.names[item.key] = id;
   }

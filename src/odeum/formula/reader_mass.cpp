@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula::reading {
@@ -49,47 +48,40 @@ void Reader::read_mass(Scope& scope) {
   if (!mass) return;
   const std::vector<Item> rows = required_items("mass");
   if (rows.size() > 100)
-    source_.fail(mass->value->place, "mass: too many rows; got more than 100, expected fewer");
+    fail(mass->value->place, "mass: too many rows; got more than 100, expected fewer");
   std::vector<std::string> names;
   std::vector<std::size_t> at;  // the state of each row
   for (const Item& row : rows) {
     const auto state = std::find(problem_.states.begin(), problem_.states.end(), row.key);
     if (state == problem_.states.end())
-      source_.fail(
-          row.key_place,
-          joined(fmt::format("mass: no state; got {}, expected the name of one, a velocity",
-                             shown(row.key)),
-                 nearest(row.key, problem_.states)));
+      fail(row.key_place, "mass: no state; got {}, expected the name of one, a velocity{}",
+           shown(row.key), near_one(row.key, problem_.states));
     names.push_back(row.key);
     at.push_back(static_cast<std::size_t>(state - problem_.states.begin()));
   }
   const std::size_t n = rows.size();
   Matrix m(n, std::vector<Real>(n, 0));
   for (std::size_t i = 0; i < n; ++i)
-    for (const Item& entry : source_.items(*rows[i].value, "mass: " + rows[i].key)) {
+    for (const Item& entry : items(*rows[i].value, "mass: " + rows[i].key)) {
       const auto column = std::find(names.begin(), names.end(), entry.key);
       if (column == names.end())
-        source_.fail(entry.key_place,
-                     fmt::format("mass: {}: no row of that name; got {}, expected one of {}",
-                                 rows[i].key, shown(entry.key), fmt::join(names, ", ")));
+        fail(entry.key_place, "mass: {}: no row of that name; got {}, expected one of {}",
+             rows[i].key, shown(entry.key), fmt::join(names, ", "));
       m[i][static_cast<std::size_t>(column - names.begin())] =
-          source_.number(*entry.value, fmt::format("mass: {}: {}", rows[i].key, entry.key),
-                         constants_, problem_.graph);
+          number(*entry.value, fmt::format("mass: {}: {}", rows[i].key, entry.key));
     }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (std::abs(m[i][j] - m[j][i]) > 1e-15L * (std::abs(m[i][i]) + std::abs(m[j][j])))
-        source_.fail(
-            rows[i].key_place,
-            fmt::format("mass: not symmetric, and only the symmetric part of a mass matrix "
-                        "is in the kinetic energy; got {0}: {{{1}: {2:.6Lg}}} and {1}: "
-                        "{{{0}: {3:.6Lg}}}, expected them equal",
-                        names[i], names[j], m[i][j], m[j][i]));
+        fail(rows[i].key_place,
+             "mass: not symmetric, and only the symmetric part of a mass matrix is in the kinetic "
+             "energy; got {0}: {{{1}: {2:.6Lg}}} and {1}: {{{0}: {3:.6Lg}}}, expected them equal",
+             names[i], names[j], m[i][j], m[j][i]);
   const Matrix inverse = inverse_of(m);
   if (inverse.empty())
-    source_.fail(mass->value->place,
-                 "mass: not positive definite: some motion has no kinetic energy; got such a "
-                 "matrix, expected v M v > 0 for all v");
+    fail(mass->value->place,
+         "mass: not positive definite: some motion has no kinetic energy; got such a matrix, "
+         "expected v M v > 0 for all v");
   apply_mass(at, m, inverse, scope);
 }
 
@@ -122,8 +114,8 @@ void Reader::apply_mass(const std::vector<std::size_t>& at, const Matrix& m, con
       fmt::format("; M ({0})' in place of ({0})', {1}", fmt::join(names, ", "), problem_.mass_text);
   const auto [unused, added] = names_.try_emplace("kinetic_energy", "mass");
   if (!added)
-    source_.fail(section("mass")->key_place,
-                 "mass: kinetic_energy is v M v / 2; got another of that name, expected none");
+    fail(section("mass")->key_place,
+         "mass: kinetic_energy is v M v / 2; got another of that name, expected none");
   scope.names["kinetic_energy"] = problem_.kinetic_energy;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -11,10 +10,6 @@ namespace odeum::formula::reading {
 namespace {
 
 constexpr std::string_view left = "\xe2\x9f\xa6", right = "\xe2\x9f\xa7";
-
-bool continues_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
@@ -27,8 +22,8 @@ std::size_t characters(std::string_view text) {
   return count;
 }
 
-}  // namespace
-
+/// The text with the brackets of u[i] replaced by characters that YAML has no use for: in a mapping
+/// in braces, a bracket would end the key or the expression.
 std::string without_brackets(const std::string& text) {
   std::string masked;
   std::size_t open = 0;
@@ -48,6 +43,8 @@ std::string without_brackets(const std::string& text) {
   return masked;
 }
 
+}  // namespace
+
 std::string with_brackets(std::string text) {
   replace_all(text, left, "[");
   replace_all(text, right, "]");
@@ -64,42 +61,33 @@ Source::Source(std::string file, const std::string& text) : file_(std::move(file
     throw InputError(with_brackets(error.what()));
   }
   if (root_->kind != YamlNode::Kind::mapping)
-    fail(root_->place, "problem: not a mapping; got " + root_->kind_name() +
-                           ", expected keys: states, equations, time");
-}
-
-void Source::fail(Place place, const std::string& what) const {
-  throw InputError(file_, place, with_brackets(what));
+    fail(root_->place, "problem: not a mapping; got {}, expected keys: states, equations, time",
+         root_->kind_name());
 }
 
 std::vector<Item> Source::items(const YamlNode& mapping, const std::string& key) const {
   if (mapping.kind == YamlNode::Kind::null) return {};
   if (mapping.kind != YamlNode::Kind::mapping)
-    fail(mapping.place, fmt::format("{}: not a mapping; got {}, expected `name: value` entries",
-                                    key, mapping.kind_name()));
+    fail(mapping.place, "{}: not a mapping; got {}, expected `name: value` entries", key,
+         mapping.kind_name());
   std::vector<Item> all;
   std::set<std::string> seen;
   for (std::size_t k = 0; k + 1 < mapping.items.size(); k += 2) {
     const YamlNode& name = *mapping.items[k];
     if (name.kind != YamlNode::Kind::scalar)
-      fail(name.place,
-           fmt::format("{}: not a key; got {}, expected a name", key, name.kind_name()));
+      fail(name.place, "{}: not a key; got {}, expected a name", key, name.kind_name());
     all.push_back({with_brackets(name.text), name.place, mapping.items[k + 1].get()});
     if (!seen.insert(all.back().key).second)
-      fail(name.place,
-           fmt::format("{}: a key twice; got {}, expected it once", key, shown(all.back().key)));
+      fail(name.place, "{}: a key twice; got {}, expected it once", key, shown(all.back().key));
   }
   return all;
 }
 
 std::string Source::scalar(const YamlNode& value, const std::string& key) const {
   if (value.kind != YamlNode::Kind::scalar)
-    fail(
-        value.place,
-        fmt::format("{}: not an expression; got {}, expected one{}", key, value.kind_name(),
-                    value.kind == YamlNode::Kind::mapping ? " (quote it where it has a colon or { }"
-                                                            " around it)"
-                                                          : ""));
+    fail(value.place, "{}: not an expression; got {}, expected one{}", key, value.kind_name(),
+         value.kind == YamlNode::Kind::mapping ? " (quote it where it has a colon or { } around it)"
+                                               : "");
   return with_brackets(value.text);
 }
 
@@ -118,61 +106,54 @@ Place Source::place_in(const YamlNode& value, const std::string& text, std::size
   return place;
 }
 
-Id Source::expression(const Item& item, const std::string& in, const Scope& scope,
-                      Graph& graph) const {
+Id Reader::expression(const Item& item, const std::string& in, const Scope& scope) {
   const std::string key = in.empty() ? item.key : in + ": " + item.key;
   const std::string text = scalar(*item.value, key);
   try {
-    return parse_expression(text, scope, graph);
+    return parse_expression(text, scope, problem_.graph);
   } catch (const ExpressionError& error) {
-    fail(place_in(*item.value, text, error.at()), shown(key) + ": " + error.what());
+    fail(place_in(*item.value, text, error.at()), "{}: {}", shown(key), error.what());
   }
 }
 
-long double Source::number(const YamlNode& value, const std::string& key, const Scope& scope,
-                           Graph& graph) const {
-  const Id id = expression({key, value.place, &value}, "", scope, graph);
-  if (!graph.is_constant(id))
-    fail(value.place, key +
-                          ": not a constant; got an expression of states or t, expected numbers "
-                          "and parameters");
-  return graph[id].value;
+long double Reader::number(const YamlNode& value, const std::string& key) {
+  const Id id = expression({key, value.place, &value}, "", constants_);
+  if (!problem_.graph.is_constant(id))
+    fail(value.place,
+         "{}: not a constant; got an expression of states or t, expected numbers and parameters",
+         key);
+  return problem_.graph[id].value;
 }
 
-std::int64_t Source::index(const Item& item, std::string_view text, const Scope& scope,
-                           Graph& graph) const {
+std::int64_t Reader::index(const Item& item, std::string_view text) {
   try {
-    return parse_index(text, scope, graph);
+    return parse_index(text, constants_, problem_.graph);
   } catch (const ExpressionError& error) {
-    fail(item.key_place, shown(item.key) + ": " + error.what());
+    fail(item.key_place, "{}: {}", shown(item.key), error.what());
   }
 }
 
-Key read_key(const Source& source, const Item& item, const std::string& in, const Scope& constants,
-             Graph& graph) {
+Key Reader::read_key(const Item& item, const std::string& in) {
   Key key{.name = item.key};
   const std::size_t open = item.key.find('[');
   if (open != std::string::npos) {
     key.indexed = true;
     key.name = item.key.substr(0, open);
     if (!item.key.ends_with(']'))
-      source.fail(item.key_place, fmt::format("{}: not a key; got {}, expected name[first..last]",
-                                              in, shown(item.key)));
+      fail(item.key_place, "{}: not a key; got {}, expected name[first..last]", in,
+           shown(item.key));
     const std::string range = item.key.substr(open + 1, item.key.size() - open - 2);
     const std::size_t dots = range.find("..");
     if (range.find(',') != std::string::npos)
-      source.fail(item.key_place,
-                  fmt::format("{}: two indices; got {}, expected one", in, shown(item.key)));
-    key.first = source.index(item, range.substr(0, dots), constants, graph);
-    key.last = dots == std::string::npos
-                   ? key.first
-                   : source.index(item, range.substr(dots + 2), constants, graph);
+      fail(item.key_place, "{}: two indices; got {}, expected one", in, shown(item.key));
+    key.first = index(item, range.substr(0, dots));
+    key.last = dots == std::string::npos ? key.first : index(item, range.substr(dots + 2));
     if (key.last < key.first)
-      source.fail(item.key_place, fmt::format("{}: an empty range; got {}, expected first <= last",
-                                              in, shown(item.key)));
+      fail(item.key_place, "{}: an empty range; got {}, expected first <= last", in,
+           shown(item.key));
   }
   if (const std::string fault = fault_of_name(key.name); !fault.empty())
-    source.fail(item.key_place, in + ": " + fault);
+    fail(item.key_place, "{}: {}", in, fault);
   return key;
 }
 

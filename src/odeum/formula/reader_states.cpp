@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula::reading {
 namespace {
+
+/// The name of an indexed state without its index, of another one itself.
+std::string group_of(const std::string& state) { return state.substr(0, state.find('[')); }
 
 std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -16,46 +18,42 @@ std::string on_one_line(std::string text) {
 
 }  // namespace
 
-void Reader::add_state(const Item& item, const std::string& name, const Scope& scope) {
+void Reader::add_state(const Item& item, const std::string& name) {
   if (problem_.states.size() >= most_states)
-    source_.fail(
-        item.key_place,
-        fmt::format("states: too many; got more than {}, expected at most that", most_states));
+    fail(item.key_place, "states: too many; got more than {}, expected at most that", most_states);
   problem_.states.push_back(name);
-  problem_.y0.push_back(source_.number(*item.value, "states: " + item.key, scope, problem_.graph));
+  problem_.y0.push_back(number(*item.value, "states: " + item.key));
 }
 
 void Reader::read_states() {
   for (const Item& item : required_items("states")) {
-    const Key key = read_key(source_, item, "states", constants_, problem_.graph);
+    const Key key = read_key(item, "states");
     require_new(item, "states", key.name);
     group_places_[key.name] = item.key_place;
     if (!key.indexed) {
-      add_state(item, key.name, constants_);
+      add_state(item, key.name);
       continue;
     }
     if (names_.contains("i"))
-      source_.fail(item.key_place,
-                   "states: i is the index of indexed states; got another i among "
-                   "the " +
-                       names_.at("i") + ", expected another name for that");
+      fail(item.key_place,
+           "states: i is the index of indexed states; got another i among the {}, expected another "
+           "name for that",
+           names_.at("i"));
     constants_.refused["i"] = "an expression for indexed states";
     first_of_[key.name] = key.first;
-    Scope scope = constants_;
     for (std::int64_t k = key.first; k <= key.last; ++k) {
-      scope.index = k;
-      add_state(item, fmt::format("{}[{}]", key.name, k), scope);
+      constants_.index = k;
+      add_state(item, fmt::format("{}[{}]", key.name, k));
     }
+    constants_.index.reset();
   }
-  problem_.equations.assign(problem_.states.size(), no_node);
-  problem_.places.resize(problem_.states.size());
 }
 
 void Reader::add_states(Scope& scope) {
   for (std::uint32_t k = 0; k < problem_.states.size(); ++k) {
     const std::string& name = problem_.states[k];
     const Id id = problem_.graph.state(k);
-    const std::string group = name.substr(0, name.find('['));
+    const std::string group = group_of(name);
     if (group == name) {
       scope.names[name] = id;
     } else {
@@ -69,85 +67,70 @@ void Reader::add_states(Scope& scope) {
 void Reader::read_boundaries(Scope& scope) {
   std::map<std::string, Array, std::less<>> with = scope.arrays;
   for (const Item& item : items("boundaries")) {
-    const Key key = read_key(source_, item, "boundaries", constants_, problem_.graph);
+    const Key key = read_key(item, "boundaries");
     const auto found = with.find(key.name);
     if (!key.indexed || found == with.end())
-      source_.fail(item.key_place, fmt::format("boundaries: no indexed state; got {}, expected an "
-                                               "index beyond the ends of one, like u[0]",
-                                               shown(item.key)));
+      fail(item.key_place,
+           "boundaries: no indexed state; got {}, expected an index beyond the ends of one, like "
+           "u[0]",
+           shown(item.key));
     Array& array = found->second;
     if (key.last - key.first >= 1000)
-      source_.fail(item.key_place, "boundaries: too many; got more than 1000, expected fewer");
+      fail(item.key_place, "boundaries: too many; got more than 1000, expected fewer");
     for (std::int64_t k = key.first; k <= key.last; ++k) {
       if (k >= array.first && k <= array.last())
-        source_.fail(item.key_place,
-                     fmt::format("boundaries: a state; got {}[{}], expected an index below {} or "
-                                 "above {}",
-                                 key.name, k, array.first, array.last()));
+        fail(item.key_place,
+             "boundaries: a state; got {}[{}], expected an index below {} or above {}", key.name, k,
+             array.first, array.last());
       scope.index = k;
-      const Id id = source_.expression(item, "boundaries", scope, problem_.graph);
+      const Id id = expression(item, "boundaries", scope);
       if (!array.beyond.emplace(k, id).second)
-        source_.fail(item.key_place, fmt::format("boundaries: given twice; got {}[{}], expected it "
-                                                 "once",
-                                                 key.name, k));
+        fail(item.key_place, "boundaries: given twice; got {}[{}], expected it once", key.name, k);
     }
     scope.index.reset();
   }
   scope.arrays = std::move(with);
 }
 
-void Reader::for_each_state(const Item& item, const std::string& in,
-                            const std::function<void(std::size_t, std::int64_t)>& use) {
-  const Key key = read_key(source_, item, in, constants_, problem_.graph);
-  std::vector<std::string> groups;
-  for (const auto& [name, place] : group_places_) groups.push_back(name);
-  if (!group_places_.contains(key.name))
-    source_.fail(item.key_place,
-                 joined(fmt::format("{}: no state; got {}, expected a state", in, shown(item.key)),
-                        nearest(key.name, groups)));
-  const bool has_index = first_of_.contains(key.name);
-  if (has_index != key.indexed)
-    source_.fail(item.key_place,
-                 fmt::format("{}: {}; got {}, expected {}", in,
-                             has_index ? "no index" : "an index of what has none", shown(item.key),
-                             has_index ? key.name + "[first..last]" : key.name));
-  for (std::int64_t k = key.first; k <= key.last; ++k) {
-    const std::string name = key.indexed ? fmt::format("{}[{}]", key.name, k) : key.name;
-    const auto at = std::find(problem_.states.begin(), problem_.states.end(), name);
-    if (at == problem_.states.end())
-      source_.fail(item.key_place, fmt::format("{}: an index out of range; got {}, expected the "
-                                               "states of {}",
-                                               in, name, key.name));
-    use(static_cast<std::size_t>(at - problem_.states.begin()), k);
-  }
-}
-
 std::vector<Id> Reader::read_by_state(const std::string& in, Scope scope,
                                       std::vector<Place>& places) {
   std::vector<Id> nodes(problem_.states.size(), no_node);
-  for (const Item& item : items(in))
-    for_each_state(item, in, [&](std::size_t state, std::int64_t index) {
+  places.resize(nodes.size());
+  std::vector<std::string> groups;
+  for (const auto& [name, place] : group_places_) groups.push_back(name);
+  for (const Item& item : items(in)) {
+    const Key key = read_key(item, in);
+    if (!group_places_.contains(key.name))
+      fail(item.key_place, "{}: no state; got {}, expected a state{}", in, shown(item.key),
+           near_one(key.name, groups));
+    const bool has_index = first_of_.contains(key.name);
+    if (has_index != key.indexed)
+      fail(item.key_place, "{}: {}; got {}, expected {}", in,
+           has_index ? "no index" : "an index of what has none", shown(item.key),
+           has_index ? key.name + "[first..last]" : key.name);
+    for (std::int64_t k = key.first; k <= key.last; ++k) {
+      const std::string name = key.indexed ? fmt::format("{}[{}]", key.name, k) : key.name;
+      const auto at = std::find(problem_.states.begin(), problem_.states.end(), name);
+      if (at == problem_.states.end())
+        fail(item.key_place, "{}: an index out of range; got {}, expected the states of {}", in,
+             name, key.name);
+      const auto state = static_cast<std::size_t>(at - problem_.states.begin());
       if (nodes[state] != no_node)
-        source_.fail(item.key_place, fmt::format("{}: given twice; got {}, expected it once", in,
-                                                 problem_.states[state]));
-      if (first_of_.contains(problem_.states[state].substr(0, problem_.states[state].find('['))))
-        scope.index = index;
-      else
-        scope.index.reset();
-      nodes[state] = source_.expression(item, in, scope, problem_.graph);
+        fail(item.key_place, "{}: given twice; got {}, expected it once", in, name);
+      scope.index = key.indexed ? std::optional(k) : std::nullopt;
+      nodes[state] = expression(item, in, scope);
       places[state] = item.value->place;
-    });
+    }
+  }
   return nodes;
 }
 
 void Reader::require_all(const std::string& in, const std::vector<Id>& nodes) {
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    if (nodes[k] == no_node) {
-      const std::string& name = problem_.states[k];
-      source_.fail(group_places_.at(name.substr(0, name.find('['))),
-                   fmt::format("{}: missing for a state; got none for {}, expected `{}: ...` in {}",
-                               in, name, name, in));
-    }
+    if (nodes[k] == no_node)
+      fail(group_places_.at(group_of(problem_.states[k])),
+           "{0}: missing for a state; got none for {1}, expected `{1}: ...` in {0}", in,
+           problem_.states[k]);
 }
 
 void Reader::read_equations(const Scope& scope) {
@@ -161,12 +144,11 @@ void Reader::read_equations(const Scope& scope) {
 }
 
 void Reader::read_exact() {
-  problem_.exact_places.resize(problem_.states.size());
   if (!section("exact")) return;
   Scope scope = constants_;
   scope.refused.erase("t");
   for (const std::string& name : problem_.states)
-    scope.refused[name.substr(0, name.find('['))] = "t and parameters: a closed form has no states";
+    scope.refused[group_of(name)] = "t and parameters: a closed form has no states";
   problem_.exact = read_by_state("exact", scope, problem_.exact_places);
   require_all("exact", problem_.exact);
 }
@@ -174,59 +156,55 @@ void Reader::read_exact() {
 void Reader::read_invariants(const Scope& scope) {
   for (const Item& item : items("invariants")) {
     if (const std::string fault = fault_of_name(item.key); !fault.empty())
-      source_.fail(item.key_place, "invariants: " + fault);
+      fail(item.key_place, "invariants: {}", fault);
     Scope without_time = scope;
     without_time.refused["t"] = "states and parameters";
     problem_.invariants.push_back(
-        {item.key, source_.expression(item, "invariants", without_time, problem_.graph),
-         item.value->place});
+        {item.key, expression(item, "invariants", without_time), item.value->place});
   }
 }
 
 void Reader::read_scale() {
   if (!section("scale")) return;
   problem_.scale.assign(problem_.states.size(), 1);
-  std::vector<Place> places(problem_.states.size());
+  std::vector<Place> places;
   const std::vector<Id> nodes = read_by_state("scale", constants_, places);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     if (nodes[k] == no_node) continue;
     const bool constant = problem_.graph.is_constant(nodes[k]);
     const double value = constant ? static_cast<double>(problem_.graph[nodes[k]].value) : 0;
     if (!(value > 0))
-      source_.fail(places[k], fmt::format("scale: {}: got {}, expected a positive number",
-                                          problem_.states[k], value));
+      fail(places[k], "scale: {}: got {}, expected a positive number", problem_.states[k], value);
     problem_.scale[k] = value;
   }
 }
 
 void Reader::read_tolerance() {
   const auto positive = [this](const YamlNode& value, const std::string& key) {
-    const auto number = static_cast<double>(source_.number(value, key, constants_, problem_.graph));
-    if (!(number > 0))
-      source_.fail(value.place, fmt::format("{}: got {}, expected a positive number", key, number));
-    return number;
+    const auto given = static_cast<double>(number(value, key));
+    if (!(given > 0)) fail(value.place, "{}: got {}, expected a positive number", key, given);
+    return given;
   };
   for (const Item& item : items("tolerance")) {
     const std::string key = "tolerance: " + item.key;
     if (item.key == "relative") {
       problem_.tolerance = positive(*item.value, key);
     } else if (item.key != "absolute") {
-      source_.fail(item.key_place, "tolerance: an unknown key; got " + shown(item.key) +
-                                       ", expected relative, absolute");
+      fail(item.key_place, "tolerance: an unknown key; got {}, expected relative, absolute",
+           shown(item.key));
     } else if (item.value->kind == YamlNode::Kind::sequence) {
       for (const auto& each : item.value->items) problem_.absolute.push_back(positive(*each, key));
       if (problem_.absolute.size() != problem_.states.size())
-        source_.fail(item.value->place,
-                     fmt::format("{}: got {} numbers, expected one, or {}: one for each state", key,
-                                 problem_.absolute.size(), problem_.states.size()));
+        fail(item.value->place, "{}: got {} numbers, expected one, or {}: one for each state", key,
+             problem_.absolute.size(), problem_.states.size());
     } else {
       problem_.absolute = {positive(*item.value, key)};
     }
   }
   if (const Item* const given = section("tolerance"); given && problem_.tolerance == 0)
-    source_.fail(given->value->place,
-                 "tolerance: got no relative one, expected `tolerance: "
-                 "{relative: 1e-6, absolute: 1e-9}`");
+    fail(
+        given->value->place,
+        "tolerance: got no relative one, expected `tolerance: {{relative: 1e-6, absolute: 1e-9}}`");
 }
 
 }  // namespace odeum::formula::reading

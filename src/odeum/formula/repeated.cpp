@@ -12,8 +12,10 @@ namespace {
 constexpr std::uint32_t most_uses = 8;   // of what is computed in a loop
 constexpr std::size_t most_lines = 256;  // longer roots are not worth a search
 
-bool is_leaf(Op op) { return op == Op::constant || op == Op::time || op == Op::state; }
-bool is_costly(Op op) { return op == Op::power || op >= Op::sin; }
+bool is_leaf(Op op) { return arity(op) == 0; }
+bool is_costly(Op op) {
+  return (op >= Op::sin && op <= Op::sign) || (op >= Op::power && op <= Op::max);
+}
 
 /// By node: how many roots depend on it, up to one more than most_uses. What stands under a node of
 /// more uses is not counted by it.

@@ -23,6 +23,22 @@ Id partial_for_series(Graph& graph, Id id, std::size_t argument) {
   return graph.partial(id, argument);
 }
 
+/// sum_{j = from}^{k} a_j b_{k - j}
+template <class Real>
+Real convolution(const Real* a, const Real* b, std::size_t from, std::size_t k) {
+  Real sum = 0;
+  for (std::size_t j = from; j <= k; ++j) sum += a[j] * b[k - j];
+  return sum;
+}
+
+/// sum_{j = 1}^{k - 1} a_j a_{k - j}
+template <class Real>
+Real inner_square(const Real* a, std::size_t k) {
+  Real half = 0;
+  for (std::size_t j = 1; 2 * j < k; ++j) half += a[j] * a[k - j];
+  return 2 * half + (k % 2 == 0 ? a[k / 2] * a[k / 2] : 0);
+}
+
 }  // namespace
 
 SeriesPlan make_series_plan(Graph& graph, const std::vector<Id>& equations) {
@@ -72,23 +88,6 @@ Series<Real>::Series(const Graph& graph, SeriesPlan plan, std::size_t states)
     : plan_(std::move(plan)), states_(states) {
   for (const SeriesPlan::Step& step : plan_.steps)
     constants_.push_back(static_cast<Real>(graph[step.id].value));
-}
-
-/// sum_{j = from}^{k} a_j b_{k - j}
-template <class Real>
-Real Series<Real>::convolution(const Real* a, const Real* b, std::size_t from,
-                               std::size_t k) const {
-  Real sum = 0;
-  for (std::size_t j = from; j <= k; ++j) sum += a[j] * b[k - j];
-  return sum;
-}
-
-/// sum_{j = 1}^{k - 1} a_j a_{k - j}
-template <class Real>
-Real Series<Real>::inner_square(const Real* a, std::size_t k) const {
-  Real half = 0;
-  for (std::size_t j = 1; 2 * j < k; ++j) half += a[j] * a[k - j];
-  return 2 * half + (k % 2 == 0 ? a[k / 2] * a[k / 2] : 0);
 }
 
 template <class Real>

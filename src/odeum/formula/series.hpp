@@ -37,8 +37,6 @@ class Series {
 
  private:
   void advance(std::size_t k, std::size_t width);
-  Real inner_square(const Real* a, std::size_t k) const;
-  Real convolution(const Real* a, const Real* b, std::size_t from, std::size_t k) const;
 
   SeriesPlan plan_;
   std::size_t states_;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "odeum/formula/print_c.hpp"
-
 namespace odeum::formula {
 namespace {
 

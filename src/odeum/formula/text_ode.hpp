@@ -9,6 +9,12 @@
 
 namespace odeum::formula {
 
+/// The C text of a problem: functions with the signatures of OdeView (the dense Jacobian of few
+/// states only), and rhs_extended and entries_extended in long double. Each node is computed once,
+/// in the order in which the user wrote it. The text has no name and no character that the user
+/// wrote: nodes and states are numbers.
+std::string print_c(const Problem& problem, const Analysis& analysis);
+
 /// A problem that was read from text, with all that was found in it, as compiled code; interpreted
 /// where there is no compiler.
 class TextOde {

@@ -87,7 +87,7 @@ class Builder final : public YAML::EventHandler {
   }
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
             YamlNode::Kind kind) {
-    check_tag(mark, tag == "!" ? "" : tag);
+    check_tag(mark, tag);
     check_anchor(place_of(mark), anchor);
     if (open_.size() >= format_.depth)
       fail(mark, fmt::format("nested too deeply; got more than {} levels, expected at most that",
