@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "odeum/judge/rounding.hpp"
+#include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "odeum/judge/amplification.hpp"
-#include "odeum/judge/rounding.hpp"
+#include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "odeum/studies/convergence/settings.hpp"
 

@@ -10,7 +10,7 @@ ConvergenceResult not_measured(const Pair& pair, const std::string& reason);
 
 /// What is measured once for a case.
 struct CaseMeasures {
-  double gain = 0;                          ///< of rounding, see judge/rounding.hpp
+  double gain = 0;                          ///< of rounding, see judge/amplification.hpp
   judge::Amplification amplification = {};  ///< at convergence_stops; for runs to a tolerance alone
 };
 
