@@ -7,7 +7,6 @@
 
 #include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
-#include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"
 #include "support/stage.hpp"
 
