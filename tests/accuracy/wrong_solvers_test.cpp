@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
-#include "odeum/judge/rounding.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 
 namespace odeum::tests {

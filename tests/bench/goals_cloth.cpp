@@ -59,7 +59,7 @@ void add_frame_rows(std::vector<Row>& rows) {
     };
     const std::size_t many = steps_of(std::min(by_springs, by_damping)), few = steps_of(by_springs);
     const auto verlet = study::velocity_verlet_steps<float>(scene, threads);
-    const auto imex = study::imex_verlet_steps<float>(scene, 1e-2, threads);
+    const auto imex = study::imex_verlet_steps(scene, 1e-2, threads);
     const auto t = interleave({[&] { verlet->run(frame / static_cast<double>(many), many); },
                                [&] { imex->run(frame / static_cast<double>(few), few); }},
                               2, false);
@@ -136,7 +136,7 @@ std::vector<Row> cloth_step_rows() {
   for (const auto& size : sizes) {
     const ClothStage stage(size.n, 10), plain(size.n, 10, Forces::plain);
     const auto verlet_steps = study::velocity_verlet_steps<double>(stage.scene());
-    const auto rk4_steps = study::rk4_steps<double>(stage.scene());
+    const auto rk4_steps = study::rk4_steps(stage.scene());
     // The difference of two runs of a peer removes its set-up: three quarters of it are steps
     // alone.
     const auto steps_of = [](const ClothStage& on, const std::string& id, std::uint64_t steps) {

@@ -145,9 +145,7 @@ void equal_error_rows(std::vector<Row>& rows) {
   const auto verlet = [&](double steps) {
     return after(study::velocity_verlet_steps<float>(stage.scene()), t, steps);
   };
-  const auto rk4 = [&](double steps) {
-    return after(study::rk4_steps<double>(stage.scene()), t, steps);
-  };
+  const auto rk4 = [&](double steps) { return after(study::rk4_steps(stage.scene()), t, steps); };
   const std::vector<double> step_counts{190, 220, 256, 320, 400, 512, 724, 1024, 2048};
   const Reached by_verlet = reach(1e-3, step_counts, verlet, error_of);
   const Reached by_rk4 = reach(1e-3, {70, 80, 90, 100, 128, 181, 256, 512}, rk4, error_of);

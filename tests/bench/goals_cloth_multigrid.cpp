@@ -113,7 +113,7 @@ Row imex_row(const scene::Scene& scene) {
   const double largest = study::cloth_spring_limit * std::sqrt(scene.particles[0].mass / 10);
   const auto steps = static_cast<std::size_t>(std::ceil(frame / largest));
   const double h = frame / static_cast<double>(steps);
-  const auto own = study::imex_verlet_steps<float>(scene, relative);
+  const auto own = study::imex_verlet_steps(scene, relative);
   const MultigridCloth cloth(scene, h);
   methods::imex_verlet::Stepper<MultigridCloth> stepper(cloth, relative);
   std::vector<double> start;

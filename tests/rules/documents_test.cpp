@@ -75,7 +75,7 @@ TEST(Documents, LinksLeadSomewhere) {
   EXPECT_GE(links, 20U) << "the documents were not read";
 }
 
-// Paths of the tree in backquotes: `src/odeum/judge/rounding.hpp`.
+// Paths of the tree in backquotes: `src/odeum/judge/amplification.hpp`.
 TEST(Documents, FilesThatAreNamedExist) {
   static const std::regex path(
       "`((?:src|cases|adapters|tests|reports|scripts)/[a-zA-Z0-9_./-]*[a-zA-Z0-9_])`");

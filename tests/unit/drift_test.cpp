@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "odeum/studies/drift/kept_quantities.hpp"
 #include "support/catalogue.hpp"
 #include "support/reference.hpp"
 
@@ -17,7 +16,7 @@ using tests::find_case;
 
 std::vector<std::string> names_of(const Case& c) {
   std::vector<std::string> names;
-  for (const KeptQuantity& kept : kept_quantities(c)) names.push_back(kept.name);
+  for (const Invariant& kept : kept_quantities(c)) names.push_back(kept.name);
   return names;
 }
 

@@ -6,7 +6,6 @@
 
 #include "odeum/linear/linear_peer.hpp"
 #include "odeum/report/page.hpp"
-#include "odeum/studies/elements/parts.hpp"
 #include "odeum/studies/elements/problems.hpp"
 #include "odeum/studies/elements/section.hpp"
 #include "support/temporary_folder.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/judge/amplification.hpp"
 #include "odeum/judge/answer.hpp"
-#include "odeum/judge/rounding.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "support/catalogue.hpp"

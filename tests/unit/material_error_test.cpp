@@ -27,13 +27,13 @@ SplitPlan plan_of(double order) {
 }
 
 RunCloth scheme(double order) {
-  return [order](std::uint64_t steps, const Iterations& n, std::string&) {
+  return [order](std::uint64_t steps, const Iterations& n) -> Reached {
     const double h = 0.25 / static_cast<double>(steps);
     std::vector<double> x = truth;
     x[3] += model;
     x[4] += by_step * std::pow(h, order);
     if (n.sweeps > 0) x[5] += by_iteration / std::pow(4.0, static_cast<double>(n.sweeps));
-    return std::optional(x);
+    return {std::move(x), {}};
   };
 }
 
@@ -71,27 +71,25 @@ TEST(ErrorParts, HaveNoIterationsWhereNoneAreCounted) {
   plan.tried = {{}};
   plan.converged = plan.half = {};
   int runs = 0;
-  const RunCloth counted = [&](std::uint64_t steps, const Iterations& n, std::string& reason) {
+  const RunCloth counted = [&](std::uint64_t steps, const Iterations& n) {
     ++runs;
-    return scheme(1)(steps, n, reason);
+    return scheme(1)(steps, n);
   };
   for (const ErrorPartsRow& row : split_error(plan, counted, truth)) EXPECT_EQ(row.iteration, 0);
   EXPECT_EQ(runs, 4) << "one for each number of steps";
 }
 
 TEST(ErrorParts, SayWhereARunFailed) {
-  const RunCloth coarse_fails = [](std::uint64_t steps, const Iterations& n, std::string& reason) {
-    reason = "blew up";
-    return steps == 10 ? std::nullopt : scheme(1)(steps, n, reason);
+  const RunCloth coarse_fails = [](std::uint64_t steps, const Iterations& n) {
+    return steps == 10 ? Reached{{}, "blew up"} : scheme(1)(steps, n);
   };
   const auto rows = split_error(plan_of(1), coarse_fails, truth);
   EXPECT_EQ(rows[0].status, "unstable");
   EXPECT_EQ(rows[0].detail, "blew up");
   EXPECT_TRUE(std::isnan(rows[0].total));
   EXPECT_NEAR(rows[2].model, model / std::sqrt(2.0), 1e-14) << "its limit needs the finest three";
-  const RunCloth fine_fails = [](std::uint64_t steps, const Iterations& n, std::string& reason) {
-    reason = "blew up";
-    return steps == 80 ? std::nullopt : scheme(1)(steps, n, reason);
+  const RunCloth fine_fails = [](std::uint64_t steps, const Iterations& n) {
+    return steps == 80 ? Reached{{}, "blew up"} : scheme(1)(steps, n);
   };
   const auto limitless = split_error(plan_of(1), fine_fails, truth);
   EXPECT_EQ(limitless[0].status, "ok");

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "odeum/judge/rounding.hpp"
+#include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
-#include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"
 #include "support/stage.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "odeum/judge/rounding.hpp"
+#include "odeum/judge/amplification.hpp"
 
 namespace odeum::judge {
 namespace {

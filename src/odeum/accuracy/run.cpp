@@ -57,12 +57,10 @@ int check_order(const std::string& case_id, const std::string& folder,
   const study::OrderRow row = result.orders.front();
   const std::vector<study::ConvergenceRow> runs = result.rows;
   if (!beside.empty()) {
-    const study::ConvergenceResult peers = study::converge({.cases = {case_id}, .solvers = beside});
+    study::ConvergenceResult peers = study::converge({.cases = {case_id}, .solvers = beside});
     if (peers.orders.empty())
       throw std::invalid_argument(fmt::format("no solver is named {}", fmt::join(beside, ", ")));
-    result.rows.insert(result.rows.end(), peers.rows.begin(), peers.rows.end());
-    result.times.insert(result.times.end(), peers.times.begin(), peers.times.end());
-    result.orders.insert(result.orders.end(), peers.orders.begin(), peers.orders.end());
+    record::append(result, std::move(peers));
   }
   record::write(result, record::OutputFolder(folder));
   const judge::OrderFit& fit = row.fit;

@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 #include "odeum/api/plain.hpp"
 #include "odeum/control/run_method.hpp"
@@ -33,7 +33,7 @@ constexpr bool slopes_are_accurate() {
   return false;
 }
 
-template <class M, bool adaptive, class Trial, class S, class Problem>
+template <class M, bool adaptive, class Trial, class Problem>
 constexpr Inside inside_of() {
   if constexpr (requires { Trial::always_over_stops; }) return Inside::interpolant;
   const bool order_varies = adaptive && M::info.adaptive_order;
@@ -48,14 +48,10 @@ constexpr Inside inside_of() {
 struct NoTrial {};
 
 namespace detail {
-struct NoStepper {};
-template <class M, class Problem, bool needed>
-struct StepperFor {
-  using type = NoStepper;
-};
-template <class M, class Problem>
-struct StepperFor<M, Problem, true> {
-  using type = typename M::template Stepper<Problem>;
+/// In place of a method whose steps are not needed.
+struct NoMethod {
+  template <class Problem>
+  using Stepper = NoMethod;
 };
 }  // namespace detail
 
@@ -66,7 +62,7 @@ class LastStep {
   using S = State<P>;
   using Problem = Guarded<Plain<P>>;
   static constexpr bool adaptive = !std::same_as<Trial, NoTrial>;
-  static constexpr Inside inside = inside_of<M, adaptive, Trial, S, Problem>();
+  static constexpr Inside inside = inside_of<M, adaptive, Trial, Problem>();
 
   LastStep(const Problem& problem, const Trial* trial, const Tolerance& tolerance)
       : problem_(problem), trial_(trial), tolerance_(tolerance), inner_(make_state(problem)) {
@@ -121,7 +117,8 @@ class LastStep {
 
  private:
   using Real = RealOf<P>;
-  using Stepper = typename detail::StepperFor<M, Problem, inside == Inside::restep>::type;
+  using Stepper = typename std::conditional_t<inside == Inside::restep, M,
+                                              detail::NoMethod>::template Stepper<Problem>;
 
   Status by_hermite(double t, S& y) {
     if (!slopes_known_) {

@@ -5,45 +5,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace odeum::judge {
 
-const char* to_string(Answer answer) {
-  switch (answer) {
-    case Answer::explained:
-      return "explained";
-    case Answer::wrong:
-      return "wrong";
-    case Answer::undetermined:
-      return "undetermined";
-    case Answer::none:
-      return "none";
-    case Answer::not_applicable:
-      return "not_applicable";
-  }
-  return "not_applicable";
-}
-
 namespace {
 
-/// The stop past the end of the solution at which a run has a state; null: none.
-const StopError* past_the_end(const std::vector<StopError>& errors) {
-  const auto found = std::find_if(errors.begin(), errors.end(),
-                                  [](const StopError& e) { return std::isinf(e.error_max); });
-  return found == errors.end() ? nullptr : &*found;
-}
-
-JudgedAnswer no_solution(const StopError& stop) {
-  return {
-      .answer = Answer::wrong,
-      .reason = fmt::format(
-          "the run ended ok at t = {}, and the solution is infinite before that time", stop.time)};
+/// The answer of a run that has a state past the end of the solution; none where it has not.
+std::optional<JudgedAnswer> past_the_end(const std::vector<StopError>& errors) {
+  for (const StopError& error : errors)
+    if (std::isinf(error.error_max))
+      return JudgedAnswer{
+          .answer = Answer::wrong,
+          .reason = fmt::format(
+              "the run ended ok at t = {}, and the solution is infinite before that time",
+              error.time)};
+  return std::nullopt;
 }
 
 }  // namespace
 
 JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale) {
-  if (const StopError* stop = past_the_end(errors)) return no_solution(*stop);
+  if (const auto wrong = past_the_end(errors)) return *wrong;
   for (const StopError& error : errors)
     if (error.error_max > 10 * scale)
       return {.answer = Answer::wrong,
@@ -67,7 +50,7 @@ double explained_error(double tolerance, double steps, const Amplification& ampl
 
 JudgedAnswer judge_answer(const std::vector<StopError>& errors, const Amplification& amplification,
                           double tolerance, double steps, double floor, double scale) {
-  if (const StopError* stop = past_the_end(errors)) return no_solution(*stop);
+  if (const auto wrong = past_the_end(errors)) return *wrong;
   if (!amplification.unknown.empty())
     return {.answer = Answer::undetermined, .reason = amplification.unknown};
   JudgedAnswer judged{.answer = Answer::undetermined, .reason = {}};

@@ -31,13 +31,12 @@ Judge::Judge(const Case& c, std::vector<double> stops)
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     std::vector<double> exact(c.y0.size());
     if (!c.truth.at(stops_[k], exact.data())) continue;
-    if (!is_finite(exact.data(), exact.size())) {
+    if (is_finite(exact.data(), exact.size())) {
+      see(exact.data());
+      if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
+    } else {
       ends_ = true;
-      truth_[k] = std::move(exact);
-      continue;
     }
-    see(exact.data());
-    if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
     truth_[k] = std::move(exact);
   }
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/judge/floor.hpp"
+#include "odeum/judge/fit_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "odeum/judge/window.hpp"
 
 namespace odeum::judge {
 namespace {

@@ -25,23 +25,13 @@ inline constexpr double growth_rounding = 64 * std::numeric_limits<double>::epsi
 /// problem: (Re y, Im y), or (omega q, q').
 using PlaneState = std::array<double, 2>;
 
-/// From the lengths of the states: their logarithm rises by the same amount each step where one
-/// root of the iteration dominates. Noise: how much the amount varies.
-Growth growth_by_norms(std::span<const PlaneState> states);
-
 /// The type of a recurrence's coefficients: those of a real linear map are real.
 enum class Coefficients { real, complex };
 
-/// From the recurrence s_{k+2} = a s_{k+1} + b s_k of the states as complex numbers, which every
-/// linear one-step map of a plane obeys (a its trace, -b its determinant, both real) and every
-/// iteration that two roots dominate: the larger root of r^2 = a r + b. Sees that a symplectic map
-/// is bounded although its states change in length. Noise: the effect of the scatter of a
-/// least-squares fit; infinite where the states do not determine the recurrence.
-Growth growth_by_recurrence(std::span<const PlaneState> states, Coefficients coefficients);
-
-/// For y' = z y (complex coefficients): the one of the two with less noise. For an oscillator (real
-/// ones): the recurrence, and the lengths only where it is not determined, since they vary with
-/// twice the oscillator's frequency, too slowly for the window. At least four states.
+/// From the states' lengths, or from a recurrence that they obey. For y' = z y (complex
+/// coefficients): the one of the two with less noise. For an oscillator (real ones): the
+/// recurrence, and the lengths only where it is not determined, since they vary with twice the
+/// oscillator's frequency, too slowly for the window. At least four states.
 Growth dominant_growth(std::span<const PlaneState> states, Coefficients coefficients);
 
 double length(const PlaneState& state);

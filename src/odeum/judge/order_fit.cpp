@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/judge/floor.hpp"
-#include "odeum/judge/two_term_fit.hpp"
-#include "odeum/judge/window.hpp"
+#include "odeum/judge/fit_parts.hpp"
 
 namespace odeum::judge {
 namespace {
@@ -94,8 +92,12 @@ class Fitting {
     return certain_end_;
   }
 
+  PowerLaw law_of(const Window& window) const {
+    return fit_power_law(points_.data() + window.first, window.count);
+  }
+
   bool confirms(const Window& window) const {
-    const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
+    const PowerLaw law = law_of(window);
     return 2 * law.half_width <= claimed_ / 2 &&
            std::abs(law.order - claimed_) <= tolerance_.order &&
            first_stray(window.end(), law) == certain_end_;
@@ -111,10 +113,7 @@ class Fitting {
     while (chosen.count && !confirms(chosen) && chosen.end() > certain_end_)
       chosen = window_to(chosen.end() - 1);
     if (!chosen.count) chosen = window_to(points_.size());
-    if (chosen.count) {
-      const PowerLaw law = fit_power_law(points_.data() + chosen.first, chosen.count);
-      record(law, chosen);
-    }
+    if (chosen.count) record(law_of(chosen), chosen);
     return chosen;
   }
 
@@ -193,7 +192,7 @@ class Fitting {
     fit_.points = 0;
     if (const Window before = find_window(points_, floor.first + 1, guess_, tolerance_.settled);
         before.count) {
-      record(fit_power_law(points_.data() + before.first, before.count), before);
+      record(law_of(before), before);
       reason += fmt::format("; order {:.2f} before", fit_.order);
     }
     return verdict(Verdict::floors, reason);
@@ -212,7 +211,7 @@ class Fitting {
           fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
     };
     if (!window.count) return moving();
-    const PowerLaw law = fit_power_law(points_.data() + window.first, window.count);
+    const PowerLaw law = law_of(window);
     if (const std::size_t i = first_stray(window.end(), law); i < certain_end_)
       return undetermined(NoOrder::denied,
                           fmt::format("order {:.2f} down to steps of {:.2g}, but at {:.2g} the "

@@ -39,7 +39,7 @@ struct ErrorPoint {
   double error = 0;  ///< NaN where the solve failed
   double steps = 0;  ///< how many steps were taken
   /// What rounding comes to for each root of the number of steps: half a unit in the last place of
-  /// the measured state, times what the problem makes of perturbations, see rounding.hpp.
+  /// the measured state, times what the problem makes of perturbations, see amplification.hpp.
   double rounding_unit = 0;
   double floor = 0;       ///< error of the truth itself
   double scale = 0;       ///< size of what is measured; 0: not known
@@ -94,10 +94,10 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
   return {.order = order, .apart = order, .settled = 1.5, .stray = 10, .whole = HUGE_VAL};
 }
 
-/// Fits the order of points sorted from coarse to fine over the finest window (window.hpp) clear of
-/// rounding and of the truth's floor.
+/// Fits the order of points sorted from coarse to fine over the finest window (fit_parts.hpp) clear
+/// of rounding and of the truth's floor.
 /// - `confirmed`: the slope is the claimed order, or that of the error's first two terms is (see
-///   two_term_fit.hpp), and every finer point that is no rounding lies within `stray` of it.
+///   fit_parts.hpp), and every finer point that is no rounding lies within `stray` of it.
 /// - `floors`: finer points stop falling, and are no rounding.
 /// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere, and do not
 ///   move towards the claim: the order's interval lies within `whole` of a whole number, at most

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/judge/rounding.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::judge {

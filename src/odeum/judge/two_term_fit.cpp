@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/judge/two_term_fit.hpp"
+#include "odeum/judge/fit_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "odeum/judge/student.hpp"
-
 namespace odeum::judge {
 namespace {
 
-constexpr std::size_t fewest_points = 6;  // three numbers are fitted
+constexpr std::size_t fewest = 6;  // three numbers are fitted
 constexpr double largest_scatter = 0.05;
 // Neighbouring residuals that are alike show a term that the fit has not; less than this of it
 // moves p by less than a tenth.
@@ -115,7 +113,7 @@ TwoTermFit fit_window(const ErrorPoint* points, std::size_t n) {
 TwoTermFit fit_two_terms(const std::vector<ErrorPoint>& points) {
   TwoTermFit best;
   for (std::size_t dropped = 0; dropped <= 2; ++dropped)
-    for (std::size_t n = fewest_points; n + dropped <= points.size(); ++n) {
+    for (std::size_t n = fewest; n + dropped <= points.size(); ++n) {
       const std::size_t first = points.size() - dropped - n;
       TwoTermFit fit = fit_window(points.data() + first, n);
       fit.first = first;

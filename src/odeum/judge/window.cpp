@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/judge/window.hpp"
+#include "odeum/judge/fit_parts.hpp"
 
 #include <algorithm>
-
-#include "odeum/judge/student.hpp"
 
 namespace odeum::judge {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/truth/system.hpp"
@@ -48,20 +49,18 @@ class Search {
   Search(const System& system, const std::vector<double>& asked, const std::vector<double>& scale)
       : system_(system), scale_(scale), zero_(system.states, 0) {
     const Real end = asked.back(), span = end - system.t0;
-    for (int k = 1; k < checks; ++k) times_.push_back(system.t0 + span * k / checks);
-    times_.insert(times_.end(), asked.begin(), asked.end());
-    std::sort(times_.begin(), times_.end());
-    times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+    std::set<Real> all(asked.begin(), asked.end());
+    for (int k = 1; k < checks; ++k) all.insert(system.t0 + span * k / checks);
+    const auto is_asked = [&](Real t) {
+      return std::binary_search(asked.begin(), asked.end(), static_cast<double>(t));
+    };
     // A check beside a time asked for would cost steps for nothing.
-    std::vector<Real> apart;
-    for (const Real t : times_) {
-      const bool is_asked = std::binary_search(asked.begin(), asked.end(), static_cast<double>(t));
-      if (is_asked && !apart.empty() && t - apart.back() < 1e-6L * span &&
-          !std::binary_search(asked.begin(), asked.end(), static_cast<double>(apart.back())))
-        apart.pop_back();
-      apart.push_back(t);
+    for (const Real t : all) {
+      if (is_asked(t) && !times_.empty() && t - times_.back() < 1e-6L * span &&
+          !is_asked(times_.back()))
+        times_.pop_back();
+      times_.push_back(t);
     }
-    times_ = std::move(apart);
   }
 
   Reference find() {

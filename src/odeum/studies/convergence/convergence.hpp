@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -83,6 +84,15 @@ struct OrderRow {
     visit("no_order", row.fit.why);
   }
 };
+
+/// Why a pair has no order, in words, and what would give it one.
+struct OrderClass {
+  judge::NoOrder why;
+  std::string_view name, settles;
+};
+
+/// Of a verdict `failed` or `undetermined`; null for other verdicts.
+const OrderClass* class_of(const judge::OrderFit& fit);
 
 struct ConvergenceResult {
   std::vector<ConvergenceRow> rows;

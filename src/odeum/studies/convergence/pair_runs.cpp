@@ -8,10 +8,6 @@
 #include <limits>
 
 #include "odeum/judge/errors.hpp"
-#include "odeum/studies/convergence/extended_order.hpp"
-#include "odeum/studies/convergence/order_reason.hpp"
-#include "odeum/studies/convergence/settings.hpp"
-#include "odeum/studies/foreseen.hpp"
 
 namespace odeum::study {
 namespace {
@@ -138,7 +134,6 @@ class PairRuns {
     ConvergenceRow row;
     std::vector<TimeRow> times;
     judge::ErrorPoint point;
-    Status status;
   };
 
   bool order_is_open() const {
@@ -187,7 +182,9 @@ class PairRuns {
     return point.error <= 10 * (point.typical_rounding() + point.floor);
   }
 
-  static bool over_budget(const Run& run) { return run.status == Status::over_budget; }
+  static bool over_budget(const Run& run) {
+    return run.row.status == to_string(Status::over_budget);
+  }
 
   Outcome run_unless_over_budget(const Request& request) {
     Outcome outcome;
@@ -210,10 +207,7 @@ class PairRuns {
   }
 
   Run measure(const Request& request, const Outcome& outcome) const {
-    Run run{.row = make_row(pair_, request, outcome),
-            .times = {},
-            .point = {},
-            .status = outcome.status};
+    Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
     ConvergenceRow& row = run.row;
     run.point = {.step = row.step, .error = nan};
     row.judged.answer = judge::Answer::none;
@@ -260,7 +254,6 @@ void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit&
 
 }  // namespace
 
-/// Why nothing can be measured; empty: it can.
 const std::string& reason_against(const Pair& pair) {
   if (!pair.entrant->unfit.empty()) return pair.entrant->unfit;
   if (!pair.c->settings.no_convergence.empty()) return pair.c->settings.no_convergence;

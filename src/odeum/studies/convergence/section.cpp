@@ -11,7 +11,6 @@
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_tables.hpp"
-#include "odeum/studies/convergence/order_class.hpp"
 
 namespace odeum::study {
 namespace {

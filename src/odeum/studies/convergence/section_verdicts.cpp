@@ -7,7 +7,6 @@
 #include <set>
 
 #include "odeum/report/html.hpp"
-#include "odeum/studies/convergence/order_class.hpp"
 #include "odeum/studies/convergence/section.hpp"
 
 namespace odeum::study {

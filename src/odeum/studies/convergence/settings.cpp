@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/convergence/settings.hpp"
+#include "odeum/studies/convergence/pair_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@ namespace {
 // them.
 bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("cloth"); }
 constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
+// Of a small problem's extra runs, all together: half a second at a microsecond for each.
+constexpr std::uint64_t cheap_evaluations = 500'000;
 
 std::uint64_t share_of(const Case& c, std::uint64_t steps) {
   const double share = (convergence_stops(c).back() - c.t0) / (c.stops.back() - c.t0);

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
-
-#include "odeum/studies/drift/kept_quantities.hpp"
 
 namespace odeum::study {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 /// The invariants of a case, and the times at which they are observed.
 struct LongRun {
   const Case& c;
-  std::vector<KeptQuantity> kept;
+  std::vector<Invariant> kept;
   std::optional<HarmonicMotion> motion;
   Request request;
   double step;
@@ -44,84 +43,73 @@ std::string reason_against(const LongRun& run, const Entrant& entrant) {
   return entrant.info.fixed ? "" : "chooses its own steps only";
 }
 
-/// Rows of one quantity: one per stop reached, and one more where the solve ended early.
-class Series {
- public:
-  Series(DriftRow blank, const char* name, std::vector<DriftRow>& rows)
-      : blank_(std::move(blank)), rows_(rows) {
-    blank_.invariant = name;
-  }
-  /// False: the numbers have left the range of doubles, and the series ends.
-  bool add(double time, double value, double relative_error) {
-    DriftRow row = blank_;
-    row.time = time;
-    const bool finite = std::isfinite(value) && std::isfinite(relative_error);
-    row.status = to_string(finite ? Status::ok : Status::non_finite);
-    if (finite) {
-      row.value = value;
-      row.relative_error = relative_error;
-    } else {
-      row.detail = "beyond the range of doubles";
-    }
-    rows_.push_back(std::move(row));
-    return finite;
-  }
-  void end(const Outcome& outcome) {
-    DriftRow row = blank_;
-    row.status = to_string(outcome.status);
-    row.detail = outcome.detail;
-    row.time = outcome.t;
-    rows_.push_back(std::move(row));
-  }
-
- private:
-  DriftRow blank_;
-  std::vector<DriftRow>& rows_;
+/// What is followed along a run: its value at a time and a state, and the relative error of that.
+struct Observed {
+  std::string name;
+  std::function<std::pair<double, double>(double time, const double* y)> at;
 };
 
-/// Calls add(stop, y) for the stops reached until it returns false, and ends the series where the
-/// solve failed.
-template <class Add>
-void follow(const LongRun& run, const Outcome& outcome, Series& series, Add&& add) {
+std::vector<Observed> observed_in(const LongRun& run) {
+  std::vector<Observed> all;
+  for (const Invariant& kept : run.kept) {
+    const double exact = kept.value(run.c.y0.data()), scale = exact == 0 ? 1 : std::abs(exact);
+    all.push_back({kept.name, [=, &kept](double, const double* y) {
+                     const double value = kept.value(y);
+                     return std::pair(value, std::abs(value - exact) / scale);
+                   }});
+  }
+  if (!run.motion) return all;
+  const HarmonicMotion& motion = *run.motion;
+  all.push_back({"amplitude", [&motion](double, const double* y) {
+                   const double value = motion.amplitude_of(y);
+                   return std::pair(value, std::abs(value / motion.amplitude - 1));
+                 }});
+  // The lag is proportional to time and far below one turn at the first stop: its value at one
+  // stop determines the number of full turns at the next.
+  all.push_back({"phase", [&motion, &run, rate = 0.0](double time, const double* y) mutable {
+                   const double elapsed = time - run.c.t0;
+                   const double lag = motion.lag_of(y, elapsed, rate * elapsed);
+                   rate = lag / elapsed;
+                   return std::pair(lag, std::abs(rate) / motion.omega);
+                 }});
+  return all;
+}
+
+/// Adds a row for each stop reached as long as the numbers are finite, and one more where the run
+/// ended before the last.
+void follow(const LongRun& run, const Outcome& outcome, const Observed& observed, DriftRow blank,
+            std::vector<DriftRow>& rows) {
+  blank.invariant = observed.name;
+  const auto add = [&](double time, Status status, const std::string& detail) -> DriftRow& {
+    DriftRow& row = rows.emplace_back(blank);
+    row.time = time;
+    row.status = to_string(status);
+    row.detail = detail;
+    return row;
+  };
   const std::size_t n = run.c.y0.size();
-  for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k)
-    if (!add(run.request.stops[k], outcome.states.data() + k * n)) return;
-  if (outcome.status != Status::ok) series.end(outcome);
+  for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k) {
+    const double time = run.request.stops[k];
+    const auto [value, relative_error] = observed.at(time, outcome.states.data() + k * n);
+    if (!std::isfinite(value) || !std::isfinite(relative_error)) {
+      add(time, Status::non_finite, "beyond the range of doubles");
+      return;
+    }
+    DriftRow& row = add(time, Status::ok, "");
+    row.value = value;
+    row.relative_error = relative_error;
+  }
+  if (outcome.status != Status::ok) add(outcome.t, outcome.status, outcome.detail);
 }
 
 std::vector<DriftRow> run_pair(const LongRun& run, const Entrant& entrant) {
-  std::vector<DriftRow> rows;
   auto blank = named_row<DriftRow>(run.c, entrant.info);
   if (const std::string reason = reason_against(run, entrant); !reason.empty())
     return {not_applicable(blank, reason)};
   blank.step = run.step;
   const Outcome outcome = entrant.solve(run.request);
-  for (const KeptQuantity& kept : run.kept) {
-    Series series(blank, kept.name.c_str(), rows);
-    const double scale = kept.exact == 0 ? 1 : std::abs(kept.exact);
-    follow(run, outcome, series, [&](double time, const double* y) {
-      const double value = kept.value(y);
-      return series.add(time, value, std::abs(value - kept.exact) / scale);
-    });
-  }
-  if (run.motion) {
-    const HarmonicMotion& motion = *run.motion;
-    Series amplitude(blank, "amplitude", rows);
-    follow(run, outcome, amplitude, [&](double time, const double* y) {
-      const double value = motion.amplitude_of(y);
-      return amplitude.add(time, value, std::abs(value / motion.amplitude - 1));
-    });
-    // The lag is proportional to time and far below one turn at the first stop: its value at one
-    // stop determines the number of full turns at the next.
-    Series phase(blank, "phase", rows);
-    double rate = 0;
-    follow(run, outcome, phase, [&](double time, const double* y) {
-      const double elapsed = time - run.c.t0;
-      const double lag = motion.lag_of(y, elapsed, rate * elapsed);
-      rate = lag / elapsed;
-      return phase.add(time, lag, std::abs(rate) / motion.omega);
-    });
-  }
+  std::vector<DriftRow> rows;
+  for (const Observed& observed : observed_in(run)) follow(run, outcome, observed, blank, rows);
   return rows;
 }
 

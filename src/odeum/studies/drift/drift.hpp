@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -66,6 +67,25 @@ DriftResult measure_drift(const Options& options, const Runner& runner = Runner(
 
 /// The horizons of one solver on one case: three steps and three tolerances.
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
+
+/// The case's energy, where the truth shows that it is constant (a damped system has an energy
+/// too), then its invariants.
+std::vector<Invariant> kept_quantities(const Case& c);
+
+/// The motion of q'' = -omega^2 q, in the plane of q and q' / omega: a circle at a constant rate.
+struct HarmonicMotion {
+  double omega = 0;      ///< radians per unit of time
+  double amplitude = 0;  ///< in the units of q
+  double start = 0;      ///< angle at the initial state, radians
+
+  double amplitude_of(const double* y) const;
+  /// The lag of a state behind the exact angle after `elapsed` time, in radians. An angle is known
+  /// up to full turns; of these lags the one nearest to `expected` is returned.
+  double lag_of(const double* y, double elapsed, double expected) const;
+};
+
+/// The harmonic motion of a case; none where it is not a harmonic oscillator.
+std::optional<HarmonicMotion> harmonic_motion(const Case& c);
 
 /// The time when errors, positive and at increasing times, first reach a threshold; NaN where they
 /// never do.

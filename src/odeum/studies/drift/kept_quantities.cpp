@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/drift/kept_quantities.hpp"
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "odeum/studies/drift/drift.hpp"
 
 namespace odeum::study {
 namespace {
@@ -25,11 +24,9 @@ bool keeps_energy(const Case& c) {
 
 }  // namespace
 
-std::vector<KeptQuantity> kept_quantities(const Case& c) {
-  std::vector<KeptQuantity> kept;
-  if (c.energy && keeps_energy(c)) kept.push_back({"energy", c.energy, c.energy(c.y0.data())});
-  for (const Invariant& invariant : c.invariants)
-    kept.push_back({invariant.name, invariant.value, invariant.value(c.y0.data())});
+std::vector<Invariant> kept_quantities(const Case& c) {
+  std::vector<Invariant> kept = c.invariants;
+  if (c.energy && keeps_energy(c)) kept.insert(kept.begin(), {"energy", c.energy});
   return kept;
 }
 

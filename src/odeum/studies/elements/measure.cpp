@@ -8,7 +8,6 @@
 
 #include "odeum/core/glob.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
-#include "odeum/studies/elements/parts.hpp"
 #include "odeum/studies/elements/problems.hpp"
 #include "odeum/studies/elements/rows.hpp"
 

@@ -149,6 +149,16 @@ struct ElementsResult {
   }
 };
 
+/// Errors and orders of the model problems (globs on their ids; empty: all) at up to `most`
+/// divisions. Throws Interrupted.
+ElementsResult measure_orders(std::size_t most, const Runner& runner,
+                              const std::vector<std::string>& cases = {});
+/// Iterations of every solver at up to `most` divisions, but no more than 64, against the textbook
+/// bound, and what stopping earlier costs. Throws Interrupted.
+ElementsResult measure_solvers(std::size_t most, const Runner& runner);
+/// Times on the finest mesh, one after the other.
+std::vector<ElementsTimeRow> time_solvers(std::size_t most);
+
 /// Own options: `problems`, globs on the ids of model problems separated by spaces, whose orders
 /// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
 /// power of two is taken, default: 128. Throws Interrupted.

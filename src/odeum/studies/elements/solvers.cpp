@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/elements/parts.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/studies/elements/problems.hpp"
+#include "odeum/studies/elements/rows.hpp"
 
 namespace odeum::study {
 namespace {

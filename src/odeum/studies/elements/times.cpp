@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
-#include "odeum/studies/elements/parts.hpp"
 #include "odeum/studies/elements/problems.hpp"
+#include "odeum/studies/elements/rows.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "odeum/studies/evolution/field.hpp"
 #include "odeum/studies/evolution/rows.hpp"
@@ -25,27 +26,19 @@ struct Equation {
   const char* id;
   bool wave;
   double horizon;
-  std::vector<Solver> solvers;
+  std::span<const Solver> solvers;
 };
 
-const std::vector<Equation>& equations() {
-  static const std::vector<Equation> all{{"heat",
-                                          false,
-                                          0.05,
-                                          {{"odeum/explicit_euler", 1, 2},
-                                           {"odeum/rk4", 4, 2.78},
-                                           {"odeum/implicit_euler", 1},
-                                           {"odeum/trapezoidal", 2},
-                                           {"odeum/tr_bdf2", 2}}},
-                                         {"wave",
-                                          true,
-                                          0.5,
-                                          {{"odeum/velocity_verlet", 2, 2},
-                                           {"odeum/rk4", 4, 2.82},
-                                           {"odeum/trapezoidal", 2},
-                                           {"odeum/tr_bdf2", 2}}}};
-  return all;
-}
+constexpr Solver of_heat[] = {{"odeum/explicit_euler", 1, 2},
+                              {"odeum/rk4", 4, 2.78},
+                              {"odeum/implicit_euler", 1},
+                              {"odeum/trapezoidal", 2},
+                              {"odeum/tr_bdf2", 2}};
+constexpr Solver of_wave[] = {{"odeum/velocity_verlet", 2, 2},
+                              {"odeum/rk4", 4, 2.82},
+                              {"odeum/trapezoidal", 2},
+                              {"odeum/tr_bdf2", 2}};
+constexpr Equation equations[] = {{"heat", false, 0.05, of_heat}, {"wave", true, 0.5, of_wave}};
 
 /// Two eigenfunctions of the square with different decay and frequency. On this mesh their nodal
 /// values are eigenvectors of the elements too: the exact solution of the system is known.
@@ -166,10 +159,8 @@ void add_orders(EvolutionResult& result, const Equation& equation, const Solver&
     if (row.divisions == divisions) in_time.push_back(point(row.dt, row.error_time, row.steps));
     if (row.error_time > 0.05 * row.error_space) continue;
     const double h = 1 / static_cast<double>(row.divisions);
-    if (in_space.empty() || in_space.back().step != h)
-      in_space.push_back(point(h, row.error, row.steps));
-    else
-      in_space.back() = point(h, row.error, row.steps);
+    if (!in_space.empty() && in_space.back().step == h) in_space.pop_back();
+    in_space.push_back(point(h, row.error, row.steps));
   }
   result.orders.push_back(order_of(equation, solver, "time", solver.order, in_time));
   if (solver.order > 1) result.orders.push_back(order_of(equation, solver, "space", 2, in_space));
@@ -196,13 +187,13 @@ void add_cheapest(EvolutionResult& result, const Equation& equation, const Solve
 EvolutionResult measure_evolution(const Options& options, const Runner& runner) {
   const auto most = static_cast<std::size_t>(options.number("most", 128));
   std::vector<Task> tasks;
-  for (const Equation& equation : equations())
+  for (const Equation& equation : equations)
     for (std::size_t n = 4; n <= most; n *= 2) tasks.push_back({&equation, n});
   EvolutionResult result = runner.run(
       "evolution", tasks,
       [](const Task& task) { return fmt::format("{} {}", task.equation->id, task.divisions); },
       run_mesh);
-  for (const Equation& equation : equations())
+  for (const Equation& equation : equations)
     for (const Solver& solver : equation.solvers) {
       add_orders(result, equation, solver);
       add_cheapest(result, equation, solver);

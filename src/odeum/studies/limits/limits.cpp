@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
+#include <optional>
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/stability_search.hpp"
@@ -47,19 +47,16 @@ struct Prediction {
 double limit_along(const SolverInfo& info, const std::complex<double>& z) {
   const bool undamped = std::abs(z.real()) <= 1e-9 * std::abs(z);
   const double re = undamped ? 0 : z.real() / std::abs(z), im = z.imag() / std::abs(z);
+  std::function<double(double)> amplification;
   if (info.amplification)
-    return judge::find_limit([&](double x) {
-             return judge::Growth{std::log(info.amplification(x * re, x * im)),
-                                  judge::growth_rounding};
-           })
-        .limit;
-  if (info.oscillator_amplification && undamped)
-    return judge::find_limit([&](double x) {
-             return judge::Growth{std::log(info.oscillator_amplification(x)),
-                                  judge::growth_rounding};
-           })
-        .limit;
-  return LargestStep::nan;
+    amplification = [&](double x) { return info.amplification(x * re, x * im); };
+  else if (undamped)
+    amplification = info.oscillator_amplification;
+  if (!amplification) return LargestStep::nan;
+  return judge::find_limit([&](double x) {
+           return judge::Growth{std::log(amplification(x)), judge::growth_rounding};
+         })
+      .limit;
 }
 
 /// The smallest of the steps that the eigenvalues allow. Small eigenvalues never limit the step and
@@ -79,28 +76,26 @@ Prediction predict(const StiffWindow& window, const SolverInfo& info) {
   return least;
 }
 
-/// Why the last run was not bounded.
+/// Why a run is not bounded.
 struct Failure {
   std::string status, detail;
 };
 
-bool bounded(const StiffWindow& window, const Entrant& entrant, std::uint64_t steps,
-             Failure& failure) {
+/// None where it is bounded.
+std::optional<Failure> failure_of(const StiffWindow& window, const Entrant& entrant,
+                                  std::uint64_t steps) {
   if (interrupted) throw Interrupted();
   Request request;
   request.steps = steps;
   for (int k = 1; k <= 4; ++k) request.stops.push_back(window.c.t0 + window.length * k / 4);
   request.budget.evaluations = 64 * steps + 1'000;
   const Outcome outcome = entrant.solve(request);
-  failure = {to_string(outcome.status), outcome.detail};
-  if (outcome.status != Status::ok) return false;
+  if (outcome.status != Status::ok) return Failure{to_string(outcome.status), outcome.detail};
   const std::size_t n = window.sizes.size();
   for (std::size_t i = 0; i < outcome.states.size(); ++i)
-    if (std::abs(outcome.states[i]) > 10 * window.sizes[i % n]) {
-      failure = {"ok", fmt::format("component {} grows to {:.3g}", i % n, outcome.states[i])};
-      return false;
-    }
-  return true;
+    if (std::abs(outcome.states[i]) > 10 * window.sizes[i % n])
+      return Failure{"ok", fmt::format("component {} grows to {:.3g}", i % n, outcome.states[i])};
+  return std::nullopt;
 }
 
 LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
@@ -112,13 +107,12 @@ LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
   row.predicted_step = prediction.step;
   row.eigenvalue = prediction.eigenvalue;
   row.window = window.length;
-  Failure failure;
+  Failure failure;  // the last one
   const std::uint64_t fewest = fewest_bounded_steps(
       [&](std::uint64_t steps) {
-        Failure now;
-        const bool yes = bounded(window, entrant, steps, now);
-        if (!yes) failure = now;
-        return yes;
+        const std::optional<Failure> found = failure_of(window, entrant, steps);
+        if (found) failure = *found;
+        return !found;
       },
       most_steps);
   row.status = to_string(Status::ok);
@@ -159,11 +153,10 @@ LimitsResult measure_limits(const Options& options, const Runner& runner) {
   std::vector<const Case*> cases;
   for (const Case* c : select_cases(options.cases))
     if (!options.cases.empty() || c->has_tag("stiff")) cases.push_back(c);
-  std::vector<std::unique_ptr<const StiffWindow>> found(cases.size());
+  std::map<const Case*, std::optional<StiffWindow>> windows;
+  for (const Case* c : cases) windows[c];
   parallel_for(cases.size(), runner.jobs(),
-               [&](std::size_t i) { found[i] = std::make_unique<const StiffWindow>(*cases[i]); });
-  std::map<const Case*, const StiffWindow*> windows;
-  for (std::size_t i = 0; i < cases.size(); ++i) windows[cases[i]] = found[i].get();
+               [&](std::size_t i) { windows.at(cases[i]).emplace(*cases[i]); });
   return runner.run("limits", select_pairs(cases, options.solvers), key_of, [&](const Pair& pair) {
     return LimitsResult{{measure(*windows.at(pair.c), *pair.entrant)}};
   });

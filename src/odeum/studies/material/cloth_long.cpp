@@ -106,17 +106,14 @@ void find_reference(Stage& stage) {
       fmt::format("no reference: two computed ones and the file are {:.1e} m apart", apart);
 }
 
-void hanging_rows(const Stage& stage, const LongRunRow& blank, double time, const double* y,
-                  const double* exact, std::vector<LongRunRow>& rows) {
+struct Quantity {
+  const char* name;
+  double value, reference;
+};
+
+/// Of the hanging cloth.
+std::vector<Quantity> shape_of(const Stage& stage, const double* y, const double* exact) {
   const std::size_t particles = stage.scene.size();
-  const auto add = [&](const char* quantity, double value, double reference) {
-    LongRunRow row = blank;
-    row.time = time;
-    row.quantity = quantity;
-    row.value = value;
-    row.reference = reference;
-    rows.push_back(std::move(row));
-  };
   const auto lowest = [&](const double* at) {
     double low = at[1];
     for (std::size_t i = 0; i < particles; ++i) low = std::min(low, at[3 * i + 1]);
@@ -125,9 +122,19 @@ void hanging_rows(const Stage& stage, const LongRunRow& blank, double time, cons
   double apart = not_measured;
   if (exact)
     apart = rms_distance({y, y + 3 * particles}, {exact, exact + 3 * particles}, particles);
-  add("energy", stage.problem.energy(y), exact ? stage.problem.energy(exact) : not_measured);
-  add("drape", apart, 0);
-  add("lowest", lowest(y), exact ? lowest(exact) : not_measured);
+  return {{"energy", stage.problem.energy(y), exact ? stage.problem.energy(exact) : not_measured},
+          {"drape", apart, 0},
+          {"lowest", lowest(y), exact ? lowest(exact) : not_measured}};
+}
+
+/// Of the free one.
+std::vector<Quantity> momenta_of(const Stage& stage, const double* y) {
+  std::vector<double> masses;
+  for (const scene::Particle& particle : stage.scene.particles) masses.push_back(particle.mass);
+  const double* const start = stage.solvers.y0->data();
+  const auto changed = [&](auto of) { return change(of(masses, y), of(masses, start)); };
+  return {{"linear_momentum", changed(scene::linear_momentum), 0},
+          {"angular_momentum", changed(scene::angular_momentum), 0}};
 }
 
 std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mode, double setting) {
@@ -145,28 +152,19 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
   request.budget.evaluations = 1'000'000;
   const Outcome outcome = entrant.solve(request);
   const std::size_t n = stage.solvers.y0->size();
-  std::vector<double> masses;
-  for (const scene::Particle& particle : stage.scene.particles) masses.push_back(particle.mass);
-  const double* const start = stage.solvers.y0->data();
   std::vector<LongRunRow> rows;
   blank.status = to_string(Status::ok);
   for (std::size_t k = 0; (k + 1) * n <= outcome.states.size(); ++k) {
     const double* const y = outcome.states.data() + k * n;
-    const double time = stage.times[k];
-    if (stage.scene.gravity[1] != 0) {
-      blank.reference_source = stage.reference_sources[k];
-      hanging_rows(stage, blank, time, y,
-                   stage.reference.empty() ? nullptr : stage.reference.data() + k * n, rows);
-      continue;
-    }
-    for (const auto& [quantity, of] : {std::pair{"linear_momentum", &scene::linear_momentum},
-                                       {"angular_momentum", &scene::angular_momentum}}) {
-      LongRunRow row = blank;
-      row.time = time;
-      row.quantity = quantity;
-      row.value = change(of(masses, y), of(masses, start));
-      row.reference = 0, row.reference_source = "conserved";
-      rows.push_back(std::move(row));
+    const double* const exact = stage.reference.empty() ? nullptr : stage.reference.data() + k * n;
+    blank.time = stage.times[k];
+    blank.reference_source = stage.reference_sources[k];
+    for (const Quantity& quantity :
+         stage.scene.gravity[1] != 0 ? shape_of(stage, y, exact) : momenta_of(stage, y)) {
+      LongRunRow& row = rows.emplace_back(blank);
+      row.quantity = quantity.name;
+      row.value = quantity.value;
+      row.reference = quantity.reference;
     }
   }
   blank.reference_source = "none";
@@ -193,6 +191,7 @@ MaterialResult measure_long_runs(const Options& options, const Runner& runner) {
   for (Stage& stage : stages)
     for (int k = 1; k * between <= horizon; ++k) stage.times.push_back(k * between);
   find_reference(stages[0]);
+  stages[1].reference_sources.assign(stages[1].times.size(), "conserved");
   struct Task {
     const Stage* stage;
     const Entrant* entrant;

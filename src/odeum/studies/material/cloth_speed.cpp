@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -25,9 +24,7 @@ std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, 
        round < 3 || std::chrono::duration<double>(Clock::now() - start).count() < all; ++round)
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       if (interrupted) throw Interrupted();
-      const auto begin = Clock::now();
-      rivals[i]();
-      times[i].ns.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
+      times[i].ns.push_back(time_call(rivals[i], 1e9));
     }
   return times;
 }
@@ -71,7 +68,7 @@ struct Reference {
 Reference rk4_reference(const scene::Scene& scene, double stiffness) {
   const double h = stable_step(scene.particles[0].mass, stiffness, true);
   const auto run = [&](double parts) {
-    const auto cloth = rk4_steps<double>(scene);
+    const auto cloth = rk4_steps(scene);
     const auto steps = static_cast<std::uint64_t>(std::ceil(parts * watched_for / h));
     cloth->run(watched_for / static_cast<double>(steps), steps);
     return cloth->state();
@@ -80,38 +77,6 @@ Reference rk4_reference(const scene::Scene& scene, double stiffness) {
   const double left = rms_distance(fine, run(1), scene.size());
   return {std::move(fine), left};
 }
-
-}  // namespace
-
-std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,
-                                             double seconds_each) {
-  std::vector<ClothCostRow> rows;
-  Progress progress("cloth cost", static_cast<double>(sides.size()));
-  for (const std::size_t n : sides) {
-    const scene::Scene scene = cases::square_cloth(n, 10);
-    const auto f64 = velocity_verlet_steps<double>(scene);
-    const auto f32 = velocity_verlet_steps<float>(scene);
-    // Some 5 ms a call; a step so short that nothing moves far.
-    const std::size_t steps = 300'000 / (n * n) + 2;
-    const Pinned pinned;
-    const ConditionsMeter meter;
-    const auto times =
-        take_turns({[&] { f64->run(1e-6, steps); }, [&] { f32->run(1e-6, steps); }}, seconds_each);
-    const Conditions conditions = meter.end();
-    const auto each = static_cast<double>(steps * n * n);
-    for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
-      rows.push_back({.side = n,
-                      .precision = name,
-                      .wall_ns_min = time.min() / each,
-                      .wall_ns_median = time.median() / each,
-                      .repetitions = time.ns.size(),
-                      .conditions = conditions});
-    progress.advance();
-  }
-  return rows;
-}
-
-namespace {
 
 /// A method at a step.
 struct Rival {
@@ -146,7 +111,7 @@ std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
   rivals.push_back({"verlet_f32", not_measured, step(true),
                     by([&scene] { return velocity_verlet_steps<float>(scene); })});
   rivals.push_back({"imex_f32", not_measured, step(false),
-                    by([&scene] { return imex_verlet_steps<float>(scene, relative); })});
+                    by([&scene] { return imex_verlet_steps(scene, relative); })});
   for (const double frame : frames)
     rivals.push_back({"implicit_f64", frame, frame,
                       by([&scene] { return predicted_implicit_euler_steps(scene, relative); })});
@@ -154,6 +119,34 @@ std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
 }
 
 }  // namespace
+
+std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,
+                                             double seconds_each) {
+  std::vector<ClothCostRow> rows;
+  Progress progress("cloth cost", static_cast<double>(sides.size()));
+  for (const std::size_t n : sides) {
+    const scene::Scene scene = cases::square_cloth(n, 10);
+    const auto f64 = velocity_verlet_steps<double>(scene);
+    const auto f32 = velocity_verlet_steps<float>(scene);
+    // Some 5 ms a call; a step so short that nothing moves far.
+    const std::size_t steps = 300'000 / (n * n) + 2;
+    const Pinned pinned;
+    const ConditionsMeter meter;
+    const auto times =
+        take_turns({[&] { f64->run(1e-6, steps); }, [&] { f32->run(1e-6, steps); }}, seconds_each);
+    const Conditions conditions = meter.end();
+    const auto each = static_cast<double>(steps * n * n);
+    for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
+      rows.push_back({.side = n,
+                      .precision = name,
+                      .wall_ns_min = time.min() / each,
+                      .wall_ns_median = time.median() / each,
+                      .repetitions = time.ns.size(),
+                      .conditions = conditions});
+    progress.advance();
+  }
+  return rows;
+}
 
 std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
                                                    const std::vector<double>& stiffnesses,

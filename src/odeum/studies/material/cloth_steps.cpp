@@ -39,28 +39,20 @@ std::unique_ptr<ClothSteps<Real>> velocity_verlet_steps(const scene::Scene& scen
                                                         std::size_t threads) {
   return std::make_unique<Steps<methods::velocity_verlet, Real>>(scene, threads);
 }
-template <class Real>
-std::unique_ptr<ClothSteps<Real>> rk4_steps(const scene::Scene& scene, std::size_t threads) {
-  return std::make_unique<Steps<methods::rk4, Real>>(scene, threads);
+template std::unique_ptr<ClothSteps<double>> velocity_verlet_steps(const scene::Scene&,
+                                                                   std::size_t);
+template std::unique_ptr<ClothSteps<float>> velocity_verlet_steps(const scene::Scene&, std::size_t);
+
+std::unique_ptr<ClothSteps<double>> rk4_steps(const scene::Scene& scene) {
+  return std::make_unique<Steps<methods::rk4, double>>(scene, 1);
 }
-template <class Real>
-std::unique_ptr<ClothSteps<Real>> imex_verlet_steps(const scene::Scene& scene, double relative,
-                                                    std::size_t threads) {
-  return std::make_unique<Steps<methods::imex_verlet, Real>>(scene, threads, relative);
+std::unique_ptr<ClothSteps<float>> imex_verlet_steps(const scene::Scene& scene, double relative,
+                                                     std::size_t threads) {
+  return std::make_unique<Steps<methods::imex_verlet, float>>(scene, threads, relative);
 }
 std::unique_ptr<ClothSteps<double>> predicted_implicit_euler_steps(const scene::Scene& scene,
                                                                    double relative) {
   return std::make_unique<Steps<methods::predicted_implicit_euler, double>>(scene, 1, relative);
 }
-
-template std::unique_ptr<ClothSteps<double>> velocity_verlet_steps(const scene::Scene&,
-                                                                   std::size_t);
-template std::unique_ptr<ClothSteps<float>> velocity_verlet_steps(const scene::Scene&, std::size_t);
-template std::unique_ptr<ClothSteps<double>> rk4_steps(const scene::Scene&, std::size_t);
-template std::unique_ptr<ClothSteps<float>> rk4_steps(const scene::Scene&, std::size_t);
-template std::unique_ptr<ClothSteps<double>> imex_verlet_steps(const scene::Scene&, double,
-                                                               std::size_t);
-template std::unique_ptr<ClothSteps<float>> imex_verlet_steps(const scene::Scene&, double,
-                                                              std::size_t);
 
 }  // namespace odeum::study

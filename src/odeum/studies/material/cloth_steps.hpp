@@ -36,11 +36,9 @@ class ClothSteps {
 template <class Real>
 std::unique_ptr<ClothSteps<Real>> velocity_verlet_steps(const scene::Scene& scene,
                                                         std::size_t threads = 1);
-template <class Real>
-std::unique_ptr<ClothSteps<Real>> rk4_steps(const scene::Scene& scene, std::size_t threads = 1);
-template <class Real>
-std::unique_ptr<ClothSteps<Real>> imex_verlet_steps(const scene::Scene& scene, double relative,
-                                                    std::size_t threads = 1);
+std::unique_ptr<ClothSteps<double>> rk4_steps(const scene::Scene& scene);
+std::unique_ptr<ClothSteps<float>> imex_verlet_steps(const scene::Scene& scene, double relative,
+                                                     std::size_t threads = 1);
 std::unique_ptr<ClothSteps<double>> predicted_implicit_euler_steps(const scene::Scene& scene,
                                                                    double relative);
 

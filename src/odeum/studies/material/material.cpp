@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/studies/material/vibration.hpp"
 #include "support/stage.hpp"
 
 namespace odeum::study {
@@ -27,25 +25,24 @@ constexpr double settled_swing = 1e-3;  // of the sag
 // A swing that grows by this factor is unstable.
 constexpr double grown = 100;
 
-/// Heights of the masses (the fixed point left out) at each of the last `kept` of `steps` steps.
+/// Heights of the masses (the fixed point left out) after each step.
 struct Run {
   Outcome outcome;
   std::vector<std::vector<double>> heights;
 };
 
 Run run(const Specimen& specimen, const SceneStage& stage, const Entrant& entrant, double step,
-        const Iterations& iterations, std::uint64_t steps, std::uint64_t kept) {
+        const Iterations& iterations, std::uint64_t steps) {
   Request request;
   request.steps = steps;
   iterations.ask(request);
-  for (std::uint64_t i = steps - kept + 1; i <= steps; ++i)
-    request.stops.push_back(static_cast<double>(i) * step);
+  for (std::uint64_t i = 1; i <= steps; ++i) request.stops.push_back(static_cast<double>(i) * step);
   request.budget.evaluations = 1'000 * steps;
   Run result;
   result.outcome = entrant.solve(request);
   if (result.outcome.status != Status::ok) return result;
   const std::size_t n = stage.y0->size();
-  for (std::uint64_t k = 0; k < kept; ++k) {
+  for (std::uint64_t k = 0; k < steps; ++k) {
     std::vector<double> heights;
     for (std::size_t i = 1; i <= specimen.masses; ++i)
       heights.push_back(result.outcome.states[k * n + 3 * i + 1]);
@@ -91,23 +88,6 @@ Swing swing_of(const Run& run) {
   return swing;
 }
 
-}  // namespace
-
-SceneStage::SceneStage(const scene::Scene& scene)
-    : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
-  Contest<scene::SceneProblem> contest;
-  contest.problem = std::make_shared<const scene::SceneProblem>(scene);
-  contest.y0 = y0;
-  contest.scene = std::make_shared<const scene::Scene>(scene);
-  entrants = cases::enroll(erase(contest));
-}
-
-bool is_compared(const SolverInfo& info, const Options& options) {
-  return info.common_use == CommonUse::engine && any_glob_matches(options.solvers, info.id());
-}
-
-namespace {
-
 /// The steps of a run of so many periods of the slowest mode.
 std::uint64_t steps_of(const Specimen& specimen, double periods, double step) {
   const double period = 2 * std::numbers::pi / specimen.frequency();
@@ -131,7 +111,7 @@ std::optional<Rest> settle(const Specimen& specimen, const SceneStage& stage,
   for (int round = 0; round < most_rounds; ++round) {
     start_from(stage, rest.heights);
     const std::uint64_t count = steps_of(specimen, periods_a_round, row.step);
-    const Run settling = run(specimen, stage, entrant, row.step, iterations, count, count);
+    const Run settling = run(specimen, stage, entrant, row.step, iterations, count);
     if (settling.outcome.status != Status::ok) {
       row = failed(row, settling.outcome);
       return std::nullopt;
@@ -186,7 +166,7 @@ void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entr
   for (std::size_t i = 0; i < heights.size(); ++i) heights[i] += amplitude * shape[i];
   start_from(stage, heights);
   const std::uint64_t steps = steps_of(specimen, periods_swinging, row.step);
-  const Run swung = run(specimen, stage, entrant, row.step, iterations, steps, steps);
+  const Run swung = run(specimen, stage, entrant, row.step, iterations, steps);
   if (swung.outcome.status != Status::ok) {
     row = failed(row, swung.outcome);
     return;
@@ -197,19 +177,32 @@ void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entr
     remark(row, "the oscillation grows");
     return;
   }
-  std::string reason;
-  if (const auto found = fit_vibration(z, row.step, reason)) {
+  const Vibration found = fit_vibration(z, row.step);
+  if (found.reason.empty()) {
     const double w = specimen.frequency(), nominal = specimen.damping_ratio();
-    row.vibrating = found->omega_squared / (w * w);
-    row.damping = nominal > 0 ? found->decay / (2 * nominal * w) : not_measured;
-    row.added_damping_ratio = found->decay / (2 * std::sqrt(found->omega_squared)) - nominal;
+    row.vibrating = found.omega_squared / (w * w);
+    row.damping = nominal > 0 ? found.decay / (2 * nominal * w) : not_measured;
+    row.added_damping_ratio = found.decay / (2 * std::sqrt(found.omega_squared)) - nominal;
   } else {
-    remark(row, reason);
+    remark(row, found.reason);
   }
   if (std::isnan(row.resting) || std::isnan(row.vibrating)) row.status = "unmeasured";
 }
 
 }  // namespace
+
+SceneStage::SceneStage(const scene::Scene& scene)
+    : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
+  Contest<scene::SceneProblem> contest;
+  contest.problem = std::make_shared<const scene::SceneProblem>(scene);
+  contest.y0 = y0;
+  contest.scene = std::make_shared<const scene::Scene>(scene);
+  entrants = cases::enroll(erase(contest));
+}
+
+bool is_compared(const SolverInfo& info, const Options& options) {
+  return info.common_use == CommonUse::engine && any_glob_matches(options.solvers, info.id());
+}
 
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "odeum/contest/case.hpp"
+#include "odeum/scene/model/scene.hpp"
 #include "odeum/studies/material/rows.hpp"
-#include "odeum/studies/material/specimen.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::study {
@@ -18,6 +18,30 @@ bool is_compared(const SolverInfo& info, const Options& options);
 
 /// All five files. Throws Interrupted.
 MaterialResult measure_material(const Options& options, const Runner& runner = Runner());
+
+/// A hanging chain with known static and dynamic response: `masses` equal masses below a fixed
+/// point, each on a spring of rest length `length`. Weights are small, so that every strain is
+/// below 1 %.
+struct Specimen {
+  std::string name;
+  std::size_t masses = 1;
+  double mass = 0.1;        ///< kg
+  double stiffness = 1000;  ///< N/m
+  double damping = 1;       ///< N s/m
+  double length = 1;        ///< m
+  double gravity = 1;       ///< m/s^2
+
+  /// Of the slowest mode: angular frequency (1/s) without damping, damping ratio, and the mode's
+  /// shape, 1 at the lowest mass.
+  double frequency() const;
+  double damping_ratio() const;
+  std::vector<double> shape() const;
+  /// Sag of the lowest mass under gravity, m.
+  double sag() const;
+  scene::Scene scene() const;
+};
+Specimen one_mass();
+Specimen hanging_chain();  ///< ten masses
 
 /// Solvers on a specimen, or any other scene, with an initial state that may be changed between
 /// solves.
@@ -42,6 +66,19 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations);
 MaterialResult measure_responses(const Options& options, const Runner& runner = Runner());
 
+/// The oscillator z'' + decay z' + omega_squared (z - rest) = 0 that passes through the samples of
+/// a motion: exactly so for any linear scheme of two unknowns.
+struct Vibration {
+  double omega_squared = 0;  ///< k/m, 1/s^2
+  double decay = 0;          ///< d/m, 1/s
+  std::string reason = {};   ///< why no oscillator fits, a sentence; empty: one does
+};
+
+/// Fits z[j + lag] = a z[j] + b z[j - lag] + c by least squares and takes the logarithms of the
+/// roots of x^2 = a x + b; the lag is about a sixth of a turn. Samples are `step` s apart; z starts
+/// displaced, with velocity 0.
+Vibration fit_vibration(const std::vector<double>& z, double step);
+
 /// RMS distance over particles of the positions (the first 3 `particles` entries) of two states.
 double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
                     std::size_t particles);
@@ -54,9 +91,12 @@ struct SplitPlan {
   Iterations converged, half;  ///< the largest number, and half of it to estimate its error
   double order = 1;            ///< of the step, for the extrapolation to h -> 0
 };
-/// Positions at plan.time after this number of steps; where the run failed, nothing and the reason.
-using RunCloth = std::function<std::optional<std::vector<double>>(
-    std::uint64_t steps, const Iterations& iterations, std::string& reason)>;
+/// Positions at plan.time; where the run failed, nothing and the reason.
+struct Reached {
+  std::optional<std::vector<double>> positions;
+  std::string reason;
+};
+using RunCloth = std::function<Reached(std::uint64_t steps, const Iterations& iterations)>;
 
 /// A row for each number of steps and each of plan.tried; library and solver are left empty.
 std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,

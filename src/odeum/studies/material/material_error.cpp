@@ -7,12 +7,6 @@
 namespace odeum::study {
 namespace {
 
-/// The result of a run: positions, or the reason for having none.
-struct Reached {
-  std::optional<std::vector<double>> positions;
-  std::string reason;
-};
-
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return rms_distance(a, b, a.size() / 3);
 }
@@ -39,12 +33,7 @@ double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
 std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,
                                        const std::vector<double>& truth) {
   std::map<std::uint64_t, Reached> converged;
-  const auto reach = [&](std::uint64_t steps, const Iterations& iterations) {
-    Reached reached;
-    reached.positions = run(steps, iterations, reached.reason);
-    return reached;
-  };
-  for (const std::uint64_t steps : plan.steps) converged[steps] = reach(steps, plan.converged);
+  for (const std::uint64_t steps : plan.steps) converged[steps] = run(steps, plan.converged);
   std::optional<std::vector<double>> limit;
   double step_left = not_measured;
   std::string no_limit;
@@ -61,7 +50,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
   for (const std::uint64_t steps : plan.steps) {
     const Reached& at = converged[steps];
     const bool iterates = plan.converged.sweeps + plan.converged.newton > 0;
-    const Reached half = iterates ? reach(steps, plan.half) : at;
+    const Reached half = iterates ? run(steps, plan.half) : at;
     for (const Iterations& iterations : plan.tried) {
       ErrorPartsRow row;
       row.time = plan.time;
@@ -69,7 +58,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
       row.sweeps = iterations.sweeps;
       row.newton = iterations.newton;
       row.step_left = step_left;
-      const Reached tried = iterates ? reach(steps, iterations) : at;
+      const Reached tried = iterates ? run(steps, iterations) : at;
       row.status = tried.positions ? "ok" : "unstable";
       row.detail = tried.positions ? no_limit : tried.reason;
       if (tried.positions) row.total = distance(*tried.positions, truth);
@@ -116,8 +105,7 @@ MaterialResult measure_error_parts(const Options& options, const Runner& runner)
   }
   const auto key = [](const Task& task) { return task.entrant->info.id(); };
   return runner.run("error parts", tasks, key, [&](const Task& task) {
-    const auto run = [&](std::uint64_t steps, const Iterations& iterations,
-                         std::string& reason) -> std::optional<std::vector<double>> {
+    const auto run = [&](std::uint64_t steps, const Iterations& iterations) -> Reached {
       if (interrupted) throw Interrupted();
       Request request;
       request.steps = steps;
@@ -125,10 +113,9 @@ MaterialResult measure_error_parts(const Options& options, const Runner& runner)
       iterations.ask(request);
       request.budget.evaluations = 10'000 * steps;
       Outcome outcome = task.entrant->solve(request);
-      reason = outcome.detail;
-      if (outcome.status != Status::ok) return std::nullopt;
+      if (outcome.status != Status::ok) return {{}, outcome.detail};
       outcome.states.resize(positions);
-      return std::move(outcome.states);
+      return {std::move(outcome.states), {}};
     };
     MaterialResult result;
     if (task.entrant->unfit.empty())

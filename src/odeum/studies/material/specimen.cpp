@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/material/specimen.hpp"
-
 #include <cmath>
 #include <numbers>
+
+#include "odeum/studies/material/material.hpp"
 
 namespace odeum::study {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/material/vibration.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "odeum/studies/material/material.hpp"
 
 namespace odeum::study {
 namespace {
@@ -39,8 +39,7 @@ std::array<long double, 3> least_squares(std::vector<std::array<long double, 4>>
 
 }  // namespace
 
-std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step,
-                                       std::string& reason) {
+Vibration fit_vibration(const std::vector<double>& z, double step) {
   const double start = std::abs(z.front());
   std::size_t end = z.size();
   while (end > 1 && std::abs(z[end - 1]) < least_part * start) --end;
@@ -48,18 +47,15 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
   std::size_t fallen = 1;
   while (fallen + 1 < end && z[fallen] / z.front() > std::exp(-1)) ++fallen;
   const std::size_t lag = std::max<std::size_t>(1, fallen / 2);
-  if (end < 2 * lag + 4) {
-    reason = end <= 2   ? "decays within a step"
-             : end < 20 ? fmt::format("decays within {} steps, too few for a fit", end - 1)
-                        : "too slow for this time";
-    return std::nullopt;
-  }
+  if (end < 2 * lag + 4)
+    return {.reason = end <= 2   ? "decays within a step"
+                      : end < 20 ? fmt::format("decays within {} steps, too few for a fit", end - 1)
+                                 : "too slow for this time"};
   std::vector<std::array<long double, 4>> rows;
   for (std::size_t j = lag; j + lag < end; ++j) rows.push_back({1, z[j - lag], z[j], z[j + lag]});
   const auto [c, b, a] = least_squares(std::move(rows));
   const long double tau = static_cast<long double>(lag) * step, d = a * a + 4 * b;
   Vibration found;
-  found.rest = static_cast<double>(c / (1 - a - b));
   if (d < 0) {
     const long double fall = std::log(-b) / 2, turn = std::atan2(std::sqrt(-d), a);
     found.omega_squared = static_cast<double>((fall * fall + turn * turn) / (tau * tau));
@@ -67,19 +63,15 @@ std::optional<Vibration> fit_vibration(const std::vector<double>& z, double step
   } else {
     const long double fast = (a - std::sqrt(d)) / 2, slow = (a + std::sqrt(d)) / 2;
     // A root of the size of rounding is a motion that a single step removes.
-    if (!(fast > 1e-9L && slow > 0)) {
-      reason = slow > 0 && std::abs(fast) <= 1e-9L
-                   ? "overdamped, its velocity is lost at each step"
-                   : "changes sign from step to step, unlike an oscillator";
-      return std::nullopt;
-    }
+    if (!(fast > 1e-9L && slow > 0))
+      return {.reason = slow > 0 && std::abs(fast) <= 1e-9L
+                            ? "overdamped, its velocity is lost at each step"
+                            : "changes sign from step to step, unlike an oscillator"};
     found.omega_squared = static_cast<double>(std::log(fast) * std::log(slow) / (tau * tau));
     found.decay = static_cast<double>(-(std::log(fast) + std::log(slow)) / tau);
   }
-  if (!std::isfinite(found.omega_squared) || !std::isfinite(found.decay)) {
-    reason = "no oscillator fits the motion";
-    return std::nullopt;
-  }
+  if (!std::isfinite(found.omega_squared) || !std::isfinite(found.decay))
+    found.reason = "no oscillator fits the motion";
   return found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/precision/guarded.hpp"
+#include "odeum/studies/precision/timing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +11,6 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/studies/foreseen.hpp"
-#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
 namespace {

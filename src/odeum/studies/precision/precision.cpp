@@ -10,7 +10,7 @@
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/studies/precision/guarded.hpp"
+#include "odeum/studies/precision/timing.hpp"
 
 namespace odeum::study {
 namespace {

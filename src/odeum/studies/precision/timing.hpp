@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "odeum/contest/variants.hpp"
@@ -10,7 +9,8 @@
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
-/// The timed runs of the solvers of one case.
+/// The runs of the solvers of one case: guarded ones, which count evaluations and measure errors,
+/// and then timed ones.
 namespace odeum::study {
 
 /// A setting of a solver: its row, and the data for a timed run.
@@ -60,6 +60,16 @@ struct TimedCase {
   /// The ratio of the horizon to that of other studies.
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
+
+/// Runs a solver at the settings of its mode, from coarse to fine, each for `seconds` at most, as
+/// far as the budget goes.
+void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds);
+
+/// A library none of whose solvers solves a case within the budget may have one that does beyond:
+/// its solvers that ended over budget run once more, to the loosest tolerance, with thirty times
+/// the evaluations that the case allows.
+void run_beyond_budget(const TimedCase& stage, std::vector<TimedSolver>& solvers,
+                       const Runner& runner, double seconds);
 
 /// Interleaved repetitions: round after round over all solvers at a setting, for about `seconds` in
 /// all. What cannot be the fastest of its library at its error is run once before, `jobs` at a

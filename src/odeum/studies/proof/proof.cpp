@@ -2,7 +2,6 @@
 #include "odeum/studies/proof/proof.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/proof/code_checks.hpp"
@@ -130,13 +129,6 @@ ProofResult prove_method(const MethodFacts& method, bool quick) {
   return result;
 }
 
-template <class Of>
-int sum_of(const std::vector<ProofRow>& rows, Of&& of) {
-  int sum = 0;
-  for (const ProofRow& row : rows) sum += of(row);
-  return sum;
-}
-
 }  // namespace
 
 bool ProofRow::symplectic() const { return symplectic_defect <= proof::symplectic_rounding; }
@@ -154,16 +146,6 @@ std::vector<proof::EstimateQuality> ProofResult::estimates_of(const std::string&
   for (const ProvenEstimate& estimate : estimates)
     if (estimate.method == method) found.push_back(estimate.quality);
   return found;
-}
-
-int ProofResult::made() const {
-  return sum_of(rows, [](const ProofRow& row) { return row.mutants; });
-}
-int ProofResult::caught() const {
-  return sum_of(rows, [](const ProofRow& row) { return row.caught; });
-}
-int ProofResult::equivalent() const {
-  return sum_of(rows, [](const ProofRow& row) { return row.equivalent; });
 }
 
 ProofResult prove(const Options& options, const Runner& runner) {

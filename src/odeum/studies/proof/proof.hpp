@@ -129,8 +129,6 @@ struct ProofResult {
   /// Of one method.
   std::vector<ProvenOrder> orders_of(const std::string& method) const;
   std::vector<proof::EstimateQuality> estimates_of(const std::string& method) const;
-
-  int made() const, caught() const, equivalent() const;  ///< of those that count
 };
 
 /// Proves every own method and mutates it; `quick`: with a hundredth of the periods for the energy.

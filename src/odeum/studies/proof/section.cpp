@@ -118,6 +118,12 @@ std::string table_of(const ProofResult& proofs) {
 }
 
 std::string text_of(const ProofResult& proofs) {
+  ProofRow all;
+  for (const ProofRow& row : proofs.rows) {
+    all.mutants += row.mutants;
+    all.caught += row.caught;
+    all.equivalent += row.equivalent;
+  }
   return fmt::format(
       "<p>Order by the rooted-tree conditions (embedded row in brackets) and by running on a "
       "linear, a nonlinear and a non-autonomous problem with a closed solution (* not confirmed "
@@ -127,8 +133,7 @@ std::string text_of(const ProofResult& proofs) {
       "another power of h, on one of the problems); and mutants caught of those made that are not "
       "equivalent. {} mutants were made, {} caught, {} are equivalent (no result depends on what "
       "they change), {} survived.</p>\n",
-      proof::ratio_low, proof::ratio_high, proofs.made(), proofs.caught(), proofs.equivalent(),
-      proofs.made() - proofs.caught() - proofs.equivalent());
+      proof::ratio_low, proof::ratio_high, all.mutants, all.caught, all.equivalent, all.survived());
 }
 
 }  // namespace

@@ -56,16 +56,14 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
     request.stops = {horizon};
     request.budget.evaluations = 1'000 * steps;
     const Outcome outcome = entrant.solve(request);
-    judge::ErrorPoint point{.step = horizon / static_cast<double>(steps),
-                            .error = ReductionRow::nan};
-    point.steps = static_cast<double>(steps);
-    point.rounding_unit = std::numeric_limits<double>::epsilon() / 2;
-    point.scale = 1;
-    if (outcome.status == Status::ok)
-      point.error = std::abs(outcome.states.back() - std::cos(horizon));
-    else
-      last_failure = std::string(to_string(outcome.status)) + ", " + outcome.detail;
-    points.push_back(point);
+    const bool solved = outcome.status == Status::ok;
+    if (!solved) last_failure = std::string(to_string(outcome.status)) + ", " + outcome.detail;
+    points.push_back(
+        {.step = horizon / static_cast<double>(steps),
+         .error = solved ? std::abs(outcome.states.back() - std::cos(horizon)) : ReductionRow::nan,
+         .steps = static_cast<double>(steps),
+         .rounding_unit = std::numeric_limits<double>::epsilon() / 2,
+         .scale = 1});
   }
   row.fit =
       judge::fit_order(points, row.claimed_order, judge::fixed_step_tolerance(row.claimed_order));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,7 +45,6 @@ struct Task {
   const Rays* rays;
   const Case* plane;  ///< of y' = z y
   SolverInfo info;
-  std::size_t index;  ///< of the entrant in the probe
   std::string unfit;
 };
 
@@ -56,7 +53,7 @@ StableStep answer(const Task& task) {
   if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   if (!task.rays->reason.empty()) return not_applicable(row, task.rays->reason);
   const Probe probe = task.plane->probe();
-  GrowthMeter meter(probe, probe.entrants[task.index], false, limit_length);
+  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), false, limit_length);
   row.status = to_string(Status::ok);
   for (const std::complex<double>& z : task.rays->eigenvalues) {
     const std::complex<double> ray = z / std::abs(z);
@@ -93,13 +90,13 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
   std::vector<Task> tasks;
   for (const Rays& each : rays)
     for (const Pair& pair : select_pairs({each.c}, options.solvers)) {
-      const auto same = std::find_if(
-          probe.entrants.begin(), probe.entrants.end(),
-          [&](const Entrant& entrant) { return entrant.info.id() == pair.entrant->info.id(); });
-      Task task{&each, plane, pair.entrant->info,
-                static_cast<std::size_t>(same - probe.entrants.begin()), pair.entrant->unfit};
+      Task task{&each, plane, pair.entrant->info, pair.entrant->unfit};
+      const bool runs_there =
+          std::any_of(probe.entrants.begin(), probe.entrants.end(), [&](const Entrant& entrant) {
+            return entrant.unfit.empty() && entrant.info.id() == task.info.id();
+          });
       if (task.unfit.empty() && !task.info.fixed) task.unfit = "chooses its own steps only";
-      if (task.unfit.empty() && (same == probe.entrants.end() || !same->unfit.empty()))
+      if (task.unfit.empty() && !runs_there)
         task.unfit = "has no region in the plane of z: it does not run on y' = z y";
       tasks.push_back(std::move(task));
     }

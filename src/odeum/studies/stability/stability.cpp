@@ -5,64 +5,36 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
-#include "odeum/studies/stability/region_map.hpp"
+#include "odeum/studies/stability/raster_lanes.hpp"
 
 namespace odeum::study {
 namespace {
-
-/// The frame of a region.
-struct Window {
-  double first_low = 0, first_high = 0, second_low = 0, second_high = 0;
-};
 
 /// A measurement: a limit along an axis or a region of a plane.
 struct Question {
   const char* name;    ///< the axis or the plane, as in the files
   const char* option;  ///< the value of --plane that asks for it
   const char* probe;   ///< the plane of the probe
-  bool region, oscillator;
-  judge::PlaneState direction{};  ///< of an axis: its direction from zero
-  Window window{};                ///< of a region
+  bool oscillator;
+  judge::PlaneState direction;  ///< of an axis: its direction from zero; a region has none
+  std::tuple<double, double, double, double> window{};  ///< of a region: first_low to second_high
+
+  bool region() const { return direction == judge::PlaneState{}; }
 };
 
 // The window on z contains the regions of explicit methods up to order 8 and the unstable regions
 // of BDF.
 constexpr Question questions[] = {
-    {.name = "real",
-     .option = "lambda",
-     .probe = "lambda",
-     .region = false,
-     .oscillator = false,
-     .direction = {-1, 0}},
-    {.name = "imaginary",
-     .option = "lambda",
-     .probe = "lambda",
-     .region = false,
-     .oscillator = false,
-     .direction = {0, 1}},
-    {.name = "oscillator",
-     .option = "oscillator",
-     .probe = "undamped",
-     .region = false,
-     .oscillator = true,
-     .direction = {1, 0}},
-    {.name = "lambda",
-     .option = "lambda",
-     .probe = "lambda",
-     .region = true,
-     .oscillator = false,
-     .window = {-8, 4, -6, 6}},
-    {.name = "oscillator",
-     .option = "oscillator",
-     .probe = "oscillator",
-     .region = true,
-     .oscillator = true,
-     .window = {0, 4, 0, 2}},
+    {"real", "lambda", "lambda", false, {-1, 0}},
+    {"imaginary", "lambda", "lambda", false, {0, 1}},
+    {"oscillator", "oscillator", "undamped", true, {1, 0}},
+    {"lambda", "lambda", "lambda", false, {}, {-8, 4, -6, 6}},
+    {"oscillator", "oscillator", "oscillator", true, {}, {0, 4, 0, 2}},
 };
 
 /// A unit of work, whose result is kept.
@@ -70,7 +42,6 @@ struct Task {
   const Question* question;
   const Case* c;
   SolverInfo info;
-  std::size_t index;  ///< of the entrant in the probe
   std::string unfit;  ///< why nothing can be measured; empty: it can
 };
 
@@ -99,9 +70,13 @@ double between(double limit, double other) {
   return low > 0 ? std::sqrt(low * high) : high / 2;
 }
 
-void find_limit_of(const Task& task, StabilityLimit& row) {
+StabilityLimit limit_of(const Task& task) {
+  auto row = named_row<StabilityLimit>(task.info);
+  row.axis = task.question->name;
+  if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   const Probe probe = task.c->probe();
-  GrowthMeter meter(probe, probe.entrants[task.index], task.question->oscillator, limit_length);
+  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), task.question->oscillator,
+                    limit_length);
   std::string failure, failure_detail;
   const judge::LimitFound found = judge::find_limit([&](double x) {
     if (interrupted) throw Interrupted();
@@ -118,7 +93,7 @@ void find_limit_of(const Task& task, StabilityLimit& row) {
   row.detail = found.how;
   if (!failure.empty() && found.fails) row.detail += ": " + failure_detail;
   const auto theory = theory_of(task);
-  if (!theory) return;
+  if (!theory) return row;
   row.theory = judge::find_limit(theory).limit;
   row.difference = row.limit == row.theory ? 0 : std::abs(row.limit - row.theory);
   if (row.difference > limit_tolerance * std::max(1.0, std::min(row.limit, row.theory))) {
@@ -132,10 +107,76 @@ void find_limit_of(const Task& task, StabilityLimit& row) {
         "and by {:.1e} in theory",
         x, std::expm1(measured.log_per_step), measured.noise, std::expm1(theory(x).log_per_step));
   }
+  return row;
 }
 
-void map_region_of(const Task& task, const Options& options, StabilityRegion& region) {
+/// The coordinate of a grid point, exact at both edges and in the middle of an odd grid.
+double coordinate(double low, double high, int i, int count) {
+  const double fraction = static_cast<double>(i) / (count - 1);
+  return low * (1 - fraction) + high * fraction;
+}
+
+/// Calls fill(second, row) for each row to be solved; returns their number.
+template <class Fill>
+int fill_rows(StabilityRegion& region, bool mirrored, Fill&& fill) {
+  const auto columns = static_cast<std::size_t>(region.columns);
+  region.growth.resize(columns * static_cast<std::size_t>(region.rows));
+  const auto row = [&](int j) {
+    return region.growth.data() + static_cast<std::size_t>(j) * columns;
+  };
+  const int first = mirrored ? region.rows / 2 : 0;
+  for (int j = first; j < region.rows; ++j) {
+    if (interrupted) throw Interrupted();
+    fill(coordinate(region.second_low, region.second_high, j, region.rows), row(j));
+    const int mirror = region.rows - 1 - j;
+    if (mirrored && mirror != j) std::copy_n(row(j), columns, row(mirror));
+  }
+  return region.rows - first;
+}
+
+/// Point by point; `mirrored`: solves the rows of the upper half and copies them to the lower one.
+void map_region(GrowthMeter& meter, bool mirrored, StabilityRegion& region) {
+  int failures = 0;
+  std::string status, detail;  // of the first failure
+  const int rows = fill_rows(region, mirrored, [&](double second, float* row) {
+    for (int i = 0; i < region.columns; ++i) {
+      const double first = coordinate(region.first_low, region.first_high, i, region.columns);
+      const judge::Growth growth = meter.measure(first, second);
+      row[i] = static_cast<float>(std::exp(growth.log_per_step));
+      if (growth.failed() && failures++ == 0) {
+        status = to_string(meter.status());
+        detail = meter.failure();
+      }
+    }
+  });
+  const int points = rows * region.columns;
+  region.status = failures == points ? status : to_string(Status::ok);
+  if (failures > 0)
+    region.detail =
+        fmt::format("no result at {} of {} points; the first: {}", failures, points, detail);
+}
+
+/// An own explicit Runge-Kutta method on the lambda plane, the points of a row together; mirrored.
+void map_region_in_lanes(LaneRunner runner, StabilityRegion& region) {
+  constexpr unsigned steps = 16;  // all equal: a one-step method multiplies y by R(z)
+  const auto count = static_cast<std::size_t>(region.columns);
+  std::vector<double> re(count), im(count), squared(count);
+  for (std::size_t i = 0; i < count; ++i)
+    re[i] = coordinate(region.first_low, region.first_high, static_cast<int>(i), region.columns);
+  fill_rows(region, true, [&](double second, float* row) {
+    std::fill(im.begin(), im.end(), second);
+    runner(re.data(), im.data(), count, steps, squared.data());
+    for (std::size_t i = 0; i < count; ++i)
+      row[i] = static_cast<float>(std::pow(squared[i], 1.0 / (2 * steps)));
+  });
+  region.status = to_string(Status::ok);
+}
+
+StabilityRegion region_of(const Task& task, const Options& options) {
   const Question& question = *task.question;
+  auto region = named_row<StabilityRegion>(task.info);
+  region.plane = question.name;
+  if (!task.unfit.empty()) return not_applicable(region, task.unfit);
   const bool own = task.info.library == "odeum";
   const LaneRunner runner =
       own && !question.oscillator ? find_lane_runner(task.info.method) : nullptr;
@@ -143,44 +184,17 @@ void map_region_of(const Task& task, const Options& options, StabilityRegion& re
   region.columns = static_cast<int>(own ? points : options.number("peer-grid", points));
   // The window on the oscillator is twice as wide as high: square cells there too.
   region.rows = question.oscillator ? region.columns / 2 + 1 : region.columns;
-  region.first_low = question.window.first_low;
-  region.first_high = question.window.first_high;
-  region.second_low = question.window.second_low;
-  region.second_high = question.window.second_high;
+  std::tie(region.first_low, region.first_high, region.second_low, region.second_high) =
+      question.window;
   if (runner) {
     map_region_in_lanes(runner, region);
   } else {
     const Probe probe = task.c->probe();
-    GrowthMeter meter(probe, probe.entrants[task.index], question.oscillator, region_length);
+    GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), question.oscillator,
+                      region_length);
     map_region(meter, !question.oscillator, region);
   }
-}
-
-StabilityResult answer(const Task& task, const Options& options) {
-  StabilityResult result;
-  if (task.question->region) {
-    auto region = named_row<StabilityRegion>(task.info);
-    region.plane = task.question->name;
-    if (task.unfit.empty())
-      map_region_of(task, options, region);
-    else
-      region = not_applicable(region, task.unfit);
-    result.regions.push_back(std::move(region));
-  } else {
-    auto limit = named_row<StabilityLimit>(task.info);
-    limit.axis = task.question->name;
-    if (task.unfit.empty())
-      find_limit_of(task, limit);
-    else
-      limit = not_applicable(limit, task.unfit);
-    result.limits.push_back(std::move(limit));
-  }
-  return result;
-}
-
-std::string key_of(const Task& task) {
-  return fmt::format("{} {} {}", task.question->region ? "region" : "limit", task.question->name,
-                     task.info.id());
+  return region;
 }
 
 std::vector<Task> select_tasks(const Options& options) {
@@ -191,10 +205,9 @@ std::vector<Task> select_tasks(const Options& options) {
     for (const Case& c : all_cases()) {
       if (c.plane != question.probe) continue;
       const Probe probe = c.probe();
-      for (std::size_t i = 0; i < probe.entrants.size(); ++i) {
-        const Entrant& entrant = probe.entrants[i];
+      for (const Entrant& entrant : probe.entrants) {
         if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
-        Task task{&question, &c, entrant.info, i, entrant.unfit};
+        Task task{&question, &c, entrant.info, entrant.unfit};
         if (task.unfit.empty() && !entrant.info.fixed) task.unfit = "chooses its own steps only";
         tasks.push_back(std::move(task));
       }
@@ -208,9 +221,14 @@ std::vector<Task> select_tasks(const Options& options) {
 StabilityResult measure_stability(const Options& options, const Runner& runner) {
   if (!options.cases.empty()) return measure_steps(options, runner);
   const std::vector<Task> tasks = select_tasks(options);
-  return runner.run(
-      "stability", tasks, [](const Task& task) { return key_of(task); },
-      [&](const Task& task) { return answer(task, options); });
+  const auto key = [](const Task& task) {
+    return fmt::format("{} {} {}", task.question->region() ? "region" : "limit",
+                       task.question->name, task.info.id());
+  };
+  return runner.run("stability", tasks, key, [&](const Task& task) {
+    return task.question->region() ? StabilityResult{{}, {region_of(task, options)}, {}}
+                                   : StabilityResult{{limit_of(task)}, {}, {}};
+  });
 }
 
 }  // namespace odeum::study
