@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "odeum/core/machine.hpp"
-#include "odeum/record/csv_reader.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_groups.hpp"
 #include "odeum/studies/precision/section.hpp"
