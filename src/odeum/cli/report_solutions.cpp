@@ -12,7 +12,6 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/report/layout.hpp"
 #include "odeum/report/solutions.hpp"
 
 namespace odeum::cli {
