@@ -69,7 +69,7 @@ report::Facts small_facts() {
   return facts;
 }
 
-Pages pages_of(const PrecisionResult& result, const report::Origin& origin = {}) {
+Pages pages_of(const PrecisionResult& result, const Origin& origin = {}) {
   test::Report report(small_facts());
   return {report.add(result, origin).index(), report.case_page(0)};
 }
