@@ -5,10 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "odeum/report/origin.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/studies/convergence/section.hpp"
-#include "odeum/studies/stability/section.hpp"
+#include "odeum/studies/stability/stability.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::test {
@@ -37,7 +36,7 @@ class Report {
   }
 
   template <class Result>
-  Report& add(const Result& result, const report::Origin& origin = {}) {
+  Report& add(const Result& result, const study::Origin& origin = {}) {
     add_section(page_, result, origin);
     return *this;
   }

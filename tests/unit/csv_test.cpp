@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <clocale>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <locale>
@@ -90,7 +91,7 @@ TEST(Csv, LetsNoControlCharacterThrough) {
 TEST(Csv, BuildsATableOfOneLineARow) {
   CsvTable table("case,error,steps");
   table.add(CsvRow().text("x,y").number(-0.25).count(std::uint64_t{18446744073709551615U}));
-  table.add_line("1,z,nan,0");
+  table.add(CsvRow().text("z").number(std::nan("")).count(0));
   EXPECT_EQ(table.text(),
             "schema,case,error,steps\n1,\"x,y\",-0.25,18446744073709551615\n1,z,nan,0\n");
 }

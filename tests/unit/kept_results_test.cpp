@@ -70,7 +70,9 @@ TEST(HashedUnits, ChangeWithTheirOwnObjectsAlone) {
       {"odeum_core.dir/src/odeum/judge/answer.cpp.o", "rest"},
       {"odeum_study.dir/src/odeum/studies/runner.cpp.o", "rest"},
       {"odeum_study.dir/src/odeum/report/page.cpp.o", ""},
-      {"odeum_study.dir/src/odeum/studies/drift/section.cpp.o", ""},
+      {"odeum_study.dir/src/odeum/studies/drift/section_horizons.cpp.o", ""},
+      {"odeum_study.dir/src/odeum/studies/drift/study.cpp.o", ""},
+      {"odeum_study.dir/src/odeum/studies/study.cpp.o", "rest"},
       {"odeum_methods.dir/generated/own/catalogue.cpp.o", ""},
       {"odeum_cases.dir/generated/odeum_cases.cpp.o", ""}};
   std::vector<std::string> paths;

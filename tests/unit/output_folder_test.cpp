@@ -9,7 +9,7 @@
 #include <csignal>
 #include <vector>
 
-#include "odeum/record/gzip.hpp"
+#include "odeum/record/compress.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::tests {

@@ -11,7 +11,7 @@
 #include "odeum/report/spectrum.hpp"
 #include "odeum/studies/precision/section.hpp"
 #include "odeum/studies/questions.hpp"
-#include "odeum/studies/stability/outline.hpp"
+#include "odeum/studies/stability/section.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::study {

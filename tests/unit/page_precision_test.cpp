@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "odeum/core/machine.hpp"
-#include "odeum/record/csv_reader.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/solver_groups.hpp"
 #include "odeum/studies/precision/section.hpp"
@@ -70,7 +69,7 @@ report::Facts small_facts() {
   return facts;
 }
 
-Pages pages_of(const PrecisionResult& result, const report::Origin& origin = {}) {
+Pages pages_of(const PrecisionResult& result, const Origin& origin = {}) {
   test::Report report(small_facts());
   return {report.add(result, origin).index(), report.case_page(0)};
 }

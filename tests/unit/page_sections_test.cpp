@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "odeum/studies/drift/section.hpp"
-#include "odeum/studies/limits/section.hpp"
-#include "odeum/studies/reduction/section.hpp"
+#include "odeum/studies/limits/limits.hpp"
+#include "odeum/studies/reduction/reduction.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::study {
@@ -21,7 +21,7 @@ report::Facts small_facts() { return test::fabricate_small_report().facts; }
 
 template <class Result>
 std::string index_of(const Result& result, const report::Facts& facts = small_facts(),
-                     const report::Origin& origin = {}) {
+                     const Origin& origin = {}) {
   return test::Report(facts).add(result, origin).index();
 }
 
@@ -86,7 +86,7 @@ TEST(PageSections, SayWhereNothingWasMeasured) {
 
 TEST(PageSections, SayWhatWasSelectedOrThatResultsAreOfAnEarlierRun) {
   const ReductionResult result{{reduction(-1e6, 2, 1e-9, judge::Verdict::lower)}};
-  report::Origin origin{.command = "reduction", .selection = "solvers odeum/* on every case"};
+  Origin origin{.command = "reduction", .selection = "solvers odeum/* on every case"};
   EXPECT_TRUE(has(index_of(result, small_facts(), origin), "selection: solvers odeum/* on every"));
   origin.measured = false;
   const std::string html = index_of(result, small_facts(), origin);

@@ -10,7 +10,6 @@
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/report/layout.hpp"
 #include "odeum/report/solutions.hpp"
 
 namespace odeum::cli {

@@ -3,7 +3,6 @@
 #include <concepts>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace odeum::record {
 
@@ -43,11 +42,7 @@ class CsvTable {
  public:
   /// `columns` without `schema`, separated by commas.
   explicit CsvTable(std::string_view columns) : text_("schema,") { text_.append(columns) += '\n'; }
-  void add(const CsvRow& row) { add_line(row.line()); }
-  void add_line(std::string_view line) {
-    text_ += line;
-    text_ += '\n';
-  }
+  void add(const CsvRow& row) { (text_ += row.line()) += '\n'; }
   const std::string& text() const { return text_; }
 
  private:

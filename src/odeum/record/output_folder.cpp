@@ -9,10 +9,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <utility>
 
-#include "odeum/record/gzip.hpp"
+#include "odeum/record/compress.hpp"
 
 namespace odeum::record {
 namespace {
@@ -20,20 +20,6 @@ namespace {
 [[noreturn]] void fail(const std::string& what, const std::filesystem::path& path) {
   throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
 }
-
-// Writes all of the text or throws: a full disk is reported here, or when the file is synced.
-void write_all(int file, std::string_view text, const std::filesystem::path& path) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(file, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot write", path);
-    text.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
-// Every file is written under this name first. There is one run per folder, so a leftover of a
-// killed run is replaced.
-std::filesystem::path temporary_of(std::filesystem::path path) { return path += ".tmp"; }
 
 int create(const std::filesystem::path& path) {
   ::unlink(path.c_str());
@@ -43,22 +29,27 @@ int create(const std::filesystem::path& path) {
   return file;
 }
 
-void replace(const std::filesystem::path& target) {
-  if (::rename(temporary_of(target).c_str(), target.c_str()) != 0) fail("cannot write", target);
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 bool OpenFile::close() {
   const int descriptor = std::exchange(descriptor_, -1);
   return descriptor < 0 || ::close(descriptor) == 0;
+}
+
+bool write_all(const OpenFile& file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file.get(), text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::optional<std::string> text_of_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
 OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
@@ -72,15 +63,15 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
   // The lock ends with the process; the file's text only names the holder.
   if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK) fail("cannot lock", lock_path);
-    const std::string holder = read_file(lock_path);
+    const std::string holder = text_of_file(lock_path).value_or("");
     throw FileError(fmt::format("folder {} is in use by {}", path_.string(),
                                 holder.empty() ? "another run" : holder));
   }
   char host[256] = "this machine";
   ::gethostname(host, sizeof host - 1);
   const std::string holder = fmt::format("process {} on {}", ::getpid(), host);
-  if (::ftruncate(lock_.get(), 0) != 0) fail("cannot write", lock_path);
-  write_all(lock_.get(), holder, lock_path);
+  if (::ftruncate(lock_.get(), 0) != 0 || !write_all(lock_, holder))
+    fail("cannot write", lock_path);
 }
 
 OutputFolder::~OutputFolder() {
@@ -103,16 +94,17 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
   if (error)
     throw FileError(
         fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
-  const auto temporary = temporary_of(target);
+  // There is one run per folder, so a leftover of a killed run is replaced.
+  auto temporary = target;
+  temporary += ".tmp";
   OpenFile file(create(temporary));
   try {
-    if (name.ends_with(".gz"))
-      write_all(file.get(), gzip_of(text), temporary);
-    else
-      write_all(file.get(), text, temporary);
-    if (::fsync(file.get()) != 0 && errno != EINVAL) fail("cannot write", temporary);
-    if (!file.close()) fail("cannot write", temporary);
-    replace(target);
+    // A full disk is reported by the writing, or when the file is synced.
+    const bool written =
+        name.ends_with(".gz") ? write_all(file, gzip_of(text)) : write_all(file, text);
+    if (!written || (::fsync(file.get()) != 0 && errno != EINVAL) || !file.close())
+      fail("cannot write", temporary);
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail("cannot write", target);
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;

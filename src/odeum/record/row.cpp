@@ -2,7 +2,6 @@
 #include "odeum/record/row.hpp"
 
 #include <charconv>
-#include <limits>
 
 #include "odeum/record/csv.hpp"
 

@@ -53,12 +53,16 @@ struct Unlisted {
 template <class T>
 Unlisted(T&) -> Unlisted<T>;
 
+/// A number that is not known: not measured, or of a run that failed.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
 using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
 struct Field {
   std::string column;
   Cell value;
   bool derived = false;
 };
+using Fields = std::vector<Field>;
 /// A cell as plain text, and as a field of a CSV file.
 std::string cell_text(const Cell& cell);
 std::string csv_field(const Cell& cell);
@@ -82,7 +86,7 @@ std::int64_t integer_of(std::string_view text);
 namespace detail {
 
 struct Lister {
-  std::vector<Field>& fields;
+  Fields& fields;
   bool unlisted = false;  ///< with what has no column
   bool derived = false;
 
@@ -109,7 +113,7 @@ struct Lister {
   }
   template <class T>
   void operator()(const char* column, const std::optional<T>& value) const {
-    value ? (*this)(column, *value) : add(column, std::numeric_limits<double>::quiet_NaN());
+    value ? (*this)(column, *value) : add(column, nan);
   }
   template <class T>
   void operator()(const char* column, const Words<T>& words) const {
@@ -182,10 +186,21 @@ struct Reader {
 
 /// The fields of a row in the order of its columns; `unlisted`: with what has no column.
 template <class Row>
-std::vector<Field> fields_of(const Row& row, bool unlisted = false) {
-  std::vector<Field> fields;
+Fields fields_of(const Row& row, bool unlisted = false) {
+  Fields fields;
   Row::each(row, detail::Lister{fields, unlisted});
   return fields;
+}
+template <class Row>
+Fields fields_of(const Row* row) {
+  return fields_of(*row);
+}
+template <class Row>
+std::vector<Fields> fields_of(const std::vector<Row>& rows) {
+  std::vector<Fields> all;
+  all.reserve(rows.size());
+  for (const Row& row : rows) all.push_back(fields_of(row));
+  return all;
 }
 
 /// The row whose fields a source gives. Throws BadField.

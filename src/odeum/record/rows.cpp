@@ -2,26 +2,67 @@
 #include "odeum/record/rows.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
-#include "odeum/record/csv_reader.hpp"
-#include "odeum/record/gzip.hpp"
+#include "odeum/record/compress.hpp"
 
 namespace odeum::record::detail {
 namespace {
 
 constexpr char separator = '\x1f';
 
+/// Reads back what csv_text and CsvTable wrote: a header, then rows of as many fields. Points into
+/// the text.
 class CsvSource : public FieldSource {
  public:
-  explicit CsvSource(const CsvReader& csv) : csv_(csv) {}
-  std::string next(const std::string& column) override { return csv_.text(column); }
+  explicit CsvSource(std::string_view text) : rest_(text) {
+    if (!read_row()) return;
+    for (std::size_t i = 0; i < row_.size(); ++i) columns_[row_[i]] = i;
+  }
+  /// The next row; false at the end, or at a row of another length, see broken().
+  bool next_row() {
+    if (broken_ || !read_row()) return false;
+    broken_ = row_.size() != columns_.size();
+    return !broken_;
+  }
+  bool broken() const { return broken_; }
+  bool has(const std::string& column) const { return columns_.contains(column); }
+  std::string next(const std::string& column) override { return row_[columns_.at(column)]; }
   bool keeps_unlisted() const override { return false; }
 
  private:
-  const CsvReader& csv_;
+  bool read_row();
+
+  std::string_view rest_;
+  std::map<std::string, std::size_t> columns_;
+  std::vector<std::string> row_;
+  bool broken_ = false;
 };
+
+// One line: a field may be quoted, and then holds commas and doubled quotes; no line breaks are
+// written within one. A last line without an end was cut off.
+bool CsvSource::read_row() {
+  if (rest_.empty()) return false;
+  row_.assign(1, "");
+  bool quoted = false;
+  for (std::size_t i = 0; i < rest_.size(); ++i) {
+    const char c = rest_[i];
+    if (c == '\n') {
+      rest_.remove_prefix(i + 1);
+      return true;
+    }
+    if (c == '"' && quoted && i + 1 < rest_.size() && rest_[i + 1] == '"')
+      row_.back() += rest_[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      row_.emplace_back();
+    else
+      row_.back() += c;
+  }
+  broken_ = true;
+  return false;
+}
 
 }  // namespace
 
@@ -39,24 +80,19 @@ std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>&
 
 std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
                      const Fields& blank, const std::function<void(FieldSource&)>& read) {
-  std::ifstream in(folder / name, std::ios::binary);
-  if (!in) return {};
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::optional<std::string> text = text_of_file(folder / name);
+  if (!text) return {};
   const std::string subject = "the earlier " + name + " ";
-  if (name.ends_with(".gz")) {
-    std::optional<std::string> unpacked = text_of_gzip(text);
-    if (!unpacked) return subject + "is damaged or cut off";
-    text = std::move(*unpacked);
-  }
-  CsvReader csv(text);
-  CsvSource source(csv);
+  if (name.ends_with(".gz") && !(text = text_of_gzip(*text)))
+    return subject + "is damaged or cut off";
+  CsvSource csv(*text);
   if (!csv.has("schema") || !std::all_of(blank.begin(), blank.end(),
                                          [&](const Field& field) { return csv.has(field.column); }))
     return subject + "has other columns (another version?)";
   try {
-    while (csv.next()) {
-      if (integer_of(csv.text("schema")) != schema) throw BadField();
-      read(source);
+    while (csv.next_row()) {
+      if (integer_of(csv.next("schema")) != schema) throw BadField();
+      read(csv);
     }
   } catch (const BadField&) {
     return subject + "has a field that is not a number, or another schema";

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,8 +24,6 @@
 ///     static auto lists(auto& result) { return std::tie(result.rows, result.horizons); }
 ///   };
 namespace odeum::record {
-
-using Fields = std::vector<Field>;
 
 namespace detail {
 
@@ -76,10 +75,8 @@ template <class Row>
 void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   if constexpr (requires { Row::keeps_earlier; })
     if (rows.empty()) return;
-  std::vector<Fields> fields;
-  fields.reserve(rows.size());
-  for (const Row& row : rows) fields.push_back(fields_of(row));
-  folder.write(Row::file, detail::csv_text(detail::schema_of<Row>(), fields_of(Row()), fields));
+  folder.write(Row::file,
+               detail::csv_text(detail::schema_of<Row>(), fields_of(Row()), fields_of(rows)));
 }
 
 /// The rows of folder/Row::file from an earlier run, all or none; none where there is no file.
@@ -95,40 +92,13 @@ std::vector<Row> read_rows(const std::filesystem::path& folder, std::string& pro
   return {};
 }
 
-/// Writes the file of every list.
-template <class Result>
-void write(const Result& result, const OutputFolder& folder) {
-  std::apply([&](const auto&... list) { (write_rows(list, folder), ...); }, Result::lists(result));
-}
-
-/// Reads every list, see read_rows.
-template <class Result>
-Result read(const std::filesystem::path& folder, std::string& problem) {
-  Result result;
-  std::apply([&]<class... Row>(
-                 std::vector<Row>&... list) { ((list = read_rows<Row>(folder, problem)), ...); },
-             Result::lists(result));
-  return result;
-}
-
-template <class Result>
-bool is_empty(const Result& result) {
-  return std::apply([](const auto&... list) { return (list.empty() && ...); },
-                    Result::lists(result));
-}
-
-/// The names of the files.
-template <class Result>
-std::vector<std::string> files_of() {
-  const Result result;
-  return std::apply(
-      []<class... Row>(const std::vector<Row>&...) {
-        return std::vector<std::string>{Row::file...};
-      },
-      Result::lists(result));
-}
-
 namespace detail {
+
+/// Calls work(list) for each list of a result.
+template <class Result, class Work>
+void for_each_list(Result& result, Work&& work) {
+  std::apply([&](auto&... list) { (work(list), ...); }, Result::lists(result));
+}
 
 /// Calls work(list, other) for each list of `to` and the same one of `from`.
 template <class Result, class Work>
@@ -141,6 +111,37 @@ void for_both(Result& to, Result& from, Work&& work) {
 }
 
 }  // namespace detail
+
+/// Writes the file of every list.
+template <class Result>
+void write(const Result& result, const OutputFolder& folder) {
+  detail::for_each_list(result, [&](const auto& rows) { write_rows(rows, folder); });
+}
+
+/// Reads every list, see read_rows.
+template <class Result>
+Result read(const std::filesystem::path& folder, std::string& problem) {
+  Result result;
+  detail::for_each_list(
+      result, [&]<class Row>(std::vector<Row>& rows) { rows = read_rows<Row>(folder, problem); });
+  return result;
+}
+
+template <class Result>
+bool is_empty(const Result& result) {
+  return std::apply([](const auto&... list) { return (list.empty() && ...); },
+                    Result::lists(result));
+}
+
+/// The names of the files.
+template <class Result>
+std::vector<std::string> files_of() {
+  std::vector<std::string> files;
+  const Result result;
+  detail::for_each_list(result,
+                        [&]<class Row>(const std::vector<Row>&) { files.emplace_back(Row::file); });
+  return files;
+}
 
 /// Appends the rows of another result.
 template <class Result>
@@ -168,30 +169,20 @@ void add_earlier(Result& result, Result earlier, Known&& known) {
 template <class Result>
 std::string to_record(const Result& result) {
   std::string record;
-  std::apply(
-      [&](const auto&... list) {
-        const auto add = [&](const auto& rows) {
-          detail::add_to_record({{"", static_cast<std::uint64_t>(rows.size())}}, record);
-          for (const auto& row : rows) detail::add_to_record(fields_of(row, true), record);
-        };
-        (add(list), ...);
-      },
-      Result::lists(result));
+  detail::for_each_list(result, [&](const auto& rows) {
+    detail::add_to_record({{"", static_cast<std::uint64_t>(rows.size())}}, record);
+    for (const auto& row : rows) detail::add_to_record(fields_of(row, true), record);
+  });
   return record;
 }
 template <class Result>
 Result from_record(std::string_view text) {
   Result result;
   detail::RecordSource source(text);
-  std::apply(
-      [&]<class... Row>(std::vector<Row>&... list) {
-        const auto take = [&]<class Each>(std::vector<Each>& rows) {
-          for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
-            rows.push_back(row_of<Each>(source));
-        };
-        (take(list), ...);
-      },
-      Result::lists(result));
+  detail::for_each_list(result, [&]<class Row>(std::vector<Row>& rows) {
+    for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
+      rows.push_back(row_of<Row>(source));
+  });
   return result;
 }
 

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -70,11 +69,6 @@ std::optional<std::string_view> checked(std::string_view line) {
   return text;
 }
 
-std::string text_of_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string reason_of(const fs::path& path) {
   return fmt::format("{}: {}", path.string(), std::strerror(errno));
 }
@@ -119,7 +113,7 @@ Store::Results& Store::results_of(const std::string& maker) {
   const auto [place, is_new] = held_.try_emplace(maker);
   if (!is_new) return place->second;
   const fs::path path = file_of(maker);
-  const std::string text = text_of_file(path);
+  const std::string text = text_of_file(path).value_or("");
   std::string_view rest = text;
   bool first = true;
   for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
@@ -168,18 +162,10 @@ void Store::append(const fs::path& path, const std::string& maker, const std::st
     in.seekg(-1, std::ios::end);
     if (in.get() != '\n') text.insert(0, "\n");
   }
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(file.get(), rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      problem_ = reason_of(path);
-      // Where that fails too, the line is told by its sum.
-      [[maybe_unused]] const int cut = ::ftruncate(file.get(), before.st_size);
-      return;
-    }
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (write_all(file, text)) return;
+  problem_ = reason_of(path);
+  // Where that fails too, the line is told by its sum.
+  [[maybe_unused]] const int cut = ::ftruncate(file.get(), before.st_size);
 }
 
 }  // namespace odeum::record

@@ -39,8 +39,7 @@ std::string Table::text() const {
   return text;
 }
 
-Table detail::make_table(const std::vector<TableColumn>& columns,
-                         const std::vector<std::vector<Field>>& rows) {
+Table detail::make_table(const std::vector<TableColumn>& columns, const std::vector<Fields>& rows) {
   Table table;
   for (const TableColumn& column : columns)
     table.columns.push_back({column.heading, is_number(column.cell)});

@@ -28,17 +28,13 @@ struct TableColumn {
 };
 
 namespace detail {
-Table make_table(const std::vector<TableColumn>& columns,
-                 const std::vector<std::vector<Field>>& rows);
+Table make_table(const std::vector<TableColumn>& columns, const std::vector<Fields>& rows);
 }
 
 /// Throws fmt::format_error where a format names an unknown column.
 template <class Row>
 Table table_of(const std::vector<Row>& rows, const std::vector<TableColumn>& columns) {
-  std::vector<std::vector<Field>> fields;
-  fields.reserve(rows.size());
-  for (const Row& row : rows) fields.push_back(fields_of(row));
-  return detail::make_table(columns, fields);
+  return detail::make_table(columns, fields_of(rows));
 }
 
 }  // namespace odeum::record

@@ -212,6 +212,24 @@ std::string legend(const std::vector<Key>& keys) {
   return html + "</ul>";
 }
 
+std::string figure_of(const Curves& curves, const ChartWords& words, double margin,
+                      const Guides& guides) {
+  Axis across, up;
+  for (const auto& [name, points] : curves)
+    for (const auto& [x, y] : points) across.include(x), up.include(y);
+  if (across.empty() || up.empty()) return {};
+  up.include(guides.level);
+  Chart chart(large_chart, across.widened(margin), up.widened(1.3), words);
+  chart.slopes(guides.slopes);
+  if (guides.level > 0) chart.level(guides.level, guides.level_text);
+  std::vector<Key> keys;
+  for (const auto& [name, points] : curves) {
+    keys.push_back({.text = name, .style = keys.size() % chart_styles});
+    chart.curve(points, keys.back().style);
+  }
+  return "<figure>" + chart.svg() + legend(keys) + "</figure>\n";
+}
+
 std::string marker_symbols() {
   constexpr const char* shapes[chart_styles] = {
       R"svg(<circle r="2.4" fill="currentColor"/>)svg",

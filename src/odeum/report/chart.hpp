@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -86,6 +87,19 @@ struct Key {
   std::string line = {};             ///< classes of a line; empty: none
 };
 std::string legend(const std::vector<Key>& keys);
+
+/// Lines that curves are compared with, see Chart.
+struct Guides {
+  std::vector<int> slopes = {};
+  double level = 0;  ///< 0 or NaN: none
+  std::string level_text = {};
+};
+
+/// A <figure> of curves by name, on logarithmic axes that are wider than the curves by a factor
+/// (`margin` across), and its legend. Nothing where there is nothing to draw.
+using Curves = std::map<std::string, std::vector<ChartPoint>>;
+std::string figure_of(const Curves& curves, const ChartWords& words, double margin = 1.1,
+                      const Guides& guides = {});
 
 /// A hidden <svg> that defines the markers: symbols #m0 to #m7, line markers #k0 to #k7; once a
 /// page.

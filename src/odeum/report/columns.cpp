@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "odeum/report/compress.hpp"
+#include "odeum/record/compress.hpp"
 #include "odeum/report/html.hpp"
 
 namespace odeum::report {
@@ -15,19 +15,13 @@ namespace {
 
 std::string quoted(const std::string& text) { return nlohmann::json(plain(text)).dump(); }
 
-std::string joined(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ",") + item;
-  return "[" + text + "]";
-}
-
 double number_in(const record::Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return *number;
   if (const auto* count = std::get_if<std::uint64_t>(&cell)) return static_cast<double>(*count);
   return static_cast<double>(std::get<std::int64_t>(cell));
 }
 
-std::string column_json(const std::vector<std::vector<record::Field>>& rows, std::size_t index) {
+std::string column_json(const std::vector<record::Fields>& rows, std::size_t index) {
   std::vector<std::string> items, words;
   std::map<std::string, std::size_t> known;
   for (const auto& row : rows) {
@@ -41,8 +35,9 @@ std::string column_json(const std::vector<std::vector<record::Field>>& rows, std
     if (is_new) words.push_back(quoted(*text));
     items.push_back(std::to_string(place->second));
   }
-  return known.empty() ? joined(items)
-                       : fmt::format("{{\"words\":{},\"of\":{}}}", joined(words), joined(items));
+  const std::string list = fmt::format("[{}]", fmt::join(items, ","));
+  return known.empty() ? list
+                       : fmt::format("{{\"words\":[{}],\"of\":{}}}", fmt::join(words, ","), list);
 }
 
 }  // namespace
@@ -53,7 +48,7 @@ std::string json_number(double value) {
   return fmt::format("{:.8g}", value);
 }
 
-std::string columns_json(const std::vector<std::vector<record::Field>>& rows,
+std::string columns_json(const std::vector<record::Fields>& rows,
                          const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names)
@@ -65,7 +60,7 @@ std::string columns_json(const std::vector<std::vector<record::Field>>& rows,
 
 std::string data_script(const std::string& name, const std::string& json) {
   return fmt::format("(self.odeumData=self.odeumData||[]).push([{},\"{}\"]);\n", quoted(name),
-                     base64(zlib_of(json)));
+                     base64(record::zlib_of(json)));
 }
 
 }  // namespace odeum::report

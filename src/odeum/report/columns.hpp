@@ -11,15 +11,13 @@ namespace odeum::report {
 /// columns in `names` that the rows have. A column of numbers is an array, rounded to 8 digits, NaN
 /// as null and infinities as "inf" and "-inf"; a column of texts is {"words": [distinct texts],
 /// "of": [an index for each row]}.
-std::string columns_json(const std::vector<std::vector<record::Field>>& rows,
+std::string columns_json(const std::vector<record::Fields>& rows,
                          const std::vector<std::string>& names);
 
+/// `rows`: a list of rows, or of pointers to them.
 template <class Row>
-std::string columns_of(const std::vector<const Row*>& rows, const std::vector<std::string>& names) {
-  std::vector<std::vector<record::Field>> fields;
-  fields.reserve(rows.size());
-  for (const Row* row : rows) fields.push_back(record::fields_of(*row));
-  return columns_json(fields, names);
+std::string columns_of(const std::vector<Row>& rows, const std::vector<std::string>& names) {
+  return columns_json(record::fields_of(rows), names);
 }
 
 /// A number as in columns_json.

@@ -10,7 +10,6 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/layout.hpp"
 #include "odeum/report/page.hpp"
 
 namespace odeum::report {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "odeum/report/html.hpp"
 
 namespace odeum::report {

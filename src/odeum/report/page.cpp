@@ -4,12 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "odeum/report/chart.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/layout.hpp"
 #include "odeum/report/markdown.hpp"
 #include "odeum/report/texts.hpp"
 
@@ -119,6 +120,23 @@ std::string Page::navigation(const std::string& root, const std::string& here) c
       root.empty() ? "<h1>" : "", root.empty() ? "</h1>" : "");
 }
 
+std::string Page::document(const std::string& title, const std::string& top,
+                           const std::string& main, const std::vector<std::string>& scripts) {
+  std::string loads;
+  for (const std::string& script : scripts)
+    loads += fmt::format("<script src=\"{}\" defer></script>\n", as_address(script));
+  // 'self' of a page that is opened from a disk is nothing in some browsers, hence file:.
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
+      "file:; style-src 'unsafe-inline'; script-src 'self' file:; base-uri 'none'; form-action "
+      "'none'\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n"
+      "<style>\n{}</style>\n{}</head>\n<body>\n{}{}<main>\n{}</main>\n</body>\n</html>\n",
+      escape(title), page_style(), loads, marker_symbols(), top, main);
+}
+
 std::string Page::case_page(std::size_t index) const {
   const CaseFacts& c = facts_.cases[index];
   const std::vector<Section> parts = in_order(case_parts_[index]);
@@ -166,6 +184,10 @@ void Page::write(const RunFacts& run) {
   folder_.write("manifest.json", manifest_text(run));  // first: data.html links to it
   folder_.write("data.html", data_page(run));
   folder_.write("index.html", index_page(run));
+}
+
+std::string data_name(const CaseFacts& c) {
+  return "case_" + std::filesystem::path(c.file).stem().string();
 }
 
 std::string case_link(const CaseFacts& c, std::string_view section) {

@@ -69,6 +69,11 @@ class Page {
 
  private:
   using Data = std::map<std::string, std::string>;  // JSON by name
+  /// A whole page of the report. `top` and `main` are markup; `scripts` holds addresses. Scripts
+  /// and pictures may come from the folder itself and nowhere else.
+  static std::string document(const std::string& title, const std::string& top,
+                              const std::string& main,
+                              const std::vector<std::string>& scripts = {});
   std::string case_page(std::size_t index) const;
   std::string index_page(const RunFacts& run) const;
   std::string data_page(const RunFacts& run) const;
@@ -89,6 +94,9 @@ class Page {
   std::vector<Data> case_data_;
   std::set<std::string> pictures_;  // names of their files
 };
+
+/// The name of the file in data/ with a case's data for the views, without its ending.
+std::string data_name(const CaseFacts& c);
 
 /// A link from index.html to the page of a case, or to a section of it.
 std::string case_link(const CaseFacts& c, std::string_view section = {});

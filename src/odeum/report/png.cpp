@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "odeum/report/compress.hpp"
+#include "odeum/record/compress.hpp"
 
 namespace odeum::report {
 namespace {
@@ -45,7 +45,7 @@ std::string png_of(std::size_t width, const std::vector<std::uint8_t>& pixels,
   // Four bits a pixel, indices into a palette, neither filters nor interlacing of their own.
   const std::string format = {4, 3, 0, 0, 0};
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", big_endian(width) + big_endian(height) + format) +
-         chunk("PLTE", colours) + chunk("tRNS", opacities) + chunk("IDAT", zlib_of(rows)) +
+         chunk("PLTE", colours) + chunk("tRNS", opacities) + chunk("IDAT", record::zlib_of(rows)) +
          chunk("IEND", "");
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "odeum/contest/given_cases.hpp"
+#include "odeum/report/html.hpp"
 
 namespace odeum::study {
 
@@ -22,7 +23,26 @@ std::string Options::word(const std::string& name) const {
 
 std::string Options::text() const { return fmt::format("{} {} {} {}", cases, solvers, quick, own); }
 
-report::Origin Study::origin() const {
+std::string origin_text(const Origin& origin, bool empty) {
+  std::string html;
+  if (!origin.problem.empty())
+    html = fmt::format("<p class=\"missing\">{}</p>\n", report::escape(origin.problem));
+  const std::string how =
+      fmt::format("<code>odeum {}</code> with this folder as <code>--out</code>", origin.command);
+  if (empty) return html + "<p>Not measured in this run: " + how + " measures it.</p>\n";
+  if (!origin.measured)
+    return html +
+           "<p>Not measured in this run: these are results of an earlier one, which the folder "
+           "held.</p>\n";
+  if (!origin.selection.empty())
+    html += fmt::format(
+        "<p>To keep a report short, it runs a selection: {}. {} runs every pair, and the next "
+        "report shows those too.</p>\n",
+        report::escape(origin.selection), how);
+  return html;
+}
+
+Origin Study::origin() const {
   std::string selection;
   for (const Options& run : ran_) {
     if (run.cases.empty() && run.solvers.empty()) continue;
@@ -35,7 +55,7 @@ report::Origin Study::origin() const {
   return {.command = declaration_.name,
           .place = declaration_.place,
           .problem = problem_,
-          .measured = measured_,
+          .measured = measured(),
           .selection = selection};
 }
 

@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "odeum/record/rows.hpp"
-#include "odeum/report/origin.hpp"
 #include "odeum/studies/runner.hpp"
 
 /// A study is a folder, studies/<name>/: its rows, their measurement, its section of the page, and
-/// `std::unique_ptr<Study> make_<name>()`, which CMake finds. Its command, its part of the report,
-/// its files and the keeping of its results follow from that.
+/// `std::unique_ptr<Study> make_<name>()` in study.cpp, which CMake finds. Its command, its part of
+/// the report, its files and the keeping of its results follow from that.
 namespace odeum::report {
 class Page;
 }
@@ -52,17 +51,33 @@ struct Declaration {
   std::string quick_help = {};  ///< of --quick; empty: takes none
   std::string no_resume = {};   ///< why its results are not kept; empty: they are
   std::vector<Option> options = {};
+  /// The runs of a report; none: it shows the files of earlier runs in its folder.
+  std::vector<Options> report = {Options()};
+  std::vector<Options> quick_report = {};  ///< of a quick one
 };
+
+/// Where the rows of a section of the page come from, and where it stands.
+struct Origin {
+  std::string command = {};    ///< the subcommand that measures them
+  int place = 500;             ///< see report::Section
+  std::string problem = {};    ///< why files of an earlier run could not be used; empty: they could
+  bool measured = true;        ///< by this run, and not only read back
+  std::string selection = {};  ///< what of it a report measures, as text; empty: all
+};
+
+/// The first paragraphs of a section; `empty`: it has no rows.
+std::string origin_text(const Origin& origin, bool empty);
 
 class Study {
  public:
   explicit Study(Declaration declaration) : declaration_(std::move(declaration)) {}
   virtual ~Study() = default;
   const Declaration& declaration() const { return declaration_; }
+  const std::vector<Options>& report_runs(bool quick) const {
+    return quick ? declaration_.quick_report : declaration_.report;
+  }
   /// Measures and appends the rows. Throws Interrupted.
   virtual void measure(const Options& options, const Runner& runner) = 0;
-  /// The runs of a report; none: it shows the files of earlier runs in its folder.
-  virtual std::vector<Options> report_runs(bool quick) const { return {Options{.quick = quick}}; }
   /// Adds the rows of earlier runs that were not measured now, of cases and solvers that still
   /// exist.
   virtual void add_earlier(const std::filesystem::path& folder) = 0;
@@ -76,13 +91,12 @@ class Study {
   /// Why files of an earlier run could not be used; empty: they could.
   const std::string& problem() const { return problem_; }
   /// Whether this run measured rows, or only read them.
-  bool measured() const { return measured_; }
-  /// What its section says of where the rows come from.
-  report::Origin origin() const;
+  bool measured() const { return !ran_.empty(); }
 
  protected:
+  Origin origin() const;
+
   std::string problem_;
-  bool measured_ = false;
   std::vector<Options> ran_;  ///< what was measured
 
  private:
@@ -92,27 +106,48 @@ class Study {
 /// Whether a case (empty: none) and a solver (likewise) exist.
 bool is_known(const std::string& case_id, const std::string& solver);
 
+/// What is particular to a study beside its declaration.
+template <class Result>
+struct StudyFunctions {
+  Result (*measure)(const Options& options, const Runner& runner);
+  std::string (*table)(const Result& result);
+  void (*section)(report::Page& page, const Result& result, const Origin& origin);
+  /// Writes files beside those of the rows; null: there are none.
+  void (*write_more)(const Result& result, const record::OutputFolder& folder) = nullptr;
+};
+
 /// A study whose result is a struct of lists of rows, see record/rows.hpp.
 template <class Result>
-class StudyOf : public Study {
+class StudyOf final : public Study {
  public:
-  using Study::Study;
-  void measure(const Options& options, const Runner& runner) final {
-    record::append(result_, run(options, runner));
+  StudyOf(Declaration declaration, const StudyFunctions<Result>& functions)
+      : Study(std::move(declaration)), functions_(functions) {}
+  void measure(const Options& options, const Runner& runner) override {
+    record::append(result_, functions_.measure(options, runner));
     ran_.push_back(options);
-    measured_ = true;
   }
   void add_earlier(const std::filesystem::path& folder) override {
     record::add_earlier(result_, record::read<Result>(folder, problem_), is_known);
   }
-  void write(const record::OutputFolder& folder) const override { record::write(result_, folder); }
+  void write(const record::OutputFolder& folder) const override {
+    record::write(result_, folder);
+    if (functions_.write_more) functions_.write_more(result_, folder);
+  }
   std::vector<std::string> files() const override { return record::files_of<Result>(); }
+  std::string table() const override { return functions_.table(result_); }
+  void section(report::Page& page) const override { functions_.section(page, result_, origin()); }
   const Result& result() const { return result_; }
 
- protected:
-  virtual Result run(const Options& options, const Runner& runner) const = 0;
+ private:
+  StudyFunctions<Result> functions_;
   Result result_;
 };
+
+template <class Result>
+std::unique_ptr<Study> make_study(Declaration declaration,
+                                  const StudyFunctions<Result>& functions) {
+  return std::make_unique<StudyOf<Result>>(std::move(declaration), functions);
+}
 
 using Studies = std::vector<std::unique_ptr<Study>>;
 /// Every study, ordered by `place`, without results.

@@ -10,7 +10,6 @@
 #include "odeum/record/table.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
-#include "odeum/report/solver_tables.hpp"
 
 namespace odeum::study {
 namespace {
@@ -109,8 +108,7 @@ std::string words_of_classes(const std::vector<const OrderRow*>& rows) {
 }
 
 void add_orders_of_cases(report::Page& page, const std::vector<OrderRow>& orders) {
-  std::map<std::string, std::vector<const OrderRow*>> by_case;
-  for (const OrderRow& row : orders) by_case[row.case_id].push_back(&row);
+  auto by_case = report::group_by(orders, &OrderRow::case_id);
   for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
     const auto& rows = by_case[page.facts().cases[i].id];
     VerdictCounts counts{};
@@ -172,10 +170,8 @@ constexpr const char* adaptive_text =
 
 // The runs and orders of every case, for the view that compares solvers.
 void add_data(report::Page& page, const ConvergenceResult& result) {
-  std::map<std::string, std::vector<const ConvergenceRow*>> runs;
-  std::map<std::string, std::vector<const OrderRow*>> orders;
-  for (const ConvergenceRow& row : result.rows) runs[row.case_id].push_back(&row);
-  for (const OrderRow& row : result.orders) orders[row.case_id].push_back(&row);
+  auto runs = report::group_by(result.rows, &ConvergenceRow::case_id);
+  auto orders = report::group_by(result.orders, &OrderRow::case_id);
   for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
     const std::string& id = page.facts().cases[i].id;
     if (runs[id].empty()) continue;
@@ -233,8 +229,7 @@ std::string summary_text(const report::Facts& facts, const std::vector<OrderRow>
   return table.text();
 }
 
-void add_section(report::Page& page, const ConvergenceResult& result,
-                 const report::Origin& origin) {
+void add_section(report::Page& page, const ConvergenceResult& result, const Origin& origin) {
   const report::Facts& facts = page.facts();
   const std::vector<LibrarySummary> summary = summarise(facts, result.orders);
   page.headline(summary_html(summary));

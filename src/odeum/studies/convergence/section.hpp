@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "odeum/report/origin.hpp"
 #include "odeum/report/page.hpp"
+#include "odeum/report/solver_tables.hpp"
 #include "odeum/report/verdict_style.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 
@@ -15,7 +15,7 @@ namespace odeum::study {
 
 /// What the page shows of a result: an overview, the matrix of orders, what did not confirm, what
 /// was skipped; on the page of each case plots and its orders.
-void add_section(report::Page& page, const ConvergenceResult& result, const report::Origin& origin);
+void add_section(report::Page& page, const ConvergenceResult& result, const Origin& origin);
 
 /// Counts by Verdict.
 using VerdictCounts = std::array<std::size_t, report::verdict_styles.size()>;
@@ -39,10 +39,9 @@ std::string summary_text(const report::Facts& facts, const std::vector<OrderRow>
 using PairKey = std::tuple<std::string, std::string, Mode>;
 template <class Row>
 std::map<PairKey, std::vector<const Row*>> by_pair(const std::vector<Row>& rows) {
-  std::map<PairKey, std::vector<const Row*>> sorted;
-  for (const Row& row : rows)
-    sorted[{row.case_id, row.library + "/" + row.solver, row.mode}].push_back(&row);
-  return sorted;
+  return report::group_by(rows, [](const Row& row) {
+    return PairKey(row.case_id, row.library + "/" + row.solver, row.mode);
+  });
 }
 
 /// A bar with a length for each verdict but "not applicable", and "3 confirmed, 1 lower".

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "odeum/report/chart.hpp"
@@ -196,8 +194,7 @@ constexpr const char* text =
 void add_plots(report::Page& page, const ConvergenceResult& result) {
   const Lookup lookup{by_pair(result.rows), by_pair(result.times)};
   const std::vector<Panel> panels = report::make_panels(page.facts().solvers);
-  std::map<std::string, std::vector<const ConvergenceRow*>> by_case;
-  for (const ConvergenceRow& row : result.rows) by_case[row.case_id].push_back(&row);
+  auto by_case = report::group_by(result.rows, &ConvergenceRow::case_id);
   for (std::size_t i = 0; i < page.facts().cases.size(); ++i) {
     const CaseFacts& c = page.facts().cases[i];
     const CaseAxes axes = axes_of(by_case[c.id], c);

@@ -11,50 +11,37 @@
 namespace odeum::study {
 namespace {
 
-class Convergence final : public StudyOf<ConvergenceResult> {
- public:
-  Convergence()
-      : StudyOf({.name = "converge",
-                 .help = "error against step, and the measured order",
-                 .place = 20,
-                 .quick_help = "fewer step sizes",
-                 .options = {{.name = "mode",
-                              .help = "fixed or adaptive; default: both",
-                              .words = {"fixed", "adaptive"}}}}) {}
-  std::vector<Options> report_runs(bool quick) const override {
-    if (!quick) return {Options()};
-    std::vector<std::string> cases = quick_cases();
-    std::erase(cases, long_orders);
-    return {{.cases = cases}};
-  }
-
-  std::string table() const override {
-    const auto wrong = std::count_if(
-        result().rows.begin(), result().rows.end(),
-        [](const ConvergenceRow& row) { return row.judged.answer == judge::Answer::wrong; });
-    const std::string text =
-        record::table_of(result().orders, {{"case", "{case}"},
-                                           {"solver", "{library}/{solver}"},
-                                           {"mode", "{mode}"},
-                                           {"claimed", "{claimed_order:.3g}"},
-                                           {"measured", "{measured_order:.3f}"},
-                                           {"verdict", "{verdict}: {reason}"}})
-            .text();
-    if (wrong == 0) return text;
-    return text + fmt::format("{} {} ok with a wrong answer: column answer of {}\n", wrong,
-                              wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
-  }
-
-  void section(report::Page& page) const override { add_section(page, result(), origin()); }
-
- protected:
-  ConvergenceResult run(const Options& options, const Runner& runner) const override {
-    return converge(options, runner);
-  }
-};
+std::string table(const ConvergenceResult& result) {
+  const auto wrong = std::count_if(
+      result.rows.begin(), result.rows.end(),
+      [](const ConvergenceRow& row) { return row.judged.answer == judge::Answer::wrong; });
+  const std::string text = record::table_of(result.orders, {{"case", "{case}"},
+                                                            {"solver", "{library}/{solver}"},
+                                                            {"mode", "{mode}"},
+                                                            {"claimed", "{claimed_order:.3g}"},
+                                                            {"measured", "{measured_order:.3f}"},
+                                                            {"verdict", "{verdict}: {reason}"}})
+                               .text();
+  if (wrong == 0) return text;
+  return text + fmt::format("{} {} ok with a wrong answer: column answer of {}\n", wrong,
+                            wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
+}
 
 }  // namespace
 
-std::unique_ptr<Study> make_convergence() { return std::make_unique<Convergence>(); }
+std::unique_ptr<Study> make_convergence() {
+  std::vector<std::string> quick = quick_cases();
+  std::erase(quick, long_orders);
+  return make_study<ConvergenceResult>(
+      {.name = "converge",
+       .help = "error against step, and the measured order",
+       .place = 20,
+       .quick_help = "fewer step sizes",
+       .options = {{.name = "mode",
+                    .help = "fixed or adaptive; default: both",
+                    .words = {"fixed", "adaptive"}}},
+       .quick_report = {{.cases = quick}}},
+      {.measure = converge, .table = table, .section = add_section});
+}
 
 }  // namespace odeum::study

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,18 +11,18 @@ namespace odeum::study {
 
 /// The error of an invariant at a time: a line of drift.csv.
 struct DriftRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
   std::string status;  ///< a Status at that time, or not_applicable
   std::string detail;
-  double step = nan, time = nan;
+  double step = record::nan, time = record::nan;
   /// `energy`, an invariant of the case, or on a harmonic oscillator `amplitude` and `phase`;
   /// `none` where there is none.
   std::string invariant = "none";
   /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
   /// lag over the exact angle, which is the relative error of the frequency.
-  double relative_error = nan;
-  double value = nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
+  double relative_error = record::nan;
+  double value =
+      record::nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
 
   static constexpr const char* file = "drift.csv";
   static void each(auto& row, auto&& visit) {
@@ -36,14 +35,13 @@ struct DriftRow {
 
 /// The time up to which a solver follows a chaotic solution: a line of horizons.csv.
 struct HorizonRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
   std::string status, detail;
   Mode mode = Mode::fixed;
-  double setting = nan;  ///< step, or tolerance
+  double setting = record::nan;  ///< step, or tolerance
   /// When the largest error of a component reaches 1e-3, by linear interpolation of its logarithm
   /// between times at which the truth is known; NaN where the solve failed before.
-  double horizon = nan;
+  double horizon = record::nan;
 
   static constexpr const char* file = "horizons.csv";
   static void each(auto& row, auto&& visit) {
@@ -64,6 +62,9 @@ struct DriftResult {
 /// invariants of the exact solution at some 35 times between the first step and the last. Cases
 /// tagged `chaotic` are run for their horizons too. Throws Interrupted.
 DriftResult measure_drift(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const DriftResult& result, const Origin& origin);
 
 /// The horizons of one solver on one case: three steps and three tolerances.
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);

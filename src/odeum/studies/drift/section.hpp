@@ -3,17 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "odeum/report/origin.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/studies/drift/drift.hpp"
 
 namespace odeum::study {
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const DriftResult& result, const report::Origin& origin);
-
-/// Its parts, each empty without rows: the energy of every solver against time on one case; what
-/// the undamped oscillator loses of amplitude and phase; and for how long chaos can be followed.
+/// Parts of the page, each empty without rows: the energy of every solver against time on one case;
+/// what the undamped oscillator loses of amplitude and phase; and for how long chaos can be
+/// followed.
 std::string drift_diagram(const report::Facts& facts, const std::vector<DriftRow>& rows,
                           const std::string& case_id);
 std::string oscillator_part(const report::Facts& facts, const std::vector<DriftRow>& rows);

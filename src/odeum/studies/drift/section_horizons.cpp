@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -89,10 +88,6 @@ std::string oscillator_part(const report::Facts& facts, const std::vector<DriftR
     return row.case_id == oscillator && row.status != "not_applicable";
   });
   if (solvers.empty()) return {};
-  const auto cells = [&](const SolverInfo& solver) {
-    const auto found = solvers.find(solver.id());
-    return found == solvers.end() ? std::vector<Cell>() : oscillator_cells(found->second);
-  };
   return fmt::format(
              "<h3 id=\"oscillator\">Amplitude, phase and energy</h3>\n<p>Errors of <code>{}</code> "
              "after ten thousand steps of {}: the relative change of the amplitude (+ grows, − "
@@ -101,7 +96,8 @@ std::string oscillator_part(const report::Facts& facts, const std::vector<DriftR
              "energy and be several turns out of phase.</p>\n",
              oscillator, show_number(solvers.begin()->second.front()->step)) +
          report::solver_tables(facts, "numbers drifts",
-                               {{"amplitude"}, {"phase, rad"}, {"frequency"}, {"energy"}}, cells);
+                               {{"amplitude"}, {"phase, rad"}, {"frequency"}, {"energy"}}, solvers,
+                               oscillator_cells);
 }
 
 std::string horizons_part(const report::Facts& facts, const std::vector<HorizonRow>& rows) {
@@ -119,19 +115,14 @@ std::string horizons_part(const report::Facts& facts, const std::vector<HorizonR
   for (const Setting& setting : settings)
     head.push_back({fmt::format("{} {}", setting.mode == Mode::fixed ? "h =" : "tol",
                                 show_number(setting.value, 3))});
-  const auto cells = [&](const SolverInfo& solver) {
-    std::vector<Cell> row;
-    const auto found = solvers.find(solver.id());
-    if (found == solvers.end()) return row;
-    for (const Setting& setting : settings) {
-      const auto at =
-          std::find_if(found->second.begin(), found->second.end(), [&](const auto* each) {
-            return each->mode == setting.mode && each->setting == setting.value;
-          });
-      row.push_back(at == found->second.end() ? Cell{.text = "·", .style = "zero"}
-                                              : horizon_cell(**at, longest));
-    }
-    return row;
+  const auto cells = [&](const std::vector<const HorizonRow*>& own) {
+    return report::cells_by_column(
+        own, settings,
+        [](const HorizonRow& row, const Setting& setting) {
+          return row.mode == setting.mode && row.setting == setting.value;
+        },
+        [&](const HorizonRow& row) { return horizon_cell(row, longest); },
+        {.text = "·", .style = "zero"});
   };
   return fmt::format(
              "<h3 id=\"horizons\">How long a chaotic solution can be followed</h3>\n<p>The time at "
@@ -143,7 +134,7 @@ std::string horizons_part(const report::Facts& facts, const std::vector<HorizonR
              "not small differences. ✗: the run ended before; 0.5 is the first time at which the "
              "reference is compared.</p>\n",
              report::escape(solvers.begin()->second.front()->case_id)) +
-         report::solver_tables(facts, "numbers drifts", head, cells);
+         report::solver_tables(facts, "numbers drifts", head, solvers, cells);
 }
 
 }  // namespace odeum::study

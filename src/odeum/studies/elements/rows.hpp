@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -10,7 +9,7 @@
 
 namespace odeum::study {
 
-inline constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double unknown_number = record::nan;
 
 /// One problem solved by linear triangles on one mesh.
 struct ElementsRow {
@@ -163,5 +162,9 @@ std::vector<ElementsTimeRow> time_solvers(std::size_t most);
 /// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
 /// power of two is taken, default: 128. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result, and a terminal: orders, solvers, stopping and times.
+void add_section(report::Page& page, const ElementsResult& result, const Origin& origin);
+std::string elements_table(const ElementsResult& result);
 
 }  // namespace odeum::study

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -14,16 +13,16 @@ namespace odeum::study {
 /// unit square, lumped mass, u = 0 on the boundary. Errors at the end, in the L2 norm of the
 /// vertex rule, against the size of the solution.
 struct EvolutionRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string problem, solver;  ///< heat or wave; library/method
   std::string status, detail;
   std::size_t divisions = 0, unknowns = 0;  ///< divisions of the edge
   std::size_t steps = 0;
-  double dt = nan;
-  double error = nan;        ///< against the solution of the equation
-  double error_space = nan;  ///< of the exact solution of the system of elements against it
-  double error_time = nan;   ///< of the run against the exact solution of the system
-  double work = nan;  ///< multiplications of products, factorisations and solutions with factors
+  double dt = record::nan;
+  double error = record::nan;        ///< against the solution of the equation
+  double error_space = record::nan;  ///< of the exact solution of the system of elements against it
+  double error_time = record::nan;   ///< of the run against the exact solution of the system
+  double work =
+      record::nan;  ///< multiplications of products, factorisations and solutions with factors
 
   static constexpr const char* file = "evolution.csv";
   static void each(auto& row, auto&& visit) {
@@ -39,7 +38,7 @@ struct EvolutionRow {
 /// error is small.
 struct EvolutionOrderRow {
   std::string problem, solver, direction;  ///< direction: time, space
-  double claimed_order = EvolutionRow::nan;
+  double claimed_order = record::nan;
   judge::OrderFit fit;
 
   static constexpr const char* file = "evolution_orders.csv";
@@ -56,10 +55,10 @@ struct EvolutionOrderRow {
 /// The pair of mesh and step with the least work of a solver for an error.
 struct EvolutionCheapestRow {
   std::string problem, solver, status;  ///< status: ok, not_reached
-  double target = EvolutionRow::nan;
+  double target = record::nan;
   std::size_t divisions = 0, steps = 0;
-  double h = EvolutionRow::nan;  ///< length of the edges along the axes
-  double dt = EvolutionRow::nan, error = EvolutionRow::nan, work = EvolutionRow::nan;
+  double h = record::nan;  ///< length of the edges along the axes
+  double dt = record::nan, error = record::nan, work = record::nan;
 
   static constexpr const char* file = "evolution_cheapest.csv";
   static void each(auto& row, auto&& visit) {
@@ -73,9 +72,9 @@ struct EvolutionCheapestRow {
 /// the fastest mode of a jump; wave: `speed`, that of a wave against the equation's, from one step.
 struct EvolutionModeRow {
   std::string problem, mass, solver, quantity;
-  std::size_t waves = 0;            ///< half waves in x and in y; 0: the fastest mode
-  double step = EvolutionRow::nan;  ///< heat: eigenvalue times dt, wave: frequency times dt
-  double measured = EvolutionRow::nan, predicted = EvolutionRow::nan;
+  std::size_t waves = 0;      ///< half waves in x and in y; 0: the fastest mode
+  double step = record::nan;  ///< heat: eigenvalue times dt, wave: frequency times dt
+  double measured = record::nan, predicted = record::nan;
 
   static constexpr const char* file = "evolution_modes.csv";
   static void each(auto& row, auto&& visit) {
@@ -89,7 +88,7 @@ struct EvolutionModeRow {
 /// Euler) or frequency (wave, leapfrog) of the elements, and measured by bisection.
 struct EvolutionLimitRow {
   std::string problem, mass, solver;
-  double predicted = EvolutionRow::nan, measured = EvolutionRow::nan;
+  double predicted = record::nan, measured = record::nan;
 
   static constexpr const char* file = "evolution_limits.csv";
   static void each(auto& row, auto&& visit) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "odeum/record/table.hpp"
 #include "odeum/report/chart.hpp"
@@ -55,16 +56,14 @@ record::Table limits_table(const EvolutionResult& result) {
 record::Table grid_of(const std::vector<EvolutionRow>& runs, const std::string& problem,
                       const std::string& solver) {
   std::map<std::size_t, std::map<std::size_t, double>> errors;
-  std::vector<std::size_t> steps;
+  std::set<std::size_t> steps;
   for (const EvolutionRow& row : runs)
     if (row.problem == problem && row.solver == solver) {
       errors[row.divisions][row.steps] = row.error;
-      if (std::find(steps.begin(), steps.end(), row.steps) == steps.end())
-        steps.push_back(row.steps);
+      steps.insert(row.steps);
     }
   record::Table table;
   if (errors.empty()) return table;
-  std::sort(steps.begin(), steps.end());
   table.columns.push_back({"divisions", true});
   for (const std::size_t count : steps)
     table.columns.push_back({fmt::format("{} steps", count), true});
@@ -81,11 +80,10 @@ record::Table grid_of(const std::vector<EvolutionRow>& runs, const std::string& 
 
 /// The least error for the work, a curve for each solver.
 std::string work_chart(const std::vector<EvolutionRow>& runs, const std::string& problem) {
-  std::map<std::string, std::vector<report::ChartPoint>> curves;
+  report::Curves curves;
   for (const EvolutionRow& row : runs)
     if (row.problem == problem && row.status == "ok" && row.error > 0)
       curves[row.solver].emplace_back(row.work, row.error);
-  report::Axis across, up;
   for (auto& [solver, points] : curves) {
     std::sort(points.begin(), points.end());
     double least = 1;  // an error as large as the solution says nothing
@@ -94,19 +92,12 @@ std::string work_chart(const std::vector<EvolutionRow>& runs, const std::string&
       least = p.second;
       return false;
     });
-    for (const auto& [work, error] : points) across.include(work), up.include(error);
   }
-  if (across.empty() || up.empty()) return {};
-  report::Chart chart(report::large_chart, across.widened(1.3), up.widened(1.3),
-                      {.x = "multiplications",
-                       .y = "error",
-                       .description = problem + ": error against work, at the best pairs"});
-  std::vector<report::Key> keys;
-  for (const auto& [solver, points] : curves) {
-    chart.curve(points, keys.size() % report::chart_styles);
-    keys.push_back({.text = solver, .style = keys.size() % report::chart_styles});
-  }
-  return "<figure>" + chart.svg() + report::legend(keys) + "</figure>\n";
+  return report::figure_of(curves,
+                           {.x = "multiplications",
+                            .y = "error",
+                            .description = problem + ": error against work, at the best pairs"},
+                           1.3);
 }
 
 /// For each error the solver, mesh and step of the least work.
@@ -157,45 +148,35 @@ std::string html_of(const EvolutionResult& result) {
   return html;
 }
 
-class Evolution final : public StudyOf<EvolutionResult> {
- public:
-  Evolution()
-      : StudyOf({.name = "evolution",
-                 .help =
-                     "heat and waves by finite elements: errors of mesh and of steps apart, and "
-                     "the cheapest pair of both",
-                 .place = 79,
-                 .cases_help = "",
-                 .options = {{.name = "most",
-                              .help = "divisions of the finest mesh, of which the largest power of "
-                                      "two is taken; default: 128",
-                              .least = 16,
-                              .most = 512,
-                              .whole = true}}}) {}
+std::string table(const EvolutionResult& result) {
+  return orders_table(result).text() + "\n" + cheapest_table(result).text() + "\n" +
+         modes_table(result).text() + "\n" + limits_table(result).text();
+}
 
-  std::vector<Options> report_runs(bool quick) const override {
-    return quick ? std::vector<Options>() : std::vector<Options>(1);
-  }
-  std::string table() const override {
-    return orders_table(result()).text() + "\n" + cheapest_table(result()).text() + "\n" +
-           modes_table(result()).text() + "\n" + limits_table(result()).text();
-  }
-  void section(report::Page& page) const override {
-    const bool none = result().orders.empty();
-    page.section({.id = "evolution",
-                  .title = "Heat and waves",
-                  .place = origin().place,
-                  .html = report::origin_text(origin(), none) + (none ? "" : html_of(result()))});
-  }
-
- protected:
-  EvolutionResult run(const Options& options, const Runner& runner) const override {
-    return measure_evolution(options, runner);
-  }
-};
+void add_section(report::Page& page, const EvolutionResult& result, const Origin& origin) {
+  const bool none = result.orders.empty();
+  page.section({.id = "evolution",
+                .title = "Heat and waves",
+                .place = origin.place,
+                .html = origin_text(origin, none) + (none ? "" : html_of(result))});
+}
 
 }  // namespace
 
-std::unique_ptr<Study> make_evolution() { return std::make_unique<Evolution>(); }
+std::unique_ptr<Study> make_evolution() {
+  return make_study<EvolutionResult>(
+      {.name = "evolution",
+       .help = "heat and waves by finite elements: errors of mesh and of steps apart, and "
+               "the cheapest pair of both",
+       .place = 79,
+       .cases_help = "",
+       .options = {{.name = "most",
+                    .help = "divisions of the finest mesh, of which the largest power of "
+                            "two is taken; default: 128",
+                    .least = 16,
+                    .most = 512,
+                    .whole = true}}},
+      {.measure = measure_evolution, .table = table, .section = add_section});
+}
 
 }  // namespace odeum::study

@@ -2,7 +2,6 @@
 #pragma once
 #include <complex>
 #include <functional>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -13,7 +12,7 @@ namespace odeum::study {
 
 /// The largest stable step of one solver on one case: a line of largest_steps.csv.
 struct LargestStep {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double nan = record::nan;
   std::string case_id, library, solver;
   std::string status;  ///< ok, a Status where no step was bounded, or not_applicable
   std::string detail;
@@ -49,6 +48,9 @@ struct LimitsResult {
 /// IIA to 1e-8 gives the points of the spectrum and the sizes of the components; it is not used as
 /// a truth. Throws Interrupted.
 LimitsResult measure_limits(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const LimitsResult& result, const Origin& origin);
 
 /// The number of steps, a multiple of 4, from which on a run is bounded: doubled from 4 until it is
 /// bounded twice in a row, then bisected. 0 where it is not with `most` steps.

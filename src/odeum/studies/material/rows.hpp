@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -13,7 +12,7 @@
 /// written and read by that.
 namespace odeum::study {
 
-inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double not_measured = record::nan;
 
 /// What a solver makes of springs of known stiffness and damping: a line of material.csv.
 struct MaterialRow {
@@ -143,12 +142,10 @@ struct MaterialResult {
   std::vector<LongRunRow> long_run;
   std::vector<ClothCostRow> cost;
   std::vector<ImplicitWinsRow> implicit_wins;
-  std::string problem;  ///< why a file that was there could not be used; a sentence
   static auto lists(auto& result) {
     return std::tie(result.material, result.errors, result.long_run, result.cost,
                     result.implicit_wins);
   }
-  bool empty() const { return record::is_empty(*this); }
 };
 
 }  // namespace odeum::study

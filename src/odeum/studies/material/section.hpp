@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "odeum/report/origin.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/studies/material/rows.hpp"
+#include "odeum/studies/study.hpp"
 
 namespace odeum::study {
 
 /// What the page shows of a result.
-void add_section(report::Page& page, const MaterialResult& result, const report::Origin& origin);
+void add_section(report::Page& page, const MaterialResult& result, const Origin& origin);
 
 /// Its parts, each empty without rows.
 std::string response_tables(const std::vector<MaterialRow>& rows);

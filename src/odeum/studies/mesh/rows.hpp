@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -12,7 +11,7 @@ namespace odeum::study {
 /// One square sheet of particles and springs: a line of mesh.csv. Every sheet has the same edge
 /// (1 m), mass (1 kg, in equal parts) and, at the coarsest mesh, stiffness of a spring (200 N/m).
 struct MeshRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double nan = record::nan;
   std::string springs;  ///< structural, shear (and structural), bend (and both)
   /// How the stiffness of a spring follows the mesh: `constant`, `per_length` (k ~ 1 / length, as
   /// of a thread cut shorter) or `per_count` (k ~ 1 / springs along an edge).

@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "odeum/core/machine.hpp"
+#include "odeum/report/columns.hpp"
 #include "odeum/report/html.hpp"
+#include "odeum/studies/questions.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
@@ -202,13 +204,37 @@ std::string diagrams(const std::vector<Measured>& measured,
   return html + "</div>\n";
 }
 
+// The questions of the first page with who is fastest, and the timed runs of every case, for the
+// page's scripts.
+void add_answers(report::Page& page, const std::vector<Measured>& measured) {
+  nlohmann::ordered_json asked = nlohmann::ordered_json::array();
+  for (const Question& question : questions)
+    asked.push_back({{"title", question.title}, {"case", question.case_id}});
+  page.data("index", "questions", asked.dump());
+  std::vector<FastestRow> best;
+  for (const Measured& each : measured) {
+    page.case_data(each.index, "timed",
+                   report::columns_of(
+                       each.rows, {"library", "solver", "setting_kind", "status", "detail",
+                                   "setting", "options", "error", "wall_ns_min", "wall_ns_median",
+                                   "repetitions", "rhs_evaluations", "jacobian_evaluations",
+                                   "steps", "pareto", "drift", "processor_share", "measured"}));
+    // From the rows, which may be of an earlier run that left no fastest.csv.
+    const std::vector<FastestRow> of_case = fastest(each.rows, each.c->timed_floor);
+    best.insert(best.end(), of_case.begin(), of_case.end());
+  }
+  page.data("index", "fastest",
+            report::columns_of(best, {"case", "error", "library", "solver", "setting_kind",
+                                      "setting", "wall_ns_min", "wall_ns_median"}));
+}
+
 }  // namespace
 
-void add_section(report::Page& page, const PrecisionResult& result, const report::Origin& origin) {
+void add_section(report::Page& page, const PrecisionResult& result, const Origin& origin) {
   const std::vector<Measured> measured = by_case(page.facts(), result);
   // All of them, so that a library has the same colour on every page.
   const std::vector<std::string> libraries = page.facts().library_names();
-  std::string html = report::origin_text(origin, measured.empty());
+  std::string html = origin_text(origin, measured.empty());
   if (!measured.empty())
     html += times_text + ratios_table(measured) + diagrams(measured, libraries) + tolerances_text;
   for (const Measured& each : measured) {
@@ -220,7 +246,7 @@ void add_section(report::Page& page, const PrecisionResult& result, const report
                                 .place = 30,
                                 .html = case_html(page.facts(), each, libraries)});
   }
-  add_answers(page, result);
+  add_answers(page, measured);
   page.section({.id = "precision",
                 .title = "Speed against error",
                 .place = origin.place,

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "odeum/report/origin.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/studies/precision/precision.hpp"
 
@@ -11,11 +10,7 @@ namespace odeum::study {
 
 /// What the page shows of a result: time against error, of all cases on index.html, and of each on
 /// its own page.
-void add_section(report::Page& page, const PrecisionResult& result, const report::Origin& origin);
-
-/// The questions of the first page with who is fastest, and the timed runs of every case, for the
-/// page's scripts.
-void add_answers(report::Page& page, const PrecisionResult& result);
+void add_section(report::Page& page, const PrecisionResult& result, const Origin& origin);
 
 /// The rows of one case as points of error against time per solve: own solvers in the first colour
 /// and marker, those of each peer in the next, in the order of `libraries`; the Pareto front as a

@@ -51,26 +51,6 @@ Cell cell_of(Missed missed) {
           .title = title};
 }
 
-/// A table of a row for each name, a column for each tolerance.
-class ToleranceTable {
- public:
-  explicit ToleranceTable(const Tolerances& tolerances) : tolerances_(tolerances) {
-    std::vector<Cell> head{{"requested"}};
-    for (const double tolerance : tolerances) head.push_back({fmt::format("{:.0e}", tolerance)});
-    table_.head(head);
-  }
-  void row(const std::string& name, Misses misses) {
-    std::vector<Cell> cells;
-    for (const double tolerance : tolerances_) cells.push_back(cell_of(misses[tolerance]));
-    table_.row({name}, cells);
-  }
-  std::string html() const { return table_.html(); }
-
- private:
-  const Tolerances& tolerances_;
-  report::Table table_{"numbers tolerances"};
-};
-
 }  // namespace
 
 std::string tolerance_table(const report::Facts& facts, const std::vector<PrecisionRow>& rows,
@@ -84,16 +64,25 @@ std::string tolerance_table(const report::Facts& facts, const std::vector<Precis
     by_solver[row.library + "/" + row.solver][row.setting].add(
         {{std::log10(row.error / row.setting)}, row.judged.answer == judge::Answer::wrong});
   }
-  ToleranceTable groups(tolerances), solvers(tolerances);
+  report::Table groups("numbers tolerances");
+  std::vector<Cell> head{{"requested"}};
+  for (const double tolerance : tolerances) head.push_back({fmt::format("{:.0e}", tolerance)});
+  groups.head(head);
+  report::Table solvers = groups;
+  const auto add_row = [&](report::Table& table, const std::string& name, Misses misses) {
+    std::vector<Cell> cells;
+    for (const double tolerance : tolerances) cells.push_back(cell_of(misses[tolerance]));
+    table.row({name}, cells);
+  };
   for (const report::SolverGroup& group : report::make_groups(facts.solvers)) {
     Misses all;
     for (const SolverInfo* solver : group.solvers) {
       const auto found = by_solver.find(solver->id());
       if (found == by_solver.end()) continue;
       for (const auto& [tolerance, missed] : found->second) all[tolerance].add(missed);
-      if (each_solver) solvers.row(solver->id(), found->second);
+      if (each_solver) add_row(solvers, solver->id(), found->second);
     }
-    if (!all.empty()) groups.row(group.own ? "odeum: " + group.title : group.title, all);
+    if (!all.empty()) add_row(groups, group.own ? "odeum: " + group.title : group.title, all);
   }
   return groups.html() + report::details("Each solver", solvers.html());
 }

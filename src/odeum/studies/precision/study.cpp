@@ -11,77 +11,67 @@
 namespace odeum::study {
 namespace {
 
-class Precision final : public StudyOf<PrecisionResult> {
- public:
-  Precision()
-      : StudyOf({.name = "precision",
-                 .help = "time against error, who is fastest where",
-                 .place = 10,
-                 .no_resume = "times of two runs of the program do not compare",
-                 .options = {{.name = "seconds",
-                              .help = "what the timed runs of a case may take, roughly; default: 4",
-                              .least = 1e-3},
-                             {.name = "solve-seconds",
-                              .help = "a solve that takes longer is over budget; default: 2",
-                              .least = 1e-3},
-                             {.name = "attempts",
-                              .help = "how often a case that other programs disturbed is timed; "
-                                      "default: 2",
-                              .least = 1,
-                              .most = 100,
-                              .whole = true}}}) {}
-
-  /// The cases of the first page; in a full report another orbit, many bodies, and a stiff
-  /// oscillator. With short limits.
-  std::vector<Options> report_runs(bool quick) const override {
-    std::vector<std::string> cases = quick_cases();
-    if (!quick) cases.insert(cases.end(), {"kepler_e06", "pleiades", "vdp_mu1000"});
-    return {{.cases = cases,
-             .own = {{"seconds", quick ? "0.6" : "1.1"},
-                     {"solve-seconds", fmt::format("{}", report_seconds_per_solve)},
-                     {"attempts", "1"}}}};
+/// One line a case and pair of solvers, with the smallest error at which they are the fastest.
+std::string table(const PrecisionResult& result) {
+  std::vector<PrecisionSummary> lines;
+  // A time that is not known is as good as another.
+  const auto equal = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  for (const PrecisionSummary& row : result.summary) {
+    const bool same = !lines.empty() && lines.back().case_id == row.case_id &&
+                      lines.back().own == row.own && lines.back().peer == row.peer &&
+                      equal(lines.back().own_ns, row.own_ns) &&
+                      equal(lines.back().peer_ns, row.peer_ns);
+    if (same)
+      lines.back() = row;
+    else
+      lines.push_back(row);
   }
+  return record::table_of(lines, {{"case", "{case}"},
+                                  {"down to error", "{error:.0e}"},
+                                  {"fastest own", "{own}"},
+                                  {"ns", "{own_ns:.0f}"},
+                                  {"fastest peer", "{peer}"},
+                                  {"ns", "{peer_ns:.0f}"},
+                                  {"peer / own", "{ratio:.2f}"},
+                                  {"least", "{ratio_low:.2f}"},
+                                  {"most", "{ratio_high:.2f}"},
+                                  {"reason", "{reason}"}})
+      .text();
+}
 
-  /// One line a case and pair of solvers, with the smallest error at which they are the fastest.
-  std::string table() const override {
-    std::vector<PrecisionSummary> lines;
-    // A time that is not known is as good as another.
-    const auto equal = [](double a, double b) {
-      return a == b || (std::isnan(a) && std::isnan(b));
-    };
-    for (const PrecisionSummary& row : result().summary) {
-      const bool same = !lines.empty() && lines.back().case_id == row.case_id &&
-                        lines.back().own == row.own && lines.back().peer == row.peer &&
-                        equal(lines.back().own_ns, row.own_ns) &&
-                        equal(lines.back().peer_ns, row.peer_ns);
-      if (same)
-        lines.back() = row;
-      else
-        lines.push_back(row);
-    }
-    return record::table_of(lines, {{"case", "{case}"},
-                                    {"down to error", "{error:.0e}"},
-                                    {"fastest own", "{own}"},
-                                    {"ns", "{own_ns:.0f}"},
-                                    {"fastest peer", "{peer}"},
-                                    {"ns", "{peer_ns:.0f}"},
-                                    {"peer / own", "{ratio:.2f}"},
-                                    {"least", "{ratio_low:.2f}"},
-                                    {"most", "{ratio_high:.2f}"},
-                                    {"reason", "{reason}"}})
-        .text();
-  }
-
-  void section(report::Page& page) const override { add_section(page, result(), origin()); }
-
- protected:
-  PrecisionResult run(const Options& options, const Runner& runner) const override {
-    return measure_precision(options, runner);
-  }
-};
+/// The cases of the first page; in a full report another orbit, many bodies, and a stiff
+/// oscillator. With short limits.
+std::vector<Options> report_runs(bool quick) {
+  std::vector<std::string> cases = quick_cases();
+  if (!quick) cases.insert(cases.end(), {"kepler_e06", "pleiades", "vdp_mu1000"});
+  return {{.cases = cases,
+           .own = {{"seconds", quick ? "0.6" : "1.1"},
+                   {"solve-seconds", fmt::format("{}", report_seconds_per_solve)},
+                   {"attempts", "1"}}}};
+}
 
 }  // namespace
 
-std::unique_ptr<Study> make_precision() { return std::make_unique<Precision>(); }
+std::unique_ptr<Study> make_precision() {
+  return make_study<PrecisionResult>(
+      {.name = "precision",
+       .help = "time against error, who is fastest where",
+       .place = 10,
+       .no_resume = "times of two runs of the program do not compare",
+       .options = {{.name = "seconds",
+                    .help = "what the timed runs of a case may take, roughly; default: 4",
+                    .least = 1e-3},
+                   {.name = "solve-seconds",
+                    .help = "a solve that takes longer is over budget; default: 2",
+                    .least = 1e-3},
+                   {.name = "attempts",
+                    .help = "how often a case that other programs disturbed is timed; default: 2",
+                    .least = 1,
+                    .most = 100,
+                    .whole = true}},
+       .report = report_runs(false),
+       .quick_report = report_runs(true)},
+      {.measure = measure_precision, .table = table, .section = add_section});
+}
 
 }  // namespace odeum::study

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -67,7 +66,6 @@ struct MutantRow {
 /// The proofs of an own method: a line of proofs.csv. Numbers are NaN, texts empty where a proof
 /// does not apply.
 struct ProofRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string method, family;
   int order = 0, order_embedded = 0;  ///< claimed
   std::string needs;  ///< not empty: does not fit the test problems, tested on cases only
@@ -76,20 +74,22 @@ struct ProofRow {
   /// fails beyond it.
   std::optional<int> conditions, conditions_embedded;
   std::string failing_tree;
-  double code_difference = nan;  ///< code against interpreted tableau
+  double code_difference = record::nan;  ///< code against interpreted tableau
 
-  double stability_difference = nan;  ///< code against stability function, relative
+  double stability_difference = record::nan;  ///< code against stability function, relative
   int stability_points = 0;
-  StabilityClass stability{nan, nan};
+  StabilityClass stability{record::nan, record::nan};
 
-  double symplectic_defect = nan, return_defect = nan;
-  double energy_periods = 0, energy_first = nan, energy_last = nan;  ///< of symplectic methods
+  double symplectic_defect = record::nan, return_defect = record::nan;
+  double energy_periods = 0;  ///< of symplectic methods
+  double energy_first = record::nan, energy_last = record::nan;
 
   /// Whether the estimate is within its band on every test problem: yes, no, or empty without one.
   std::string estimates_well;
 
   int mutants = 0, caught = 0, equivalent = 0;  ///< those that count
-  double smallest_caught = nan;  ///< size of change down to which every coefficient is caught
+  double smallest_caught =
+      record::nan;  ///< size of change down to which every coefficient is caught
 
   bool symplectic() const;
   bool reversible() const;
@@ -134,5 +134,8 @@ struct ProofResult {
 /// Proves every own method and mutates it; `quick`: with a hundredth of the periods for the energy.
 /// Throws Interrupted.
 ProofResult prove(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const ProofResult& result, const Origin& origin);
 
 }  // namespace odeum::study

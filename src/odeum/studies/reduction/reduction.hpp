@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -12,7 +11,7 @@ namespace odeum::study {
 
 /// The order of one solver at one stiffness: a line of order_reduction.csv.
 struct ReductionRow {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double nan = record::nan;
   std::string library, solver;
   double lambda = nan;  ///< of y' = lambda (y - cos t) - sin t
   double claimed_order = nan;
@@ -39,5 +38,8 @@ struct ReductionResult {
 /// Where the stages of a method are of lower order than the method, the order falls as h lambda
 /// grows. Explicit solvers are run too, until they fail. Throws Interrupted.
 ReductionResult measure_reduction(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const ReductionResult& result, const Origin& origin);
 
 }  // namespace odeum::study

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/stability/outline.hpp"
-
-#include <fmt/format.h>
+#include "odeum/studies/stability/section.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/stability/region_picture.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "odeum/report/png.hpp"
+#include "odeum/studies/stability/section.hpp"
 
 namespace odeum::study {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <complex>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -21,11 +20,10 @@ inline constexpr double limit_tolerance = 1e-6;
 /// running code, `theory` comes from the method's own stability function by the same search (NaN:
 /// none).
 struct StabilityLimit {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string library, solver;
   std::string axis;  ///< real, imaginary, oscillator
-  double limit = nan, theory = nan;
-  double difference = nan;  ///< |limit - theory|, 0 where both are infinite
+  double limit = record::nan, theory = record::nan;
+  double difference = record::nan;  ///< |limit - theory|, 0 where both are infinite
   std::string status;  ///< a Status, not_applicable, or differs: from theory, see limit_tolerance
   std::string detail;
 
@@ -69,13 +67,13 @@ struct StabilityRegion {
 /// within it, for every eigenvalue lambda of the Jacobian along the solution that has no positive
 /// real part. A line of stability_steps.csv.
 struct StableStep {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::string case_id, library, solver;
   std::string status, detail;  ///< a Status or not_applicable
   /// The eigenvalue that limits the step; where none does, the largest.
-  std::complex<double> eigenvalue{nan, nan};
-  double limit = nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
-  double step = nan;   ///< limit / |eigenvalue|; infinity: any
+  std::complex<double> eigenvalue{record::nan, record::nan};
+  double limit =
+      record::nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
+  double step = record::nan;  ///< limit / |eigenvalue|; infinity: any
 
   static constexpr const char* file = "stability_steps.csv";
   static void each(auto& row, auto&& visit) {
@@ -97,6 +95,9 @@ struct StabilityResult {
 /// else 129; peers 65), `peer-grid` the same for peers only. Where cases are selected, the steps
 /// that regions allow on them are measured instead. Throws Interrupted.
 StabilityResult measure_stability(const Options& options, const Runner& runner = Runner());
+
+/// What the page shows of a result.
+void add_section(report::Page& page, const StabilityResult& result, const Origin& origin);
 
 /// The part of it for the selected cases.
 StabilityResult measure_steps(const Options& options, const Runner& runner);

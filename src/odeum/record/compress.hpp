@@ -10,6 +10,9 @@ namespace odeum::record {
 /// std::bad_alloc.
 std::string gzip_of(std::string_view text);
 
+/// Bytes compressed by zlib, as PNG files and scripts of pages hold them. Throws std::bad_alloc.
+std::string zlib_of(std::string_view bytes);
+
 /// The text of a .gz file; empty where it is damaged or cut off.
 std::optional<std::string> text_of_gzip(std::string_view bytes);
 
