@@ -18,8 +18,7 @@ struct System {
 
 /// Positions or velocities of a second-order problem.
 template <SecondOrder P>
-using Half =
-    typename detail::StateOf<double, P::dimension == dynamic ? dynamic : P::dimension / 2>::type;
+using Half = detail::StateOf<double, P::dimension == dynamic ? dynamic : P::dimension / 2>;
 
 /// q'' = a(t, q, v) as odeint's velocity_verlet calls it.
 template <SecondOrder P>

@@ -21,10 +21,7 @@ void Progress::advance(double amount) {
   const auto now = Clock::now();
   if (!visible_ || now - drawn_ < std::chrono::milliseconds(200)) return;
   drawn_ = now;
-  draw(std::chrono::duration<double>(now - start_).count());
-}
-
-void Progress::draw(double elapsed) {
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double share = total_ > 0 ? std::min(done_ / total_, 1.0) : 1;
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;
   fmt::print(stderr, "\r\x1b[K{} {:3.0f}%, {:.0f} s left", what_, 100 * share, left);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <chrono>
-#include <cstddef>
 #include <mutex>
 #include <string>
 
@@ -21,7 +20,6 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void draw(double elapsed);
 
   std::string what_;
   double total_, done_ = 0;

@@ -124,13 +124,9 @@ void TextOde::interpret() {
 }
 
 void TextOde::jacobian_extended(long double t, const long double* y, long double* j) const {
-  const std::size_t n = size();
   std::vector<long double> values(sparsity_.entries());
   entries_extended(t, y, values.data());
-  std::fill(j, j + n * n, 0.0L);
-  for (std::size_t i = 0; i < n; ++i)
-    for (int k = sparsity_.start[i]; k < sparsity_.start[i + 1]; ++k)
-      j[i * n + static_cast<std::size_t>(sparsity_.column[k])] = values[k];
+  fill_dense(sparsity_, values.data(), j);
 }
 
 std::vector<double> TextOde::entries(double t, const double* y) const {

@@ -36,13 +36,7 @@ struct RealOf<P> {
   using type = typename P::real;
 };
 template <class Real, std::size_t N>
-struct StateOf {
-  using type = std::array<Real, N>;
-};
-template <class Real>
-struct StateOf<Real, dynamic> {
-  using type = std::vector<Real>;
-};
+using StateOf = std::conditional_t<N == dynamic, std::vector<Real>, std::array<Real, N>>;
 }  // namespace detail
 
 /// The number type of a problem: double, unless it names another one as `real`.
@@ -51,7 +45,7 @@ using RealOf = typename detail::RealOf<P>::type;
 
 /// The state of a problem: std::array for a static dimension, std::vector for a dynamic one.
 template <class P>
-using State = typename detail::StateOf<RealOf<P>, P::dimension>::type;
+using State = detail::StateOf<RealOf<P>, P::dimension>;
 
 /// y' = f(t, y): `rhs` fills dydt from y, both of `dimension` numbers, never overlapping.
 template <class P>

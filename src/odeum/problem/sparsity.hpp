@@ -44,9 +44,10 @@ inline void multiply(const Sparsity& s, const double* values, const double* x, d
 }
 
 /// J as a dense row-major matrix.
-inline void fill_dense(const Sparsity& s, const double* values, double* j) {
+template <class Real>
+void fill_dense(const Sparsity& s, const Real* values, Real* j) {
   const std::size_t n = s.unknowns();
-  std::fill(j, j + n * n, 0.0);
+  std::fill(j, j + n * n, Real(0));
   for (std::size_t i = 0; i < n; ++i)
     for (int k = s.start[i]; k < s.start[i + 1]; ++k)
       j[i * n + static_cast<std::size_t>(s.column[k])] = values[k];
