@@ -2,6 +2,7 @@
 #include "odeum/record/rows.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "odeum/record/compress.hpp"

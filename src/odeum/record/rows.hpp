@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <set>
 #include <string>
 #include <string_view>
