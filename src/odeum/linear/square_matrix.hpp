@@ -9,7 +9,7 @@
 namespace odeum::linear {
 
 template <std::size_t N, class T = double>
-using RowOf = typename odeum::detail::StateOf<T, N>::type;
+using RowOf = odeum::detail::StateOf<T, N>;
 template <std::size_t N>
 inline constexpr std::size_t entries_of_square = N == dynamic ? dynamic : N* N;
 template <std::size_t N>
