@@ -7,6 +7,7 @@
 #include "odeum/linear/linear_peer.hpp"
 #include "odeum/report/page.hpp"
 #include "odeum/studies/elements/problems.hpp"
+#include "odeum/studies/elements/rows.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::study {
