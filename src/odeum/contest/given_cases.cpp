@@ -8,24 +8,23 @@
 namespace odeum {
 namespace {
 
-std::list<Case>& given_cases() {
+std::list<Case>& storage() {
   static std::list<Case> cases;
   return cases;
 }
 
 }  // namespace
 
-std::vector<const Case*> known_cases() {
+std::vector<const Case*> given_cases() {
   std::vector<const Case*> cases;
-  for (const Case& c : all_cases()) cases.push_back(&c);
-  for (const Case& c : given_cases()) cases.push_back(&c);
+  for (const Case& c : storage()) cases.push_back(&c);
   return cases;
 }
 
 const Case& add_given_case(Case c) {
-  for (const Case& known : given_cases())
-    if (known.id == c.id) throw std::invalid_argument("a case named " + c.id + " exists");
-  return given_cases().emplace_back(std::move(c));
+  for (const Case* known : given_cases())
+    if (known->id == c.id) throw std::invalid_argument("a case named " + c.id + " exists");
+  return storage().emplace_back(std::move(c));
 }
 
 }  // namespace odeum
