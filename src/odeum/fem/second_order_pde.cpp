@@ -2,9 +2,10 @@
 #include "odeum/fem/second_order_pde.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
-#include <regex>
+#include <set>
 
 #include "odeum/formula/parser.hpp"
 
@@ -37,8 +38,14 @@ formula::Scope scope_of(Graph& graph, const std::string& second, bool with_u) {
 
 /// t stands alone or as the variable of a derivative, so that it is no part of a function's name.
 bool uses_time(const std::string& text) {
-  static const std::regex time(R"(\b(t|u_t|u_tt|u_xt|u_tx)\b)");
-  return std::regex_search(text, time);
+  static const std::set<std::string> names{"t", "u_t", "u_tt", "u_xt", "u_tx"};
+  const auto part_of_name = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  for (auto end = text.begin(); end != text.end();) {
+    const auto begin = std::find_if(end, text.end(), part_of_name);
+    end = std::find_if_not(begin, text.end(), part_of_name);
+    if (names.contains({begin, end})) return true;
+  }
+  return false;
 }
 
 Id parsed(const std::string& text, std::size_t offset, const formula::Scope& scope, Graph& graph) {
