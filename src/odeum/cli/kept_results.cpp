@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 
 #include "odeum/cli/problems.hpp"
@@ -16,6 +14,7 @@
 #include "odeum/contest/late.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/formula/compile.hpp"
+#include "odeum/input/text_file.hpp"
 #include "odeum_build_info.hpp"
 
 namespace odeum::cli {
@@ -23,8 +22,7 @@ namespace {
 
 /// A hash of the program's file, and what is loaded besides.
 std::string mark_of_program() {
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::string bytes = text_of_file("/proc/self/exe").value_or("");
   std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
                                  std::hash<std::string>()(bytes));
   for (const LateLibrary& library : late_libraries()) mark += " " + library.mark;

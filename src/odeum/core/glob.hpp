@@ -17,4 +17,7 @@ bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view
 /// where that exceeds a third of its length plus one.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
+/// "; did you mean X?" with the nearest candidate; empty where none is near.
+std::string near_one(std::string_view word, const std::vector<std::string>& candidates);
+
 }  // namespace odeum

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "odeum/core/enum_names.hpp"
 #include "odeum/fem/second_order_pde.hpp"
 
 namespace odeum::fem {
@@ -13,8 +14,8 @@ namespace {
 constexpr double field = 480, left = 60, top = 34;
 
 const char* colour_of(PdeType type) {
-  constexpr const char* colours[] = {"#cfe3f5", "#7a3e9d", "#f8dfc4", "#dddddd", "#ffffff"};
-  return colours[static_cast<std::size_t>(type)];
+  return text_of_enumerator<PdeType::undefined>(
+      type, {"#cfe3f5", "#7a3e9d", "#f8dfc4", "#dddddd", "#ffffff"});
 }
 
 std::string text(double x, double y, std::string_view anchor, std::string_view what) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "odeum/core/enum_names.hpp"
 #include "odeum/formula/parser.hpp"
 
 namespace odeum::fem {
@@ -108,9 +109,8 @@ PdePoint judged(const long double* k, bool lower_known) {
 }  // namespace
 
 const char* to_string(PdeType type) {
-  constexpr const char* names[] = {"elliptic", "parabolic", "hyperbolic", "first_order",
-                                   "undefined"};
-  return names[static_cast<std::size_t>(type)];
+  return text_of_enumerator<PdeType::undefined>(
+      type, {"elliptic", "parabolic", "hyperbolic", "first_order", "undefined"});
 }
 
 void SecondOrderPde::prepare(Graph& graph, const std::vector<Id>& coefficients) {

@@ -14,12 +14,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <thread>
 #include <vector>
 
 #include "odeum/core/machine.hpp"
+#include "odeum/input/text_file.hpp"
 
 namespace odeum::formula {
 namespace {
@@ -65,11 +65,6 @@ std::vector<std::string> flags_for(const std::string& text) {
           "-ffp-contract=fast",
           "-fno-math-errno",
           "-fno-trapping-math"};
-}
-
-std::string text_of_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 bool write_file(const fs::path& path, const std::string& text) {
@@ -148,7 +143,7 @@ Compiled build(const std::string& compiler, const std::string& text, const fs::p
   for (std::string& flag : flags_for(text)) command.push_back(std::move(flag));
   for (const char* word : {"-o", object.c_str(), source.c_str(), "-lm"}) command.emplace_back(word);
   if (!run(command, log)) {
-    std::string said = text_of_file(log);
+    std::string said = text_of_file(log).value_or("");
     said = said.substr(0, std::min<std::size_t>(said.find('\n'), 200));
     return {nullptr, fmt::format("{} failed{}{}", compiler, said.empty() ? "" : ": ", said)};
   }

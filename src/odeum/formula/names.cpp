@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum::formula {
@@ -18,11 +17,6 @@ const std::map<std::string, Op, std::less<>>& functions() {
       {"log10", Op::log10}, {"sqrt", Op::sqrt}, {"abs", Op::abs},     {"sign", Op::sign},
       {"min", Op::min},     {"max", Op::max},   {"if", Op::choose}};
   return all;
-}
-
-std::string near_one(std::string_view name, const std::vector<std::string>& candidates) {
-  const std::string near = nearest(name, candidates);
-  return near.empty() ? "" : "; did you mean " + near + "?";
 }
 
 std::string fault_of_name(std::string_view name) {

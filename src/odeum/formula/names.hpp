@@ -12,8 +12,6 @@ namespace odeum::formula {
 
 /// The functions of expressions, by name.
 const std::map<std::string, Op, std::less<>>& functions();
-/// "; did you mean ...?" with the candidate that is nearest to a name; empty: none is near.
-std::string near_one(std::string_view name, const std::vector<std::string>& candidates);
 
 inline bool begins_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';

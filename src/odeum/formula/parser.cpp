@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/core/glob.hpp"
 #include "odeum/formula/cursor.hpp"
 #include "odeum/formula/names.hpp"
 #include "odeum/input/yaml_tree.hpp"

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "odeum/core/glob.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum::formula {

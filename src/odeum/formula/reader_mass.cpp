@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula::reading {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula::reading {

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 
 #include "odeum/input/yaml_tree.hpp"
 
@@ -51,6 +53,12 @@ std::string read_text_file(const std::string& path, const std::string& name, std
     text.append(buffer, static_cast<std::size_t>(n));
     if (text.size() > most_bytes) throw too_large();
   }
+}
+
+std::optional<std::string> text_of_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
 }  // namespace odeum

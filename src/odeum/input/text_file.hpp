@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace odeum {
@@ -10,5 +12,8 @@ namespace odeum {
 /// that allows more.
 std::string read_text_file(const std::string& path, const std::string& name, std::size_t most_bytes,
                            const std::string& raise = "");
+
+/// The bytes of a file that Odeum itself wrote; nothing where it cannot be opened.
+std::optional<std::string> text_of_file(const std::filesystem::path& path);
 
 }  // namespace odeum

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "odeum/core/enum_names.hpp"
 #include "odeum/linear/conjugate_gradients.hpp"
 
 namespace odeum::linear {
@@ -75,9 +76,8 @@ std::size_t below(const std::vector<double>& diagonal, const std::vector<double>
 }  // namespace
 
 const char* to_string(IterationStatus status) {
-  constexpr const char* names[] = {"ok",      "diverged",   "over_budget",
-                                   "stopped", "indefinite", "non_finite"};
-  return names[static_cast<std::size_t>(status)];
+  return text_of_enumerator<IterationStatus::non_finite>(
+      status, {"ok", "diverged", "over_budget", "stopped", "indefinite", "non_finite"});
 }
 
 IterativeOutcome stationary(const SparseMatrix& a, const Preconditioner& m,

@@ -42,7 +42,10 @@ class CsvTable {
  public:
   /// `columns` without `schema`, separated by commas.
   explicit CsvTable(std::string_view columns) : text_("schema,") { text_.append(columns) += '\n'; }
-  void add(const CsvRow& row) { (text_ += row.line()) += '\n'; }
+  void add(const CsvRow& row) {
+    text_ += row.line();
+    text_ += '\n';
+  }
   const std::string& text() const { return text_; }
 
  private:

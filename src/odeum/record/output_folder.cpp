@@ -8,10 +8,9 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
+#include "odeum/input/text_file.hpp"
 #include "odeum/record/compress.hpp"
 
 namespace odeum::record {
@@ -44,12 +43,6 @@ bool write_all(const OpenFile& file, std::string_view text) {
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
-}
-
-std::optional<std::string> text_of_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
 OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {

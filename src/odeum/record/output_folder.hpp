@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,9 +34,6 @@ class OpenFile {
 
 /// Writes all of a text to an open file; false where the system reports an error (errno).
 bool write_all(const OpenFile& file, std::string_view text);
-
-/// The bytes of a file; nothing where it cannot be opened.
-std::optional<std::string> text_of_file(const std::filesystem::path& path);
 
 /// The folder that a run writes to. The constructor makes the folder where it is missing and takes
 /// its lock; a second run is refused with the holder's name. A file appears complete under its name

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "odeum/input/text_file.hpp"
 #include "odeum/record/compress.hpp"
 
 namespace odeum::record::detail {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 
 namespace odeum::record {

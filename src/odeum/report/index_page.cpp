@@ -92,8 +92,8 @@ std::string Page::index_page(const RunFacts& run) const {
   if (run.quick)
     about += fmt::format(
         " <strong>A quick report: {} of {}, each measured in full (the cloth without its "
-        "orders).</strong> "
-        "<code>odeum report</code> adds the other cases, the largest stable steps of stiff cases, "
+        "orders).</strong> <code>odeum report</code> adds the other cases, the largest stable "
+        "steps of stiff cases, "
         "drift over 10,000 steps, order reduction, materials, meshes and proofs.",
         measured, show_count(facts_.cases.size(), "case"));
   return document(
@@ -105,8 +105,7 @@ std::string Page::index_page(const RunFacts& run) const {
           about + "</p>\n" +
           view("compare", "Compare",
                "Any solvers of any libraries side by side. Add them by any part of a name, a "
-               "family, "
-               "a library, or an order.") +
+               "family, a library, or an order.") +
           view("regions", "Stability",
                "Where a step of a solver does not grow, and where the eigenvalues of a problem, "
                "times the step, lie.") +

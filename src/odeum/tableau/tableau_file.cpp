@@ -94,9 +94,7 @@ class Reader {
                 fmt::format("duplicate key; the first is in line {}", root_.items[k]->place.line),
                 "one");
     if (std::count(keys.begin(), keys.end(), key.text)) return;
-    const std::string near = nearest(key.text, keys);
-    fail_at(key, shown(key.text),
-            "unknown key" + (near.empty() ? "" : fmt::format(", did you mean {}?", near)),
+    fail_at(key, shown(key.text), "unknown key" + near_one(key.text, keys),
             fmt::format("one of {}", fmt::join(keys, ", ")));
   }
 

@@ -157,10 +157,9 @@ Mapping::Mapping(const Value& value, std::initializer_list<std::string_view> kno
                              std::end(viewer_keys);
     if (!is_known && for_viewers) at(key.text).warn("only a viewer needs it; it is not used");
     if (!is_known && !for_viewers) {
-      const std::string near = nearest(key.text, candidates);
       std::string list = fmt::format("{}", fmt::join(candidates, ", "));
       at(shown(key.text))
-          .fail("an unknown key" + (near.empty() ? "" : "; did you mean " + near + "?"),
+          .fail("an unknown key" + near_one(key.text, candidates),
                 (candidates.size() > 1 ? "one of " : "") + list);
     }
     if (!seen.insert(key.text).second) at(key.text).fail("duplicate key", "each key once");
@@ -206,11 +205,8 @@ bool Mapping::axial() const {
   if (!has("damping_model")) return true;
   const Value value = at("damping_model");
   const std::string model = value.text();
-  if (model != "axial" && model != "full") {
-    const std::string near = nearest(model, {"axial", "full"});
-    value.fail("an unknown damping" + (near.empty() ? "" : "; did you mean " + near + "?"),
-               "axial or full");
-  }
+  if (model != "axial" && model != "full")
+    value.fail("an unknown damping" + near_one(model, {"axial", "full"}), "axial or full");
   return model == "axial";
 }
 

@@ -67,12 +67,10 @@ void add_cost(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs
 constexpr OrderClass order_classes[] = {
     {NoOrder::refused, "refused by the solver",
      "A solver that takes this problem: one that is given a dense Jacobian refuses a large "
-     "number "
-     "of unknowns, one with a band or sparse Jacobian, or without any, does not."},
+     "number of unknowns, one with a band or sparse Jacobian, or without any, does not."},
     {NoOrder::over_budget, "over budget at every setting",
      "More evaluations, as the reason says. Where the case is stiff an explicit method needs "
-     "them "
-     "for stability alone, and an implicit one does not."},
+     "them for stability alone, and an implicit one does not."},
     {NoOrder::newton_failed, "Newton's iteration does not converge",
      "A smaller step or a better first guess: an error at these steps says nothing of the "
      "order."},

@@ -21,8 +21,8 @@ struct DriftRow {
   /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
   /// lag over the exact angle, which is the relative error of the frequency.
   double relative_error = record::nan;
-  double value =
-      record::nan;  ///< in the case's units; of the phase: the lag in radians, > 0 behind
+  /// In the case's units; of the phase: the lag in radians, > 0 behind.
+  double value = record::nan;
 
   static constexpr const char* file = "drift.csv";
   static void each(auto& row, auto&& visit) {

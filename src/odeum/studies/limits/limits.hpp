@@ -12,17 +12,16 @@ namespace odeum::study {
 
 /// The largest stable step of one solver on one case: a line of largest_steps.csv.
 struct LargestStep {
-  static constexpr double nan = record::nan;
   std::string case_id, library, solver;
   std::string status;  ///< ok, a Status where no step was bounded, or not_applicable
   std::string detail;
-  double largest_stable_step = nan;
+  double largest_stable_step = record::nan;
   /// The step that the method's stability function allows for the eigenvalues of the Jacobian along
   /// the solution; infinity: any step; NaN: no function is known.
-  double predicted_step = nan;
+  double predicted_step = record::nan;
   /// The eigenvalue that limits the step; without a prediction, the largest.
-  std::complex<double> eigenvalue{nan, nan};
-  double window = nan;  ///< length of the runs
+  std::complex<double> eigenvalue{record::nan, record::nan};
+  double window = record::nan;  ///< length of the runs
 
   static constexpr const char* file = "largest_steps.csv";
   static void each(auto& row, auto&& visit) {

@@ -149,8 +149,7 @@ constexpr const char* text =
     "eigenvalue is imaginary, since slow growth does not show in the window, and on nonlinear "
     "problems, where growth changes the spectrum. Smaller: the run was ended by what a linear "
     "theory does not cover, such as Newton's iteration or an overshoot; the tooltip of a cell "
-    "gives "
-    "the reason.</p>\n";
+    "gives the reason.</p>\n";
 
 std::string table(const LimitsResult& result) {
   return record::table_of(result.rows, {{"case", "{case}"},

@@ -11,21 +11,20 @@ namespace odeum::study {
 /// One square sheet of particles and springs: a line of mesh.csv. Every sheet has the same edge
 /// (1 m), mass (1 kg, in equal parts) and, at the coarsest mesh, stiffness of a spring (200 N/m).
 struct MeshRow {
-  static constexpr double nan = record::nan;
   std::string springs;  ///< structural, shear (and structural), bend (and both)
   /// How the stiffness of a spring follows the mesh: `constant`, `per_length` (k ~ 1 / length, as
   /// of a thread cut shorter) or `per_count` (k ~ 1 / springs along an edge).
   std::string scaling;
   std::string status, detail;
-  std::size_t particles = 0;  ///< along an edge
-  double stiffness = nan;     ///< of a spring, N/m
-  double extension = nan;     ///< of the sheet hung by its upper edge, mean over the lower one, m
-  double period = nan;        ///< of its slowest vertical oscillation, s
-  double sag = nan;  ///< of its centre line below two opposite edges that are held level, m
+  std::size_t particles = 0;       ///< along an edge
+  double stiffness = record::nan;  ///< of a spring, N/m
+  double extension = record::nan;  ///< hung by its upper edge, mean over the lower one, m
+  double period = record::nan;     ///< of its slowest vertical oscillation, s
+  double sag = record::nan;  ///< of its centre line below two opposite edges that are held level, m
   /// Of its lowest particle below the two upper corners that hold it, m; NaN without shear springs.
-  double drape = nan;
+  double drape = record::nan;
   /// What every stiffness must be multiplied by for the extension of the coarsest mesh.
-  double factor = nan;
+  double factor = record::nan;
 
   static constexpr const char* file = "mesh.csv";
   static void each(auto& row, auto&& visit) {

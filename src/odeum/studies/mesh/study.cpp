@@ -46,14 +46,13 @@ void add_section(report::Page& page, const MeshResult& result, const Origin& ori
        .place = origin.place,
        .html = "<p>The same square sheet (1 m, 1 kg) as meshes of particles and springs. Factor: "
                "the number by which every stiffness must be multiplied for the extension of the "
-               "coarsest "
-               "mesh. Structural and shear springs keep their stiffness when the mesh is "
+               "coarsest mesh. Structural and shear springs keep their stiffness when the mesh is "
                "refined: as many more stand side by side as stand in a row. A stiffness per "
                "length (k ~ 1 / length, as of one thread) makes a finer sheet stiffer, one "
                "divided by the number of springs makes it softer, both in proportion to the "
                "number of particles along an edge. Held by two corners alone, a sheet sags "
-               "further with "
-               "every refinement: a membrane does not carry a load in a point, and no stiffness "
+               "further with every refinement: a membrane does not carry a load in a point, and no "
+               "stiffness "
                "makes up for it.</p>\n" +
                chart_of(result.rows, "factor", &MeshRow::factor) +
                "<p>What the wrong scalings look like: the same sheet under its own weight is "

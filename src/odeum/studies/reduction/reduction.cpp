@@ -60,7 +60,7 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
     if (!solved) last_failure = std::string(to_string(outcome.status)) + ", " + outcome.detail;
     points.push_back(
         {.step = horizon / static_cast<double>(steps),
-         .error = solved ? std::abs(outcome.states.back() - std::cos(horizon)) : ReductionRow::nan,
+         .error = solved ? std::abs(outcome.states.back() - std::cos(horizon)) : record::nan,
          .steps = static_cast<double>(steps),
          .rounding_unit = std::numeric_limits<double>::epsilon() / 2,
          .scale = 1});

@@ -90,8 +90,7 @@ std::string summary(const report::RowsBySolver<ReductionRow>& solvers) {
       "fitted, {} lose more (orange, deeper for each whole order). {} give no usable error once λ "
       "is −10<sup>4</sup> or below (explicit ones are unstable there) and have no row. A sign "
       "instead of a number: no order can be fitted, ▲ since all errors are rounding; the tooltip "
-      "of "
-      "a cell gives the reason.</p>\n",
+      "of a cell gives the reason.</p>\n",
       report::show_count(kept, "solver"), noticeable, reduced, unstable);
 }
 
