@@ -143,9 +143,10 @@ Compiled build(const std::string& compiler, const std::string& text, const fs::p
   for (std::string& flag : flags_for(text)) command.push_back(std::move(flag));
   for (const char* word : {"-o", object.c_str(), source.c_str(), "-lm"}) command.emplace_back(word);
   if (!run(command, log)) {
-    std::string said = text_of_file(log).value_or("");
-    said = said.substr(0, std::min<std::size_t>(said.find('\n'), 200));
-    return {nullptr, fmt::format("{} failed{}{}", compiler, said.empty() ? "" : ": ", said)};
+    std::ifstream file(log);
+    std::string said;
+    std::getline(file, said);
+    return {nullptr, fmt::format("{} failed{}{:.200}", compiler, said.empty() ? "" : ": ", said)};
   }
   auto library = load(object);
   if (!library) return {nullptr, "what " + compiler + " made cannot be loaded"};
