@@ -12,10 +12,10 @@
 #include <limits>
 #include <utility>
 
+#include "odeum/core/build_info.hpp"
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/linear/ordering.hpp"
 #include "odeum/truth/system.hpp"
-#include "odeum_build_info.hpp"
 
 namespace odeum::cases {
 namespace {

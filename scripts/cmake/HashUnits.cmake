@@ -5,7 +5,7 @@
 file(STRINGS ${OBJECTS} objects)
 list(SORT objects)
 foreach(object IN LISTS objects)
-  if(object MATCHES "/(odeum_cases|odeum_studies|odeum_texts|odeum_libraries|own/catalogue)\\.cpp\\.o|/odeum/report/|/odeum/studies/[a-z]+/(section[a-z_]*|study)\\.cpp\\.o|/odeum_inlined\\.dir/")
+  if(object MATCHES "/(odeum_build_info|odeum_cases|odeum_studies|odeum_texts|odeum_libraries|own/catalogue)\\.cpp\\.o|/odeum/report/|/odeum/studies/[a-z]+/(section[a-z_]*|study)\\.cpp\\.o|/odeum_inlined\\.dir/")
     continue()
   elseif(object MATCHES "/own/([a-z]+)\\.cpp\\.o")
     set(unit own/${CMAKE_MATCH_1})

@@ -411,7 +411,7 @@ function(odeum_generate_texts)
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_texts.cpp "${body}")
 endfunction()
 
-# odeum_build_info.hpp: compiler, flags and versions of this build. The revision is the one at configure time.
+# odeum_build_info.cpp: the values of core/build_info.hpp. The revision is the one at configure time.
 function(odeum_generate_build_info)
   set(revision "")
   find_package(Git QUIET)
@@ -435,16 +435,16 @@ function(odeum_generate_build_info)
     string(APPEND hashes ${hash})
   endforeach()
   string(SHA256 truth_code "${hashes}")
-  odeum_write_verbatim(${ODEUM_GENERATED}/odeum_build_info.hpp
-"#pragma once
-#include <string_view>
+  odeum_write_verbatim(${ODEUM_GENERATED}/odeum_build_info.cpp
+"#include \"odeum/core/build_info.hpp\"
+
 namespace odeum::build {
-inline constexpr std::string_view version = \"${PROJECT_VERSION}\";
-inline constexpr std::string_view revision = \"${revision}\";  // empty: not known
-inline constexpr std::string_view compiler = \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";
-inline constexpr std::string_view truth_code = \"${truth_code}\";  // of the files that compute references
-inline constexpr std::string_view type = \"${CMAKE_BUILD_TYPE}\";
-inline constexpr std::string_view flags = R\"(${flags})\";
+constinit const std::string_view version = \"${PROJECT_VERSION}\";
+constinit const std::string_view revision = \"${revision}\";
+constinit const std::string_view compiler = \"${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}\";
+constinit const std::string_view type = \"${CMAKE_BUILD_TYPE}\";
+constinit const std::string_view flags = R\"(${flags})\";
+constinit const std::string_view truth_code = \"${truth_code}\";
 }
 ")
 endfunction()

@@ -61,8 +61,7 @@ install(DIRECTORY src/odeum DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
 install(FILES src/odeum/foreign/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odeum)
 install(DIRECTORY cases/support DESTINATION ${odeum_lab_headers} FILES_MATCHING PATTERN "*.hpp")
-install(FILES ${ODEUM_GENERATED}/odeum_methods.hpp ${ODEUM_GENERATED}/odeum_build_info.hpp
-        DESTINATION ${odeum_lab_headers})
+install(FILES ${ODEUM_GENERATED}/odeum_methods.hpp DESTINATION ${odeum_lab_headers})
 install(FILES ${odeum_eigen_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum/src)
 
 get_property(odeum_dependency_items GLOBAL PROPERTY ODEUM_PACKAGES)

@@ -3,7 +3,7 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/contest/late.hpp"
-#include "odeum_build_info.hpp"
+#include "odeum/core/build_info.hpp"
 
 namespace odeum::cli {
 

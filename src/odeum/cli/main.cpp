@@ -7,10 +7,10 @@
 
 #include "odeum/cli/session.hpp"
 #include "odeum/contest/late.hpp"
+#include "odeum/core/build_info.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/studies/study.hpp"
-#include "odeum_build_info.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/report/html.hpp"
 #include "odeum/report/page.hpp"
-#include "odeum_build_info.hpp"
 
 namespace odeum::report {
 namespace {
