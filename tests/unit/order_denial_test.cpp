@@ -37,6 +37,13 @@ TEST(OrderFit, SlopesThatMoveTowardsTheClaimDoNotDenyIt) {
   const OrderFit rising = fit_fixed(
       measured({160, 225, 320, 455, 640}, {5.39e-7, 1.703e-7, 5.025e-8, 1.443e-8, 4.202e-9}), 4);
   EXPECT_EQ(rising.verdict, Verdict::undetermined) << rising.order;
+  // Slopes of 14.0 8.06 7.77 8.06 8.24, which pass the claim of 9 at coarse steps and return to it:
+  // verner98 on y' = y (1 - y).
+  const OrderFit from_below =
+      fit_fixed(measured({3, 6, 9, 12, 15, 18},
+                         {1.598e-6, 9.574e-11, 3.650e-12, 3.902e-13, 6.460e-14, 1.437e-14}),
+                9);
+  EXPECT_EQ(from_below.verdict, Verdict::undetermined) << from_below.order;
   // They settle at another order, or move away from the claim: denied as before.
   const auto settles = [](double p, double by) {
     return fit_fixed(

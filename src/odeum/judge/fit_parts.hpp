@@ -45,8 +45,9 @@ struct Window {
 Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
                    double settled);
 
-/// Whether the local slopes of a window, and the one before it, approach an order from each to the
-/// next, and the last two so fast that, going on, they are `near` to it at steps ten times finer.
+/// Whether the local slopes of a window approach an order from each to the next, but for the
+/// coarsest one, and the last two so fast that, going on, they are `near` to it at steps ten times
+/// finer. Three slopes at least; the one before the window counts where it fits in.
 bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, double order,
                    double near);
 

@@ -74,12 +74,14 @@ bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, 
        ++i) {
     const std::size_t j = slope_partner(points, i, window.end());
     if (j == window.end()) break;
+    const double next = local_slope(points[i], points[j]) - order;
+    if (!distance.empty() &&
+        (next * distance.back() <= 0 || std::abs(next) >= std::abs(distance.back()))) {
+      if (i > window.first + 1) return false;
+      x.clear(), distance.clear();  // higher terms of the error at coarse steps
+    }
     x.push_back(std::log(points[i].step * points[j].step) / 2);
-    distance.push_back(local_slope(points[i], points[j]) - order);
-    const std::size_t k = distance.size() - 1;
-    if (k > 0 &&
-        (distance[k] * distance[k - 1] <= 0 || std::abs(distance[k]) >= std::abs(distance[k - 1])))
-      return false;
+    distance.push_back(next);
   }
   if (distance.size() < fewest_slopes) return false;
   const std::size_t k = distance.size() - 1;
