@@ -52,7 +52,7 @@ class Factor final : public linear::LinearPeer {
     if (!cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &work_, &more_,
                         &common_))
       throw std::runtime_error("CHOLMOD's status is " + std::to_string(common_.status));
-    const double* const found = static_cast<const double*>(solution_->x);
+    const auto* const found = static_cast<const double*>(solution_->x);
     x.assign(found, found + b.size());
     return 0;
   }

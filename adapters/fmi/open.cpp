@@ -162,7 +162,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Fmu& fmu,
 
 /// Reads an FMU without running its code.
 std::shared_ptr<Fmu> read(const std::string& file) {
-  const auto fmu = std::make_shared<Fmu>();
+  auto fmu = std::make_shared<Fmu>();
   unpack(file, fmu->folder.path());
   const fs::path xml = fmu->folder.path() / "modelDescription.xml";
   std::error_code missing;

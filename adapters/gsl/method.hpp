@@ -16,11 +16,11 @@ enum class Kind {
 };
 
 struct Method {
-  const char* name;
-  const gsl_odeiv2_step_type* const* type;
-  Kind kind;
-  double order;  ///< as given by gsl_odeiv2_step_order; NaN where it varies
-  const char* source;
+  const char* name = nullptr;
+  const gsl_odeiv2_step_type* const* type = nullptr;
+  Kind kind = Kind::explicit_rk;
+  double order = 0;  ///< as given by gsl_odeiv2_step_order; NaN where it varies
+  const char* source = nullptr;
   CommonUse common_use = CommonUse::none;
 
   /// Weight of h |y'| in the error level, of |y| it is 1. For explicit methods it takes 0.7 to 1.0

@@ -18,13 +18,13 @@ enum Modes { fixed_only, adaptive_only, both };
 /// `order` is what order() or stepper_order() in the stepper's header claims. A family of steppers
 /// is one row; its number is appended to the name, and its order is that number plus `order`.
 struct Row {
-  const char* name;
-  const char* family;
-  double order;
-  Modes modes;
-  const char* controller;
-  const char* needs;
-  const char* note;
+  const char* name = "";
+  const char* family = "";
+  double order = 0;
+  Modes modes = both;
+  const char* controller = "";
+  const char* needs = "";
+  const char* note = "";
   int numbered_to = 0;
   CommonUse common_use = CommonUse::none;
 };

@@ -26,7 +26,7 @@ namespace {
 struct Rhs {
   GuardedView* problem;
   void operator()(const Vector& y, Vector& dydt, double t) const {
-    if (problem->rhs(t, &y[0], &dydt[0]) != 0) throw Tripped{};
+    if (problem->rhs(t, y.data().begin(), dydt.data().begin()) != 0) throw Tripped{};
   }
 };
 
@@ -35,11 +35,11 @@ struct Jacobian {
   GuardedView* problem;
   DenseJacobian* jacobian;
   void operator()(const Vector& y, Matrix& j, double t) const {
-    if ((*jacobian)(t, &y[0], &j(0, 0)) != 0) throw Tripped{};
+    if ((*jacobian)(t, y.data().begin(), &j(0, 0)) != 0) throw Tripped{};
   }
   void operator()(const Vector& y, Matrix& j, double t, Vector& dfdt) const {
     (*this)(y, j, t);
-    problem->time_derivative(t, &y[0], &dfdt[0]);
+    problem->time_derivative(t, y.data().begin(), dfdt.data().begin());
   }
 };
 

@@ -76,14 +76,14 @@ template <class P>
 struct BareRhs {
   const P* problem;
   void operator()(const Vector& y, Vector& dydt, double t) const {
-    problem->rhs(t, &y[0], &dydt[0]);
+    problem->rhs(t, y.data().begin(), dydt.data().begin());
   }
 };
 template <class P>
 struct BareJacobian {
   const P* problem;
   void operator()(const Vector& y, Matrix& j, double t, Vector& dfdt) const {
-    problem->jacobian(t, &y[0], &j(0, 0));
+    problem->jacobian(t, y.data().begin(), &j(0, 0));
     std::fill(dfdt.begin(), dfdt.end(), 0.0);
   }
 };

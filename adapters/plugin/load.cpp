@@ -45,7 +45,7 @@ std::string fault_of_plugin(const odeum_plugin& plugin) {
         "is of version {} of the interface, this Odeum has versions 1 to {}: compile it "
         "with the odeum/plugin.h of this Odeum",
         plugin.version, ODEUM_PLUGIN_VERSION);
-  if (const std::string fault = foreign::fault_of_name("plug-in", plugin.name); !fault.empty())
+  if (std::string fault = foreign::fault_of_name("plug-in", plugin.name); !fault.empty())
     return fault;
   constexpr std::size_t most = 1000;
   if (plugin.solver_count > most || plugin.problem_count > most)

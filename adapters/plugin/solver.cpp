@@ -197,7 +197,7 @@ std::string unfit(const odeum_solver& solver, const OdeView& view) {
 }  // namespace
 
 std::string fault_of(const odeum_solver& solver) {
-  if (const std::string fault = foreign::fault_of_name("solver", solver.name); !fault.empty())
+  if (std::string fault = foreign::fault_of_name("solver", solver.name); !fault.empty())
     return fault;
   const std::string who = fmt::format("solver {}: ", solver.name);
   if (!solver.create) return who + "create is a null pointer";

@@ -23,10 +23,10 @@ using ButcherTable = std::unique_ptr<ARKodeButcherTableMem, Destroy<&ARKodeButch
 template <class Id>
 struct BuiltInTable {
   Id id;
-  std::string name;    ///< as in the enumeration, without ARKODE_
-  std::string method;  ///< the same in lower case
-  int order;           ///< of the propagated solution
-  int order_embedded;  ///< 0: none
+  std::string name;        ///< as in the enumeration, without ARKODE_
+  std::string method;      ///< the same in lower case
+  int order = 0;           ///< of the propagated solution
+  int order_embedded = 0;  ///< 0: none
 };
 using ExplicitTable = BuiltInTable<ARKODE_ERKTableID>;
 using ImplicitTable = BuiltInTable<ARKODE_DIRKTableID>;

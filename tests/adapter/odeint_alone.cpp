@@ -17,10 +17,10 @@ bool rosenbrock4_alone(const OdeView& ode, double t0, const std::vector<double>&
   using Vector = boost::numeric::ublas::vector<double>;
   using Matrix = boost::numeric::ublas::matrix<double>;
   const auto rhs = [&](const Vector& x, Vector& f, double t) {
-    ode.rhs(ode.problem, t, &x[0], &f[0]);
+    ode.rhs(ode.problem, t, x.data().begin(), f.data().begin());
   };
   const auto jacobian = [&](const Vector& x, Matrix& j, double t, Vector& dfdt) {
-    ode.jacobian(ode.problem, t, &x[0], &j(0, 0));
+    ode.jacobian(ode.problem, t, x.data().begin(), &j(0, 0));
     std::fill(dfdt.begin(), dfdt.end(), 0.0);  // the hard cases are autonomous
   };
   Vector x(y.size());

@@ -82,6 +82,7 @@ TEST(SundialsRun, RefusesTheModeThatASolverLacks) {
 TEST(SundialsFault, NanInTheRightHandSideIsReportedWithItsTimeAndQuietly) {
   const auto list = entrants<NanLater>({1});
   std::vector<Outcome> outcomes;
+  outcomes.reserve(list.size());
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
   for (const Entrant& entrant : list)

@@ -31,6 +31,7 @@ std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals,
       times[k].ns.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
     }
   std::vector<Timing> result;
+  result.reserve(times.size());
   for (const study::Times& t : times) result.push_back({t.min() * 1e-9, t.median() * 1e-9});
   return result;
 }

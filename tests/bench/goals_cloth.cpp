@@ -31,9 +31,9 @@ double peak_instructions() {
     for (int k = 0; k < chains; ++k) x[k] = V{} + seed + static_cast<Real>(k);
     const V a = V{} + seed, b = V{} + seed;
     for (int i = 0; i < rounds; ++i)
-      for (int k = 0; k < chains; ++k) x[k] = x[k] * a + b;
+      for (V& each : x) each = each * a + b;
     V sum{};
-    for (int k = 0; k < chains; ++k) sum += x[k];
+    for (const V& each : x) sum += each;
     seed = seed + sum[0] * Real(1e-30);
   };
   return static_cast<double>(chains) * rounds / interleave({spin}, 0.3)[0].min;
@@ -159,7 +159,7 @@ std::vector<Row> cloth_step_rows() {
       return Timing{x.min / by, x.median / by};
     };
     const Timing verlet = scaled(t[0], static_cast<double>(s)),
-                 rk4 = scaled(t[3], static_cast<double>(s / 4));
+                 rk4 = scaled(t[3], static_cast<double>(s) / 4);
     rows.push_back(compare(
         fmt::format("{0} x {0}: Bullet deformable explicit / velocity Verlet, a step", size.n),
         size.explicit_goal, verlet, per_step(t[1], t[2], b),

@@ -63,7 +63,7 @@ class MultigridCloth : public scene::GridCloth<float> {
   std::uint64_t damp(float, const float*, float h, float* v, double tolerance) const {
     std::vector<float> force(3 * layout().size);
     springs().damping(v, force.data(), 0, layout().rows);
-    std::vector<double> right(n * n);
+    std::vector<double> right(static_cast<std::size_t>(n) * n);
     for (std::size_t d = 0; d < 3; ++d) {
       const std::size_t offset = d * layout().size;
       each_particle(layout(), [&](std::size_t i, std::size_t place) {
@@ -182,7 +182,7 @@ std::vector<Row> implicit_rows(const scene::Scene& scene) {
   });
   const std::vector<double> y = cloth.scattered(start);
   scene::GridMatrix on_grid(cloth.springs(), mass.data());
-  std::vector<double> right(3 * layout.size), x, ordered(3 * n * n);
+  std::vector<double> right(3 * layout.size), x, ordered(std::size_t{3} * n * n);
   on_grid.mass_times(y.data() + 3 * layout.size, right.data());
   for (std::size_t d = 0; d < 3; ++d)
     each_particle(layout, [&](std::size_t i, std::size_t place) {

@@ -94,11 +94,9 @@ class InEigen {
   InEigen& compute(const Matrix&) {
     return *this;
   }
-  template <class Vector>
-  Eigen::VectorXd solve(const Vector& r) const {
-    const Eigen::VectorXd in = r;
-    Eigen::VectorXd z(in.size());
-    m_->apply(in.data(), z.data());
+  Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& r) const {
+    Eigen::VectorXd z(r.size());
+    m_->apply(r.data(), z.data());
     return z;
   }
   Eigen::ComputationInfo info() const { return Eigen::Success; }
@@ -174,8 +172,8 @@ Row threads_row(const fem::Levels& levels) {
 
 /// The time per unknown of one problem against that of a quarter of it.
 Row linear_row(const fem::Levels& fine, const fem::Levels& quarter, double goal) {
-  const double all = static_cast<double>(fine.finest().system.right.size()),
-               part = static_cast<double>(quarter.finest().system.right.size());
+  const auto all = static_cast<double>(fine.finest().system.right.size()),
+             part = static_cast<double>(quarter.finest().system.right.size());
   const std::vector<Timing> t = interleave({multigrid_run(fine), multigrid_run(quarter)}, 3);
   Row row = compare(
       fmt::format("multigrid, {:.0f} unknowns: time per unknown / that of {:.0f}", all, part), goal,

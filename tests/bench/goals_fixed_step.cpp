@@ -37,7 +37,7 @@ std::vector<Row> fixed_step_rows() {
     for (const char* solver : {"odeum/rk4", "odeint/runge_kutta4", "odeint/runge_kutta4_classic"})
       if (const Entrant* entrant = find(inlined, solver)) {
         names.emplace_back(solver);
-        rivals.push_back([entrant, &request] { entrant->solve(request); });
+        rivals.emplace_back([entrant, &request] { entrant->solve(request); });
       }
     if (rivals.size() < 2 || names[0] != "odeum/rk4") continue;
     const std::vector<Timing> t = interleave(rivals, 2);

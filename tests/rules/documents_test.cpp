@@ -24,8 +24,12 @@ std::string text_of(const fs::path& path) {
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> found;
-  for (const char* folder : {"", "reports", "cases/problems", "cases/scenes", "cases/tableaus"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder))
+  std::vector<fs::path> folders{root, root / "reports", root / "cases/problems",
+                                root / "cases/scenes", root / "cases/tableaus"};
+  for (const fs::directory_entry& study : fs::directory_iterator(root / "src/odeum/studies"))
+    if (study.is_directory()) folders.push_back(study.path());
+  for (const fs::path& folder : folders)
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".md") found.push_back(entry.path());
   return found;
 }

@@ -133,7 +133,8 @@ TEST(Regions, GrowthIsTheStabilityFunction) {
         const auto r = region.solver == "rk4"
                            ? 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))
                            : 1.0 / (1.0 - z);
-        const float growth = region.growth[static_cast<std::size_t>(13 * j + i)];
+        const float growth =
+            region.growth[13 * static_cast<std::size_t>(j) + static_cast<std::size_t>(i)];
         if (z == 1.0 && region.solver == "implicit_euler")
           EXPECT_TRUE(std::isnan(growth));  // the pole: no solution to the step's equation
         else

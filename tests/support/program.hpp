@@ -28,7 +28,7 @@ inline Result shell(const std::string& command) {
                                  .c_str(),
                              "r");
   Result result;
-  std::array<char, 4096> buffer;
+  std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
     result.output.append(buffer.data(), n);
   const int status = ::pclose(pipe);

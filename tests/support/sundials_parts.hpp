@@ -12,13 +12,12 @@ namespace odeum::tests {
 /// What CVODE and ARKODE are given in programs that use them alone: a state, a dense matrix and its
 /// solver, of the size of `state`, which must outlive them.
 struct SundialsParts {
-  explicit SundialsParts(std::vector<double>& state) {
-    SUNContext_Create(nullptr, &context);
-    const auto n = static_cast<sunindextype>(state.size());
-    y = N_VMake_Serial(n, state.data(), context);
-    matrix = SUNDenseMatrix(n, n, context);
-    solver = SUNLinSol_Dense(y, matrix, context);
-  }
+  explicit SundialsParts(std::vector<double>& state)
+      : n(static_cast<sunindextype>(state.size())),
+        context(make_context()),
+        y(N_VMake_Serial(n, state.data(), context)),
+        matrix(SUNDenseMatrix(n, n, context)),
+        solver(SUNLinSol_Dense(y, matrix, context)) {}
   ~SundialsParts() {
     SUNLinSolFree(solver);
     SUNMatDestroy(matrix);
@@ -28,7 +27,14 @@ struct SundialsParts {
   SundialsParts(const SundialsParts&) = delete;
   SundialsParts& operator=(const SundialsParts&) = delete;
 
-  SUNContext context = nullptr;
+  static SUNContext make_context() {
+    SUNContext made = nullptr;
+    SUNContext_Create(nullptr, &made);
+    return made;
+  }
+
+  sunindextype n;
+  SUNContext context;
   N_Vector y;
   SUNMatrix matrix;
   SUNLinearSolver solver;

@@ -12,7 +12,7 @@ namespace odeum {
 struct OwnMethod {
   SolverInfo info;
   /// Fills `unfit`, or `solve` and what else the method can do on this problem.
-  void (*enroll)(const ErasedContest& contest, Entrant& entrant);
+  void (*enroll)(const ErasedContest& contest, Entrant& entrant) = nullptr;
 };
 
 /// Every own method, by id.

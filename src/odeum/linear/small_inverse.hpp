@@ -79,8 +79,8 @@ class SmallInverse {
     std::array<double, N* N>& m = inverse_;
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < N; ++j) m[i * N + j] = a(j, i);
-    std::array<std::size_t, N> swapped;
-    std::array<double, N> factor, row;
+    std::array<std::size_t, N> swapped{};
+    std::array<double, N> factor{}, row{};
     for (std::size_t k = 0; k < N; ++k) {
       if constexpr (pivoting) {
         std::size_t pivot = k;

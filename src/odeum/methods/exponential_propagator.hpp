@@ -69,7 +69,7 @@ struct exponential_propagator {
         for (std::size_t j = 0; j < n; ++j) matrix[i * (n + 1) + j] = h * a[i * n + j];
         matrix[i * (n + 1) + n] = h * b[i];
       }
-      propagator_ = linear::matrix_exponential(std::move(matrix), n + 1);
+      propagator_ = linear::matrix_exponential(matrix, n + 1);
       h_ = h;
     }
 

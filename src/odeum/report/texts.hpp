@@ -21,7 +21,7 @@ std::string_view findings();
 /// reports/trade-offs.md; built in.
 std::string_view trade_offs();
 
-/// reports/columns.md; built in.
+/// reports/columns.md and those of the studies; built in.
 std::string_view columns_text();
 
 }  // namespace odeum::report

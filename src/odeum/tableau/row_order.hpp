@@ -48,7 +48,7 @@ RowOrder<Number> order_of_row(const DynamicTableau<Number>& tableau, const std::
                               const CoefficientRounding& rounding,
                               int at_most = highest_order_checked) {
   const std::size_t s = tableau.stages;
-  constexpr auto& trees = all_rooted_trees;
+  constexpr const auto& trees = all_rooted_trees;
   std::vector<std::vector<Number>> phi;
   std::vector<std::vector<double>> size, slope;  // Phi(|A|), and its derivative by a shift of all
   std::vector<double> magnitude(s * s), weight(s);

@@ -20,10 +20,10 @@ long run_rosenbrock4(const OdeView& ode, double t0, const std::vector<double>& s
   using Matrix = boost::numeric::ublas::matrix<double>;
   const auto rhs = [&](const Vector& x, Vector& f, double t) {
     if (!admit()) throw TooMany();
-    ode.rhs(ode.problem, t, &x[0], &f[0]);
+    ode.rhs(ode.problem, t, x.data().begin(), f.data().begin());
   };
   const auto jacobian = [&](const Vector& x, Matrix& j, double t, Vector& dfdt) {
-    ode.jacobian(ode.problem, t, &x[0], &j(0, 0));
+    ode.jacobian(ode.problem, t, x.data().begin(), &j(0, 0));
     std::fill(dfdt.begin(), dfdt.end(), 0.0);  // the cases are autonomous
   };
   const auto system = std::make_pair(rhs, jacobian);
