@@ -11,7 +11,7 @@
 namespace {
 
 #ifdef __SIZEOF_FLOAT128__
-__extension__ typedef __float128 Real;
+__extension__ using Real = __float128;
 #else
 using Real = long double;  // of 33 digits as well, outside of x86
 #endif
@@ -47,7 +47,7 @@ State<2> brusselator(int steps) {
   State<2> y{Real(3) / 2, 3};
   const Real h = Real(20) / steps;
   for (int step = 0; step < steps; ++step) {
-    std::array<State<2>, columns> table;
+    std::array<State<2>, columns> table{};
     for (int j = 0; j < columns; ++j) {
       const int n = 2 * (j + 1);
       const Real sub = h / n;
@@ -116,7 +116,7 @@ Real e5(double part) {
     if (part * t > h) h = part * t;
     if (t + h > end) h = end - t;
     const Real y3 = y[1] - y[2];
-    std::array<State<3>, columns> table;
+    std::array<State<3>, columns> table{};
     for (int j = 0; j < columns; ++j) {
       const Real sub = h / (j + 2);
       const std::array<State<3>, 3> matrix{

@@ -55,7 +55,7 @@ int main() {
                 {ARKODE_VERNER_8_5_6, "VERNER_8_5_6", 6, 64}};
   bool stands = true;
   for (const auto& table : tables) {
-    double order[2];
+    double order[2] = {};
     for (const bool erkstep : {false, true})
       order[erkstep] = std::log2(error(table.id, erkstep, table.steps) /
                                  error(table.id, erkstep, 2 * table.steps));

@@ -68,8 +68,8 @@ int main() {
               {ARKODE_ESDIRK547L2SA2_7_4_5, "ESDIRK547L2SA2_7_4_5", 1e-7}};
   bool stands = true;
   for (const auto& run : runs) {
-    double e[4];
-    long steps[4];
+    double e[4] = {};
+    long steps[4] = {};
     for (const Setting s : {all_default, linear, matrix_each_stage, constant_rate})
       e[s] = error(run.id, run.tolerance, s, &steps[s]);
     std::printf(

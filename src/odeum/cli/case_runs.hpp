@@ -10,7 +10,7 @@ namespace odeum::cli {
 
 /// One solver's run of a case with its output times.
 struct CaseRun {
-  const Entrant* entrant;
+  const Entrant* entrant = nullptr;
   Request request;
   Outcome outcome;
 

@@ -65,7 +65,7 @@ std::vector<study::Options> runs_of(const study::Study& study, const Options& op
   run.quick = options.quick && !study.declaration().quick_help.empty();
   // Times are measured anew, with the short limits of a report.
   if (!study.declaration().no_resume.empty())
-    if (const auto own = study.report_runs(options.quick); !own.empty()) run.own = own.front().own;
+    if (const auto& own = study.report_runs(options.quick); !own.empty()) run.own = own.front().own;
   return {run};
 }
 

@@ -29,7 +29,7 @@ bool store_edges(const TriangleMesh& mesh, HalfEdges& edges) {
 }
 
 /// Sorts the edges of a node, of which it has few; false where it has none, or one twice.
-bool sort_edges(int* begin, int* end) {
+bool sort_edges(int* begin, const int* end) {
   if (begin == end) return false;
   for (int* next = begin + 1; next < end; ++next) {
     const int value = *next;

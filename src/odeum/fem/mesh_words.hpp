@@ -46,12 +46,12 @@ class Words {
   std::size_t count(const char* what) { return number<std::size_t>(what, "a whole number from 0"); }
   int integer(const char* what) { return number<int>(what, "a whole number"); }
   double real(const char* what) {
-    const double value = number<double>(what, "a number");
+    const auto value = number<double>(what, "a number");
     if (!std::isfinite(value)) refuse(what, text_.substr(start_, at_ - start_), "a finite number");
     return value;
   }
   void expect(const std::string& word) {
-    if (const std::string_view got = next(); got != word) refuse("the section", got, word.c_str());
+    if (const std::string_view got = next(); got != word) refuse("the section", got, word);
   }
   void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
 

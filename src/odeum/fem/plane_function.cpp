@@ -20,7 +20,7 @@ PlaneFunction::PlaneFunction(const std::string& text) {
 
 std::array<double, 3> PlaneFunction::values(Point p) const {
   const double at[2] = {p.x, p.y};
-  std::array<double, 3> all;
+  std::array<double, 3> all{};
   (*evaluate_)(0, at, all.data());
   return all;
 }

@@ -2,7 +2,6 @@
 #include "odeum/foreign/evaluator.hpp"
 
 #include <poll.h>
-#include <signal.h>
 #include <stdio_ext.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -10,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <new>
