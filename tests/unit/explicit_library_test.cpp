@@ -40,8 +40,8 @@ TEST(ExplicitLibrary, HasTheOrdersThatItClaims) {
 }
 
 TEST(ExplicitLibrary, BothEstimatesOfDormandPrince853Count) {
-  constexpr auto& t = methods::dormand_prince853_tableau;
-  constexpr auto& third = methods::dormand_prince853_third_order;
+  constexpr const auto& t = methods::dormand_prince853_tableau;
+  constexpr const auto& third = methods::dormand_prince853_third_order;
   EXPECT_EQ(order_fault(t, t.b_hat, 5).order, 0);
   EXPECT_EQ(order_fault(t, third, 3).order, 0);
   methods::dormand_prince853::Stepper<Kepler> stepper{Kepler{}};

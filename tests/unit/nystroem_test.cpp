@@ -22,7 +22,7 @@ TEST(Nystroem, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
 TEST(NystroemTrees, CountsAreThoseOfTheLiterature) {
   // Hairer, Norsett, Wanner, Solving ODEs I, table II.14.3: special Nystroem trees by nodes.
   constexpr std::array<int, 10> known{1, 1, 2, 3, 6, 10, 20, 36, 72, 137};
-  constexpr auto& trees = nystroem_trees<10>;
+  constexpr const auto& trees = nystroem_trees<10>;
   for (int n = 1; n <= 10; ++n) {
     int count = 0;
     for (const int nodes : trees.nodes) count += nodes == n;
@@ -32,7 +32,7 @@ TEST(NystroemTrees, CountsAreThoseOfTheLiterature) {
 
 TEST(NystroemConditions, HoldForRungeKuttaInDisguise) {
   // RK4 on [q, v] is a Nystroem method with a = A A, b_q = b A: order 4, by theory.
-  constexpr auto& rk = methods::rk4_tableau;
+  constexpr const auto& rk = methods::rk4_tableau;
   NystroemTableau<4> n{.order = 4};
   for (std::size_t i = 0; i < 4; ++i) {
     n.c[i] = rk.c(i);
@@ -50,7 +50,7 @@ TEST(NystroemConditions, HoldForRungeKuttaInDisguise) {
 TEST(NystroemConditions, SeeEveryCoefficient) {
   int altered = 0;
   for_each_nystroem([&]<class M>() {
-    constexpr auto& good = M::nystroem;
+    constexpr const auto& good = M::nystroem;
     using Tableau = std::remove_cvref_t<decltype(good)>;
     const auto accepted = [](const Tableau& t) {
       return first_fault(t).order == 0 && t.reuses_last_stage();

@@ -20,7 +20,7 @@ TEST(Splitting, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
 
 TEST(Splitting, ConditionsSeeEveryCoefficient) {
   for_each_splitting([&]<class M>() {
-    constexpr auto& good = M::splitting;
+    constexpr const auto& good = M::splitting;
     using Rows = std::remove_cvref_t<decltype(good)>;
     const auto accepted = [](const Rows& s) {
       const auto n = s.as_nystroem();

@@ -66,7 +66,7 @@ TEST(RootedTrees, CountsAndDensitiesAgreeWithAnotherEnumeration) {
   // A000081: the number of rooted trees with n nodes.
   const std::vector<std::size_t> known{0, 1, 1, 2, 4, 9, 20, 48, 115, 286, 719};
   const auto expected = trees_by_nodes(10);
-  constexpr auto& trees = rooted_trees<10>;
+  constexpr const auto& trees = rooted_trees<10>;
   for (int n = 1; n <= 10; ++n) {
     std::vector<double> densities, expected_densities;
     for (std::size_t i = 0; i < trees.count; ++i)
@@ -164,7 +164,7 @@ TEST(StabilityFunction, OfAnExplicitMethodWithAsManyStagesAsItsOrderIsTheExponen
   int checked = 0;
   methods::All::for_each([&]<class M>() {
     if constexpr (requires { M::tableau.embedded(); }) {
-      constexpr auto& t = M::tableau;
+      constexpr const auto& t = M::tableau;
       if (!t.is_explicit() || t.order != static_cast<int>(t.stages)) return;
       for (const std::complex<double> z : {std::complex<double>{-1.5, 0}, {0.3, 2.1}, {0, -2.5}}) {
         std::complex<double> series = 1, term = 1;

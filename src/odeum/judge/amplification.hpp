@@ -38,7 +38,7 @@ struct Amplification {
 /// truth. The thresholds are those of the tolerance (see core/tolerance.hpp) that a run is judged
 /// by, or the case's; runs and perturbations are by the smaller of both.
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
-                                    const Tolerance& tolerance);
+                                    const Tolerance& asked);
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops);
 
 /// The amplification of perturbations by a case: the root mean square error over stops and measured

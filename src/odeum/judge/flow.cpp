@@ -19,7 +19,7 @@ constexpr std::uint64_t explicit_budget = 20'000, implicit_budget = 1'000'000;
 /// A problem's right-hand side and Jacobian, which records when the former is evaluated.
 struct Recorded {
   OdeView view;
-  std::vector<double>* times;
+  std::vector<double>* times = nullptr;
 
   static void rhs(const void* self, double t, const double* y, double* f) {
     const auto& problem = *static_cast<const Recorded*>(self);

@@ -86,7 +86,7 @@ double perturbation_gain(const Case& c) {
         squares += std::pow((moved.states[at] - plain.states[at]) / c.scale_of(i), 2);
       }
   }
-  const double errors = static_cast<double>(runs * c.stops.size() * measured.size());
+  const auto errors = static_cast<double>(runs * c.stops.size() * measured.size());
   return std::sqrt(squares / errors / static_cast<double>(request.steps)) / perturbation;
 }
 

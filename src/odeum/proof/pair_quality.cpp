@@ -13,7 +13,7 @@ namespace {
 
 /// sigma(tau), the number of automorphisms of a tree.
 double symmetry(std::size_t tree) {
-  constexpr auto& trees = all_rooted_trees;
+  constexpr const auto& trees = all_rooted_trees;
   if (tree == 0) return 1;
   const std::size_t right = trees.right[tree];
   double copies = 1;  // of `right` on the root
@@ -25,7 +25,7 @@ double symmetry(std::size_t tree) {
 /// Norm over the trees of one order of |sum_i row_i Phi_i - exact / gamma| / sigma.
 double norm_of(const DynamicTableau<double>& tableau, const std::vector<double>& row, double exact,
                int order) {
-  constexpr auto& trees = all_rooted_trees;
+  constexpr const auto& trees = all_rooted_trees;
   const std::size_t s = tableau.stages;
   std::vector<std::vector<double>> phi;
   double squares = 0;

@@ -20,8 +20,8 @@ std::string line_of(const std::vector<std::string>& cells, const std::vector<std
 
 // One number and nothing else.
 bool is_number(const std::string& format) {
-  return format.find("{", 1) == std::string::npos && format.ends_with("}") &&
-         format.find(":") != std::string::npos;
+  return format.find('{', 1) == std::string::npos && format.ends_with("}") &&
+         format.find(':') != std::string::npos;
 }
 
 }  // namespace

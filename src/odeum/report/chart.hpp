@@ -58,7 +58,7 @@ class Chart {
   void mark(const ChartPoint& point, std::size_t style, std::string_view classes = {},
             std::string_view title = {});
   /// A level across the whole field, drawn only where it is in it.
-  void level(double y, std::string_view text);
+  void level(double value, std::string_view text);
   /// Lines y ~ x^slope from the upper right corner, each named where it leaves the field.
   void slopes(const std::vector<int>& slopes);
 

@@ -82,7 +82,7 @@ template <int Order, std::size_t S, class Visit>
 constexpr void for_each_condition(const NystroemTableau<S>& tableau,
                                   const std::array<double, S>& row_q,
                                   const std::array<double, S>& row_v, Visit&& visit) {
-  constexpr auto& trees = nystroem_trees<Order>;
+  constexpr const auto& trees = nystroem_trees<Order>;
   double phi[trees.count][S]{};
   for (std::size_t tau = 0; tau < trees.count; ++tau) {
     const std::size_t r = trees.right[tau];

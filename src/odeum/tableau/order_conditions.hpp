@@ -18,7 +18,7 @@ namespace odeum {
 template <int Order, std::size_t S, class Visit>
 constexpr void for_each_condition(const Tableau<S>& tableau, const std::array<double, S>& row,
                                   Visit&& visit) {
-  constexpr auto& trees = rooted_trees<Order>;
+  constexpr const auto& trees = rooted_trees<Order>;
   constexpr std::size_t grafted = RootedTrees<Order>::count_to[Order - 1];
   double value[S][S]{}, weight[S]{};
   std::size_t column[S][S]{}, entries[S]{};

@@ -51,7 +51,7 @@ inline constexpr RootedTrees<MaxOrder> rooted_trees{};
 
 /// Conditions are checked up to this order at run time (1205 trees).
 inline constexpr int highest_order_checked = 10;
-inline constexpr auto& all_rooted_trees = rooted_trees<highest_order_checked>;
+inline constexpr const auto& all_rooted_trees = rooted_trees<highest_order_checked>;
 
 /// A tree in brackets (Hairer, Norsett, Wanner, Solving ODEs I, definition II.2.12): τ is the
 /// single node and [τ,[τ]] a root that carries a node and a chain of two.

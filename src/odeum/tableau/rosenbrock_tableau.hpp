@@ -118,7 +118,7 @@ constexpr RosenbrockTableau<S> rosenbrock_from(const std::array<std::array<doubl
 template <int Order, std::size_t S, class Visit>
 constexpr void for_each_condition(const RosenbrockTableau<S>& tableau,
                                   const std::array<double, S>& b, Visit&& visit) {
-  constexpr auto& trees = rooted_trees<Order>;
+  constexpr const auto& trees = rooted_trees<Order>;
   const auto alpha = tableau.alpha_matrix(), gamma = tableau.gamma_matrix();
   std::array<std::array<double, S>, trees.count> phi{};   // as the whole tree
   std::array<std::array<double, S>, trees.count> many{};  // as one of several branches
