@@ -207,7 +207,7 @@ double frame_interval(const Scene& scene, double until) {
   const double interval =
       scene.frame_interval.value_or(std::clamp(1.0 / 60, until / 1000, until / 100));
   const double frames = until / interval + 1;
-  double particles = static_cast<double>(scene.particles.size());
+  auto particles = static_cast<double>(scene.particles.size());
   for (const Emitter& emitter : scene.emitters) {
     if (!(emitter.rate * until < 1e6))
       throw std::length_error(fmt::format(

@@ -146,7 +146,10 @@ std::unique_ptr<ShiftedSolver> GridCloth<Real>::shifted_solver()
     const requires std::same_as<Real, double> {
   for (const SpringKind& kind : springs_.kinds())
     if (kind.stiffness * kind.rest_length < 0) return nullptr;
-  return std::make_unique<GridShiftedSolver>(springs_, mass_.data());
+  // Clang before 16 instantiates this for float too.
+  if constexpr (std::same_as<Real, double>)
+    return std::make_unique<GridShiftedSolver>(springs_, mass_.data());
+  return nullptr;
 }
 
 template class GridCloth<double>;

@@ -42,9 +42,9 @@ class Measures {
 double rounded(double value, int digits) {
   if (!std::isfinite(value)) return value;
   std::array<char, 40> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::scientific, digits - 1)
-                       .ptr;
+  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                  std::chars_format::scientific, digits - 1)
+                        .ptr;
   std::from_chars(text.data(), end, value);
   return value;
 }

@@ -17,20 +17,20 @@ constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2;
 
 template <class Row>
 Row blank_row(const Pair& pair) {
-  Row row = named_row<Row>(*pair.c, pair.entrant->info);
+  auto row = named_row<Row>(*pair.c, pair.entrant->info);
   row.mode = pair.mode;
   return row;
 }
 
 OrderRow make_order(const Pair& pair, const judge::OrderFit& fit) {
-  OrderRow row = blank_row<OrderRow>(pair);
+  auto row = blank_row<OrderRow>(pair);
   row.claimed_order = claimed_order(pair);
   row.fit = fit;
   return row;
 }
 
 ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome& outcome) {
-  ConvergenceRow row = blank_row<ConvergenceRow>(pair);
+  auto row = blank_row<ConvergenceRow>(pair);
   row.status = to_string(outcome.status);
   row.detail = outcome.detail;
   row.counters = outcome.counters;
