@@ -21,7 +21,8 @@ inline scene::Scene disordered_net(std::size_t n, double disorder, std::size_t f
   const double spacing = 1 / static_cast<double>(n - 1);
   for (std::size_t i = 0; i < n * n; ++i) {
     scene::Particle particle;
-    particle.position = {static_cast<double>(i / n) * spacing + draw(moved),
+    const std::size_t row = i / n;
+    particle.position = {static_cast<double>(row) * spacing + draw(moved),
                          static_cast<double>(i % n) * spacing + draw(moved), draw(moved)};
     particle.fixed = i < fixed;
     if (!particle.fixed) particle.velocity = {draw(moved), draw(moved), draw(moved)};

@@ -77,7 +77,7 @@ TEST(Reference, IsTheTruthOfACase) {
     if (!entry["double_input_floor_rel_normwise"].is_object()) continue;
     for (const auto& [time, floor] : entry["double_input_floor_rel_normwise"].items()) {
       const double t = std::stod(time);
-      const auto granted = [&](const std::vector<double>& stops, double claimed) {
+      const auto granted = [&, floor = floor](const std::vector<double>& stops, double claimed) {
         if (std::find(stops.begin(), stops.end(), t) == stops.end()) return;
         std::vector<double> y(found->y0.size());
         ASSERT_TRUE(found->truth.at(t, y.data()));

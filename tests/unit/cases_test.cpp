@@ -114,7 +114,7 @@ TEST_P(EveryCase, JacobianIsTheDerivative) {
     for (std::size_t k = 0; k < n; k += stride) {
       // Components may be tiny where the solution is stiff: steps relative to their own size.
       const double reach = 1e-3 * std::max(std::abs(y[k]), 1e-6 * std::max(1.0, largest(y)));
-      const Difference d = difference(n, reach, [&](double h, double* f) {
+      const Difference d = difference(n, reach, [&, t = t, &y = y](double h, double* f) {
         moved[k] = y[k] + h;
         p.rhs(p.problem, t, moved.data(), f);
         moved[k] = y[k];
@@ -140,7 +140,7 @@ TEST_P(EveryCase, TimeDerivativeIsTheDerivative) {
     if (p.time_derivative) p.time_derivative(p.problem, t, y.data(), exact.data());
     // A thousandth of the fastest period of any explicit time: 1/(100 pi) s.
     const Difference d = difference(
-        n, 1e-6, [&, at = t](double h, double* f) { p.rhs(p.problem, at + h, y.data(), f); });
+        n, 1e-6, [&, t = t, &y = y](double h, double* f) { p.rhs(p.problem, t + h, y.data(), f); });
     for (std::size_t i = 0; i < n; ++i)
       EXPECT_NEAR(exact[i], d.value[i], d.uncertainty[i] + 1e-9 * std::abs(exact[i]))
           << "t = " << t;

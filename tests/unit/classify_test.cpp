@@ -56,8 +56,8 @@ TEST(Classify, CharacteristicsFulfilTheirEquation) {
         "u_t = u_xx", "u_x = u_yy", "u_xx + 2*u_xy + u_yy = u_x"}) {
     const PdePoint point = point_of(text);
     EXPECT_EQ(point.characteristics.size(), point.type == PdeType::hyperbolic ? 2U : 1U) << text;
-    const double a = static_cast<double>(point.a), b = static_cast<double>(point.b),
-                 c = static_cast<double>(point.c);
+    const auto a = static_cast<double>(point.a), b = static_cast<double>(point.b),
+               c = static_cast<double>(point.c);
     for (const auto& [dx, dy] : point.characteristics) {
       EXPECT_NEAR(std::hypot(dx, dy), 1, 1e-15) << text;
       // Rounding of the directions and of three terms.
@@ -104,7 +104,7 @@ TEST(Classify, TheCurveWhereTheTypeChangesIsFound) {
   for (const auto& [x, y] : tricomi.changes) EXPECT_EQ(y, 0);
   // A pole changes the sign without a curve on which the equation is parabolic.
   EXPECT_TRUE(map_types(SecondOrderPde("1/x", "0", "1"), {-1, 1, -1, 1}, 10).changes.empty());
-  EXPECT_TRUE(map_types(SecondOrderPde("u_t = u_xx"), {-1, 1, 0, 1}, 10).changes.size() == 0U);
+  EXPECT_TRUE(map_types(SecondOrderPde("u_t = u_xx"), {-1, 1, 0, 1}, 10).changes.empty());
   EXPECT_THROW(map_types(SecondOrderPde("u_xx"), {1, -1, 0, 1}, 10), std::invalid_argument);
 }
 

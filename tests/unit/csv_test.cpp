@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <charconv>
 #include <clocale>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <locale>
 #include <random>
@@ -23,15 +23,14 @@ TEST(Csv, WritesNumbersThatReadBackToTheSameDouble) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 20'000; ++i) {
     const std::uint64_t bits = random();
-    double value = 0;
-    std::memcpy(&value, &bits, sizeof value);
+    const double value = std::bit_cast<double>(bits);
     if (!std::isfinite(value)) continue;
     const std::string text = format_number(value);
     double back = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), back);
     ASSERT_EQ(error, std::errc{});
     ASSERT_EQ(end, text.data() + text.size());
-    ASSERT_EQ(std::memcmp(&back, &value, sizeof value), 0) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(value)) << text;
   }
 }
 

@@ -161,19 +161,16 @@ TEST_F(FivePoint, StopsWhereItIsToldTo) {
   const NoPreconditioner none(a_);
   const auto three = [](std::size_t iteration, const double*) { return iteration < 3; };
   const StopRule rule;
-  for (const IterativeOutcome& run :
-       {static_cast<IterativeOutcome>(preconditioned_cg(a_, none, b_, rule, three)),
-        gauss_seidel(a_, b_, rule, three)}) {
-    EXPECT_EQ(run.status, IterationStatus::stopped);
-    EXPECT_EQ(run.iterations, 3U);
-  }
+  const auto ended = [](const IterativeOutcome& run, IterationStatus status,
+                        std::size_t iterations) {
+    EXPECT_EQ(run.status, status);
+    EXPECT_EQ(run.iterations, iterations);
+  };
+  ended(preconditioned_cg(a_, none, b_, rule, three), IterationStatus::stopped, 3);
+  ended(gauss_seidel(a_, b_, rule, three), IterationStatus::stopped, 3);
   const StopRule short_rule{.most_iterations = 5};
-  for (const IterativeOutcome& run :
-       {static_cast<IterativeOutcome>(preconditioned_cg(a_, none, b_, short_rule)),
-        steepest_descent(a_, b_, short_rule)}) {
-    EXPECT_EQ(run.status, IterationStatus::over_budget);
-    EXPECT_EQ(run.iterations, 5U);
-  }
+  ended(preconditioned_cg(a_, none, b_, short_rule), IterationStatus::over_budget, 5);
+  ended(steepest_descent(a_, b_, short_rule), IterationStatus::over_budget, 5);
   const std::vector<double> zero(b_.size());
   EXPECT_EQ(preconditioned_cg(a_, none, zero, rule).status, IterationStatus::converged);
   EXPECT_EQ(gauss_seidel(a_, zero, rule).iterations, 0U);

@@ -117,7 +117,7 @@ TEST(SceneProblem, ASpringObeysItsLawAndASlackOneOnlyDamps) {
   tension.tension_only = true;
   struct Expected {
     Spring spring;
-    double x, acceleration, energy;
+    double x = 0, acceleration = 0, energy = 0;
   };
   for (const auto& [spring, x, acceleration, energy] :
        {Expected{two_way, 1.5, -2.5, 1.25}, Expected{two_way, 0.5, 2.5, 1.25},

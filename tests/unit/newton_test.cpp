@@ -133,7 +133,7 @@ TEST(Newton, SolvesRobertsonsFirstStepWithoutStepControl) {
     ASSERT_EQ(stepper.step(0, h, y), Status::ok) << h;
     EXPECT_GT(y[1], 0) << h;
     EXPECT_NEAR(y[0] + y[1] + y[2], 1, 1e-14) << h;
-    std::array<double, 3> f;
+    std::array<double, 3> f{};
     problem.rhs(0, y.data(), f.data());
     EXPECT_NEAR(y[0], 1 + h * f[0], 1e-12) << h;
   }

@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Adaptive, OutputBetween, testing::ValuesIn(adaptive_met
 
 /// Accepts every step and keeps its length.
 struct KeepStep {
-  static constexpr const char* name = "none";
+  [[maybe_unused]] static constexpr const char* name = "none";
   explicit KeepStep(int) {}
   Decision operator()(double h, double) const { return {true, h}; }
 };

@@ -183,7 +183,7 @@ TEST(OwnSteps, AgreeWithStepsWorkedByHand) {
 /// q'' = t + q - 2 v: second-order schemes with a velocity-dependent acceleration.
 struct Dragged {
   static constexpr std::size_t dimension = 2;
-  static constexpr bool velocity_dependent = true;
+  [[maybe_unused]] static constexpr bool velocity_dependent = true;
   static double a(double t, double q, double v) { return t + q - 2 * v; }
   void acceleration(double t, const double* q, const double* v, double* out) const {
     out[0] = a(t, q[0], v[0]);

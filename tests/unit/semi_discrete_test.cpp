@@ -108,7 +108,7 @@ TEST(FemHeat, ExplicitEulerIsStableToItsLimit) {
   for (const auto& [id, mass] :
        {std::pair{"fem_heat", fem::Mass::lumped}, {"fem_heat_rough", fem::Mass::consistent}}) {
     const double limit = 2 / static_cast<double>(system_of(mass).modes->values.back());
-    const auto largest = [&](double h) {
+    const auto largest = [&, id = id](double h) {
       double size = 0;
       for (const double each : after(case_of(id), "explicit_euler", 1000 * h, 1000))
         size = std::fmax(size, std::abs(each));

@@ -106,7 +106,7 @@ TEST(Splitting, UndoesItsStepWhereItIsSymmetric) {
 
 struct Oscillator {
   static constexpr std::size_t dimension = 2;
-  static constexpr bool velocity_dependent = false;
+  [[maybe_unused]] static constexpr bool velocity_dependent = false;
   double w;
   void acceleration(double, const double* q, const double*, double* a) const {
     a[0] = -w * w * q[0];

@@ -30,9 +30,16 @@ std::string text_of(const fs::path& path) {
 
 TEST(Store, HoldsWhatWasAddedWhateverItsCharacters) {
   const TemporaryFolder folder;
-  const std::vector<std::string> texts{
-      "plain", "",       "tab\there", "two\nlines\n", "back\\slash\\", "\\n is not a line",
-      "\\",    "nul\0!", "\r\n",      "h\xc3\xa4"};
+  const std::vector<std::string> texts{"plain",
+                                       "",
+                                       "tab\there",
+                                       "two\nlines\n",
+                                       "back\\slash\\",
+                                       "\\n is not a line",
+                                       "\\",
+                                       std::string("nul\0!", 5),
+                                       "\r\n",
+                                       "h\xc3\xa4"};
   Store store(folder.path());
   for (const std::string& maker : texts)
     for (const std::string& key : texts) store.add(maker, key, key + maker);
@@ -95,7 +102,7 @@ TEST(Store, RemovesWhatWasUsedLeastRecently) {
   for (const fs::path& path : files_in(folder.path()))
     fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(1));
   EXPECT_TRUE(Store(folder.path()).take("b", "key"));  // now it was used last
-  Store(folder.path(), 1500);
+  { const Store smaller(folder.path(), 1500); }
   Store store(folder.path());
   EXPECT_FALSE(store.take("a", "key"));
   EXPECT_TRUE(store.take("b", "key"));

@@ -83,9 +83,9 @@ TEST(Studies, WhatAReportRunsIsThere) {
                                   [&](const Case& c) { return glob_matches(glob, c.id); }))
               << study->declaration().name << ": " << glob;
         for (const auto& [name, value] : options.own)
-          EXPECT_TRUE(std::any_of(study->declaration().options.begin(),
-                                  study->declaration().options.end(),
-                                  [&](const Option& option) { return option.name == name; }))
+          EXPECT_TRUE(
+              std::any_of(study->declaration().options.begin(), study->declaration().options.end(),
+                          [&, name = name](const Option& option) { return option.name == name; }))
               << study->declaration().name << ": " << name;
       }
 }

@@ -20,10 +20,10 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick);
 
 /// Extra settings where an order is open: between the numbers of steps in `telling`, from coarse to
 /// fine (`to_rounding`: errors reach it), or beyond the last of them. For large problems only where
-/// they are smooth. All else as in `like`, one of the pair's settings.
-std::vector<Request> settings_between(const Pair& pair, Request like,
+/// they are smooth. All else as in `request`, one of the pair's settings.
+std::vector<Request> settings_between(const Pair& pair, Request request,
                                       std::vector<std::uint64_t> telling, bool to_rounding);
-std::vector<Request> settings_beyond(const Pair& pair, Request like,
+std::vector<Request> settings_beyond(const Pair& pair, Request request,
                                      const std::vector<std::uint64_t>& telling);
 
 /// The order that a pair is held to; NaN where none is claimed: it varies during a run, or is above

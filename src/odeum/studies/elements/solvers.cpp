@@ -65,7 +65,7 @@ struct Tools {
 
 /// What theory says of an iteration: |e_k| <= factor rate^k |e_0| in the energy norm.
 struct Bound {
-  double rate, factor = 1;
+  double rate = 0, factor = 1;
   double iterations() const {
     return rate < 1 ? std::ceil(std::log(reduction / factor) / std::log(rate)) : unknown_number;
   }

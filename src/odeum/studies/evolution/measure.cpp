@@ -15,8 +15,8 @@ namespace {
 using std::numbers::pi;
 
 struct Solver {
-  const char* id;
-  double order;
+  const char* id = "";
+  double order = 0;
   /// Explicit: the largest stable product of the step with the largest eigenvalue (heat) or
   /// frequency (wave).
   double limit = 0;

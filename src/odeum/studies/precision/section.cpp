@@ -30,8 +30,8 @@ double worst_of(const CaseFacts& c) { return 10 * c.scale; }
 
 /// What there is of one case.
 struct Measured {
-  const CaseFacts* c;
-  std::size_t index;  ///< of the case
+  const CaseFacts* c = nullptr;
+  std::size_t index = 0;  ///< of the case
   std::vector<PrecisionRow> rows;
   std::vector<const PrecisionSummary*> summary;
 };

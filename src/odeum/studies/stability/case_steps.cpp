@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/spectrum.hpp"
@@ -86,6 +87,7 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
   const Case* plane = nullptr;
   for (const Case& c : all_cases())
     if (c.plane == "lambda") plane = &c;
+  if (!plane) throw std::logic_error("no case has the plane of lambda");
   const Probe probe = plane->probe();
   std::vector<Task> tasks;
   for (const Rays& each : rays)
