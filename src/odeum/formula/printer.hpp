@@ -111,7 +111,7 @@ struct Function {
   std::string target;       ///< the name of the array
   std::size_t cleared = 0;  ///< so many of its elements are set to 0 before
   std::string first = "y",
-              second;  ///< the arrays of the states up to `split` and from there on
+              second = {};  ///< the arrays of the states up to `split` and from there on
   std::uint32_t split = static_cast<std::uint32_t>(-1);
 };
 
