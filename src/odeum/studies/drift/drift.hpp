@@ -88,9 +88,9 @@ struct HarmonicMotion {
 /// The harmonic motion of a case; none where it is not a harmonic oscillator.
 std::optional<HarmonicMotion> harmonic_motion(const Case& c);
 
-/// The time when errors, positive and at increasing times, first reach a threshold; NaN where they
+/// The time when errors, positive and at increasing times, first reach a limit; NaN where they
 /// never do.
 double time_of_reaching(const std::vector<double>& times, const std::vector<double>& errors,
-                        double threshold);
+                        double limit);
 
 }  // namespace odeum::study

@@ -48,9 +48,9 @@ std::vector<Request> settings_of(const Case& c, const SolverInfo& info,
 }  // namespace
 
 double time_of_reaching(const std::vector<double>& times, const std::vector<double>& errors,
-                        double threshold) {
+                        double limit) {
   for (std::size_t k = 0; k < errors.size(); ++k) {
-    if (errors[k] < threshold) continue;
+    if (errors[k] < limit) continue;
     if (k == 0 || !(errors[k - 1] > 0)) return times[k];
     const double share = std::log(limit / errors[k - 1]) / std::log(errors[k] / errors[k - 1]);
     return times[k - 1] + share * (times[k] - times[k - 1]);
