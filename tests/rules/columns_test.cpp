@@ -4,25 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace odeum::rules {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::text_of;
 using Columns = std::map<std::string, std::set<std::string>>;  // by file
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::set<std::string> matches(const std::string& text, const char* pattern) {
   std::set<std::string> found;

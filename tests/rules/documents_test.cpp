@@ -3,24 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.hpp"
+
 namespace odeum::rules {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::text_of;
 
 const fs::path root = ODEUM_SOURCE_DIR;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> found;

@@ -11,11 +11,13 @@
 #include <set>
 
 #include "source_tree.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace odeum::rules {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::text_of;
 
 const fs::path root = ODEUM_SOURCE_DIR;
 
@@ -53,11 +55,6 @@ TEST(Rules, IncludesPointDown) {
 TEST(Rules, FilesAreShort) { expect_only_known(long_files(root), "file"); }
 
 TEST(Rules, FunctionsAreShort) { expect_only_known(long_functions(root), "function"); }
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The first groups of all matches in a file.
 std::vector<std::string> matches_in(const std::string& file, const std::regex& pattern) {

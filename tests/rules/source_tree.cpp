@@ -8,19 +8,16 @@
 #include <regex>
 #include <sstream>
 
+#include "support/temporary_folder.hpp"
+
 namespace odeum::rules {
 namespace {
 
 namespace fs = std::filesystem;
+using tests::text_of;
 
 constexpr std::size_t file_limit = 300, kernel_limit = 150, function_limit = 60;
 constexpr std::string_view reason_mark = "// long: ";
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The room of a file, and its rank; siblings of `<name>` have equal rank.
 struct Place {

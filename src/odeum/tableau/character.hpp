@@ -27,7 +27,7 @@ Structure structure_of(const DynamicTableau<double>& tableau);
 /// "explicit, first same as last", "singly diagonally implicit, stiffly accurate", ...
 std::string describe(const Structure& structure);
 
-/// R(z) = 1 + z b^T (I - z A)^{-1} 1 at a z, in long double; NaN where I - z A is singular.
+/// R(z) = 1 + z b^T (I - z A)^{-1} 1 for z = `at`, in long double; NaN where I - z A is singular.
 std::complex<double> stability_function(const DynamicTableau<double>& t, std::complex<double> at);
 
 /// How a method damps y' = z y for z in the left half-plane.
