@@ -184,7 +184,7 @@ TEST(PageSections, TakesTheOscillatorApart) {
   for (DriftRow& row : result.rows)
     if (row.invariant == "amplitude") row.value = 1 - row.relative_error;
   const std::string html = index_of(result);
-  EXPECT_TRUE(has(html, ">-1.0e-03</td>")) << "the amplitude dies away";
+  EXPECT_TRUE(has(html, ">-1.0e-03</td>")) << "the amplitude decays";
   EXPECT_TRUE(has(html, ">+1.0e+00</td>")) << "the lag in radians";
 }
 

@@ -144,7 +144,7 @@ TEST(Tolerances, EverySolverHonoursOneByComponent) {
       }
 }
 
-// Robertson's second component is 9e-6 at t = 40. With one number of 1e-4 nobody has asked for its
+// Robertson's second component is 9e-6 at t = 40. One tolerance of 1e-4 does not ask for its
 // digits; with the case's thresholds its error is relative. The bound is ten times the tolerance.
 TEST(Tolerances, RobertsonsSecondComponent) {
   const Case& c = find_case("robertson_40");

@@ -32,7 +32,7 @@ class OrderAndStepControl {
       double error = error_of(line_);
       if (!std::isfinite(error)) return {false, h / 4};
       if (!looks_at(line_)) continue;
-      error = error_[at(line_)] = believed(error);
+      error = error_[at(line_)] = bounded_below(error);
       // The error of line j goes as h^(2 j + 1); (9.16) and the bounds of ODEX.
       const double least = least_factor[at(line_)];
       const double factor = 0.94 * quick_power(0.65 / std::max(error, 1e-16), 1. / (2 * line_ + 1));
@@ -47,10 +47,9 @@ class OrderAndStepControl {
 
  private:
   static constexpr std::size_t at(int line) { return static_cast<std::size_t>(line); }
-  /// An estimate may pass through zero. It is believed to fall by ten times what it fell by from
-  /// the line before the last to the last one, no more: where lines converge that leaves it as it
-  /// is.
-  double believed(double error) const {
+  /// An estimate may pass through zero. It is taken to fall by at most ten times what it fell by
+  /// from the line before the last to the last one: where lines converge that leaves it as it is.
+  double bounded_below(double error) const {
     if (line_ < 3 || !looks_at(line_ - 2)) return error;
     const double last = error_[at(line_ - 1)], before = error_[at(line_ - 2)];
     return std::max(error, 0.1 * last * std::min(1.0, last / before));

@@ -10,8 +10,8 @@ namespace odeum::proof {
 namespace {
 
 /// An alteration of a problem's answers.
-struct Lie {
-  enum class Time { right, stands_still, late } time = Time::right;
+struct Fault {
+  enum class Time { right, frozen, late } time = Time::right;
   int evaluation = -1;  ///< which one of a step; -1: none
   enum class Value { scaled, negated, stale } value = Value::scaled;
   double jacobian = 1, time_derivative = 1;  ///< factors
@@ -26,62 +26,63 @@ struct Moment {
   std::vector<double> last;  ///< the value of the last evaluation
 };
 
-double time_told(const Lie& lie, const Moment& now, double t) {
-  switch (lie.time) {
-    case Lie::Time::stands_still:
+double time_passed(const Fault& fault, const Moment& now, double t) {
+  switch (fault.time) {
+    case Fault::Time::frozen:
       return now.t;
-    case Lie::Time::late:
+    case Fault::Time::late:
       return t + now.h / 100;
     default:
       return t;
   }
 }
 
-void spoil(const Lie& lie, Moment& now, double* value, std::size_t n) {
-  if (now.evaluations++ == lie.evaluation) {
-    if (lie.value == Lie::Value::stale && now.last.size() == n)
+void alter(const Fault& fault, Moment& now, double* value, std::size_t n) {
+  if (now.evaluations++ == fault.evaluation) {
+    if (fault.value == Fault::Value::stale && now.last.size() == n)
       std::copy(now.last.begin(), now.last.end(), value);
     else
-      for (std::size_t i = 0; i < n; ++i) value[i] *= lie.value == Lie::Value::negated ? -1 : 1.001;
+      for (std::size_t i = 0; i < n; ++i)
+        value[i] *= fault.value == Fault::Value::negated ? -1 : 1.001;
   }
   now.last.assign(value, value + n);
 }
 
 template <class P>
-P lying(const P& problem, const Lie& lie, const std::shared_ptr<Moment>& now) {
+P altered(const P& problem, const Fault& fault, const std::shared_ptr<Moment>& now) {
   P p = problem;
   const std::size_t n = problem.size();
   p.f = [=, f = problem.f](double t, const double* y, double* out) {
-    f(time_told(lie, *now, t), y, out);
-    spoil(lie, *now, out, n);
+    f(time_passed(fault, *now, t), y, out);
+    alter(fault, *now, out, n);
   };
   p.f_y = [=, f_y = problem.f_y](double t, const double* y, double* j) {
     now->jacobian_asked = true;
-    f_y(time_told(lie, *now, t), y, j);
-    for (std::size_t i = 0; i < n * n; ++i) j[i] *= lie.jacobian;
+    f_y(time_passed(fault, *now, t), y, j);
+    for (std::size_t i = 0; i < n * n; ++i) j[i] *= fault.jacobian;
   };
   p.f_t = [=, f_t = problem.f_t](double t, const double* y, double* d) {
-    f_t(time_told(lie, *now, t), y, d);
-    for (std::size_t i = 0; i < n; ++i) d[i] *= lie.time_derivative;
+    f_t(time_passed(fault, *now, t), y, d);
+    for (std::size_t i = 0; i < n; ++i) d[i] *= fault.time_derivative;
   };
   if constexpr (requires { p.a; })
     p.a = [=, a = problem.a](double t, const double* q, const double* v, double* out) {
-      a(time_told(lie, *now, t), q, v, out);
-      spoil(lie, *now, out, n / 2);
+      a(time_passed(fault, *now, t), q, v, out);
+      alter(fault, *now, out, n / 2);
     };
   return p;
 }
 
 /// The unaltered stepper on a problem with altered answers.
 template <class P>
-class Deceived : public AnyStepper {
+class OnAlteredProblem : public AnyStepper {
  public:
-  Deceived(const MakeStepper<P>& make, const P& problem, const Lie& lie)
-      : lie_(lie),
+  OnAlteredProblem(const MakeStepper<P>& make, const P& problem, const Fault& fault)
+      : fault_(fault),
         now_(std::make_shared<Moment>()),
-        honest_(problem),
-        problem_(lying(problem, lie, now_)),
-        stepper_(make(problem_)) {}
+        unaltered_(problem),
+        altered_(altered(problem, fault, now_)),
+        stepper_(make(altered_)) {}
 
   void start(double t, double h, const std::vector<double>& y) override {
     *now_ = {t, h, false, -1'000'000, {}};  // evaluations of a start are no part of a step
@@ -90,9 +91,9 @@ class Deceived : public AnyStepper {
   }
   Status step(double t, double h, std::vector<double>& y) override {
     begin(t, h);
-    if (!lie_.euler_start || !std::exchange(first_, false)) return stepper_->step(t, h, y);
+    if (!fault_.euler_start || !std::exchange(first_, false)) return stepper_->step(t, h, y);
     std::vector<double> f(y.size()), euler = y;
-    honest_.rhs(t, y.data(), f.data());
+    unaltered_.rhs(t, y.data(), f.data());
     for (std::size_t i = 0; i < y.size(); ++i) euler[i] += h * f[i];
     const Status status = stepper_->step(t, h, y);
     y = euler;
@@ -111,24 +112,25 @@ class Deceived : public AnyStepper {
     now_->h = h;
     now_->evaluations = 0;
   }
-  Lie lie_;
+  Fault fault_;
   std::shared_ptr<Moment> now_;
-  const P& honest_;
-  P problem_;
+  const P& unaltered_;
+  P altered_;
   std::unique_ptr<AnyStepper> stepper_;
   bool first_ = true;
 };
 
 template <class P>
-MakeStepper<P> deceived(const MakeStepper<P>& make, const Lie& lie) {
+MakeStepper<P> with_fault(const MakeStepper<P>& make, const Fault& fault) {
   if (!make) return {};
-  return
-      [make, lie](const P& problem) { return std::make_unique<Deceived<P>>(make, problem, lie); };
+  return [make, fault](const P& problem) {
+    return std::make_unique<OnAlteredProblem<P>>(make, problem, fault);
+  };
 }
 
-Code deceived(const MethodFacts& method, const Lie& lie) {
-  return {deceived(method.on_problem, lie), deceived(method.on_separable, lie),
-          deceived(method.on_second_order, lie)};
+Code with_fault(const MethodFacts& method, const Fault& fault) {
+  return {with_fault(method.on_problem, fault), with_fault(method.on_separable, fault),
+          with_fault(method.on_second_order, fault)};
 }
 
 /// The evaluations of a step after the start.
@@ -139,7 +141,7 @@ struct Demand {
 
 template <class P>
 Demand demand_of(const MakeStepper<P>& make, const TestProblem<P>& test) {
-  Deceived<P> stepper(make, test.problem, {});
+  OnAlteredProblem<P> stepper(make, test.problem, {});
   std::vector<double> y = test.y0;
   const double h = 0.05;
   stepper.start(test.t0, h, y);
@@ -157,13 +159,13 @@ constexpr int most_evaluations = 24;  // of extrapolation methods, the first one
 struct Named {
   const char* kind;
   std::string change;
-  Lie lie;
+  Fault fault;
 };
 
-std::vector<Named> lies_to(const MethodFacts& method) {
+std::vector<Named> faults_for(const MethodFacts& method) {
   std::vector<Named> all{
-      {"time", "every evaluation at the start of the step", {.time = Lie::Time::stands_still}},
-      {"time", "every evaluation a hundredth of a step late", {.time = Lie::Time::late}}};
+      {"time", "every evaluation at the start of the step", {.time = Fault::Time::frozen}},
+      {"time", "every evaluation a hundredth of a step late", {.time = Fault::Time::late}}};
   const std::string_view family = method.info.family;
   if (family == "linearly_implicit") {
     all.push_back({"derivative", "Jacobian larger by 1 %", {.jacobian = 1.01}});
@@ -180,11 +182,12 @@ std::vector<Named> lies_to(const MethodFacts& method) {
   for (int k = 0; k < evaluations; ++k) {
     const std::string name = fmt::format("evaluation {} ", k + 1);
     all.push_back(
-        {"evaluation", name + "larger by 0.1 %", {.evaluation = k, .value = Lie::Value::scaled}});
+        {"evaluation", name + "larger by 0.1 %", {.evaluation = k, .value = Fault::Value::scaled}});
     all.push_back(
-        {"evaluation", name + "negated", {.evaluation = k, .value = Lie::Value::negated}});
-    all.push_back(
-        {"evaluation", name + "forgotten", {.evaluation = k, .value = Lie::Value::stale}});
+        {"evaluation", name + "negated", {.evaluation = k, .value = Fault::Value::negated}});
+    all.push_back({"evaluation",
+                   name + "replaced by the one before",
+                   {.evaluation = k, .value = Fault::Value::stale}});
   }
   return all;
 }
@@ -196,14 +199,14 @@ std::vector<Mutant> mutate_answers(const MethodFacts& method) {
   if (!method.on_problem && !method.on_separable) return mutants;
   if (method.info.order == 0) return mutants;
   const CodeChecks checks(method);
-  for (const Named& named : lies_to(method)) {
+  for (const Named& named : faults_for(method)) {
     Mutant mutant{method.id(), named.kind, named.change, 0, {}, {}};
-    const Code code = deceived(method, named.lie);
+    const Code code = with_fault(method, named.fault);
     mutant.caught_by = checks.first_failure(code);
     // No change: the method does not use the altered answer.
     if (!mutant.caught() && difference_between(code, method) <= 1e-15)
       mutant.equivalent = "no result depends on it";
-    else if (!mutant.caught() && named.lie.euler_start && method.info.order <= 2)
+    else if (!mutant.caught() && named.fault.euler_start && method.info.order <= 2)
       mutant.equivalent = "one Euler step leaves an error of order 2, which the method has anyway";
     mutants.push_back(std::move(mutant));
   }

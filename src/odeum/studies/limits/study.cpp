@@ -19,7 +19,7 @@ namespace {
 using report::Cell;
 using report::show_number;
 
-/// How what was measured lies to what the spectrum predicts.
+/// The measured limit against the one that the spectrum predicts.
 enum class Agreement { near, above, below, no_theory, none_bounded };
 constexpr std::size_t agreements = 5;
 
