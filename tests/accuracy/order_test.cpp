@@ -83,10 +83,13 @@ const Exception exceptions[] = {
     {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"sdirk4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"radau_iia5", "duffing_free", Mode::adaptive, {undetermined}, 5.5, 7.5, mean_step},
+    // Local slopes run from 2.9 to 6.3: the verdict depends on the rounding of the step control,
+    // which
+    // differs with the compiler's options; the order stays.
     {"radau_iia5",
      "damped_oscillator_critical",
      Mode::adaptive,
-     {lower, confirmed},
+     {lower, undetermined, confirmed},
      3.5,
      4.75,
      mean_step},

@@ -107,7 +107,7 @@ double moving_frame_defect(const Code& code) {
 
 CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
   for_each_test(sound, [&](const auto& make, const auto& test) {
-    orders_.push_back(measure_order(make, sound.info.order, test));
+    orders_.push_back(measure_order(make, sound.info.order, test, sound.rounding));
   });
   stability_ = sound.on_problem && (sound.info.one_step || sound.recurrence) &&
                agrees_with_stability_function(sound);
@@ -147,7 +147,7 @@ std::string CodeChecks::first_failure(const Code& code) const {
   auto expected = orders_.begin();
   for_each_test(code, [&](const auto& make, const auto& test) {
     if (!failure.empty()) return;
-    const judge::OrderFit fit = measure_order(make, sound_.info.order, test);
+    const judge::OrderFit fit = measure_order(make, sound_.info.order, test, sound_.rounding);
     if (!same_order(fit, *expected++))
       failure = fmt::format("order on {}: {}", test.id, to_string(fit.verdict));
   });

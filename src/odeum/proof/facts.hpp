@@ -30,7 +30,8 @@ struct Code {
 struct MethodFacts : Code {
   MethodInfo info{};
   std::string needs;
-  std::optional<DynamicTableau<double>> tableau;              ///< of a Runge-Kutta method
+  double rounding = 1;                            ///< of one step over that of the state
+  std::optional<DynamicTableau<double>> tableau;  ///< of a Runge-Kutta method
   std::function<double(double re, double im)> amplification;  ///< |R(z)|; may be empty
   std::function<OscillatorMap(double)> oscillator_map;        ///< may be empty
 

@@ -55,6 +55,7 @@ MethodFacts facts_of() {
   MethodFacts facts;
   facts.info = M::info;
   facts.needs = M::needs;
+  if constexpr (requires { M::rounding(); }) facts.rounding = M::rounding();
   if constexpr (requires { dynamic_tableau(M::tableau); })
     facts.tableau = dynamic_tableau(M::tableau);
   if constexpr (requires { M::amplification(0.0, 0.0); }) facts.amplification = M::amplification;

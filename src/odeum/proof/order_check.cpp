@@ -40,7 +40,8 @@ std::vector<std::uint64_t> ladder(const Plan& plan) {
 
 judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
                               const std::vector<double>& y0,
-                              const std::function<void(double t, double* y)>& truth) {
+                              const std::function<void(double t, double* y)>& truth,
+                              double rounding) {
   const Plan plan = plan_for(claimed_order);
   horizon *= plan.horizon;
   std::vector<judge::ErrorPoint> points;
@@ -65,7 +66,7 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
         point.scale = std::max(point.scale, std::abs(exact[k]));
       }
     }
-    point.rounding_unit = point.scale * std::numeric_limits<double>::epsilon() / 2;
+    point.rounding_unit = rounding * point.scale * std::numeric_limits<double>::epsilon() / 2;
     points.push_back(point);
     at_rounding = point.error <= point.typical_rounding() ? at_rounding + 1 : 0;
     if (at_rounding >= rounding_seen && points.size() >= 6) break;

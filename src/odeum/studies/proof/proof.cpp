@@ -33,9 +33,10 @@ void measure(const proof::MakeStepper<P>& make, const MethodFacts& method, const
   const int order = method.info.order;
   if (!make || order == 0) return;
   for (const proof::TestProblem<P>& test : where)
-    orders.push_back(
-        {method.id(), prefix + test.id, order, proof::measure_order(make, order, test),
-         proof::measure_order(make, order + 1, test).verdict == judge::Verdict::confirmed});
+    orders.push_back({method.id(), prefix + test.id, order,
+                      proof::measure_order(make, order, test, method.rounding),
+                      proof::measure_order(make, order + 1, test, method.rounding).verdict ==
+                          judge::Verdict::confirmed});
 }
 
 void prove_stability(const MethodFacts& method, ProofRow& row) {
