@@ -23,7 +23,7 @@ TEST(Csv, WritesNumbersThatReadBackToTheSameDouble) {
   std::mt19937_64 random(7);
   for (int i = 0; i < 20'000; ++i) {
     const std::uint64_t bits = random();
-    const double value = std::bit_cast<double>(bits);
+    const auto value = std::bit_cast<double>(bits);
     if (!std::isfinite(value)) continue;
     const std::string text = format_number(value);
     double back = 0;
