@@ -41,7 +41,7 @@ TEST(Proofs, OrdersAreConfirmedAndDoNotPassAsTheNext) {
                          (order.fit.verdict == judge::Verdict::undetermined && row.order > 8 &&
                           order.fit.order > row.order);
       EXPECT_TRUE(order.fit.verdict == judge::Verdict::confirmed || above)
-          << row.method << " on " << order.ground << ": " << order.fit.reason;
+          << row.method << " on " << order.test_problem << ": " << order.fit.reason;
     }
     const int test_problems = static_cast<int>(orders.size());
     EXPECT_GE(confirmed, test_problems - test_problems / 3) << row.method;
@@ -155,12 +155,12 @@ TEST(Proofs, EstimatesHaveTheirOrderAndSize) {
     ++pairs;
     // Its first two terms have opposite signs: local slopes go from 10.4 to 7.7 and reach 8.5 where
     // rounding begins, so that no exponent can be fitted.
-    if (method == "verner98" && q.ground == "non_autonomous") {
+    if (method == "verner98" && q.test_problem == "non_autonomous") {
       EXPECT_NEAR(q.ratio, 1, 0.1);
       continue;
     }
-    EXPECT_EQ(q.good(), !vanishing.contains(method + " " + q.ground))
-        << method << " on " << q.ground << ": exponent " << q.exponent << " for "
+    EXPECT_EQ(q.good(), !vanishing.contains(method + " " + q.test_problem))
+        << method << " on " << q.test_problem << ": exponent " << q.exponent << " for "
         << q.expected_exponent << ", ratio " << q.ratio;
   }
   EXPECT_GE(pairs, 4);
@@ -175,7 +175,8 @@ TEST(Proofs, AnEstimateThatMeetsEveryConditionAndIsFarTooSmallIsSeen) {
     for (std::size_t i = 0; i < t.stages; ++i) t.b_hat[i] = t.b[i] + 1e-5 * (t.b_hat[i] - t.b[i]);
     ASSERT_EQ(order_of_row(t, t.b_hat, double_rounding).order, 4);
     for (const proof::EstimateQuality& q : proof::estimate_quality(proof::interpreted(t), 5, 4))
-      EXPECT_FALSE(q.ratio >= proof::ratio_low && q.margin >= 1) << q.ground << " " << q.ratio;
+      EXPECT_FALSE(q.ratio >= proof::ratio_low && q.margin >= 1)
+          << q.test_problem << " " << q.ratio;
   }
 }
 

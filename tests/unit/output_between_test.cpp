@@ -34,14 +34,14 @@ std::vector<std::string> adaptive_methods() {
   return ids;
 }
 
-struct Ground {
+struct Task {
   const Case& c;
   double end;
 };
 
 // Each method on the first of these that it fits: the last two are for Taylor's method and for one
 // that needs damping apart from the other forces.
-Ground ground_for(const std::string& id) {
+Task task_of(const std::string& id) {
   for (const char* name :
        {"damped_oscillator_underdamped", "damped_oscillator_undamped", "lotka_volterra"})
     if (find_entrant(find_case(name), id).unfit.empty()) return {find_case(name), 5};
@@ -70,7 +70,7 @@ double largest_error(const Case& c, const std::vector<double>& times, const Outc
 class OutputBetween : public testing::TestWithParam<std::string> {};
 
 TEST_P(OutputBetween, ChangesNoStep) {
-  const auto [c, end] = ground_for(GetParam());
+  const auto [c, end] = task_of(GetParam());
   const Entrant& entrant = find_entrant(c, GetParam());
   const Outcome sparse = entrant.solve(dense_request(1e-4, {end}));
   ASSERT_EQ(sparse.status, Status::ok) << sparse.detail;
@@ -93,7 +93,7 @@ TEST_P(OutputBetween, ChangesNoStep) {
 // tolerance, but for a factor of 2: an interpolant's error is of the order of the method's own and
 // may be added.
 TEST_P(OutputBetween, IsAsAccurateAsTheEndsOfTheSteps) {
-  const auto [c, end] = ground_for(GetParam());
+  const auto [c, end] = task_of(GetParam());
   const Entrant& entrant = find_entrant(c, GetParam());
   for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
     const std::vector<double> stops = evenly(997, end);

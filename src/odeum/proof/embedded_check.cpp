@@ -71,7 +71,7 @@ template <class P>
 EstimateQuality judge(AnyStepper& stepper, const TestProblem<P>& test, int order,
                       int order_embedded) {
   EstimateQuality quality;
-  quality.ground = test.id;
+  quality.test_problem = test.id;
   quality.expected_exponent = std::min(order, order_embedded) + 1;
   quality.exponent = quality.ratio = quality.margin = nan;
   std::vector<judge::ErrorPoint> points;

@@ -14,7 +14,7 @@ namespace odeum::proof {
 /// the true local error of that result goes to 1. A pair may meet every order condition and still
 /// have a ratio far from 1 at practical steps.
 struct EstimateQuality {
-  std::string ground;
+  std::string test_problem;
   double exponent = 0, expected_exponent = 0;  ///< of h; NaN: no window, or no estimate at all
   /// Estimate over true local error of the lower-order result, where the estimate is near 1e-6.
   double ratio = 0;

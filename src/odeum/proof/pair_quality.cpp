@@ -107,11 +107,11 @@ std::vector<std::string> PairQuality::remarks() const {
   for (const EstimateQuality& q : estimate) {
     if (vanishes(q))
       remarks.push_back(fmt::format("no estimate on {} problems: it is {:.1e} of the error",
-                                    q.ground, std::isnan(q.ratio) ? 0 : q.ratio));
+                                    q.test_problem, std::isnan(q.ratio) ? 0 : q.ratio));
     else if (q.margin < 1)
       remarks.push_back(fmt::format(
-          "on the {} problem the estimate is {:.2g} of the error of the row that is kept", q.ground,
-          q.margin));
+          "on the {} problem the estimate is {:.2g} of the error of the row that is kept",
+          q.test_problem, q.margin));
   }
   return remarks;
 }
@@ -126,7 +126,7 @@ std::string PairQuality::text() const {
   for (const EstimateQuality& q : estimate)
     text += fmt::format(
         "  {:<12}{:<16}{:.3g} of the error of the lower row, {:.3g} of that of b; h^{:.2f}\n",
-        "estimate", q.ground, q.ratio, q.margin, q.exponent);
+        "estimate", q.test_problem, q.ratio, q.margin, q.exponent);
   for (const std::string& remark : remarks()) text += "remark: " + remark + '\n';
   return text;
 }

@@ -163,11 +163,12 @@ std::string Verification::text(const TableauFile& file) const {
                       imaginary_limit, describe(stability));
   text += "measured by running\n";
   for (const MeasuredRow& row : measured)
-    text += fmt::format("  {:<12}{:<16}order {:.2f} {}{}\n", row.row, row.ground, row.fit.order,
-                        row.agrees ? "as the conditions say" : "DISAGREES with the conditions",
-                        row.agrees               ? row.note
-                        : row.fit.reason.empty() ? ""
-                                                 : ": " + row.fit.reason);
+    text +=
+        fmt::format("  {:<12}{:<16}order {:.2f} {}{}\n", row.row, row.test_problem, row.fit.order,
+                    row.agrees ? "as the conditions say" : "DISAGREES with the conditions",
+                    row.agrees               ? row.note
+                    : row.fit.reason.empty() ? ""
+                                             : ": " + row.fit.reason);
   if (measured.empty()) text += "  nothing: the row is not consistent\n";
   text += quality.text();
   const std::size_t remarks = quality.remarks().size();

@@ -28,7 +28,7 @@ struct NodeFault {
 
 /// An order measured by running the tableau, and whether it is the one of the conditions.
 struct MeasuredRow {
-  std::string row, ground;
+  std::string row, test_problem;
   judge::OrderFit fit;
   bool agrees = false;
   std::string note;  ///< why a higher order agrees; may be empty

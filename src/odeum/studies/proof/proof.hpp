@@ -16,14 +16,15 @@ namespace odeum::study {
 
 /// An order measured on a test problem of the proofs: a line of proof_orders.csv.
 struct ProvenOrder {
-  std::string method, ground;
+  std::string method, test_problem;
   int claimed_order = 0;
   judge::OrderFit fit;
   bool passes_as_next = false;  ///< would be confirmed as order p + 1
 
   static constexpr const char* file = "proof_orders.csv";
+  static constexpr int schema = 2;  ///< 2: `test_problem`, which was `ground`
   static void each(auto& row, auto&& visit) {
-    visit("solver", row.method), visit("ground", row.ground);
+    visit("solver", row.method), visit("test_problem", row.test_problem);
     visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
     visit("order_low", row.fit.low), visit("order_high", row.fit.high);
     visit("points", row.fit.points), visit("verdict", row.fit.verdict);
@@ -38,8 +39,9 @@ struct ProvenEstimate {
   proof::EstimateQuality quality;
 
   static constexpr const char* file = "proof_estimates.csv";
+  static constexpr int schema = 2;  ///< 2: `test_problem`, which was `ground`
   static void each(auto& row, auto&& visit) {
-    visit("solver", row.method), visit("ground", row.quality.ground);
+    visit("solver", row.method), visit("test_problem", row.quality.test_problem);
     visit("expected_exponent", row.quality.expected_exponent);
     visit("measured_exponent", row.quality.exponent);
     visit("ratio_to_true_error", row.quality.ratio), visit("margin", row.quality.margin);

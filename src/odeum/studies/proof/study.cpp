@@ -35,7 +35,7 @@ Cell measured_cell(const ProofRow& row, const std::vector<ProvenOrder>& orders) 
     const bool confirmed = order.fit.verdict == judge::Verdict::confirmed;
     text += fmt::format("{}{}{}", text.empty() ? "" : " ", show_number(order.fit.order, 3),
                         confirmed ? "" : "*");
-    title += fmt::format("{}{}: {}", title.empty() ? "" : "; ", order.ground,
+    title += fmt::format("{}{}: {}", title.empty() ? "" : "; ", order.test_problem,
                          to_string(order.fit.verdict));
   }
   return {.text = text, .title = title};
@@ -67,7 +67,7 @@ Cell estimate_cell(const ProofRow& row, const std::vector<proof::EstimateQuality
     low = std::min(low, q.ratio);
     high = std::max(high, q.ratio);
     title += fmt::format("{}{}: h^{:.2f} for h^{:g}, ratio {:.2g}", title.empty() ? "" : "; ",
-                         q.ground, q.exponent, q.expected_exponent, q.ratio);
+                         q.test_problem, q.exponent, q.expected_exponent, q.ratio);
   }
   const bool well = row.estimates_well == "yes";
   return {.text = show_number(low, 2) + "–" + show_number(high, 2) + (well ? "" : " ⚠"),
