@@ -31,9 +31,10 @@ TEST(BulletMaterial, MatchedLinksAreBackwardEulerAtSmallStrain) {
     for (const std::uint64_t sweeps : {0, 1, 8}) {
       const MaterialRow links =
           response(undamped(one_mass()), "bullet/soft_body_links", h, {.sweeps = sweeps});
-      EXPECT_NEAR(links.vibrating / euler.vibrating, 1, 10 * strain) << h << " " << sweeps;
+      EXPECT_NEAR(links.dynamic_stiffness_ratio / euler.dynamic_stiffness_ratio, 1, 10 * strain)
+          << h << " " << sweeps;
       EXPECT_NEAR(links.added_damping_ratio, euler.added_damping_ratio, 10 * strain);
-      EXPECT_NEAR(links.resting, 1, 10 * strain);
+      EXPECT_NEAR(links.static_stiffness_ratio, 1, 10 * strain);
     }
   }
 }
@@ -47,9 +48,9 @@ TEST(BulletMaterial, ImplicitIsBackwardEulerAndForcesAreSymplecticEuler) {
                       symplectic = response(specimen, "odeum/symplectic_euler", h);
     // Conjugate gradients stop at 1e-8 of a residual, Newton's method at 1e-10 of 1 m; the step of
     // forces is rounded to 6e-8 of itself.
-    EXPECT_NEAR(implicit.vibrating, euler.vibrating, 1e-4);
+    EXPECT_NEAR(implicit.dynamic_stiffness_ratio, euler.dynamic_stiffness_ratio, 1e-4);
     EXPECT_NEAR(implicit.damping / euler.damping, 1, 1e-4);
-    EXPECT_NEAR(forces.vibrating, symplectic.vibrating, 1e-5);
+    EXPECT_NEAR(forces.dynamic_stiffness_ratio, symplectic.dynamic_stiffness_ratio, 1e-5);
     EXPECT_NEAR(forces.damping / symplectic.damping, 1, 1e-4);
   }
 }
@@ -59,7 +60,8 @@ TEST(BulletMaterial, ImplicitIsBackwardEulerAndForcesAreSymplecticEuler) {
 TEST(BulletMaterial, StockLinksAreAsStiffAsTheyAreSwept) {
   const Specimen chain = hanging_chain();
   const auto stiffness = [&](double h, std::uint64_t sweeps) {
-    return response(chain, "bullet/soft_body_links_stock", h, {.sweeps = sweeps}).resting;
+    return response(chain, "bullet/soft_body_links_stock", h, {.sweeps = sweeps})
+        .static_stiffness_ratio;
   };
   const double once = stiffness(1.0 / 240, 1);
   // A sweep propagates a correction by one link, so that a second one does not quite double its
@@ -70,7 +72,9 @@ TEST(BulletMaterial, StockLinksAreAsStiffAsTheyAreSwept) {
   Specimen softer = chain;
   softer.stiffness /= 2;
   // Half of the nominal stiffness, and the same sag: twice the ratio.
-  EXPECT_NEAR(response(softer, "bullet/soft_body_links_stock", 1.0 / 240).resting / once, 2, 0.01);
+  EXPECT_NEAR(
+      response(softer, "bullet/soft_body_links_stock", 1.0 / 240).static_stiffness_ratio / once, 2,
+      0.01);
 }
 
 TEST(BulletMaterial, MatchedLinksOfAChainAreSoftWhateverTheSweeps) {
@@ -78,15 +82,16 @@ TEST(BulletMaterial, MatchedLinksOfAChainAreSoftWhateverTheSweeps) {
   for (const std::uint64_t sweeps : {1, 32}) {
     const MaterialRow row =
         response(hanging_chain(), "bullet/soft_body_links", h, {.sweeps = sweeps});
-    EXPECT_GT(row.vibrating, 0.2);
-    EXPECT_LT(row.vibrating, 0.5) << "the match is of one link alone";
+    EXPECT_GT(row.dynamic_stiffness_ratio, 0.2);
+    EXPECT_LT(row.dynamic_stiffness_ratio, 0.5) << "the match is of one link alone";
   }
 }
 
 TEST(BulletMaterial, FewConjugateGradientsAreSoft) {
   const double h = 1.0 / 30;
   const auto run = [&](const Iterations& iterations) {
-    return response(hanging_chain(), "bullet/deformable_implicit", h, iterations).vibrating;
+    return response(hanging_chain(), "bullet/deformable_implicit", h, iterations)
+        .dynamic_stiffness_ratio;
   };
   const double whole = run({});
   EXPECT_LT(run({.sweeps = 1}), 0.1 * whole);

@@ -46,13 +46,14 @@ TEST(Material, BackwardEulerIsSoftAndDampedByItsAmplification) {
     // The roots are (1 +- i h w) / (1 + h^2 w^2).
     const double x = h * one.frequency(), turn = std::atan(x) / h,
                  fall = std::log1p(x * x) / (2 * h);
-    const double pull = turn * turn + fall * fall;
+    const double omega_squared = turn * turn + fall * fall;
     for (const char* id : {"odeum/implicit_euler", "odeum/implicit_euler_linearised"}) {
       const MaterialRow row = response(one, id, h);
       EXPECT_EQ(row.status, "ok") << row.detail;
-      EXPECT_NEAR(row.resting, 1, fitted) << id;
-      EXPECT_NEAR(row.vibrating, pull / 1e4, 1e-5) << id;  // Newton's method stops at 1e-10 of 1 m
-      EXPECT_NEAR(row.added_damping_ratio, fall / std::sqrt(pull), 1e-5) << id;
+      EXPECT_NEAR(row.static_stiffness_ratio, 1, fitted) << id;
+      EXPECT_NEAR(row.dynamic_stiffness_ratio, omega_squared / 1e4, 1e-5)
+          << id;  // Newton's method stops at 1e-10 of 1 m
+      EXPECT_NEAR(row.added_damping_ratio, fall / std::sqrt(omega_squared), 1e-5) << id;
       EXPECT_TRUE(std::isnan(row.damping)) << "nothing to compare with";
     }
   }
@@ -64,9 +65,9 @@ TEST(Material, SymplecticEulerAndVerletAreTooFastAndUndamped) {
     for (const char* id : {"odeum/symplectic_euler", "odeum/velocity_verlet"}) {
       const double turn = 2 / h * std::asin(h * 50);  // of 100 rad/s
       const MaterialRow row = response(one, id, h);
-      EXPECT_NEAR(row.vibrating, turn * turn / 1e4, 1e-6) << id << h;
+      EXPECT_NEAR(row.dynamic_stiffness_ratio, turn * turn / 1e4, 1e-6) << id << h;
       EXPECT_NEAR(row.added_damping_ratio, 0, fitted) << id << h;
-      EXPECT_NEAR(row.resting, 1, fitted);
+      EXPECT_NEAR(row.static_stiffness_ratio, 1, fitted);
     }
   EXPECT_EQ(response(one, "odeum/symplectic_euler", 1.0 / 30).status, "unstable");
 }
@@ -78,8 +79,8 @@ TEST(Material, AChainIsJudgedByItsSlowestMode) {
   const MaterialRow row = response(chain, "odeum/implicit_euler", h);
   EXPECT_NEAR(row.phase, x, 1e-15);
   // Ten unknowns, solved by Newton's method to 1e-10 of 1 m, at an amplitude of 5e-4 m.
-  EXPECT_NEAR(row.vibrating, (turn * turn + fall * fall) / (chain.frequency() * chain.frequency()),
-              1e-5);
+  EXPECT_NEAR(row.dynamic_stiffness_ratio,
+              (turn * turn + fall * fall) / (chain.frequency() * chain.frequency()), 1e-5);
   const MaterialRow damped = response(hanging_chain(), "odeum/velocity_verlet", 1.0 / 960);
   EXPECT_NEAR(damped.damping, 1, 1e-3);  // the error of order 2 is (h w)^2 of it
   EXPECT_EQ(response(chain, "odeum/velocity_verlet", 1.0 / 60).status, "unstable");
@@ -88,7 +89,7 @@ TEST(Material, AChainIsJudgedByItsSlowestMode) {
 TEST(Material, WhoDoesNotIterateDoesNotLook) {
   const MaterialRow one = response(one_mass(), "odeum/implicit_euler", 1.0 / 60),
                     other = response(one_mass(), "odeum/implicit_euler", 1.0 / 60, {.sweeps = 7});
-  EXPECT_EQ(one.vibrating, other.vibrating);
+  EXPECT_EQ(one.dynamic_stiffness_ratio, other.dynamic_stiffness_ratio);
 }
 
 TEST(Material, WhatDoesNotFitSaysSo) {

@@ -10,7 +10,7 @@ namespace {
 
 using test::has;
 
-study::MaterialRow links(double step, std::uint64_t sweeps, double vibrating) {
+study::MaterialRow links(double step, std::uint64_t sweeps, double ratio) {
   study::MaterialRow row;
   row.scene = "hanging_chain";
   row.library = "bullet";
@@ -18,7 +18,7 @@ study::MaterialRow links(double step, std::uint64_t sweeps, double vibrating) {
   row.status = "ok";
   row.step = step;
   row.sweeps = sweeps;
-  row.resting = row.vibrating = vibrating;
+  row.static_stiffness_ratio = row.dynamic_stiffness_ratio = ratio;
   row.added_damping_ratio = 0.25;
   return row;
 }
@@ -38,7 +38,7 @@ TEST(PageMaterial, SaysWhereNothingWasMeasured) {
 TEST(PageMaterial, ShowsStiffnessByStepAndIterations) {
   std::vector<study::MaterialRow> rows{links(1.0 / 30, 0, 0.2), links(1.0 / 60, 0, 1.01),
                                        links(1.0 / 30, 4, 1340), links(1.0 / 60, 4, 1)};
-  rows[3].resting = study::not_measured;
+  rows[3].static_stiffness_ratio = study::not_measured;
   rows[3].detail = "gone <within> a step";
   const std::string html = response_tables(rows);
   EXPECT_TRUE(has(html, "<th>1/30 s</th><th>1/60 s</th>"));

@@ -99,7 +99,7 @@ TEST(Robustness, NotANumberIsSaidToBeOne) {
 }
 
 // Only implicit methods reach the end within the budget; the others must report that they did not.
-TEST(Robustness, ExtremeStiffnessIsMetOrOwnedUpTo) {
+TEST(Robustness, ExtremeStiffnessIsSolvedOrReported) {
   int met = 0;
   for_each_solver<ExtremelyStiff>([&](const Entrant& entrant) {
     const Outcome outcome = entrant.solve(request_to(10, 1e-5));
@@ -123,7 +123,7 @@ TEST(Robustness, AHorizonOfNoLengthIsRefused) {
 }
 
 // The shortest possible horizons: y is 1 there to rounding.
-TEST(Robustness, ATinyHorizonIsReachedOrOwnedUpTo) {
+TEST(Robustness, ATinyHorizonIsReachedOrReported) {
   for (const double horizon : {1e-15, 1e-300})
     for_each_solver<Pole>([&](const Entrant& entrant) {
       const Outcome outcome = entrant.solve(request_to(horizon));

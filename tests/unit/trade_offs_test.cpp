@@ -112,7 +112,7 @@ double chain_stiffness(double rate, std::uint64_t sweeps) {
        measure_responses({.solvers = {"bullet/soft_body_links"}}, Runner(2)).material)
     if (row.scene == "hanging_chain" && row.sweeps == sweeps &&
         std::abs(row.step * rate - 1) < 1e-9)
-      return row.resting;
+      return row.static_stiffness_ratio;
   return std::nan("");
 }
 

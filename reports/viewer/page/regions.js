@@ -36,9 +36,9 @@ const limitNumber = (id, axis) => {
   const row = facts.limits.find((limit) => idOf(limit) === id && limit.axis === axis && limit.status !== 'not_applicable');
   return row ? row.limit : undefined;
 };
-// The eigenvalue that is largest, and does not grow; `vibrating`: of those with an imaginary part, for
+// The eigenvalue that is largest, and does not grow; `oscillating`: of those with an imaginary part, for
 // solvers of second-order problems, whose stability is known for vibrations alone.
-const fastestEigenvalue = (c, vibrating) => c.eigenvalues.filter((z) => z[0] <= 1e-6 * Math.hypot(...z) && Math.hypot(...z) > 0 && (!vibrating || z[1] > 0)).reduce((a, b) => (!a || Math.hypot(...b) > Math.hypot(...a) ? b : a), null);
+const fastestEigenvalue = (c, oscillating) => c.eigenvalues.filter((z) => z[0] <= 1e-6 * Math.hypot(...z) && Math.hypot(...z) > 0 && (!oscillating || z[1] > 0)).reduce((a, b) => (!a || Math.hypot(...b) > Math.hypot(...a) ? b : a), null);
 // h |lambda| to which a solver is stable along an eigenvalue.
 const limitOf = async (id, z) => {
   const size = Math.hypot(...z), re = z[0] / size, im = z[1] / size;

@@ -135,7 +135,7 @@ void measure_rest(const Specimen& specimen, const Rest& rest, MaterialRow& row) 
   if (std::abs(rest.sag) < 1e-9 * specimen.sag())
     remark(row, "no sag under gravity, to rounding");
   else
-    row.resting = specimen.sag() / rest.sag;
+    row.static_stiffness_ratio = specimen.sag() / rest.sag;
   if (rest.sag <= -1e-9 * specimen.sag()) remark(row, "hangs higher than without gravity");
   if (rest.swing > 10 * settled_swing * std::abs(rest.sag) && rest.swing > 1e-9 * specimen.sag())
     remark(row, fmt::format("not settled: rest is the mean of an oscillation of {:.2g} of the sag",
@@ -180,13 +180,14 @@ void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entr
   const Vibration found = fit_vibration(z, row.step);
   if (found.reason.empty()) {
     const double w = specimen.frequency(), nominal = specimen.damping_ratio();
-    row.vibrating = found.omega_squared / (w * w);
+    row.dynamic_stiffness_ratio = found.omega_squared / (w * w);
     row.damping = nominal > 0 ? found.decay / (2 * nominal * w) : not_measured;
     row.added_damping_ratio = found.decay / (2 * std::sqrt(found.omega_squared)) - nominal;
   } else {
     remark(row, found.reason);
   }
-  if (std::isnan(row.resting) || std::isnan(row.vibrating)) row.status = "unmeasured";
+  if (std::isnan(row.static_stiffness_ratio) || std::isnan(row.dynamic_stiffness_ratio))
+    row.status = "unmeasured";
 }
 
 }  // namespace

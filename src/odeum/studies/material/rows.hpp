@@ -20,21 +20,23 @@ struct MaterialRow {
   std::string library, solver;
   /// A Status, `unstable`, `not_applicable`, or `unmeasured` where it ran but numbers are missing.
   std::string status, detail;
-  double step = not_measured;                 ///< s
-  std::uint64_t sweeps = 0;                   ///< option of the engine; 0: its own
-  std::uint64_t newton = 0;                   ///< option of the engine; 0: its own
-  double phase = not_measured;                ///< step times the slowest mode's frequency, radians
-  double resting = not_measured;              ///< stiffness shown at rest under gravity / nominal
-  double vibrating = not_measured;            ///< stiffness shown by the slowest mode / nominal
-  double damping = not_measured;              ///< damping shown by the slowest mode / nominal
-  double added_damping_ratio = not_measured;  ///< damping ratio shown less the nominal one
+  double step = not_measured;   ///< s
+  std::uint64_t sweeps = 0;     ///< option of the engine; 0: its own
+  std::uint64_t newton = 0;     ///< option of the engine; 0: its own
+  double phase = not_measured;  ///< step times the slowest mode's frequency, radians
+  double static_stiffness_ratio = not_measured;   ///< stiffness shown at rest / nominal
+  double dynamic_stiffness_ratio = not_measured;  ///< stiffness shown by the slowest mode / nominal
+  double damping = not_measured;                  ///< damping shown by the slowest mode / nominal
+  double added_damping_ratio = not_measured;      ///< damping ratio shown less the nominal one
 
   static constexpr const char* file = "material.csv";
+  static constexpr int schema = 2;  ///< 2: the names of both stiffness ratios
   static void each(auto& row, auto&& visit) {
     visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("step", row.step), visit("sweeps", row.sweeps);
-    visit("newton", row.newton), visit("phase", row.phase), visit("resting", row.resting);
-    visit("vibrating", row.vibrating), visit("damping", row.damping);
+    visit("newton", row.newton), visit("phase", row.phase);
+    visit("static_stiffness_ratio", row.static_stiffness_ratio);
+    visit("dynamic_stiffness_ratio", row.dynamic_stiffness_ratio), visit("damping", row.damping);
     visit("added_damping_ratio", row.added_damping_ratio), visit("detail", row.detail);
   }
 };

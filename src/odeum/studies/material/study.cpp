@@ -35,9 +35,10 @@ double octaves(double ratio) { return ratio > 0 ? std::log2(ratio) : 10; }
 
 constexpr Quantity quantities[] = {
     {"Stiffness at rest under gravity, over the nominal one",
-     [](const MaterialRow& row) { return row.resting; }, octaves, 0.07, 0.4, 1, "×"},
+     [](const MaterialRow& row) { return row.static_stiffness_ratio; }, octaves, 0.07, 0.4, 1, "×"},
     {"Stiffness of the slowest vibration, over the nominal one",
-     [](const MaterialRow& row) { return row.vibrating; }, octaves, 0.07, 0.4, 1, "×"},
+     [](const MaterialRow& row) { return row.dynamic_stiffness_ratio; }, octaves, 0.07, 0.4, 1,
+     "×"},
     {"Damping ratio that the step adds to the nominal one",
      [](const MaterialRow& row) { return row.added_damping_ratio; },
      [](double value) { return value; }, 0.005, 0.05, 0.2, ""}};
@@ -101,8 +102,8 @@ std::string table(const MaterialResult& result) {
                                             {"step", "{step:.3g}"},
                                             {"sweeps", "{sweeps:d}"},
                                             {"newton", "{newton:d}"},
-                                            {"resting", "{resting:.3g}"},
-                                            {"vibrating", "{vibrating:.3g}"},
+                                            {"static stiffness", "{static_stiffness_ratio:.3g}"},
+                                            {"dynamic stiffness", "{dynamic_stiffness_ratio:.3g}"},
                                             {"damping", "{damping:.3g}"},
                                             {"added", "{added_damping_ratio:.2g}"},
                                             {"status", "{status}: {detail}"}})
