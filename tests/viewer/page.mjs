@@ -84,6 +84,15 @@ const checks = {
     hold(await browser.run('location.hash') === hash, 'the address changed');
     hold((await text('.chips')).includes('odeum/rk4') && !(await text('.chips')).includes('gsl/rk4'), `the choice is lost: ${await text('.chips')}`);
   },
+  async 'the remark on disturbed times names other programs where they had the processor only'() {
+    const source = readFileSync(new URL('../../reports/viewer/page/words.js', import.meta.url), 'utf8');
+    const disturbedText = new Function(`${source}; return disturbedText;`)();
+    const remark = (drift, share) => disturbedText([{repetitions: 0}, {repetitions: 3, drift, processor_share: share}]);
+    hold(remark(0.05, 0.95) === '', 'a remark within the limits');
+    const changed = remark(-0.07, 1), shared = remark(0.01, 0.6);
+    hold(/whose speed changed by 7 %/.test(changed) && !/other programs/.test(changed), changed);
+    hold(/other programs ran: .* 60 % .* changed by 1 %/.test(shared), shared);
+  },
   async 'from the first screen two solvers take three clicks and one word typed'() {
     await browser.go(address);
     await drawn();

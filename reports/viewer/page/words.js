@@ -82,11 +82,14 @@ const stableText = (c, solver, limit, z) => {
   return `to h = ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}${far}, which is ${number(limit.value)} / |λ| (${eigenvalue}).`;
 };
 
-// Times of a case that other programs disturbed, by the limits that the study has for a repetition.
+// Times of a case that were disturbed, by the limits that the study has for a repetition.
 const disturbedText = (timed) => {
   const row = timed.find((t) => t.repetitions > 0);
   if (!row || (Math.abs(row.drift) <= 0.05 && row.processor_share >= 0.95)) return '';
-  return `Measured while other programs ran: the timed runs had the processor for ${Math.round(100 * row.processor_share)} % of the time, and its speed drifted by ${Math.round(100 * Math.abs(row.drift))} %. Measure again on a quiet machine before you rely on ratios near 1.`;
+  const percent = (part) => `${Math.round(100 * part)} %`;
+  const speed = `speed changed by ${percent(Math.abs(row.drift))}`;
+  const found = row.processor_share < 0.95 ? `while other programs ran: the timed runs had the processor for ${percent(row.processor_share)} of the time, and its ${speed}` : `on a processor whose ${speed} meanwhile`;
+  return `Measured ${found}. Measure again on a quiet machine before you rely on ratios near 1.`;
 };
 
 // Runs of a curve that are not drawn, by how they ended.
