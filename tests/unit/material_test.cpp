@@ -51,8 +51,8 @@ TEST(Material, BackwardEulerIsSoftAndDampedByItsAmplification) {
       const MaterialRow row = response(one, id, h);
       EXPECT_EQ(row.status, "ok") << row.detail;
       EXPECT_NEAR(row.static_stiffness_ratio, 1, fitted) << id;
-      EXPECT_NEAR(row.dynamic_stiffness_ratio, omega_squared / 1e4, 1e-5)
-          << id;  // Newton's method stops at 1e-10 of 1 m
+      // Newton's method stops at 1e-10 of 1 m.
+      EXPECT_NEAR(row.dynamic_stiffness_ratio, omega_squared / 1e4, 1e-5) << id;
       EXPECT_NEAR(row.added_damping_ratio, fall / std::sqrt(omega_squared), 1e-5) << id;
       EXPECT_TRUE(std::isnan(row.damping)) << "nothing to compare with";
     }

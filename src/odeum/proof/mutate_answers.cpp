@@ -26,7 +26,7 @@ struct Moment {
   std::vector<double> last;  ///< the value of the last evaluation
 };
 
-double time_passed(const Fault& fault, const Moment& now, double t) {
+double time_given(const Fault& fault, const Moment& now, double t) {
   switch (fault.time) {
     case Fault::Time::frozen:
       return now.t;
@@ -53,21 +53,21 @@ P altered(const P& problem, const Fault& fault, const std::shared_ptr<Moment>& n
   P p = problem;
   const std::size_t n = problem.size();
   p.f = [=, f = problem.f](double t, const double* y, double* out) {
-    f(time_passed(fault, *now, t), y, out);
+    f(time_given(fault, *now, t), y, out);
     alter(fault, *now, out, n);
   };
   p.f_y = [=, f_y = problem.f_y](double t, const double* y, double* j) {
     now->jacobian_asked = true;
-    f_y(time_passed(fault, *now, t), y, j);
+    f_y(time_given(fault, *now, t), y, j);
     for (std::size_t i = 0; i < n * n; ++i) j[i] *= fault.jacobian;
   };
   p.f_t = [=, f_t = problem.f_t](double t, const double* y, double* d) {
-    f_t(time_passed(fault, *now, t), y, d);
+    f_t(time_given(fault, *now, t), y, d);
     for (std::size_t i = 0; i < n; ++i) d[i] *= fault.time_derivative;
   };
   if constexpr (requires { p.a; })
     p.a = [=, a = problem.a](double t, const double* q, const double* v, double* out) {
-      a(time_passed(fault, *now, t), q, v, out);
+      a(time_given(fault, *now, t), q, v, out);
       alter(fault, *now, out, n / 2);
     };
   return p;
