@@ -29,7 +29,9 @@ std::string origin_text(const Origin& origin, bool empty) {
     html = fmt::format("<p class=\"missing\">{}</p>\n", report::escape(origin.problem));
   const std::string how =
       fmt::format("<code>odeum {}</code> with this folder as <code>--out</code>", origin.command);
-  if (empty) return html + "<p>Not measured in this run: " + how + " measures it.</p>\n";
+  if (empty)
+    return html + "<p>Not measured in this run: " + how +
+           " measures it, and the next report shows it.</p>\n";
   if (!origin.measured)
     return html +
            "<p>Not measured in this run: these are results of an earlier one, which the folder "
