@@ -80,6 +80,7 @@ TEST(PageSections, SayWhereNothingWasMeasured) {
       index_of(DriftResult(), small_facts(),
                {.command = "drift", .problem = "the drift.csv that was there is <cut> off"});
   EXPECT_TRUE(has(html, "Not measured in this run: <code>odeum drift</code> with this folder"));
+  EXPECT_TRUE(has(html, "measures it, and the next report shows it.</p>"));
   EXPECT_TRUE(has(html, "is &lt;cut&gt; off"));
   EXPECT_FALSE(has(html, "Amplitude, phase"));
 }
