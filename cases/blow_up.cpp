@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "support/parameters.hpp"
-#include "support/stage.hpp"
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/square_cloth.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "support/reference.hpp"
-#include "support/square_cloth.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

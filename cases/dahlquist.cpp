@@ -4,9 +4,9 @@
 #include <cmath>
 #include <complex>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/scene/model/scene.hpp"
-#include "support/parameters.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

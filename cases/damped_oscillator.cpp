@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/scene/model/scene.hpp"
-#include "support/parameters.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/element_case.hpp"
 #include "odeum/fem/shapes.hpp"
-#include "support/element_stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/scene/model/scene.hpp"
-#include "support/parameters.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

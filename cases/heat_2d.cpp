@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/stage.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
 namespace {

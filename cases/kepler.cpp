@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 #include "problems/kepler.hpp"
-#include "support/parameters.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
-#include "support/parameters.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::cases {
 namespace {

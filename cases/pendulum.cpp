@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "support/parameters.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
 namespace {

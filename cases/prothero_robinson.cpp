@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "support/parameters.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/parameters.hpp"
-#include "support/reference.hpp"
-#include "support/stage.hpp"
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
 namespace {

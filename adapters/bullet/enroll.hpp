@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 /// Bullet 3.24, double precision: a physics engine, which is given the scene of a case (bodies and
 /// forces) and not its right-hand side. Fixed step only.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "odeum/contest/variants.hpp"
+#include "odeum/solvers/variants.hpp"
 
 namespace odeum::adapters::bullet {
 

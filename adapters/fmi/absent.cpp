@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/contest/late.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum {
 

@@ -12,8 +12,8 @@
 #include <fstream>
 #include <memory>
 
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

@@ -11,8 +11,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

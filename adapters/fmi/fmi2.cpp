@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "fmi/model.hpp"
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

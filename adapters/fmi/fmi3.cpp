@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "fmi/model.hpp"
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

@@ -9,8 +9,8 @@
 #include <charconv>
 #include <set>
 
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::adapters::fmi {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "fmi/archive.hpp"
 #include "fmi/model.hpp"
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/isolated/isolated_process.hpp"
 #include "odeum/linear/dense_limit.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum {
 namespace adapters::fmi {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 /// The GNU Scientific Library's solvers of ordinary differential equations, gsl_odeiv2: eleven
 /// steppers.

@@ -2,7 +2,7 @@
 #pragma once
 #include <gsl/gsl_odeiv2.h>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::adapters::gsl {
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "gsl/method.hpp"
-#include "odeum/contest/dense_jacobian.hpp"
-#include "odeum/contest/first_step.hpp"
+#include "odeum/solvers/dense_jacobian.hpp"
+#include "odeum/solvers/first_step.hpp"
 
 namespace odeum::adapters::gsl {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/shared_contest.hpp"
+#include "odeum/solvers/shared_contest.hpp"
 
 /// Boost.Numeric.Odeint: every stepper that it has, instantiated for the type of the problem. The
 /// shared types are compiled in this folder; for any other one include odeint/inlined.hpp.

@@ -18,7 +18,7 @@ struct SingularMatrix {};
 #undef exit
 
 #include "odeint/tripped.hpp"
-#include "odeum/contest/dense_jacobian.hpp"
+#include "odeum/solvers/dense_jacobian.hpp"
 
 namespace odeum::adapters::odeint {
 namespace {

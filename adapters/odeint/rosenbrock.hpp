@@ -10,7 +10,7 @@
 
 #include "odeint/implicit.hpp"
 #include "odeint/walk.hpp"
-#include "odeum/contest/first_step.hpp"
+#include "odeum/solvers/first_step.hpp"
 
 /// odeint's rosenbrock4 to a tolerance, on a system of any type: a pair (right-hand side, Jacobian
 /// and df/dt), as the library takes it.

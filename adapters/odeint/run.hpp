@@ -4,8 +4,8 @@
 
 #include "odeint/system.hpp"
 #include "odeint/walk.hpp"
-#include "odeum/contest/solver.hpp"
 #include "odeum/control/adaptive.hpp"
+#include "odeum/solvers/solver.hpp"
 
 /// One function for each way of using odeint's steppers, each a template on stepper and problem
 /// type.

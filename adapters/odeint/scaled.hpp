@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/shared_contest.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/solvers/shared_contest.hpp"
 
 /// odeint's explicit steppers take two numbers as tolerance. One for each component is a change of
 /// units for them: z_i = y_i / threshold_i has the error |e_i| / threshold_i, which is held to

@@ -10,9 +10,9 @@
 #include <iterator>
 #include <set>
 
-#include "odeum/contest/late.hpp"
-#include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/isolated/isolated_process.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 #include "plugin/solver.hpp"
 
 namespace odeum {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include "odeum/contest/dense_jacobian.hpp"
-#include "odeum/foreign/apart.hpp"
-#include "odeum/foreign/problem.hpp"
+#include "odeum/isolated/isolated_process.hpp"
+#include "odeum/solvers/dense_jacobian.hpp"
+#include "odeum/solvers/foreign_problem.hpp"
 
 namespace odeum::adapters::plugin {
 namespace {

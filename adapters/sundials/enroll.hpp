@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::adapters::sundials {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
 #include "odeum/core/guard.hpp"
 #include "odeum/linear/shifted_solver.hpp"
+#include "odeum/solvers/solver.hpp"
 #include "sundials/handles.hpp"
 #include "sundials/module.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/cases/inlined_for.hpp"
 #include "problems/kepler.hpp"
-#include "support/inlined_for.hpp"
 
 namespace odeum::cases::inlined {
 using kepler = Kepler;

@@ -11,7 +11,7 @@ endfunction()
 
 # odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id. own/*.cpp: a
 # unit for each family of them, the files whose names begin with the same word, which compiles its
-# members for the shared types (contest/own_methods.hpp) and for the proofs (proof/facts.hpp), and
+# members for the shared types (solvers/own_methods.hpp) and for the proofs (proof/facts.hpp), and
 # catalogue.cpp, which lists all. Their names are left in ODEUM_METHOD_FILES.
 function(odeum_generate_methods)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/methods/*.hpp)
@@ -49,7 +49,7 @@ using All = MethodList<${list}>;
       string(APPEND facts "  all.push_back(proof::facts_of<methods::${stem}>());\n")
     endforeach()
     odeum_write(${ODEUM_GENERATED}/own/${family}.cpp
-"#include \"odeum/contest/enroll_method.hpp\"
+"#include \"odeum/solvers/enroll_method.hpp\"
 #include \"odeum/proof/facts_of.hpp\"
 ${includes}
 namespace odeum {
@@ -64,7 +64,7 @@ ${facts}}
     string(APPEND calls "    add_${family}(list);\n")
   endforeach()
   odeum_write(${ODEUM_GENERATED}/own/catalogue.cpp
-"#include \"odeum/contest/own_methods.hpp\"
+"#include \"odeum/solvers/own_methods.hpp\"
 #include \"odeum/proof/facts.hpp\"
 
 namespace odeum {
@@ -102,9 +102,9 @@ function(odeum_generate_cases)
   odeum_write(${ODEUM_GENERATED}/odeum_cases.cpp
 "#include <utility>
 
-#include \"odeum/contest/case.hpp\"
-#include \"odeum/contest/case_files.hpp\"
-#include \"support/late_cases.hpp\"
+#include \"odeum/solvers/case.hpp\"
+#include \"odeum/solvers/case_files.hpp\"
+#include \"odeum/cases/runtime_cases.hpp\"
 
 namespace odeum {
 namespace cases {
@@ -121,7 +121,7 @@ const std::vector<Case>& all_cases() {
         list.push_back(std::move(c));
       }
     };
-${calls}    add(cases::late_cases(), nullptr);
+${calls}    add(cases::runtime_cases(), nullptr);
     return list;
   }();
   return all;
@@ -186,7 +186,7 @@ Outcome rosenbrock4_dense_output_${stem}(${arguments}) {
 ")
 endfunction()
 
-# inlined_solvers() of contest/inlined.hpp, see cases/support/inlined.hpp: a unit for each method with
+# inlined_solvers() of solvers/inlined.hpp, see src/odeum/cases/inlined.hpp: a unit for each method with
 # `inlined` in its file, and one for odeint on each problem of cases/inlined, whose stem names
 # the problem's type. Their names are left in ODEUM_INLINED_FILES. Where a problem's file says that its
 # header is plain C++17, a unit of that standard has odeint's rosenbrock4 on it (uBLAS asks for
@@ -225,7 +225,7 @@ function(odeum_generate_inlined)
     if("odeint" IN_LIST ODEUM_ADAPTERS_BUILT AND NOT stiff_only)
       odeum_write(${ODEUM_GENERATED}/inlined/odeint_${stem}.cpp
 "#include \"inlined/${stem}.hpp\"
-#include \"support/inlined_odeint.hpp\"
+#include \"odeint/inlined_cases.hpp\"
 
 namespace odeum::cases::inlined {
 void add_odeint_${stem}(const Case& c, std::vector<Entrant>& all) { add_odeint<${stem}>(c, all); }
@@ -236,7 +236,7 @@ void add_odeint_${stem}(const Case& c, std::vector<Entrant>& all) { add_odeint<$
   endforeach()
   if(units_17)
     odeum_write(${ODEUM_GENERATED}/inlined/rosenbrock4.cpp
-"${includes}#include \"support/inlined_rosenbrock.hpp\"
+"${includes}#include \"odeint/inlined_rosenbrock.hpp\"
 
 namespace odeum::cases::inlined {
 ${rosenbrock_declarations}
@@ -252,7 +252,7 @@ ${rosenbrock_calls}}
     if(inlined)
       get_filename_component(stem ${method} NAME_WE)
       odeum_write(${ODEUM_GENERATED}/inlined/${stem}.cpp
-"#include \"support/inlined.hpp\"
+"#include \"odeum/cases/inlined.hpp\"
 #include \"odeum/methods/${stem}.hpp\"
 ${includes}
 namespace odeum::cases::inlined {
@@ -272,7 +272,7 @@ void add_${stem}(const Case& c, std::vector<Entrant>& all) {
     string(APPEND calls "  cases::inlined::add_${name}(c, all);\n")
   endforeach()
   odeum_write(${ODEUM_GENERATED}/inlined/all.cpp
-"#include \"odeum/contest/inlined.hpp\"
+"#include \"odeum/solvers/inlined.hpp\"
 
 namespace odeum {
 namespace cases::inlined {
@@ -320,7 +320,7 @@ ${body}  throw std::runtime_error(\"no reference \" + std::string(name));
 ")
 endfunction()
 
-# odeum_scenes.cpp: the text of every file in cases/scenes, see cases/support/scene_stage.hpp.
+# odeum_scenes.cpp: the text of every file in cases/scenes, see src/odeum/cases/scene_case.hpp.
 function(odeum_generate_scenes)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/scenes/*.yaml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
@@ -331,7 +331,7 @@ function(odeum_generate_scenes)
     string(APPEND body "      {\"${stem}\", R\"odeum-scene(${text})odeum-scene\"},\n")
   endforeach()
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_scenes.cpp
-"#include \"support/scene_stage.hpp\"
+"#include \"odeum/cases/scene_case.hpp\"
 
 namespace odeum::cases {
 const std::vector<SceneText>& all_scenes() {
@@ -461,7 +461,7 @@ function(odeum_generate_build_info)
   string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}" flags)
   # What references are computed by: those that other code computed are not taken from the cache.
   file(GLOB truth_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/truth/* ${PROJECT_SOURCE_DIR}/src/odeum/formula/*
-       ${PROJECT_SOURCE_DIR}/cases/support/text_truth.cpp ${PROJECT_SOURCE_DIR}/src/odeum/methods/verner98.hpp ${PROJECT_SOURCE_DIR}/src/odeum/foreign/reference.cpp
+       ${PROJECT_SOURCE_DIR}/src/odeum/cases/text_truth.cpp ${PROJECT_SOURCE_DIR}/src/odeum/methods/verner98.hpp ${PROJECT_SOURCE_DIR}/src/odeum/truth/foreign_reference.cpp
        ${PROJECT_SOURCE_DIR}/src/odeum/linear/banded_lu.hpp ${PROJECT_SOURCE_DIR}/src/odeum/linear/ordering.cpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${truth_files})
   set(hashes "")
@@ -524,7 +524,7 @@ macro(odeum_add_adapters)
 "#pragma once
 #include <vector>
 
-#include \"odeum/contest/solver.hpp\"
+#include \"odeum/solvers/solver.hpp\"
 ${odeum_includes}
 namespace odeum {
 template <Ode P>
@@ -534,9 +534,9 @@ ${odeum_calls}}
 }
 ")
   odeum_write(${ODEUM_GENERATED}/odeum_libraries.cpp
-"#include \"odeum/contest/case.hpp\"
-#include \"odeum/contest/late.hpp\"
-#include \"odeum/contest/variants.hpp\"
+"#include \"odeum/solvers/case.hpp\"
+#include \"odeum/solvers/runtime_library.hpp\"
+#include \"odeum/solvers/variants.hpp\"
 #include \"odeum/linear/eigen_solvers.hpp\"
 ${odeum_list_includes}
 namespace odeum {

@@ -59,8 +59,7 @@ install(EXPORT OdeumLaboratory NAMESPACE Odeum:: DESTINATION ${odeum_package})
 
 install(DIRECTORY src/odeum DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
-install(FILES src/odeum/foreign/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odeum)
-install(DIRECTORY cases/support DESTINATION ${odeum_lab_headers} FILES_MATCHING PATTERN "*.hpp")
+install(FILES src/odeum/api/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odeum)
 install(FILES ${ODEUM_GENERATED}/odeum_methods.hpp DESTINATION ${odeum_lab_headers})
 install(FILES ${odeum_eigen_files} DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum/src)
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 /// Solvers with a deliberate fault, and six problems with closed solutions to run them on.
 namespace odeum::tests {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 /// Adapters against programs that use a library alone, written as its documentation shows, on hard
 /// cases: what such a program solves, the adapter must solve at the same tolerance.

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/contest/late.hpp"
-#include "support/foreign_case.hpp"
+#include "odeum/cases/foreign_case.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 /// FMUs that the build makes of tests/package/fmi, as they are and with changes.
 namespace odeum::fmi_tests {

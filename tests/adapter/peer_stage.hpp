@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 /// A test problem with injectable faults, and the checks of every solver enrolled on it.
 namespace odeum::test {

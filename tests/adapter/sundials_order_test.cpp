@@ -8,7 +8,7 @@
 #include <set>
 
 #include "adapter/sundials_problems.hpp"
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 #include "sundials/arkode.hpp"
 
 namespace odeum::sundials_tests {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "odeum/cases/square_cloth.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/material.hpp"
-#include "support/square_cloth.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::bench {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
-#include "odeum/contest/variants.hpp"
 #include "odeum/scene/model/scene.hpp"
+#include "odeum/solvers/case.hpp"
+#include "odeum/solvers/variants.hpp"
 
 namespace odeum::bench {
 

@@ -8,10 +8,10 @@
 #include "cloth_stage.hpp"
 #include "goals.hpp"
 #include "grid_forces.hpp"
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/springs/lanes.hpp"
 #include "odeum/studies/material/cloth_steps.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "goals.hpp"
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/linear/multigrid.hpp"
 #include "odeum/methods/imex_verlet.hpp"
 #include "odeum/scene/springs/grid_cloth.hpp"
 #include "odeum/scene/springs/grid_matrix.hpp"
 #include "odeum/studies/material/cloth_steps.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "goals.hpp"
-#include "odeum/contest/case.hpp"
-#include "odeum/contest/inlined.hpp"
+#include "odeum/solvers/case.hpp"
+#include "odeum/solvers/inlined.hpp"
 
 namespace odeum::bench {
 namespace {

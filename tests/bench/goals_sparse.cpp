@@ -13,8 +13,8 @@
 #include <string>
 
 #include "goals.hpp"
+#include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "grid_forces.hpp"
 #include "micro.hpp"
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/kernel/stage_transform.hpp"
 #include "odeum/methods/radau_iia5.hpp"
 #include "odeum/methods/radau_iia9.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::bench {
 namespace {

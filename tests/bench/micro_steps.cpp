@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "micro.hpp"
-#include "odeum/contest/case.hpp"
-#include "odeum/contest/inlined.hpp"
+#include "odeum/solvers/case.hpp"
+#include "odeum/solvers/inlined.hpp"
 
 namespace odeum::bench {
 namespace {

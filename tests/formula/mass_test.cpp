@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "odeum/cases/text_case.hpp"
 #include "odeum/input/yaml_tree.hpp"
-#include "support/text_case.hpp"
 
 namespace odeum {
 namespace {

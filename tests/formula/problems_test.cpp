@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <random>
 
-#include "odeum/contest/given_cases.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/formula/text_ode.hpp"
+#include "odeum/solvers/given_cases.hpp"
 #include "support/catalogue.hpp"
-#include "support/text_case.hpp"
 
 namespace odeum {
 namespace {

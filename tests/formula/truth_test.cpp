@@ -6,9 +6,9 @@
 
 #include <cmath>
 
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/text_truth.hpp"
 #include "odeum/truth/system.hpp"
-#include "support/reference.hpp"
-#include "support/text_truth.hpp"
 #include "support/truth_problems.hpp"
 
 namespace odeum {

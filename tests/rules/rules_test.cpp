@@ -105,7 +105,7 @@ TEST(Rules, NoStudyNamesASolverButForAReason) {
   for (const auto& [file, reason] : reasons) unused.insert(file);
   std::size_t read = 0;
   for (const std::string& file :
-       sources_of(root, {"src/odeum/contest", "src/odeum/judge", "src/odeum/scene",
+       sources_of(root, {"src/odeum/solvers", "src/odeum/judge", "src/odeum/scene",
                          "src/odeum/report", "src/odeum/studies", "src/odeum/cli"})) {
     ++read;
     for (const std::string& solver : matches_in(file, id)) {
@@ -135,7 +135,7 @@ class Checkout : public testing::Test {
     write(
         "CONTRIBUTING.md",
         "| `not/a/room` | x |\n## Rooms\n| folder | holds |\n|---|---|\n| `src/odeum/core` | x |\n"
-        "| `cases/support` | x |\n| `src/odeum/studies/<name>` | x |\n## Other\n| `no/room` | x "
+        "| `cases` | x |\n| `src/odeum/studies/<name>` | x |\n## Other\n| `no/room` | x "
         "|\n");
     std::vector<std::string> lines;
     for (const Violation& each : upward_includes(folder_, rooms_of(folder_ / "CONTRIBUTING.md")))
@@ -165,10 +165,10 @@ TEST_F(Checkout, SiblingsDoNotIncludeOneAnother) {
 }
 
 TEST_F(Checkout, SourcesIncludeCasesInStudiesOnly) {
-  write("cases/support/stage.hpp", "");
-  write("src/odeum/studies/drift/rows.hpp", "#include \"support/stage.hpp\"\n");
+  write("src/odeum/cases/stage.hpp", "");
+  write("src/odeum/studies/drift/rows.hpp", "#include \"odeum/cases/stage.hpp\"\n");
   EXPECT_EQ(faults(), std::vector<std::string>{});
-  write("src/odeum/core/low.hpp", "#include \"support/stage.hpp\"\n");
+  write("src/odeum/core/low.hpp", "#include \"odeum/cases/stage.hpp\"\n");
   EXPECT_EQ(faults().size(), 1U);
 }
 

@@ -59,11 +59,7 @@ std::string include_fault(const std::string& from, const std::string& to,
   if (higher->rank > lower->rank) return lower->room + " stands below " + higher->room;
   if (higher->rank == lower->rank && higher->room != lower->room)
     return lower->room + " and " + higher->room + " stand side by side";
-  const bool uses_support =
-      from.starts_with("src/odeum/studies/") || from.starts_with("src/odeum/cli/");
-  if (from.starts_with("src/") && !to.starts_with("src/") &&
-      !(uses_support && to.starts_with("cases/support/")))
-    return "src includes from itself only, studies and cli from cases/support besides";
+  if (from.starts_with("src/") && !to.starts_with("src/")) return "src includes from itself only";
   return "";
 }
 

@@ -26,7 +26,7 @@ std::vector<std::string> sources_of(const std::filesystem::path& root,
                                     const std::vector<std::string>& folders);
 
 /// Includes from a lower room to a higher one, files of no room, and files in src that include from
-/// outside of it (studies may use `cases/support`).
+/// outside of it.
 std::vector<Violation> upward_includes(const std::filesystem::path& root,
                                        const std::vector<std::string>& rooms);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 
 namespace odeum::study {

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <map>
 
-#include "odeum/contest/enroll_method.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/proof/facts.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/solvers/enroll_method.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 #include "odeum/studies/stability/stability.hpp"

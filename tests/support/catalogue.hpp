@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::tests {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "odeum/contest/own_methods.hpp"
+#include "odeum/solvers/own_methods.hpp"
 
 /// Own methods on problems of the tests' own, through the catalogue: nothing is compiled anew.
 namespace odeum::tests {

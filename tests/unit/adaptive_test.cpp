@@ -8,12 +8,12 @@
 #include <cmath>
 #include <vector>
 
-#include "odeum/contest/enroll_method.hpp"
 #include "odeum/methods/cash_karp54.hpp"
 #include "odeum/methods/heun.hpp"
 #include "odeum/methods/midpoint.hpp"
 #include "odeum/methods/rk4.hpp"
 #include "odeum/proof/facts.hpp"
+#include "odeum/solvers/enroll_method.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/judge/errors.hpp"
 #include "problems/hires.hpp"
 #include "support/catalogue.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

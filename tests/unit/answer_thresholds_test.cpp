@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/judge/answer.hpp"
 #include "support/catalogue.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

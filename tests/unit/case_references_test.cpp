@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "odeum/cases/reference.hpp"
 #include "support/catalogue.hpp"
-#include "support/reference.hpp"
 
 namespace odeum {
 namespace {

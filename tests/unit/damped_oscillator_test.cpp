@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/reference.hpp"
+#include "odeum/cases/reference.hpp"
 
 namespace odeum::tests {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/reference.hpp"
 #include "support/catalogue.hpp"
-#include "support/reference.hpp"
 
 namespace odeum::study {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/methods/verner98.hpp"
+#include "odeum/solvers/case.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 
 namespace odeum {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cases of problems in foreign code, and the references that are computed for those without an
 // exact solution.
-#include "support/foreign_case.hpp"
+#include "odeum/cases/foreign_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "odeum/foreign/reference.hpp"
+#include "odeum/truth/foreign_reference.hpp"
 
 namespace odeum {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/methods/imex_verlet.hpp"
 #include "odeum/methods/implicit_euler.hpp"
 #include "odeum/methods/predicted_implicit_euler.hpp"
@@ -13,7 +14,6 @@
 #include "odeum/methods/velocity_verlet.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "support/scenes.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::scene {
 namespace {

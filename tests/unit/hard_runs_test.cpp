@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/scene_case.hpp"
+#include "odeum/cases/stage.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/answer.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "support/catalogue.hpp"
 #include "support/own_runs.hpp"
-#include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

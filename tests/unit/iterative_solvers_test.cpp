@@ -7,9 +7,9 @@
 #include <numbers>
 #include <set>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/fem/shapes.hpp"
 #include "odeum/linear/eigen_solvers.hpp"
+#include "odeum/solvers/case.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
 namespace odeum::linear {

@@ -66,7 +66,7 @@ TEST(HashedUnits, ChangeWithTheirOwnObjectsAlone) {
       {"adapters/gsl/odeum_adapter_gsl.dir/catalogue.cpp.o", "adapter/gsl"},
       {"odeum_cases.dir/cases/kepler.cpp.o", "case/kepler"},
       {"odeum_cases.dir/cases/robertson.cpp.o", "case/robertson"},
-      {"odeum_cases.dir/cases/support/stage.cpp.o", "rest"},
+      {"odeum_cases.dir/src/odeum/cases/stage.cpp.o", "rest"},
       {"odeum_core.dir/src/odeum/judge/answer.cpp.o", "rest"},
       {"odeum_study.dir/src/odeum/studies/runner.cpp.o", "rest"},
       {"odeum_study.dir/src/odeum/report/page.cpp.o", ""},

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "support/catalogue.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

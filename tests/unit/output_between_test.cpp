@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/contest/own_methods.hpp"
 #include "odeum/control/one_step.hpp"
 #include "odeum/methods/bogacki_shampine32.hpp"
 #include "odeum/methods/dormand_prince54.hpp"
+#include "odeum/solvers/own_methods.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "odeum/cases/spectrum.hpp"
 #include "odeum/report/columns.hpp"
-#include "odeum/report/spectrum.hpp"
 #include "odeum/studies/precision/section.hpp"
 #include "odeum/studies/questions.hpp"
 #include "odeum/studies/stability/section.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/cases/stage.hpp"
 #include "support/catalogue.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

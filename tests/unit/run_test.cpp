@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "odeum/truth/computed_truth.hpp"
 #include "support/catalogue.hpp"
-#include "support/computed_truth.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "fuzz/read_any.hpp"
+#include "odeum/cases/scene_case.hpp"
 #include "support/damage.hpp"
-#include "support/scene_stage.hpp"
 
 namespace odeum {
 namespace {

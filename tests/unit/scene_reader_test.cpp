@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/scene/read/reader.hpp"
-#include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 

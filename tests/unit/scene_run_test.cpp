@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/run/run.hpp"
-#include "support/scene_stage.hpp"
+#include "odeum/solvers/case.hpp"
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
-#include "support/scene_stage.hpp"
 #include "support/scene_texts.hpp"
 
 namespace odeum {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/fem/shapes.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/core/guarded.hpp"
-#include "support/stage.hpp"
 
 namespace odeum {
 namespace {

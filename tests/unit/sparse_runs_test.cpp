@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/linear/sparse_system.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

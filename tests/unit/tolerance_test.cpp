@@ -8,10 +8,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/core/tolerance.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "support/catalogue.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::tests {
 namespace {

@@ -11,8 +11,8 @@
 #include <regex>
 #include <sstream>
 
+#include "odeum/cases/spectrum.hpp"
 #include "odeum/judge/errors.hpp"
-#include "odeum/report/spectrum.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum/studies/reduction/reduction.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/contest/enroll_method.hpp"
-#include "odeum/contest/late.hpp"
+#include "odeum/solvers/enroll_method.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 /// A stepper from another project as a solver of the laboratory.
 namespace odeum::accuracy {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/report/comparison.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::cli {
 

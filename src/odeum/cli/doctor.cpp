@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/contest/late.hpp"
 #include "odeum/core/build_info.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
 

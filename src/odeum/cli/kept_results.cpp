@@ -10,12 +10,12 @@
 
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/units.hpp"
-#include "odeum/contest/case_files.hpp"
-#include "odeum/contest/late.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/formula/compile.hpp"
 #include "odeum/input/text_file.hpp"
+#include "odeum/solvers/case_files.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/studies/elements/problems.hpp"
-#include "support/scene_stage.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <new>
 
 #include "odeum/cli/session.hpp"
-#include "odeum/contest/late.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace {

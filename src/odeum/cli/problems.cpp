@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "odeum/cases/foreign_case.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/contest/given_cases.hpp"
-#include "odeum/contest/late.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/facts.hpp"
-#include "support/foreign_case.hpp"
-#include "support/text_case.hpp"
+#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::cli {
 

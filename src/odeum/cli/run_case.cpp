@@ -14,7 +14,7 @@
 #include "odeum/judge/answer.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "support/computed_truth.hpp"
+#include "odeum/truth/computed_truth.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -5,7 +5,7 @@
 namespace odeum::cli {
 namespace {
 
-/// The same type as the one that the run is made with, see contest/enroll_method.hpp.
+/// The same type as the one that the run is made with, see solvers/enroll_method.hpp.
 const char* type_of_problem(const Case& c, const SolverInfo& info) {
   if (info.needs.find("second-order") == std::string::npos) return "SharedOde";
   return c.problem.view.velocity_dependent ? "SharedSecondOrder" : "SharedSeparable";

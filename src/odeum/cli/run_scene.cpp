@@ -5,12 +5,12 @@
 #include <map>
 #include <stdexcept>
 
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/scene_files.hpp"
 #include "odeum/scene/run/run.hpp"
-#include "support/scene_stage.hpp"
 
 namespace odeum::cli {
 namespace {

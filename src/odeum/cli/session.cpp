@@ -10,10 +10,10 @@
 #include <cstring>
 #include <thread>
 
-#include "odeum/contest/given_cases.hpp"
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "support/scene_stage.hpp"
+#include "odeum/solvers/given_cases.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::study {
 class Study;

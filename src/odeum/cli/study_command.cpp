@@ -10,9 +10,9 @@
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/contest/given_cases.hpp"
-#include "odeum/contest/late.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
 namespace odeum::cli {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::judge {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "odeum/contest/own_methods.hpp"
+#include "odeum/solvers/own_methods.hpp"
 
 namespace odeum::judge {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::judge {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "odeum/report/spectrum.hpp"
+#include "odeum/cases/spectrum.hpp"
 
 namespace odeum::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::report {
 
@@ -16,7 +16,7 @@ struct CaseFacts {
   double timed_end = 0;    ///< the time t at which these do
   double scale = 1;  ///< largest component of the initial state, in magnitude; 1 where all are 0
   std::vector<std::string> tags;
-  std::vector<std::complex<double>> eigenvalues = {};  ///< see report/spectrum.hpp
+  std::vector<std::complex<double>> eigenvalues = {};  ///< see cases/spectrum.hpp
   double eigenvalues_time = 0;
   std::string file = {};  ///< of its own page, relative to index.html; named by the Page
 

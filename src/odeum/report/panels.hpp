@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
 #include "odeum/report/chart.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::report {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/solver.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum::report {
 

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "odeum/contest/given_cases.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/solvers/given_cases.hpp"
 
 namespace odeum::study {
 

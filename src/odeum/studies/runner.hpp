@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/record/store.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::study {
 

@@ -13,8 +13,8 @@
 #include <cstring>
 #include <limits>
 
-#include "odeum/core/apart_times.hpp"
 #include "odeum/core/machine.hpp"
+#include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::study {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <set>
 
-#include "odeum/contest/given_cases.hpp"
 #include "odeum/report/html.hpp"
+#include "odeum/solvers/given_cases.hpp"
 
 namespace odeum::study {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bench/peers/peers.hpp"
-#include "odeum/contest/first_step.hpp"
+#include "odeum/solvers/first_step.hpp"
 
 namespace odeum::peers {
 namespace {

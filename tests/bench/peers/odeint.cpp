@@ -9,7 +9,7 @@
 
 #include "bench/peers/odeint_stiff.hpp"
 #include "bench/peers/peers.hpp"
-#include "odeum/contest/first_step.hpp"
+#include "odeum/solvers/first_step.hpp"
 
 namespace odeum::peers {
 namespace {

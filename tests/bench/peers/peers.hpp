@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
+#include "odeum/solvers/case.hpp"
 
 /// Settings of the peers, measured with the libraries alone: reports/peers.md.
 namespace odeum::peers {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "odeum/cases/element_case.hpp"
 #include "odeum/fem/shapes.hpp"
 #include "odeum/studies/runner.hpp"
-#include "support/element_stage.hpp"
 
 namespace odeum::study {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/fem/semi_discrete.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::study {
 

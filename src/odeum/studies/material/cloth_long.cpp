@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum/truth/system.hpp"
-#include "support/reference.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::study {
 namespace {

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <functional>
 
+#include "odeum/cases/square_cloth.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/studies/material/cloth_steps.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum/studies/stopwatch.hpp"
-#include "support/square_cloth.hpp"
 
 namespace odeum::study {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::study {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/scene/model/scene.hpp"
+#include "odeum/solvers/case.hpp"
 #include "odeum/studies/material/rows.hpp"
 #include "odeum/studies/study.hpp"
 

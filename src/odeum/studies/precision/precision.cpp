@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "odeum/contest/inlined.hpp"
-#include "odeum/contest/variants.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
+#include "odeum/solvers/inlined.hpp"
+#include "odeum/solvers/variants.hpp"
 #include "odeum/studies/precision/timing.hpp"
 
 namespace odeum::study {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "odeum/contest/variants.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
+#include "odeum/solvers/variants.hpp"
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/stopwatch.hpp"
 

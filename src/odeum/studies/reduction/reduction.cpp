@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "odeum/cases/stage.hpp"
 #include "odeum/core/glob.hpp"
-#include "support/stage.hpp"
 
 namespace odeum::study {
 namespace {

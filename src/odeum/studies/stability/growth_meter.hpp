@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "odeum/contest/case.hpp"
 #include "odeum/judge/growth.hpp"
+#include "odeum/solvers/case.hpp"
 
 namespace odeum::study {
 

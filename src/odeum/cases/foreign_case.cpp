@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/foreign_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "odeum/cases/stage.hpp"
+#include "odeum/cases/study_steps.hpp"
+#include "odeum/cases/text_truth.hpp"
+#include "odeum/isolated/isolated_process.hpp"
+#include "odeum/truth/foreign_reference.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// A problem with what it needs.
+struct Held {
+  explicit Held(foreign::Given from) : given(std::move(from)), problem(given.functions) {}
+  foreign::Given given;
+  foreign::Problem problem;
+};
+
+void isolate(Case& c) {
+  const std::size_t n = c.y0.size();
+  for (Entrant& entrant : c.entrants)
+    if (entrant.solve)
+      entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
+        return foreign::solve_apart(solve, request, n);
+      };
+}
+
+/// The truth of the case, and words for people; whether it was computed.
+bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& words) {
+  const foreign::Given& given = held->given;
+  c.truth.at = [held](double t, double* y) { return held->problem.exact(t, y); };
+  // To the rounding of what the foreign code computes it with.
+  for (const double y : c.y0) c.truth.floor = std::max(c.truth.floor, 1e-15 * std::abs(y));
+  if (given.functions.exact) {
+    c.truth.source = given.provider + "'s exact solution";
+    words = "exact solution";
+    return false;
+  }
+  std::string why;
+  std::optional<truth::Reference> reference =
+      kept_or_computed("foreign " + given.content, c.y0.size(), c.stops, c.scale,
+                       [&] { return foreign::reference_of(given, why); });
+  if (reference && !reference->times.empty()) {
+    const TextTruth known = truth_from(std::move(*reference), c.stops, c.scale, given.source);
+    c.truth = known.truth;
+    if (!known.stops.empty()) c.stops = known.stops;
+    words = known.words;
+    return true;
+  }
+  if (reference) why = reference->end;
+  words = fmt::format("none: {} has no exact solution, and no reference was computed: {}",
+                      given.provider, why);
+  c.truth.source = words;
+  c.settings.no_convergence = "no truth is known: " + given.provider +
+                              " has no exact solution, and no reference was computed: " + why;
+  return false;
+}
+
+/// Those with which plug-ins' exact solutions are compared: nothing of foreign code is run for it.
+void usual_steps(Case& c) {
+  const std::uint64_t multiple = steps_multiple(c.t0, c.stops);
+  c.settings.steps_multiple = std::max<std::uint64_t>(multiple, 1);
+  if (multiple == 0)
+    c.settings.no_fixed_steps = "no number of equal steps up to 1000 meets every stop";
+  c.settings.coarsest_steps = std::max<std::uint64_t>(16, c.settings.steps_multiple);
+  c.settings.finest_steps = std::max<std::uint64_t>(16384, 64 * c.settings.steps_multiple);
+}
+
+}  // namespace
+
+TextCase foreign_case(foreign::Given from) {
+  const auto held = std::make_shared<const Held>(std::move(from));
+  const foreign::Given& given = held->given;
+  const odeum_problem& p = given.functions;
+  TextCase made;
+  Case& c = made.c;
+  c.id = given.id;
+  c.title = given.title;
+  c.equation = given.equation;
+  c.source = given.source;
+  c.tags = {p.time_derivative ? "non_autonomous" : "autonomous", given.tag};
+  if (p.acceleration) c.tags.emplace_back("second_order");
+  c.components = given.components;
+  c.scale = given.scale;
+  c.t0 = p.t0;
+  c.y0.assign(p.y0, p.y0 + p.dimension);
+  c.stops.assign(p.stops, p.stops + p.stop_count);
+  if (p.energy) c.energy = [held](const double* y) { return held->problem.energy(y); };
+  c.problem = {held->problem.view(), held, c.t0, std::make_shared<const std::vector<double>>(c.y0),
+               nullptr};
+  std::string words;
+  const bool computed = set_truth(c, held, words);
+  c.entrants = enroll(c.problem);
+  isolate(c);
+  if (computed)
+    choose_steps(c, false, true);
+  else
+    usual_steps(c);
+  made.facts = given.facts;
+  if (c.has_tag("stiff"))
+    made.facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  made.facts.emplace_back("truth", words);
+  return made;
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::cases {
+
+/// The truth held in cases/reference/<name>.csv (built into the program), known at its tabulated
+/// times only. `floor` is its absolute error as stated by its index: from its digits, or from
+/// inputs rounded to double. Throws std::runtime_error where the file is missing or malformed.
+Truth reference_truth(const std::string& name, double floor);
+
+/// The same file rounded to extended precision, see ExtendedProblem::truth.
+std::function<bool(double t, long double* y)> extended_truth(const std::string& name);
+
+}  // namespace odeum::cases

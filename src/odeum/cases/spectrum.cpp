@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "odeum/linear/dense_limit.hpp"
+#include "odeum/linear/eigenvalues.hpp"
+
+namespace odeum::report {
+namespace {
+
+using Vector = std::vector<double>;
+
+/// A state of a case.
+struct Moment {
+  double t;
+  Vector y;
+};
+
+double norm(const Vector& v) {
+  double sum = 0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum);
+}
+
+/// J v, by a central difference along v, which is of length 1, where the case offers no product.
+Vector product(const Case& c, const Moment& at, const Vector& v) {
+  const OdeView& view = c.problem.view;
+  if (view.jacobian_times) {
+    Vector found(v.size());
+    view.jacobian_times(view.problem, at.t, at.y.data(), v.data(), found.data());
+    return found;
+  }
+  const double h = std::cbrt(std::numeric_limits<double>::epsilon()) * std::max(1.0, norm(at.y));
+  Vector above(at.y), below(at.y), up(v.size()), down(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i) above[i] += h * v[i], below[i] -= h * v[i];
+  view.rhs(view.problem, at.t, above.data(), up.data());
+  view.rhs(view.problem, at.t, below.data(), down.data());
+  for (std::size_t i = 0; i < v.size(); ++i) up[i] = (up[i] - down[i]) / (2 * h);
+  return up;
+}
+
+Vector dense_jacobian(const Case& c, const Moment& at) {
+  const std::size_t n = c.y0.size();
+  Vector matrix(n * n);
+  if (const OdeView& view = c.problem.view; view.jacobian) {
+    view.jacobian(view.problem, at.t, at.y.data(), matrix.data());
+    return matrix;
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    Vector unit(n);
+    unit[j] = 1;
+    const Vector column = product(c, at, unit);
+    for (std::size_t i = 0; i < n; ++i) matrix[i * n + j] = column[i];
+  }
+  return matrix;
+}
+
+/// The matrix of Arnoldi's method after `most` products, whose eigenvalues approach the outermost
+/// of the Jacobian; `size` is its dimension.
+Vector arnoldi(const Case& c, const Moment& at, std::size_t most, std::size_t& size) {
+  std::vector<Vector> basis(1, Vector(c.y0.size()));
+  // A start with a part along every eigenvector: pseudo-random, the same in every run.
+  std::uint32_t state = 1;
+  for (double& x : basis[0]) {
+    state = state * 1664525U + 1013904223U;
+    x = state / 4294967296.0 - 0.5;
+  }
+  const double length = norm(basis[0]);
+  for (double& x : basis[0]) x /= length;
+  Vector h(most * most);
+  for (size = 1;; ++size) {
+    Vector w = product(c, at, basis.back());
+    // Twice, since one orthogonalisation leaves rounding.
+    for (int pass = 0; pass < 2; ++pass)
+      for (std::size_t i = 0; i < size; ++i) {
+        double dot = 0;
+        for (std::size_t k = 0; k < w.size(); ++k) dot += w[k] * basis[i][k];
+        for (std::size_t k = 0; k < w.size(); ++k) w[k] -= dot * basis[i][k];
+        h[i * most + size - 1] += dot;
+      }
+    const double rest = norm(w);
+    if (size == most || !(rest > 1e-9 * length)) break;
+    h[size * most + size - 1] = rest;
+    for (double& x : w) x /= rest;
+    basis.push_back(std::move(w));
+  }
+  Vector part(size * size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) part[i * size + j] = h[i * most + j];
+  return part;
+}
+
+/// In the upper half plane; empty where the Jacobian is not finite.
+std::vector<std::complex<double>> eigenvalues_at(const Case& c, const Moment& at) {
+  constexpr std::size_t products = 96;
+  std::size_t n = c.y0.size();
+  const Vector matrix =
+      n <= dense_dimension_limit ? dense_jacobian(c, at) : arnoldi(c, at, products, n);
+  if (std::any_of(matrix.begin(), matrix.end(), [](double x) { return !std::isfinite(x); }))
+    return {};
+  std::vector<std::complex<double>> upper;
+  for (const std::complex<double>& z : eigenvalues(matrix, n))
+    if (z.imag() >= 0) upper.push_back(z);
+  return upper;
+}
+
+double largest(const std::vector<std::complex<double>>& values) {
+  double size = 0;
+  for (const auto& z : values) size = std::max(size, std::abs(z));
+  return size;
+}
+
+}  // namespace
+
+Spectrum spectrum_of(const Case& c) {
+  if (!c.problem.view.rhs || c.y0.empty()) return {};
+  Spectrum start{eigenvalues_at(c, {c.t0, c.y0}), c.t0};
+  if (c.stops.empty() || !c.truth.at) return start;
+  Moment last{c.stops.back(), Vector(c.y0.size())};
+  if (!c.truth.at(last.t, last.y.data())) return start;
+  Spectrum end{eigenvalues_at(c, last), last.t};
+  // Where they agree to rounding, the start.
+  return largest(end.eigenvalues) > 1.001 * largest(start.eigenvalues) ? end : start;
+}
+
+}  // namespace odeum::report

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/text_truth.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "odeum/core/build_info.hpp"
+#include "odeum/formula/text_ode.hpp"
+#include "odeum/linear/ordering.hpp"
+#include "odeum/truth/system.hpp"
+
+namespace odeum::cases {
+namespace {
+
+namespace fs = std::filesystem;
+using formula::TextOde;
+using truth::Real;
+
+Real scale_of(const formula::Problem& problem, std::size_t i) {
+  return problem.scale.empty() ? 1 : problem.scale[i];
+}
+
+TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
+  const formula::Problem& problem = ode->problem();
+  const auto in_double =
+      std::make_shared<const formula::Evaluator<double>>(problem.graph, problem.exact);
+  const auto extended =
+      std::make_shared<const formula::Evaluator<long double>>(problem.graph, problem.exact);
+  TextTruth result;
+  result.extended = [extended](double t, long double* y) {
+    (*extended)(t, nullptr, y);
+    return true;
+  };
+  result.truth.at = [extended, n = ode->size()](double t, double* y) {
+    std::vector<long double> values(n);
+    (*extended)(t, nullptr, values.data());
+    std::copy(values.begin(), values.end(), y);
+    return true;
+  };
+  // What rounding does to the formula in double tells what it does in extended precision.
+  Real amplified = 0, largest = 0;
+  std::vector<double> low(ode->size());
+  std::vector<Real> high(ode->size());
+  for (int k = 0; k <= 80; ++k) {
+    const Real t = problem.t0 + (problem.stops.back() - problem.t0) * k / 80;
+    const auto rounded = static_cast<double>(t);
+    (*in_double)(rounded, nullptr, low.data());
+    (*extended)(rounded, nullptr, high.data());
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      const Real unit = scale_of(problem, i);
+      largest = std::max(largest, std::abs(high[i]) / unit);
+      if (std::isfinite(low[i])) amplified = std::max(amplified, std::abs(low[i] - high[i]) / unit);
+    }
+  }
+  result.extended_floor =
+      static_cast<double>(10 * 0x1p-11L * std::max(amplified, 0x1p-53L * largest));
+  result.truth.floor = result.extended_floor + static_cast<double>(0x1p-53L * largest);
+  result.truth.source = "the closed form of " + problem.file;
+  result.stops = problem.stops;
+  result.known_until = problem.stops.back();
+  result.words =
+      fmt::format("closed form, which fulfils the equations; known to {:.1e}", result.truth.floor);
+  return result;
+}
+
+/// Product of its widths in the reverse Cuthill-McKee ordering.
+double narrowest_band(const Sparsity& pattern) {
+  const linear::Band band = linear::band_of(pattern, linear::reverse_cuthill_mckee(pattern));
+  return static_cast<double>(band.lower * band.upper);
+}
+
+truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
+  const formula::Problem& problem = ode->problem();
+  const auto& structure = ode->analysis().structure;
+  truth::System system;
+  system.states = ode->size();
+  system.t0 = problem.t0;
+  system.y0 = problem.y0;
+  system.smooth = structure.smooth;
+  system.concurrent = true;
+  system.rhs = [ode](Real t, const Real* y, Real* f) { ode->rhs_extended(t, y, f); };
+  // Full matrices in extended precision take too long beyond this, and bands beyond that.
+  constexpr std::size_t most_in_matrix = 64;
+  constexpr double widest_band = 200;
+  if (ode->view().sparsity && narrowest_band(ode->sparsity()) <= widest_band) {
+    system.sparsity = {ode, &ode->sparsity()};
+    system.entries = [ode](Real t, const Real* y, Real* v) { ode->entries_extended(t, y, v); };
+  } else if (ode->size() <= most_in_matrix)
+    system.jacobian = [ode](Real t, const Real* y, Real* j) { ode->jacobian_extended(t, y, j); };
+  system.work = static_cast<double>(problem.graph.needed(problem.equations).size());
+  if (const auto& plan = ode->analysis().series) {
+    const auto series =
+        std::make_shared<formula::Series<Real>>(problem.graph, *plan, system.states);
+    system.taylor = [series](Real t, const Real* y, int order, Real* c) {
+      (*series)(t, y, order, c);
+    };
+  }
+  // Numbers of few binary digits are exact.
+  const auto moved = [](Real c) {
+    constexpr Real few = 0x1p24L;
+    const bool exact = c == 0 || std::ldexp(few, std::ilogb(c)) == 0 ||
+                       std::remainder(c, std::ldexp(1 / few, std::ilogb(c))) == 0;
+    return exact ? c : c * (1 + 0x1p-30L);
+  };
+  auto evaluator = std::make_shared<formula::Evaluator<Real>>(problem.graph, problem.equations);
+  evaluator->perturb(moved);
+  system.moved_rhs = [evaluator](Real t, const Real* y, Real* f) { (*evaluator)(t, y, f); };
+  for (const Real y : problem.y0) system.moved_y0.push_back(moved(y));
+  return system;
+}
+
+/// What a reference depends on, as text.
+std::string content_of(const std::shared_ptr<const TextOde>& ode) {
+  const formula::Problem& problem = ode->problem();
+  std::string content = formula::print_c(problem, ode->analysis());
+  content += fmt::format("\n{}", problem.t0);
+  for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
+  return content;
+}
+
+/// The place of a time in a reference, which was computed from the same problem: a time that
+/// differs by rounding alone is the same.
+std::size_t place_of(const truth::Reference& reference, double t) {
+  for (std::size_t k = 0; k < reference.times.size(); ++k)
+    if (std::abs(reference.times[k] - t) <= 4e-16 * std::abs(t)) return k;
+  return reference.times.size();
+}
+
+}  // namespace
+
+std::optional<truth::Reference> kept_or_computed(
+    std::string content, std::size_t states, const std::vector<double>& stops,
+    const std::vector<double>& scale,
+    const std::function<std::optional<truth::Reference>()>& compute) {
+  content +=
+      fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
+  const std::string folder = formula::cache_folder();
+  const fs::path file = fs::path(folder) / (formula::content_key(content) + ".reference");
+  if (!folder.empty()) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    if (auto held = truth::from_text(text, states)) return held;
+  }
+  std::optional<truth::Reference> reference = compute();
+  if (reference && !folder.empty()) {
+    const fs::path part = file.string() + ".part";
+    std::ofstream out(part, std::ios::binary);
+    out << truth::to_text(*reference);
+    out.close();
+    std::error_code ignored;
+    if (out.good()) fs::rename(part, file, ignored);
+  }
+  return reference;
+}
+
+TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
+                     const std::vector<double>& scale, const std::string& what) {
+  const auto reference = std::make_shared<const truth::Reference>(std::move(computed));
+  const std::size_t n = reference->states.empty() ? 0 : reference->states.front().size();
+  TextTruth result;
+  result.known_until = reference->known_until;
+  for (const double stop : stops)
+    if (place_of(*reference, stop) < reference->times.size()) result.stops.push_back(stop);
+  if (result.stops.empty() && !reference->times.empty())
+    result.stops.push_back(reference->times.back());
+  Real largest = 0;
+  for (std::size_t k = 0; k < reference->times.size(); ++k) {
+    if (!result.stops.empty() && reference->times[k] > result.stops.back()) break;
+    result.extended_floor = std::max(result.extended_floor, reference->floors[k]);
+    for (std::size_t i = 0; i < n; ++i)
+      largest =
+          std::max(largest, std::abs(reference->states[k][i]) / (scale.empty() ? 1 : scale[i]));
+  }
+  result.truth.floor = result.extended_floor + static_cast<double>(0x1p-53L * largest);
+  result.extended = [reference](double t, long double* y) {
+    const std::size_t k = place_of(*reference, t);
+    if (k == reference->times.size()) return false;
+    std::copy(reference->states[k].begin(), reference->states[k].end(), y);
+    return true;
+  };
+  result.truth.at = [at = result.extended, n, ends_at = reference->ends_at](double t, double* y) {
+    if (t > ends_at) {
+      std::fill_n(y, n, std::numeric_limits<double>::infinity());
+      return true;
+    }
+    std::vector<long double> state(n);
+    if (!at(t, state.data())) return false;
+    std::copy(state.begin(), state.end(), y);
+    return true;
+  };
+  result.truth.source = "computed from " + what + " by " + reference->methods;
+  result.words = fmt::format("computed by {}, which agree to {:.1e}; known to {:.1e}",
+                             reference->methods, reference->disagreement, result.truth.floor);
+  if (!reference->end.empty())
+    result.words += fmt::format(" up to t = {:.6g}, and no verdict is given beyond: {}",
+                                result.known_until, reference->end);
+  if (std::isfinite(reference->ends_at))
+    result.words += fmt::format("; its slope is unbounded: a state after t = {:.6g} is wrong",
+                                reference->ends_at);
+  return result;
+}
+
+TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
+  const formula::Problem& problem = ode->problem();
+  if (!problem.exact.empty()) return closed_form(ode);
+  return truth_from(
+      *kept_or_computed(
+          content_of(ode), ode->size(), problem.stops, problem.scale,
+          [&] { return truth::compute_reference(system_of(ode), problem.stops, problem.scale); }),
+      problem.stops, problem.scale, problem.file);
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "odeum/cases/text_case.hpp"
+#include "odeum/truth/system.hpp"
+
+namespace odeum::cases {
+
+/// The truth of a problem from text or in foreign code, in double and in extended precision.
+struct TextTruth {
+  Truth truth;
+  std::function<bool(double t, long double* y)> extended;
+  double extended_floor = 0;
+  /// Those of the problem's stops at which the truth is known; where it is known at none, the last
+  /// time at which it is; empty: at no time.
+  std::vector<double> stops;
+  double known_until = 0;
+  std::string words;  ///< for people: where it comes from and how many digits it has
+};
+
+/// The reference that the cache folder keeps for this content, else a computed one, which is then
+/// kept there; nothing where none could be computed.
+std::optional<truth::Reference> kept_or_computed(
+    std::string content, std::size_t states, const std::vector<double>& stops,
+    const std::vector<double>& scale,
+    const std::function<std::optional<truth::Reference>()>& compute);
+/// A computed reference as truth of `what`.
+TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
+                     const std::vector<double>& scale, const std::string& what);
+
+TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode);
+
+}  // namespace odeum::cases

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/isolated/isolated_process.hpp"
+
+#include <poll.h>
+#include <stdio_ext.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "odeum/core/interrupt.hpp"
+#include "odeum/isolated/isolated_times.hpp"
+
+namespace odeum::foreign {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What the process hands back, in memory that both share; states follow it.
+struct Report {
+  std::atomic<std::uint64_t> signs{0};  ///< of work
+  std::atomic<bool> done{false};
+  int status = 0;
+  double t = 0;
+  Counters counters;
+  std::uint64_t states = 0;
+  double solve_ns = 0, processor_s = 0;
+  char detail[2000] = {};
+
+  void say(const std::string& text) {
+    const std::size_t n = std::min(text.size(), sizeof detail - 1);
+    std::memcpy(detail, text.data(), n);
+    detail[n] = 0;
+  }
+  double* values() { return reinterpret_cast<double*>(this + 1); }
+};
+
+Report* own_report = nullptr;
+
+/// A report in shared memory.
+class Shared {
+ public:
+  explicit Shared(std::size_t states) : bytes_(sizeof(Report) + states * sizeof(double)) {
+    void* const memory =
+        mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    report_ = new (memory) Report;
+  }
+  ~Shared() { munmap(report_, bytes_); }
+  Shared(const Shared&) = delete;
+  Shared& operator=(const Shared&) = delete;
+  Report& report() { return *report_; }
+
+ private:
+  std::size_t bytes_;
+  Report* report_;
+};
+
+/// Becomes the process: its files are those of the parent, except that nothing it prints gets into
+/// the data on the standard output.
+void settle_in(Report& report, pid_t parent) {
+  own_report = &report;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  setpgid(0, 0);
+  // What the parent had not yet written is its own to write.
+  __fpurge(stdout);
+  __fpurge(stderr);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+  for (const int number : {SIGINT, SIGTERM, SIGPIPE}) signal(number, SIG_DFL);
+}
+
+/// Waits a little for a process to end; true: it has.
+bool ended(pid_t process, int descriptor, int& state) {
+  if (descriptor >= 0) {
+    pollfd wait{.fd = descriptor, .events = POLLIN, .revents = 0};
+    poll(&wait, 1, 100);
+  } else {
+    const timespec pause{0, 1'000'000};
+    nanosleep(&pause, nullptr);
+  }
+  return waitpid(process, &state, WNOHANG) == process;
+}
+
+/// Waits until the process ends or has to be ended; how, in a sentence; empty: it is done.
+std::string wait_for(pid_t process, Report& report, double seconds, bool& over_budget) {
+  const int descriptor = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
+  const auto start = Clock::now();
+  auto last_sign = start;
+  std::uint64_t signs = 0;
+  std::string why;
+  int state = 0;
+  while (!ended(process, descriptor, state)) {
+    if (const std::uint64_t now = report.signs; now != signs) {
+      signs = now;
+      last_sign = Clock::now();
+    }
+    if (interrupted)
+      why = "interrupted";
+    else if (since(last_sign) > longest_silence)
+      why = fmt::format(
+          "foreign code evaluated no right-hand side within its budget for {} s and was ended",
+          longest_silence);
+    else if (since(start) > seconds + longest_silence)
+      why = fmt::format("foreign code did not return within {} s after the budget and was ended",
+                        longest_silence);
+    if (why.empty()) continue;
+    over_budget = true;
+    kill(-process, SIGKILL);
+    kill(process, SIGKILL);
+    while (waitpid(process, &state, 0) < 0 && errno == EINTR) continue;
+    break;
+  }
+  if (descriptor >= 0) close(descriptor);
+  if (!why.empty()) return why;
+  // Processes that it left behind.
+  kill(-process, SIGKILL);
+  if (WIFSIGNALED(state))
+    return fmt::format("foreign code crashed: {} (signal {})", strsignal(WTERMSIG(state)),
+                       WTERMSIG(state));
+  if (!report.done)
+    return fmt::format("foreign code ended its process with exit code {}", WEXITSTATUS(state));
+  return {};
+}
+
+/// The work in a process of its own, see wait_for.
+std::string run_apart(Report& report, double seconds, bool& over_budget,
+                      const std::function<void()>& work) {
+  std::fflush(nullptr);
+  const pid_t parent = getpid(), process = fork();
+  if (process < 0) return fmt::format("no process could be made: {}", std::strerror(errno));
+  if (process > 0) return wait_for(process, report, seconds, over_budget);
+  settle_in(report, parent);
+  try {
+    work();
+  } catch (const std::exception& error) {
+    report.status = static_cast<int>(Status::refused);
+    report.say(fmt::format("foreign code threw {}", error.what()));
+  } catch (...) {
+    report.status = static_cast<int>(Status::refused);
+    report.say("foreign code threw something that is no std::exception");
+  }
+  report.done = true;
+  _exit(0);
+}
+
+/// Solves until the memory of the new process is in place and the caches are as in a process that
+/// has worked for a while, for short solves some tenths of a millisecond.
+void warm_up(const std::function<Outcome(const Request&)>& solve, const Request& request) {
+  const auto start = Clock::now();
+  do solve(request);
+  while (since(start) < 3e-4);
+}
+
+/// Of the calling thread.
+double processor_seconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+void hand_back(const Outcome& outcome, std::size_t room, Report& report) {
+  report.status = static_cast<int>(outcome.status);
+  report.t = outcome.t;
+  report.counters = outcome.counters;
+  report.states = std::min(outcome.states.size(), room);
+  std::copy_n(outcome.states.data(), report.states, report.values());
+  report.say(outcome.detail);
+}
+
+Outcome taken_over(Report& report, std::size_t room) {
+  Outcome outcome;
+  outcome.status =
+      static_cast<Status>(std::clamp(report.status, 0, static_cast<int>(Status::refused)));
+  outcome.t = report.t;
+  outcome.counters = report.counters;
+  const std::size_t states = std::min<std::size_t>(report.states, room);
+  outcome.states.assign(report.values(), report.values() + states);
+  report.detail[sizeof report.detail - 1] = 0;
+  outcome.detail = report.detail;
+  return outcome;
+}
+
+/// See solve_apart; `solve_ns` and `processor_s` become the times of the solve.
+Outcome solve_there(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                    std::size_t room, double& solve_ns, double& processor_s) {
+  Shared shared(room);
+  Report& report = shared.report();
+  bool over_budget = false;
+  const std::string why = run_apart(report, request.budget.seconds, over_budget, [&] {
+    if (!request.budget.watched) warm_up(solve, request);
+    const double used = processor_seconds();
+    const auto begun = Clock::now();
+    const Outcome outcome = solve(request);
+    report.solve_ns = 1e9 * since(begun);
+    report.processor_s = processor_seconds() - used;
+    hand_back(outcome, room, report);
+  });
+  solve_ns = report.solve_ns;
+  processor_s = report.processor_s;
+  Outcome outcome = taken_over(report, room);
+  if (why.empty()) return outcome;
+  outcome.status = over_budget ? Status::over_budget : Status::refused;
+  outcome.detail = why;
+  outcome.states.clear();
+  return outcome;
+}
+
+}  // namespace
+
+bool inside() { return own_report != nullptr; }
+void alive() {
+  if (own_report) own_report->signs.fetch_add(1, std::memory_order_relaxed);
+}
+
+Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                    std::size_t dimension) {
+  if (inside()) return solve(request);
+  const auto start = Clock::now();
+  const double used = processor_seconds();
+  double solve_ns = 0, processor_s = 0;
+  Outcome outcome =
+      solve_there(solve, request, request.stops.size() * dimension, solve_ns, processor_s);
+  const double isolation = 1e9 * since(start) - solve_ns;
+  apart_times.isolation_ns += isolation;
+  apart_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;
+  return outcome;
+}
+
+std::pair<bool, std::string> text_apart(const std::function<std::string()>& work, std::size_t room,
+                                        double seconds) {
+  Shared shared(room / sizeof(double) + 1);
+  Report& report = shared.report();
+  bool over_budget = false;
+  const std::string why = run_apart(report, seconds, over_budget, [&] {
+    const std::string text = work();
+    report.states = std::min(text.size(), room);
+    std::memcpy(report.values(), text.data(), report.states);
+  });
+  if (!why.empty()) return {false, why};
+  if (report.detail[0] != 0) return {false, report.detail};
+  return {true, std::string(reinterpret_cast<const char*>(report.values()),
+                            std::min<std::size_t>(report.states, room))};
+}
+
+}  // namespace odeum::foreign

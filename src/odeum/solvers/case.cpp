@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/solvers/case.hpp"
+
+#include <fmt/format.h>
+
+namespace odeum {
+
+std::vector<std::string> component_names(const Case& c) {
+  if (!c.components.empty()) return c.components;
+  const bool second_order = c.problem.view.second_order();
+  const std::size_t half = second_order ? c.y0.size() / 2 : c.y0.size();
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < c.y0.size(); ++i)
+    names.push_back(fmt::format("{}{}", !second_order ? "y" : i < half ? "q" : "v", i % half));
+  return names;
+}
+
+void set_tolerance(Request& request, const Case& c, double relative) {
+  request.tolerance = relative;
+  request.absolute = c.thresholds;
+  for (double& each : request.absolute) each *= relative;
+}
+
+}  // namespace odeum

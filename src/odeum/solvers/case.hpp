@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/solver.hpp"
+
+namespace odeum {
+
+/// The independent reference: the exact state at a time.
+struct Truth {
+  /// Fills the state at t, infinite past the end of the solution (a pole); false: not known.
+  std::function<bool(double t, double* y)> at;
+  double floor = 0;    ///< absolute error of the truth itself
+  std::string source;  ///< closed form, or the reference file
+};
+
+/// A problem whose parameters a study changes between solves. On the `lambda` plane it is y' =
+/// (first + i second) y from y = (1, 0); on the `oscillator` plane q'' = -2 zeta w q' - w^2 q with
+/// w = first and zeta = second, from q = 1, q' = 0; `undamped` is the latter with zeta = 0, as a
+/// problem that also fits methods for separable systems. t0 is 0.
+struct Probe {
+  std::vector<Entrant> entrants;
+  std::function<void(double first, double second)> place;
+};
+
+/// An invariant of the exact solution, besides its energy.
+struct Invariant {
+  std::string name;  ///< angular_momentum, mass, ...
+  std::function<double(const double* y)> value;
+};
+
+/// A number of a case that a user may change.
+struct Parameter {
+  std::string name;
+  double value = 0;
+  std::string meaning;  ///< with its unit
+};
+
+/// How studies choose the settings of their solves on a case.
+struct StudySettings {
+  /// Why no solver runs at a fixed step, and why the convergence study leaves the case out; empty
+  /// where neither holds.
+  std::string no_fixed_steps, no_convergence;
+  std::uint64_t steps_multiple = 1;    ///< every fixed-step count is a multiple of it (stops)
+  std::uint64_t coarsest_steps = 16;   ///< the convergence study's smallest count for order 4
+  std::uint64_t finest_steps = 16384;  ///< and its largest, once it has eight
+  /// Where timed studies measure the error, and the truth's floor there; empty: at the case's
+  /// stops.
+  std::vector<double> timed_stops;
+  double timed_floor = 0;
+  /// What one solve may cost, in evaluations of the right-hand side and products of its derivative
+  /// with a vector, those of the problem's own solver of linear systems among them.
+  std::uint64_t evaluation_budget = 500'000;
+};
+
+/// A problem with all that is needed to run solvers on it and to measure their errors.
+struct Case {
+  std::string id;
+  std::string title;
+  std::string equation;
+  std::string source;             ///< where the equation and its parameters come from
+  std::vector<std::string> tags;  ///< linear, nonlinear, non_autonomous, second_order, smooth, ...
+
+  double t0 = 0;
+  std::vector<double> y0;
+  /// Names of the components, as columns of files have them; empty: see component_names.
+  std::vector<std::string> components;
+  /// Where the error is measured; the last is the horizon. On the grid of every fixed-step run.
+  std::vector<double> stops;
+  Truth truth;
+  /// The components whose error is reported; empty: all of them.
+  std::vector<std::size_t> measured;
+  /// By component: its errors and its size are divided by this number; empty: by 1. The truth's
+  /// floor is in the same units.
+  std::vector<double> scale;
+  /// By component, or one for all: the size below which an error counts absolutely in a run to a
+  /// tolerance (core/tolerance.hpp), as a user of the problem would ask for it; empty: 1.
+  std::vector<double> thresholds;
+  double tolerance = 0;  ///< the relative one that its author asks for; 0: none
+  std::function<double(const double* y)> energy;  ///< empty where the problem has none
+  std::vector<Invariant> invariants;
+  /// What a scheme gives after `steps` steps of h by a closed form of its own, for a few solvers of
+  /// a few cases; false where none is known.
+  std::function<bool(const std::string& solver, double h, double steps, double* y)> scheme;
+  /// What a user may change, and the same case with other values of all of them (in this order),
+  /// truth included: a closed form follows, a reference file no longer holds. Throws
+  /// std::invalid_argument for values that make no problem.
+  std::vector<Parameter> parameters;
+  std::function<Case(const std::vector<double>& values)> with_values;
+  ErasedContest problem;                            ///< on which the entrants are enrolled
+  std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
+
+  StudySettings settings;
+
+  std::vector<Entrant> entrants;
+  /// Cases with a parameter plane: its kind (`lambda`, `oscillator`, `undamped`), and a function
+  /// that makes an independent probe of it, one for each thread.
+  std::string plane;
+  std::function<Probe()> probe;
+
+  const std::vector<double>& timed_stops() const {
+    return settings.timed_stops.empty() ? stops : settings.timed_stops;
+  }
+  /// Absolute error of the truth at the timed stops.
+  double timed_floor() const {
+    return settings.timed_stops.empty() ? truth.floor : settings.timed_floor;
+  }
+  double scale_of(std::size_t component) const { return scale.empty() ? 1 : scale[component]; }
+  bool has_tag(const std::string& tag) const {
+    return std::find(tags.begin(), tags.end(), tag) != tags.end();
+  }
+};
+
+/// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,
+/// ...
+std::vector<std::string> component_names(const Case& c);
+
+/// Asks for a relative tolerance, and for the absolute ones of the case's thresholds.
+void set_tolerance(Request& request, const Case& c, double relative);
+
+/// Every case of the project, in the order of the files in cases/. Built once.
+const std::vector<Case>& all_cases();
+
+/// A library that Odeum has an adapter for, and whether this build has it.
+struct LibraryInfo {
+  std::string name;                    ///< folder under adapters/
+  std::vector<std::string> libraries;  ///< the first parts of its solver ids
+  std::string option;                  ///< the CMake option
+  bool built = false;
+  std::string version;  ///< empty where not built
+};
+const std::vector<LibraryInfo>& all_libraries();
+
+}  // namespace odeum

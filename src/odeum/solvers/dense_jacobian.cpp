@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/solvers/dense_jacobian.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace odeum {
+
+int DenseJacobian::operator()(double t, const double* y, double* j) {
+  if (problem_.view().jacobian) return problem_.jacobian(t, y, j);
+  if (problem_.guard().tripped()) return 1;
+  problem_.guard().count_jacobian();
+  work_.resize(3 * problem_.view().dimension);
+  return problem_.view().jacobian_times ? from_products(t, y, j) : from_differences(t, y, j);
+}
+
+int DenseJacobian::from_products(double t, const double* y, double* j) {
+  const std::size_t n = problem_.view().dimension;
+  double *const unit = work_.data(), *const column = unit + n;
+  std::fill(unit, unit + n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    unit[k] = 1;
+    if (problem_.jacobian_times(t, y, unit, column) != 0) return 1;
+    unit[k] = 0;
+    for (std::size_t i = 0; i < n; ++i) j[i * n + k] = column[i];
+  }
+  return 0;
+}
+
+int DenseJacobian::from_differences(double t, const double* y, double* j) {
+  const std::size_t n = problem_.view().dimension;
+  double *const f = work_.data(), *const moved = f + n, *const f_moved = moved + n;
+  if (problem_.rhs(t, y, f) != 0) return 1;
+  std::copy(y, y + n, moved);
+  for (std::size_t k = 0; k < n; ++k) {
+    // Balances truncation against rounding: the square root of the machine's precision.
+    const double wanted =
+        std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(1.0, std::abs(y[k]));
+    moved[k] = y[k] + wanted;
+    const double step = moved[k] - y[k];
+    if (problem_.rhs(t, moved, f_moved) != 0) return 1;
+    moved[k] = y[k];
+    for (std::size_t i = 0; i < n; ++i) j[i * n + k] = (f_moved[i] - f[i]) / step;
+  }
+  return 0;
+}
+
+}  // namespace odeum

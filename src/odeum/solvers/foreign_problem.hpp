@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/plugin.h"
+#include "odeum/problem/ode_view.hpp"
+#include "odeum/solvers/foreign_evaluator.hpp"
+
+namespace odeum::foreign {
+
+/// The problem of a plug-in or an FMU: called directly in a process of a solve, through an
+/// Evaluator elsewhere.
+class Problem {
+ public:
+  explicit Problem(const odeum_problem& description);
+  Problem(const Problem&) = delete;
+  Problem& operator=(const Problem&) = delete;
+
+  /// The problem behind function pointers; it must outlive the view.
+  OdeView view() const;
+  /// False where the solution is not known there.
+  bool exact(double t, double* y) const;
+  double energy(const double* y) const;
+  /// A sentence where a function cannot be called from the initial state to the horizon; to be
+  /// called in a process of its own.
+  std::string fault() const;
+
+ private:
+  enum Function { rhs, jacobian, time_derivative, acceleration, energy_of, exact_at };
+  int direct(int function, double t, const double* in, double* out) const;
+  void evaluate(Function function, double t, const double* in, std::size_t n_in, double* out,
+                std::size_t n_out) const;
+  int dense(double t, const double* y, double* j) const;
+  bool has_jacobian() const;
+  std::string fault_of_exact() const;
+
+  odeum_problem p_;
+  mutable std::vector<double> values_;  ///< of a banded or sparse Jacobian
+  std::shared_ptr<Evaluator> evaluator_;
+};
+
+/// What is wrong with a name that goes into ids, files and pages; empty where nothing is.
+std::string fault_of_name(const char* what, const char* name);
+/// A text for people on one line, without control characters, of at most 300 characters.
+std::string cleaned(const char* text);
+
+/// What is wrong with the description, in a sentence; empty where nothing is.
+std::string fault_of(const odeum_problem& problem);
+
+/// A problem of a plug-in or an FMU, and what is said of it.
+struct Given {
+  odeum_problem functions{};
+  std::shared_ptr<const void> keep_alive;  ///< what the functions need; may be null
+  std::string id, title, equation, source;
+  std::string provider;  ///< for sentences: "the plug-in", "the FMU"
+  std::string tag;
+  std::string content;                                     ///< identifies its code and parameters
+  std::vector<std::string> components;                     ///< their names; may be empty
+  std::vector<double> scale;                               ///< by component; empty: 1
+  std::vector<std::pair<std::string, std::string>> facts;  ///< name and text, for people
+};
+
+}  // namespace odeum::foreign

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/truth/computed_truth.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "odeum/truth/system.hpp"
+
+namespace odeum::cases {
+namespace {
+
+using truth::Real;
+
+truth::System system_of(const Case& c) {
+  truth::System system;
+  system.states = c.y0.size();
+  system.t0 = c.t0;
+  system.y0 = c.extended->y0;
+  system.rhs = c.extended->f;
+  system.smooth = !c.has_tag("kinked");
+  system.work = 10 * static_cast<double>(system.states);
+  // Full matrices in extended precision take too long beyond this.
+  const OdeView& view = c.problem.view;
+  if (!view.jacobian || system.states > 64) return system;
+  // In double: Newton's method corrects what it is off, and so does the extrapolation.
+  system.jacobian = [view, alive = c.problem.keep_alive, n = system.states](Real t, const Real* y,
+                                                                            Real* j) {
+    std::vector<double> rounded(y, y + n), matrix(n * n);
+    view.jacobian(view.problem, static_cast<double>(t), rounded.data(), matrix.data());
+    std::copy(matrix.begin(), matrix.end(), j);
+  };
+  return system;
+}
+
+}  // namespace
+
+Truth truth_at(const Case& c, const std::vector<double>& times) {
+  std::vector<double> state(c.y0.size());
+  const bool known = std::all_of(times.begin(), times.end(),
+                                 [&](double t) { return c.truth.at(t, state.data()); });
+  if (known || !c.extended) return c.truth;
+  const truth::Reference reference = truth::compute_reference(system_of(c), times, c.scale);
+
+  const auto states = std::make_shared<std::map<double, std::vector<double>>>();
+  Truth truth = c.truth;
+  Real floor = 0, largest = 0;
+  for (std::size_t k = 0; k < reference.times.size(); ++k) {
+    if (!std::binary_search(times.begin(), times.end(), reference.times[k])) continue;
+    const truth::State& y = reference.states[k];
+    (*states)[reference.times[k]].assign(y.begin(), y.end());
+    floor = std::max<Real>(floor, reference.floors[k]);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      largest = std::max(largest, std::abs(y[i]) / c.scale_of(i));
+  }
+  truth.at = [own = c.truth.at, states](double t, double* y) {
+    if (own(t, y)) return true;
+    const auto found = states->find(t);
+    if (found == states->end()) return false;
+    std::copy(found->second.begin(), found->second.end(), y);
+    return true;
+  };
+  const bool has_own = c.truth.at(c.stops.back(), state.data());
+  truth.source = has_own ? c.truth.source + "; between its times " : "";
+  truth.source += fmt::format("a reference computed by {}, which agree to {:.1e}",
+                              reference.methods, reference.disagreement);
+  if (states->empty())
+    truth.source += ": nothing is known, since " + reference.end;
+  else if (!reference.end.empty())
+    truth.source += fmt::format(", up to t = {:.6g}: {}", reference.known_until, reference.end);
+  truth.floor = std::max(c.truth.floor, static_cast<double>(floor + 0x1p-53L * largest));
+  return truth;
+}
+
+}  // namespace odeum::cases

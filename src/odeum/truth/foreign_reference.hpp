@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/foreign_problem.hpp"
+#include "odeum/truth/system.hpp"
+
+namespace odeum::foreign {
+
+/// The reference of a problem without an exact solution (truth::compute_reference): steps in
+/// extended precision over a right-hand side whose rounding is that of double, in a process of its
+/// own. Nothing, and `why`, where the problem is too large, or its code fails or takes longer than
+/// a minute.
+std::optional<truth::Reference> reference_of(const Given& given, std::string& why);
+
+}  // namespace odeum::foreign
