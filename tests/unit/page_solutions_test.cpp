@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "odeum/report/solutions.hpp"
+#include "odeum/trajectories/solutions.hpp"
 #include "odeum/studies/runner.hpp"
 
-namespace odeum::report {
+namespace odeum::trajectories {
 namespace {
 
 DrawnRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
@@ -94,4 +94,4 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::trajectories

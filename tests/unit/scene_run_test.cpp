@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "odeum/cases/scene_case.hpp"
-#include "odeum/report/scene_files.hpp"
+#include "odeum/trajectories/scene_files.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "odeum/solvers/case.hpp"
@@ -209,17 +209,17 @@ TEST(SceneRun, MethodsThatDoNotFitSayWhy) {
 
 TEST(SceneFiles, HaveTheColumnsOfTheFormat) {
   const RunResult result = run(read(tests::two_particles), 10, "rk4");
-  EXPECT_TRUE(report::final_csv(result).starts_with("schema,particle,x,y,z,vx,vy,vz\n1,0,0,0,0,0"));
-  EXPECT_TRUE(report::trajectory_csv(result).starts_with(
+  EXPECT_TRUE(trajectories::final_csv(result).starts_with("schema,particle,x,y,z,vx,vy,vz\n1,0,0,0,0,0"));
+  EXPECT_TRUE(trajectories::trajectory_csv(result).starts_with(
       "schema,time,particle,x,y,z,vx,vy,vz\n1,0,0,0,0,0,0,0,0\n1,0,1,1,0,0,0,0,0\n"));
-  EXPECT_TRUE(report::energy_csv(result).starts_with(
+  EXPECT_TRUE(trajectories::energy_csv(result).starts_with(
       "schema,time,kinetic,potential,total,momentum_x,momentum_y,momentum_z\n1,0,0,0,0,0,0,0\n"));
 }
 
 TEST(SceneFiles, ParaViewFindsItsSeries) {
   const tests::TemporaryFolder folder;
   const Scene d = built_in_scene("spinning_pair");
-  report::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), "", 5);
+  trajectories::write_vtk_series(record::OutputFolder(folder.path()), d, run(d, 100, "rk4"), "", 5);
   const auto series =
       nlohmann::json::parse(tests::text_of(folder.path() / "trajectory.vtk.series"));
   ASSERT_EQ(series["files"].size(), 5U);
@@ -234,7 +234,7 @@ TEST(SceneFiles, ParaViewFindsItsSeries) {
 TEST(SceneFiles, TheReplayPageHoldsItself) {
   Scene d = built_in_scene("spinning_pair");
   d.name = "</script><b>&<!--data-->";
-  const std::string page = report::replay_page(d, run(d, 100, "rk4"), {"fact <1>"});
+  const std::string page = trajectories::replay_page(d, run(d, 100, "rk4"), {"fact <1>"});
   EXPECT_EQ(page.find("</script><b>"), std::string::npos);
   EXPECT_NE(page.find("\\u003c/script>"), std::string::npos);
   EXPECT_NE(page.find("fact &lt;1&gt;"), std::string::npos);

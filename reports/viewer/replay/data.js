@@ -3,6 +3,8 @@
 const byId = (id) => document.getElementById(id);
 const report = document.documentElement.dataset;  // read by the page's test
 const scene = JSON.parse(byId('scene').textContent);
+byId('title').textContent = document.title = scene.name || 'Scene';
+byId('facts').replaceChildren(...scene.facts.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
 const unpack = (text, Kind) => {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   return new Kind(bytes.buffer);

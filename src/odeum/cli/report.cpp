@@ -7,13 +7,14 @@
 
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
-#include "odeum/cli/report_parts.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/glob.hpp"
-#include "odeum/report/html.hpp"
-#include "odeum/studies/convergence/section.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/report/text.hpp"
+#include "odeum/studies/convergence/summary.hpp"
 #include "odeum/studies/questions.hpp"
 #include "odeum/studies/runner.hpp"
+#include "odeum/trajectories/report_parts.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -69,12 +70,9 @@ std::vector<study::Options> runs_of(const study::Study& study, const Options& op
   return {run};
 }
 
-/// The cases of the page.
-std::vector<Case> cases_of(const Options& options) {
-  if (options.given.empty()) return all_cases();
-  std::vector<Case> cases;
-  for (const Case* c : study::select_cases(options.given)) cases.push_back(*c);
-  return cases;
+/// The cases of the report.
+std::vector<const Case*> cases_of(const Options& options) {
+  return study::select_cases(options.given.empty() ? std::vector<std::string>{"*"} : options.given);
 }
 
 /// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
@@ -108,25 +106,29 @@ void run(const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
-  report::Page page(report::describe(cases_of(options), all_libraries()), folder);
+  report::Report report(report::describe(cases_of(options), all_libraries()), folder);
   for (const auto& study : studies)
-    if (options.given.empty() || study->measured()) study->section(page);
-  add_solutions(page, options.given.empty() ? study::quick_cases() : std::vector<std::string>(),
-                study::result_of<study::ConvergenceResult>(studies),
-                study::result_of<study::PrecisionResult>(studies), options.jobs_or_cores());
-  if (options.given.empty() && any_glob_matches(options.cases, replayed_case))
-    add_replays(page, folder, options.jobs_or_cores());
+    if (options.given.empty() || study->measured()) {
+      report.study(study->facts());
+      study->show(report);
+    }
+  trajectories::add_solutions(
+      report, options.given.empty() ? study::quick_cases() : std::vector<std::string>(),
+      study::result_of<study::ConvergenceResult>(studies),
+      study::result_of<study::PrecisionResult>(studies), options.jobs_or_cores());
+  if (options.given.empty() && any_glob_matches(options.cases, trajectories::replayed_case))
+    trajectories::add_replays(report, folder, options.jobs_or_cores());
   std::string command = "odeum report";
   for (const std::string& word : options.problems.words) command += " " + word;
   if (options.quick) command += " --quick";
   for (const std::string& glob : options.cases) command += " --case '" + glob + "'";
   for (const std::string& glob : options.solvers) command += " --solver '" + glob + "'";
-  if (store) page.manifest("results_of_earlier_runs", store->taken());
-  page.write(
+  if (store) report.manifest("results_of_earlier_runs", store->taken());
+  report.write(
       {.command_line = command,
        .quick = options.quick,
        .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
-  print(study::summary_text(page.facts(),
+  print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));
   remark_on(store.get());

@@ -6,8 +6,7 @@
 
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/report/comparison.hpp"
-#include "odeum/report/html.hpp"
+#include "odeum/report/text.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/run/run.hpp"
 
@@ -80,47 +79,8 @@ int run_case(const RunOptions& options);
 /// Prints what was found in a problem file; the same for its case where a solver is given.
 int run_problem(const RunOptions& options);
 
-/// A row for each run, of a case or a scene; the last column, with the heading `last`, has the
-/// number last_of(run).
-template <class Run, class Last>
-report::Table table_of(const std::vector<Run>& runs, const char* last, const Last& last_of) {
-  report::Table table("numbers");
-  table.head({{.text = "solver"},
-              {.text = "status"},
-              {.text = "steps"},
-              {.text = "rejected"},
-              {.text = "evaluations"},
-              {.text = last}});
-  for (const Run& run : runs) {
-    const Counters& counters = run.outcome.counters;
-    table.row({.text = run.entrant->info.id()},
-              {{.text = to_string(run.outcome.status), .title = run.outcome.detail},
-               {.text = std::to_string(counters.steps)},
-               {.text = std::to_string(counters.rejected_steps)},
-               {.text = std::to_string(counters.rhs_evaluations)},
-               {.text = report::show_number(last_of(run))}});
-  }
-  return table;
-}
-
 /// A C++ program that makes one run of an own method on a case with the installed package and
 /// prints the state at its end. Throws UsageError for a solver of another library.
 std::string code_of(const Case& c, const Entrant& entrant, const Request& request);
-
-/// One solver's run of a scene.
-struct SceneRun {
-  const Entrant* entrant;
-  Request request;
-  scene::RunResult outcome;
-  std::string folder;  ///< of its files, with a slash at the end; empty: that of all files
-};
-
-inline double energy(const scene::Frame& frame) { return frame.kinetic + frame.potential; }
-
-/// The coordinate that the scene plots (else the height of its first free particle) over time and
-/// in the state plane, and the energy; with the exact motion of free particles under gravity.
-std::vector<report::Figure> scene_figures(const scene::Scene& scene,
-                                          const scene::SceneProblem& problem,
-                                          const std::vector<SceneRun>& runs);
 
 }  // namespace odeum::cli

@@ -7,17 +7,20 @@
 #include <set>
 #include <stdexcept>
 
-#include "odeum/cli/case_runs.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/judge/answer.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/report/text.hpp"
+#include "odeum/trajectories/run_page.hpp"
 #include "odeum/truth/computed_truth.hpp"
 
 namespace odeum::cli {
 namespace {
+
+using trajectories::CaseRun;
 
 using Sets = std::vector<std::pair<std::string, double>>;
 
@@ -156,43 +159,31 @@ std::string describe(const Case& c, const CaseRun& run) {
     text += "\n";
   }
   text += error_text(c, run.request, outcome);
-  if (const double difference = difference_to_scheme(c, run); !std::isnan(difference))
+  if (const double difference = trajectories::difference_to_scheme(c, run); !std::isnan(difference))
     text += fmt::format("scheme  {:.3g} at most from its own closed form\n", difference);
   return text;
 }
 
-// NaN where the run did not reach the end.
-double error_at_end(const Case& c, const CaseRun& run) {
-  if (run.outcome.status != Status::ok) return std::nan("");
-  return judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max;
-}
-
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
+/// Writes the files of the runs and their page; returns the lines that name them.
 std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const RunOptions& options,
                         const Facts& facts) {
   const record::OutputFolder folder(options.out);
-  const ExactStates exact = exact_states(c, runs);
-  folder.write("solution.csv", case_solution_csv(c, runs));
-  folder.write("trajectory.csv", case_trajectory_csv(c, runs, exact));
-  folder.write("steps.csv", case_steps_csv(c, runs));
-  report::Comparison page;
-  page.title = c.title;
-  page.lead = c.id;
-  page.facts = {{"Equation", c.equation}, {"Source", c.source}, {"Truth", c.truth.source}};
-  for (const auto& [name, fact] : facts) page.facts.emplace_back(name, report::plain(fact));
+  trajectories::RunTexts texts{
+      .title = c.title,
+      .lead = c.id,
+      .facts = {{"Equation", c.equation}, {"Source", c.source}, {"Truth", c.truth.source}}};
+  for (const auto& fact : facts) texts.facts.push_back(fact);
   for (const Parameter& parameter : c.parameters)
-    page.facts.emplace_back(parameter.name,
-                            record::format_number(parameter.value) + ", " + parameter.meaning);
-  page.facts.emplace_back("Setting", options.settings.step
-                                         ? fmt::format("step {}", *options.settings.step)
-                                         : "tolerance " + text_of_tolerance(runs.front().request));
-  page.table =
-      table_of(runs, "error at the end", [&](const CaseRun& run) { return error_at_end(c, run); });
-  page.figures = case_figures(c, runs, exact);
-  folder.write("comparison.html", report::comparison_page(page));
+    texts.facts.emplace_back(parameter.name,
+                             record::format_number(parameter.value) + ", " + parameter.meaning);
+  texts.facts.emplace_back("Setting", options.settings.step
+                                          ? fmt::format("step {}", *options.settings.step)
+                                          : "tolerance " + text_of_tolerance(runs.front().request));
+  trajectories::write_case_page(folder, c, runs, texts);
   std::string text;
-  for (const char* file : {"solution.csv", "trajectory.csv", "steps.csv", "comparison.html"})
+  for (const char* file : {"solution.csv", "trajectory.csv", "steps.csv", "index.html"})
     text += fmt::format("file    {}\n", (folder.path() / file).string());
   return text;
 }

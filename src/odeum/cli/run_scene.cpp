@@ -9,14 +9,16 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "odeum/report/scene_files.hpp"
 #include "odeum/scene/run/run.hpp"
+#include "odeum/trajectories/run_page.hpp"
+#include "odeum/trajectories/scene_files.hpp"
 
 namespace odeum::cli {
 namespace {
 
 using scene::Scene;
 using scene::SceneProblem;
+using trajectories::SceneRun;
 using Lines = std::vector<std::string>;
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
@@ -117,28 +119,11 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
 
 void write_files(const record::OutputFolder& folder, const std::string& in, const Scene& scene,
                  const scene::RunResult& run, const Lines& facts) {
-  if (run.status == Status::ok) folder.write(in + "final.csv", report::final_csv(run));
-  folder.write(in + "trajectory.csv", report::trajectory_csv(run));
-  folder.write(in + "energy.csv", report::energy_csv(run));
-  folder.write(in + "replay.html", report::replay_page(scene, run, facts));
-  report::write_vtk_series(folder, scene, run, in);
-}
-
-void write_comparison(const record::OutputFolder& folder, const Scene& scene,
-                      const SceneProblem& problem, const std::vector<SceneRun>& runs,
-                      const Lines& model) {
-  report::Comparison page;
-  page.title = scene.name;
-  for (const std::string& line : model) page.facts.emplace_back("", line);
-  page.table = table_of(runs, "change of energy (J)", [](const SceneRun& run) {
-    return energy(run.outcome.frames.back()) - energy(run.outcome.frames.front());
-  });
-  page.figures = scene_figures(scene, problem, runs);
-  for (const SceneRun& run : runs)
-    page.replays.push_back({run.entrant->info.id(), run.folder + "replay.html"});
-  folder.write("comparison.html", report::comparison_page(page));
-  if (scene.plot && !page.figures.empty())
-    folder.write("plot.svg", report::figure_file(page.figures.front()));
+  if (run.status == Status::ok) folder.write(in + "final.csv", trajectories::final_csv(run));
+  folder.write(in + "trajectory.csv", trajectories::trajectory_csv(run));
+  folder.write(in + "energy.csv", trajectories::energy_csv(run));
+  folder.write(in + "replay.html", trajectories::replay_page(scene, run, facts));
+  trajectories::write_vtk_series(folder, scene, run, in);
 }
 
 int run_read(const scene::ReadScene& read, const SceneSource& source, const RunOptions& options) {
@@ -182,8 +167,10 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
     print("files      {}\n", (folder->path() / (one.folder + "replay.html")).string());
   }
   if (folder) {
-    write_comparison(*folder, scene, *whole, runs, model);
-    print("files      {}\n", (folder->path() / "comparison.html").string());
+    trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
+    for (const std::string& line : model) texts.facts.emplace_back("", line);
+    trajectories::write_scene_page(*folder, scene, *whole, runs, texts);
+    print("files      {}\n", (folder->path() / "index.html").string());
   }
   return any_ok ? success : solver_failed;
 }

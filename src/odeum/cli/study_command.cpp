@@ -11,6 +11,7 @@
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/report/report.hpp"
 #include "odeum/solvers/given_cases.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/elements/problems.hpp"
@@ -33,6 +34,20 @@ void add_own_option(CLI::App& command, const study::Option& option, study::Optio
     });
 }
 
+/// Makes the folder a report of this study, beside the studies that it was one of before.
+void show(const study::Study& study, const study::Options& options,
+          const record::OutputFolder& folder) {
+  const bool on_cases = !study.declaration().cases_help.empty();
+  report::Report report(
+      report::describe(on_cases ? study::select_cases(options.cases) : std::vector<const Case*>(),
+                       all_libraries()),
+      folder);
+  for (const auto& other : study::make_studies())
+    report.study(other->folder() == study.folder() ? study.facts() : other->facts());
+  study.show(report);
+  report.write({.command_line = "odeum " + study.declaration().name, .quick = options.quick}, true);
+}
+
 void run_study(study::Study& study, study::Options options, const StudyOptions& common) {
   std::erase_if(options.own, [](const auto& option) { return option.second.empty(); });
   const study::Declaration& declaration = study.declaration();
@@ -49,6 +64,7 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
     throw Stopped(what_continues(store.get()));
   }
   study.write(folder);
+  show(study, options, folder);
   print(study.table());
   remark_on(store.get());
   std::vector<std::string> files = study.files();

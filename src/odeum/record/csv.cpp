@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/csv.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -28,6 +29,31 @@ std::string format_text(std::string_view text) {
     field += c1 || code(i) < 0x20 || code(i) == 0x7f ? ' ' : text[i];
   }
   return quote ? '"' + field + '"' : field;
+}
+
+CsvRow& CsvRow::add(Cell cell) {
+  text_ += ',';
+  text_ += csv_field(cell);
+  cells_.push_back(std::move(cell));
+  return *this;
+}
+
+CsvTable::CsvTable(std::string_view columns, bool keeps_rows)
+    : text_("schema,"), keeps_rows_(keeps_rows) {
+  text_.append(columns) += '\n';
+  while (!columns.empty()) {
+    const std::size_t end = std::min(columns.find(','), columns.size());
+    columns_.emplace_back(columns.substr(0, end));
+    columns.remove_prefix(std::min(end + 1, columns.size()));
+  }
+}
+
+void CsvTable::add(const CsvRow& row) {
+  text_ += row.line();
+  text_ += '\n';
+  if (!keeps_rows_) return;
+  Fields& fields = rows_.emplace_back();
+  for (std::size_t i = 0; i < columns_.size(); ++i) fields.push_back({columns_[i], row.cells()[i]});
 }
 
 }  // namespace odeum::record

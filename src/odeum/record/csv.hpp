@@ -3,6 +3,9 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "odeum/record/row.hpp"
 
 namespace odeum::record {
 
@@ -22,34 +25,35 @@ std::string format_text(std::string_view text);
 class CsvRow {
  public:
   CsvRow() : text_(std::to_string(csv_schema)) {}
-  CsvRow& text(std::string_view value) { return raw(format_text(value)); }
-  CsvRow& number(double value) { return raw(format_number(value)); }
-  CsvRow& count(std::integral auto value) { return raw(std::to_string(value)); }
+  CsvRow& text(std::string_view value) { return add(std::string(value)); }
+  CsvRow& number(double value) { return add(value); }
+  CsvRow& count(std::integral auto value) { return add(static_cast<std::int64_t>(value)); }
   /// The line, without its end.
   const std::string& line() const { return text_; }
+  const std::vector<Cell>& cells() const { return cells_; }
 
  private:
-  CsvRow& raw(const std::string& field) {
-    text_ += ',';
-    text_ += field;
-    return *this;
-  }
+  CsvRow& add(Cell cell);
   std::string text_;
+  std::vector<Cell> cells_;
 };
 
-/// A whole file: a header line (`schema` and the columns) and rows.
+/// A whole file whose columns are known at run time alone: a header line (`schema` and the columns)
+/// and rows.
 class CsvTable {
  public:
-  /// `columns` without `schema`, separated by commas.
-  explicit CsvTable(std::string_view columns) : text_("schema,") { text_.append(columns) += '\n'; }
-  void add(const CsvRow& row) {
-    text_ += row.line();
-    text_ += '\n';
-  }
+  /// `columns` without `schema`, separated by commas. `keeps_rows`: for rows().
+  explicit CsvTable(std::string_view columns, bool keeps_rows = false);
+  void add(const CsvRow& row);
   const std::string& text() const { return text_; }
+  const std::vector<std::string>& columns() const { return columns_; }
+  const std::vector<Fields>& rows() const { return rows_; }
 
  private:
   std::string text_;
+  std::vector<std::string> columns_;
+  bool keeps_rows_;
+  std::vector<Fields> rows_;
 };
 
 }  // namespace odeum::record

@@ -91,13 +91,19 @@ std::vector<Row> read_rows(const std::filesystem::path& folder, std::string& pro
   return {};
 }
 
-namespace detail {
+/// Whether the file of a row is large, and compressed for that.
+template <class Row>
+constexpr bool is_compressed() {
+  return std::string_view(Row::file).ends_with(".gz");
+}
 
 /// Calls work(list) for each list of a result.
 template <class Result, class Work>
 void for_each_list(Result& result, Work&& work) {
   std::apply([&](auto&... list) { (work(list), ...); }, Result::lists(result));
 }
+
+namespace detail {
 
 /// Calls work(list, other) for each list of `to` and the same one of `from`.
 template <class Result, class Work>
@@ -114,15 +120,15 @@ void for_both(Result& to, Result& from, Work&& work) {
 /// Writes the file of every list.
 template <class Result>
 void write(const Result& result, const OutputFolder& folder) {
-  detail::for_each_list(result, [&](const auto& rows) { write_rows(rows, folder); });
+  for_each_list(result, [&](const auto& rows) { write_rows(rows, folder); });
 }
 
 /// Reads every list, see read_rows.
 template <class Result>
 Result read(const std::filesystem::path& folder, std::string& problem) {
   Result result;
-  detail::for_each_list(
-      result, [&]<class Row>(std::vector<Row>& rows) { rows = read_rows<Row>(folder, problem); });
+  for_each_list(result,
+                [&]<class Row>(std::vector<Row>& rows) { rows = read_rows<Row>(folder, problem); });
   return result;
 }
 
@@ -137,8 +143,7 @@ template <class Result>
 std::vector<std::string> files_of() {
   std::vector<std::string> files;
   const Result result;
-  detail::for_each_list(result,
-                        [&]<class Row>(const std::vector<Row>&) { files.emplace_back(Row::file); });
+  for_each_list(result, [&]<class Row>(const std::vector<Row>&) { files.emplace_back(Row::file); });
   return files;
 }
 
@@ -168,7 +173,7 @@ void add_earlier(Result& result, Result earlier, Known&& known) {
 template <class Result>
 std::string to_record(const Result& result) {
   std::string record;
-  detail::for_each_list(result, [&](const auto& rows) {
+  for_each_list(result, [&](const auto& rows) {
     detail::add_to_record({{"", static_cast<std::uint64_t>(rows.size())}}, record);
     for (const auto& row : rows) detail::add_to_record(fields_of(row, true), record);
   });
@@ -178,7 +183,7 @@ template <class Result>
 Result from_record(std::string_view text) {
   Result result;
   detail::RecordSource source(text);
-  detail::for_each_list(result, [&]<class Row>(std::vector<Row>& rows) {
+  for_each_list(result, [&]<class Row>(std::vector<Row>& rows) {
     for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
       rows.push_back(row_of<Row>(source));
   });

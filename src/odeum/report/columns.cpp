@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "odeum/record/compress.hpp"
-#include "odeum/report/html.hpp"
+#include "odeum/report/text.hpp"
 
 namespace odeum::report {
 namespace {

@@ -3,15 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "odeum/cases/spectrum.hpp"
+#include "odeum/report/text.hpp"
 
 namespace odeum::report {
+namespace {
 
-bool CaseFacts::has_tag(const std::string& tag) const {
-  return std::find(tags.begin(), tags.end(), tag) != tags.end();
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
+
+}  // namespace
 
 std::vector<std::string> Facts::library_names() const {
   std::vector<std::string> names;
@@ -21,17 +28,11 @@ std::vector<std::string> Facts::library_names() const {
   return names;
 }
 
-std::string Facts::library_version(const std::string& library) const {
-  for (const LibraryInfo& info : libraries)
-    if (std::find(info.libraries.begin(), info.libraries.end(), library) != info.libraries.end())
-      return info.version;
-  return {};
-}
-
-Facts describe(const std::vector<Case>& cases, const std::vector<LibraryInfo>& libraries) {
+Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries) {
   Facts facts{.cases = {}, .solvers = {}, .libraries = libraries};
   std::set<std::string> known;
-  for (const Case& c : cases) {
+  for (const Case* each : cases) {
+    const Case& c = *each;
     double scale = 0;
     for (const double value : c.y0) scale = std::max(scale, std::abs(value));
     Spectrum spectrum = spectrum_of(c);
@@ -53,14 +54,46 @@ Facts describe(const std::vector<Case>& cases, const std::vector<LibraryInfo>& l
   return facts;
 }
 
-std::string file_stem(std::string_view text) {
-  std::string stem;
-  for (const char c : text.substr(0, 80)) {
-    const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '-' || c == '_';
-    stem += kept ? c : '_';
+ordered_json json_of(const CaseFacts& c) {
+  ordered_json eigenvalues = ordered_json::array();
+  for (const auto& z : c.eigenvalues) eigenvalues.push_back({z.real(), z.imag()});
+  const bool mechanical = std::count(c.tags.begin(), c.tags.end(), "mechanical") > 0;
+  return {{"id", plain(c.id)},
+          {"title", plain(c.title)},
+          {"equation", plain(c.equation)},
+          {"source", plain(c.source)},
+          {"truth", plain(c.truth)},
+          {"tags", c.tags},
+          {"floor", number(c.truth_floor)},
+          {"timed_floor", number(c.timed_floor)},
+          {"end", number(c.timed_end)},
+          {"scale", number(c.scale)},
+          {"unit", mechanical ? "s" : ""},
+          {"eigenvalues", eigenvalues},
+          {"eigenvalues_time", number(c.eigenvalues_time)}};
+}
+
+ordered_json json_of(const SolverInfo& solver) {
+  return {{"library", plain(solver.library)},
+          {"method", plain(solver.method)},
+          {"family", plain(solver.family)},
+          {"order", number(solver.order)},
+          {"fixed", solver.fixed},
+          {"adaptive", solver.adaptive},
+          {"controller", plain(solver.controller)},
+          {"needs", plain(solver.needs)},
+          {"source", plain(solver.source)}};
+}
+
+ordered_json json_of(const std::vector<LibraryInfo>& libraries) {
+  ordered_json list = ordered_json::array();
+  for (const LibraryInfo& info : libraries) {
+    ordered_json entry{{"name", info.name}, {"solvers", info.libraries}, {"built", info.built}};
+    entry["version"] = info.built ? ordered_json(info.version) : ordered_json(nullptr);
+    if (!info.built) entry["option"] = info.option;
+    list.push_back(entry);
   }
-  return stem.empty() ? "_" : stem;
+  return list;
 }
 
 }  // namespace odeum::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <complex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,10 @@ struct CaseFacts {
   std::vector<std::string> tags;
   std::vector<std::complex<double>> eigenvalues = {};  ///< see cases/spectrum.hpp
   double eigenvalues_time = 0;
-  std::string file = {};  ///< of its own page, relative to index.html; named by the Page
-
-  bool has_tag(const std::string& tag) const;
 };
 
-/// What every section may refer to: who took part, and on what. Plain data, so that a test can make
-/// it up.
+/// What every part of a report may refer to: who took part, and on what. Plain data, so that a test
+/// can make it up.
 struct Facts {
   std::vector<CaseFacts> cases;
   std::vector<SolverInfo> solvers;  ///< each once, in the order of enrolment
@@ -32,14 +30,14 @@ struct Facts {
 
   /// The libraries whose solvers take part, in the order of the solvers.
   std::vector<std::string> library_names() const;
-  /// The version of the library that solvers named `library/...` come from; empty: not known, or
-  /// ours.
-  std::string library_version(const std::string& library) const;
 };
 
-Facts describe(const std::vector<Case>& cases, const std::vector<LibraryInfo>& libraries);
+Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries);
 
-/// Text as part of a file name: letters, digits, - and _, whatever it was.
-std::string file_stem(std::string_view text);
+/// As entries of page.json. Texts are made plain (report/text.hpp), numbers that are not finite are
+/// null.
+nlohmann::ordered_json json_of(const CaseFacts& c);
+nlohmann::ordered_json json_of(const SolverInfo& solver);
+nlohmann::ordered_json json_of(const std::vector<LibraryInfo>& libraries);
 
 }  // namespace odeum::report

@@ -6,7 +6,6 @@
 
 #include <set>
 
-#include "odeum/report/html.hpp"
 #include "odeum/solvers/given_cases.hpp"
 
 namespace odeum::study {
@@ -23,28 +22,7 @@ std::string Options::word(const std::string& name) const {
 
 std::string Options::text() const { return fmt::format("{} {} {} {}", cases, solvers, quick, own); }
 
-std::string origin_text(const Origin& origin, bool empty) {
-  std::string html;
-  if (!origin.problem.empty())
-    html = fmt::format("<p class=\"missing\">{}</p>\n", report::escape(origin.problem));
-  const std::string how =
-      fmt::format("<code>odeum {}</code> with this folder as <code>--out</code>", origin.command);
-  if (empty)
-    return html + "<p>Not measured in this run: " + how +
-           " measures it, and the next report shows it.</p>\n";
-  if (!origin.measured)
-    return html +
-           "<p>Not measured in this run: these are results of an earlier one, which the folder "
-           "held.</p>\n";
-  if (!origin.selection.empty())
-    html += fmt::format(
-        "<p>To keep a report short, it runs a selection: {}. {} runs every pair, and the next "
-        "report shows those too.</p>\n",
-        report::escape(origin.selection), how);
-  return html;
-}
-
-Origin Study::origin() const {
+report::StudyFacts Study::facts() const {
   std::string selection;
   for (const Options& run : ran_) {
     if (run.cases.empty() && run.solvers.empty()) continue;
@@ -54,11 +32,13 @@ Origin Study::origin() const {
     selection +=
         run.cases.empty() ? " on every case" : fmt::format(" on {}", fmt::join(run.cases, ", "));
   }
-  return {.command = declaration_.name,
+  return {.name = folder(),
+          .command = declaration_.name,
+          .help = declaration_.help,
           .place = declaration_.place,
           .problem = problem_,
-          .measured = measured(),
-          .selection = selection};
+          .selection = selection,
+          .measured = measured()};
 }
 
 bool is_known(const std::string& case_id, const std::string& solver) {

@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "odeum/record/rows.hpp"
+#include "odeum/report/report.hpp"
 #include "odeum/studies/runner.hpp"
 
-/// A study is a folder, studies/<name>/: its rows, their measurement, its section of the page, and
-/// `std::unique_ptr<Study> make_<name>()` in study.cpp, which CMake finds. Its command, its part of
-/// the report, its files and the keeping of its results follow from that.
-namespace odeum::report {
-class Page;
-}
+/// A study is a folder, studies/<name>/: its rows, their measurement, its page as text (page.md,
+/// see reports/viewer/blocks.js), and `std::unique_ptr<Study> make_<name>()` in study.cpp, which
+/// CMake finds. Its command, its files, their data in a report and the keeping of its results
+/// follow from that.
 
 namespace odeum::study {
 
@@ -42,9 +41,10 @@ struct Option {
 
 /// A study as the command line needs it.
 struct Declaration {
-  std::string name;  ///< of the command
-  std::string help;  ///< one line
-  int place = 0;     ///< position on the page and in the list of commands, ascending
+  std::string name;         ///< of the command
+  std::string help;         ///< one line
+  int place = 0;            ///< position on the page and in the list of commands, ascending
+  std::string folder = {};  ///< of its texts; empty: the name
   std::string cases_help = "cases, with * and ?; !GLOB excludes";  ///< of --case; empty: takes none
   /// Without a choice of cases it is on all of them, else on none: a choice then asks for more.
   bool on_cases = true;
@@ -55,18 +55,6 @@ struct Declaration {
   std::vector<Options> report = {Options()};
   std::vector<Options> quick_report = {};  ///< of a quick one
 };
-
-/// Where the rows of a section of the page come from, and where it stands.
-struct Origin {
-  std::string command = {};    ///< the subcommand that measures them
-  int place = 500;             ///< see report::Section
-  std::string problem = {};    ///< why files of an earlier run could not be used; empty: they could
-  bool measured = true;        ///< by this run, and not only read back
-  std::string selection = {};  ///< what of it a report measures, as text; empty: all
-};
-
-/// The first paragraphs of a section; `empty`: it has no rows.
-std::string origin_text(const Origin& origin, bool empty);
 
 class Study {
  public:
@@ -86,16 +74,20 @@ class Study {
   virtual std::vector<std::string> files() const = 0;
   /// The result for a terminal.
   virtual std::string table() const = 0;
-  /// Its part of the report's pages.
-  virtual void section(report::Page& page) const = 0;
+  /// Hands its rows to a report, and what else its texts refer to.
+  virtual void show(report::Report& report) const = 0;
+  /// What a report says of it beside its texts.
+  report::StudyFacts facts() const;
   /// Why files of an earlier run could not be used; empty: they could.
   const std::string& problem() const { return problem_; }
+  /// The folder of its texts, by which a report names it.
+  const std::string& folder() const {
+    return declaration_.folder.empty() ? declaration_.name : declaration_.folder;
+  }
   /// Whether this run measured rows, or only read them.
   bool measured() const { return !ran_.empty(); }
 
  protected:
-  Origin origin() const;
-
   std::string problem_;
   std::vector<Options> ran_;  ///< what was measured
 
@@ -111,7 +103,8 @@ template <class Result>
 struct StudyFunctions {
   Result (*measure)(const Options& options, const Runner& runner);
   std::string (*table)(const Result& result);
-  void (*section)(report::Page& page, const Result& result, const Origin& origin);
+  /// Hands a report more than the rows; null: there is no more.
+  void (*show_more)(report::Report& report, const Result& result) = nullptr;
   /// Writes files beside those of the rows; null: there are none.
   void (*write_more)(const Result& result, const record::OutputFolder& folder) = nullptr;
 };
@@ -135,7 +128,12 @@ class StudyOf final : public Study {
   }
   std::vector<std::string> files() const override { return record::files_of<Result>(); }
   std::string table() const override { return functions_.table(result_); }
-  void section(report::Page& page) const override { functions_.section(page, result_, origin()); }
+  void show(report::Report& report) const override {
+    record::for_each_list(result_, [&]<class Row>(const std::vector<Row>& rows) {
+      if (!record::is_compressed<Row>()) report.rows(folder(), rows);
+    });
+    if (functions_.show_more) functions_.show_more(report, result_);
+  }
   const Result& result() const { return result_; }
 
  private:

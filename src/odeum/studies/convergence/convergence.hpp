@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -91,8 +92,8 @@ struct OrderClass {
   std::string_view name, settles;
 };
 
-/// Of a verdict `failed` or `undetermined`; null for other verdicts.
-const OrderClass* class_of(const judge::OrderFit& fit);
+/// Those of the verdicts `failed` and `undetermined`.
+std::span<const OrderClass> order_classes();
 
 struct ConvergenceResult {
   std::vector<ConvergenceRow> rows;

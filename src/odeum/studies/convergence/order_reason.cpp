@@ -64,7 +64,7 @@ void add_cost(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs
   fit.reason += fmt::format(" about {:.1g} evaluations, more than the budget", work / 0.75);
 }
 
-constexpr OrderClass order_classes[] = {
+constexpr OrderClass all_order_classes[] = {
     {NoOrder::refused, "refused by the solver",
      "A solver that takes this problem: one that is given a dense Jacobian refuses a large "
      "number of unknowns, one with a band or sparse Jacobian, or without any, does not."},
@@ -96,10 +96,7 @@ constexpr OrderClass order_classes[] = {
 
 }  // namespace
 
-const OrderClass* class_of(const judge::OrderFit& fit) {
-  const auto* const found = std::ranges::find(order_classes, fit.why, &OrderClass::why);
-  return found == std::end(order_classes) ? nullptr : found;
-}
+std::span<const OrderClass> order_classes() { return all_order_classes; }
 
 double claimed_order(const Pair& pair) {
   const SolverInfo& info = pair.entrant->info;

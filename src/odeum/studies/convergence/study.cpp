@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "odeum/record/table.hpp"
+#include "odeum/report/report.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
-#include "odeum/studies/convergence/section.hpp"
+#include "odeum/studies/convergence/summary.hpp"
 #include "odeum/studies/questions.hpp"
 
 namespace odeum::study {
@@ -27,6 +30,30 @@ std::string table(const ConvergenceResult& result) {
                             wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
 }
 
+/// What a reason for a missing order means, the errors over time of the cloths alone (those of all
+/// cases are as large as all other data), and the counts of verdicts.
+void show_more(report::Report& report, const ConvergenceResult& result) {
+  nlohmann::ordered_json classes = nlohmann::ordered_json::object();
+  for (const OrderClass& each : order_classes())
+    classes[to_string(each.why)] = {{"name", each.name}, {"settles", each.settles}};
+  report.fact("order_classes", classes);
+  std::set<std::string> cloths;
+  for (const report::CaseFacts& c : report.facts().cases)
+    if (std::count(c.tags.begin(), c.tags.end(), "cloth") > 0) cloths.insert(c.id);
+  std::vector<TimeRow> times;
+  for (const TimeRow& row : result.times)
+    if (cloths.contains(row.case_id)) times.push_back(row);
+  report.rows("convergence", times);
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LibrarySummary& entry : summarise(report.facts(), result.orders)) {
+    list.push_back(
+        {{"library", entry.library}, {"solvers", entry.solvers}, {"pairs", entry.pairs}});
+    for (std::size_t i = 0; i < entry.verdicts.size(); ++i)
+      list.back()[to_string(static_cast<judge::Verdict>(i))] = entry.verdicts[i];
+  }
+  report.manifest("verdicts", list);
+}
+
 }  // namespace
 
 std::unique_ptr<Study> make_convergence() {
@@ -36,12 +63,13 @@ std::unique_ptr<Study> make_convergence() {
       {.name = "converge",
        .help = "error against step, and the measured order",
        .place = 20,
+       .folder = "convergence",
        .quick_help = "fewer step sizes",
        .options = {{.name = "mode",
                     .help = "fixed or adaptive; default: both",
                     .words = {"fixed", "adaptive"}}},
        .quick_report = {{.cases = quick}}},
-      {.measure = converge, .table = table, .section = add_section});
+      {.measure = converge, .table = table, .show_more = show_more});
 }
 
 }  // namespace odeum::study

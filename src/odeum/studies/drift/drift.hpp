@@ -63,9 +63,6 @@ struct DriftResult {
 /// tagged `chaotic` are run for their horizons too. Throws Interrupted.
 DriftResult measure_drift(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const DriftResult& result, const Origin& origin);
-
 /// The horizons of one solver on one case: three steps and three tolerances.
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant);
 

@@ -1,111 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <cmath>
-#include <map>
+#include <nlohmann/json.hpp>
 
+#include "odeum/proof/facts.hpp"
+#include "odeum/proof/structure_check.hpp"
 #include "odeum/record/table.hpp"
-#include "odeum/report/html.hpp"
-#include "odeum/report/solver_tables.hpp"
-#include "odeum/studies/drift/section.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/studies/drift/drift.hpp"
 
 namespace odeum::study {
 namespace {
-
-using report::Cell;
-using report::show_number;
-using Series = std::vector<const DriftRow*>;
-
-/// Errors up to it are the rounding of ten thousand steps.
-constexpr double rounding = 1e-11;
-
-/// The cases on which peers are run in a report too: an orbit and an oscillator.
-constexpr const char* drawn_cases[] = {"kepler_e06", "osc_undamped"};
-
-/// By case, what stands in its column: the energy where that is an invariant, else the first one.
-std::map<std::string, std::string> quantities_of(const std::vector<DriftRow>& rows) {
-  std::map<std::string, std::string> quantity_of;
-  for (const DriftRow& row : rows)
-    if (row.status != "not_applicable")
-      if (const auto [place, is_new] = quantity_of.try_emplace(row.case_id, row.invariant);
-          !is_new && row.invariant == "energy")
-        place->second = row.invariant;
-  return quantity_of;
-}
-
-// Blue: rounding; white; orange: the quantity is gone.
-std::string colour_of(double worst) {
-  if (worst <= 1e-12) return "t-3";
-  if (worst <= 1e-9) return "t-2";
-  if (worst <= 1e-6) return "t-1";
-  if (worst <= 1e-4) return "";
-  return worst <= 1e-2 ? "t1" : worst <= 1 ? "t2" : "t3";
-}
-
-const char* sign_of(double worst, double power) {
-  if (worst <= rounding || !(power > 0.25)) return "";
-  return power <= 0.75 ? "~" : power <= 1.5 ? "↗" : "⇑";
-}
-
-Cell cell_of(const Series& series) {
-  if (series.empty()) return {.text = "·", .style = "not_applicable"};
-  const DriftRow& last = *series.back();
-  double worst = 0;
-  for (const DriftRow* row : series) worst = std::fmax(worst, row->relative_error);
-  const double power = growth_power(series);
-  std::string title =
-      fmt::format("step {}, to t = {}: at most {}, at the end {}", show_number(last.step),
-                  show_number(last.time), show_number(worst, 2), show_number(last.relative_error));
-  if (worst > rounding && !std::isnan(power)) title += fmt::format("; grows as t^{:.1f}", power);
-  if (last.status != to_string(Status::ok))
-    return {.text = "✗",
-            .style = "failed",
-            .title = title + fmt::format("; {} {}", last.status, last.detail)};
-  const std::string exponent =
-      worst == 0 ? "0" : fmt::format("{:.0f}", std::floor(std::log10(worst) + 0.5));
-  return {.text = exponent + sign_of(worst, power), .style = colour_of(worst), .title = title};
-}
-
-constexpr const char* introduction =
-    "<p>The error of a quantity that the exact solution conserves, after ten thousand steps (a "
-    "thousand of large systems), each half of the largest step of the study of orders. A cell is "
-    "the power of ten of the largest relative error on the way: blue is near rounding, orange "
-    "large. A sign gives the growth over the last two decades of time: none, it is bounded; ~ like "
-    "the square root of time, as random rounding does; ↗ in proportion to time; ⇑ faster. ✗: the "
-    "run ended early. In free fall kinetic and potential energy grow without bound, and their "
-    "rounding with them. The tooltip of a cell gives the numbers.</p>\n";
-
-std::string drift_html(const report::Facts& facts, const std::vector<DriftRow>& rows) {
-  const std::map<std::string, std::string> quantity_of = quantities_of(rows);
-  std::vector<Cell> head;
-  std::vector<const report::CaseFacts*> cases;
-  for (const report::CaseFacts& c : facts.cases)
-    if (const auto found = quantity_of.find(c.id); found != quantity_of.end()) {
-      cases.push_back(&c);
-      head.push_back(report::case_head(c, found->second == "energy" ? "" : ": " + found->second));
-    }
-  const auto shown = report::by_solver(rows, [&](const DriftRow& row) {
-    const auto found = quantity_of.find(row.case_id);
-    return found != quantity_of.end() && row.invariant == found->second;
-  });
-  const auto cells = [&](const Series& of_solver) {
-    std::map<std::string, Series> of_case;
-    for (const DriftRow* row : of_solver) of_case[row->case_id].push_back(row);
-    std::vector<Cell> row;
-    bool any = false;
-    for (const report::CaseFacts* c : cases) {
-      const Series& series = of_case[c->id];
-      row.push_back(cell_of(series));
-      any |= !series.empty();
-    }
-    return any ? row : std::vector<Cell>();
-  };
-  std::string diagrams;
-  for (const char* id : drawn_cases) diagrams += drift_diagram(facts, rows, id);
-  if (!diagrams.empty()) diagrams = "<div class=\"speeds\">\n" + diagrams + "</div>\n";
-  return introduction + diagrams +
-         report::solver_tables(facts, "matrix drifts", head, shown, cells);
-}
 
 /// A series of drift.csv in one line.
 struct DriftSummary {
@@ -154,32 +58,18 @@ std::string table(const DriftResult& result) {
   return text;
 }
 
+/// Which own solvers keep the symplectic form, by running them, for the diagram of energies.
+void show_symplectic(report::Report& report, const DriftResult&) {
+  nlohmann::ordered_json ids = nlohmann::ordered_json::array();
+  for (const proof::MethodFacts& method : proof::all_method_facts())
+    if (const auto mechanics = method.on_mechanics();
+        mechanics &&
+        proof::symplectic_defect(mechanics, proof::structure_step) <= proof::symplectic_rounding)
+      ids.push_back("odeum/" + method.id());
+  report.fact("symplectic", ids);
+}
+
 }  // namespace
-
-double growth_power(const std::vector<const DriftRow*>& series) {
-  double end = 0, before = 0, now = 0;
-  for (const DriftRow* row : series) end = std::fmax(end, row->time);
-  for (const DriftRow* row : series) {
-    if (std::isnan(row->relative_error)) continue;
-    if (row->time > end / 10)
-      now = std::fmax(now, row->relative_error);
-    else if (row->time > end / 100)
-      before = std::fmax(before, row->relative_error);
-  }
-  if (before == 0) return now == 0 ? 0 : record::nan;
-  return std::log10(now / before);
-}
-
-void add_section(report::Page& page, const DriftResult& result, const Origin& origin) {
-  std::string html = origin_text(origin, record::is_empty(result));
-  if (!result.rows.empty()) html += drift_html(page.facts(), result.rows);
-  html += oscillator_part(page.facts(), result.rows) + horizons_part(page.facts(), result.horizons);
-  page.section({.id = "drift",
-                .title = "Drift of energy and invariants",
-                .place = origin.place,
-                .html = html,
-                .short_title = "Drift"});
-}
 
 // A report runs own solvers on every case; peers on an orbit, an oscillator and, for its horizon, a
 // chaotic case, without arkode, whose many tables would take as long as all the rest.
@@ -191,7 +81,7 @@ std::unique_ptr<Study> make_drift() {
        .report = {{.solvers = {"odeum/*"}},
                   {.cases = {"kepler_e06", "osc_undamped"}, .solvers = {"!odeum/*"}},
                   {.cases = {"lorenz_kehlet_logg"}, .solvers = {"!odeum/*", "!arkode/*"}}}},
-      {.measure = measure_drift, .table = table, .section = add_section});
+      {.measure = measure_drift, .table = table, .show_more = show_symplectic});
 }
 
 }  // namespace odeum::study

@@ -163,8 +163,7 @@ std::vector<ElementsTimeRow> time_solvers(std::size_t most);
 /// power of two is taken, default: 128. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result, and a terminal: orders, solvers, stopping and times.
-void add_section(report::Page& page, const ElementsResult& result, const Origin& origin);
+/// The result for a terminal: orders, solvers, stopping and times.
 std::string elements_table(const ElementsResult& result);
 
 }  // namespace odeum::study

@@ -48,9 +48,6 @@ struct LimitsResult {
 /// a truth. Throws Interrupted.
 LimitsResult measure_limits(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const LimitsResult& result, const Origin& origin);
-
 /// The number of steps, a multiple of 4, from which on a run is bounded: doubled from 4 until it is
 /// bounded twice in a row, then bisected. 0 where it is not with `most` steps.
 std::uint64_t fewest_bounded_steps(const std::function<bool(std::uint64_t steps)>& bounded,

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "odeum/record/table.hpp"
+#include "odeum/report/report.hpp"
 #include "odeum/studies/precision/precision.hpp"
-#include "odeum/studies/precision/section.hpp"
 #include "odeum/studies/questions.hpp"
 
 namespace odeum::study {
@@ -50,6 +51,14 @@ std::vector<Options> report_runs(bool quick) {
                    {"attempts", "1"}}}};
 }
 
+/// The questions of the first page.
+void show_questions(report::Report& report, const PrecisionResult&) {
+  nlohmann::ordered_json asked = nlohmann::ordered_json::array();
+  for (const Question& question : questions)
+    asked.push_back({{"title", question.title}, {"case", question.case_id}});
+  report.fact("questions", asked);
+}
+
 }  // namespace
 
 std::unique_ptr<Study> make_precision() {
@@ -71,7 +80,7 @@ std::unique_ptr<Study> make_precision() {
                     .whole = true}},
        .report = report_runs(false),
        .quick_report = report_runs(true)},
-      {.measure = measure_precision, .table = table, .section = add_section});
+      {.measure = measure_precision, .table = table, .show_more = show_questions});
 }
 
 }  // namespace odeum::study

@@ -137,7 +137,4 @@ struct ProofResult {
 /// Throws Interrupted.
 ProofResult prove(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const ProofResult& result, const Origin& origin);
-
 }  // namespace odeum::study

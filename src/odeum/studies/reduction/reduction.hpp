@@ -38,7 +38,4 @@ struct ReductionResult {
 /// grows. Explicit solvers are run too, until they fail. Throws Interrupted.
 ReductionResult measure_reduction(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const ReductionResult& result, const Origin& origin);
-
 }  // namespace odeum::study

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/stability/section.hpp"
+#include "odeum/studies/stability/outline.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
-#include "odeum/report/html.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/report/text.hpp"
 
 namespace odeum::study {
 namespace {
 
 // Above 1, so that rounding of a growth of 1 is no growth.
-constexpr double level = 1.0001;
+constexpr double no_growth = 1.0001;
+// Of the shades of damping and the lines of growth.
+constexpr double other_levels[] = {0.25, 0.5, 0.75, 1.25, 2};
 // What is compared with the level: growths far beyond it would bend the line.
 constexpr double largest = 4;
 
@@ -47,7 +53,7 @@ using Edge = std::tuple<int, int, int>;
 
 class March {
  public:
-  explicit March(const Grid& grid) : grid_(grid) {
+  March(const Grid& grid, double level) : grid_(grid), level_(level) {
     for (int j = 0; j + 1 < grid.rows(); ++j)
       for (int i = 0; i + 1 < grid.columns(); ++i) cell(i, j);
   }
@@ -70,7 +76,7 @@ class March {
   }
 
  private:
-  bool inside(int i, int j) const { return grid_.growth(i, j) <= level; }
+  bool inside(int i, int j) const { return grid_.growth(i, j) <= level_; }
 
   // Each piece of the outline leads from the edge where, walking around the cell against the clock,
   // the inside begins, to the edge where it ends: so the pieces of neighbouring cells join. In a
@@ -90,12 +96,13 @@ class March {
     const auto [i, j, upwards] = edge;
     const double a = grid_.growth(i, j),
                  b = grid_.growth(i + (upwards ? 0 : 1), j + (upwards ? 1 : 0));
-    const double part = (level - a) / (b - a);
+    const double part = (level_ - a) / (b - a);
     return upwards ? Loop::value_type{grid_.x(i), grid_.y(j + part)}
                    : Loop::value_type{grid_.x(i + part), grid_.y(j)};
   }
 
   const Grid& grid_;
+  double level_;
   std::map<Edge, Edge> next_;
 };
 
@@ -117,34 +124,45 @@ Loop simplified(const Loop& loop, double width) {
   return kept;
 }
 
+nlohmann::ordered_json json_of(const StabilityRegion& region, double level) {
+  nlohmann::ordered_json loops = nlohmann::ordered_json::array();
+  for (const Loop& loop : outline(region, level)) {
+    nlohmann::ordered_json points = nlohmann::ordered_json::array();
+    for (const auto& [x, y] : simplified(loop, region.first_high - region.first_low))
+      points.insert(points.end(), {std::round(x * 1e4) / 1e4, std::round(y * 1e4) / 1e4});
+    loops.push_back(std::move(points));
+  }
+  return loops;
+}
+
 }  // namespace
 
-std::vector<Loop> outline(const StabilityRegion& region) {
+std::vector<Loop> outline(const StabilityRegion& region, double level) {
   if (region.columns < 2 || region.rows < 2 ||
       region.growth.size() != static_cast<std::size_t>(region.columns * region.rows))
     return {};
   const Grid grid(region);
-  return March(grid).loops();
+  return March(grid, level).loops();
 }
 
 std::string outlines_json(const std::vector<StabilityRegion>& regions) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const StabilityRegion& region : regions) {
-    nlohmann::ordered_json loops = nlohmann::ordered_json::array();
-    for (const Loop& loop : outline(region)) {
-      nlohmann::ordered_json points = nlohmann::ordered_json::array();
-      for (const auto& [x, y] : simplified(loop, region.first_high - region.first_low))
-        points.insert(points.end(), {std::round(x * 1e4) / 1e4, std::round(y * 1e4) / 1e4});
-      loops.push_back(std::move(points));
-    }
-    list.push_back(
-        {{"solver", report::plain(region.library + "/" + region.solver)},
-         {"plane", report::plain(region.plane)},
-         {"box", {region.first_low, region.first_high, region.second_low, region.second_high}},
-         {"cell", (region.first_high - region.first_low) / std::max(1, region.columns - 1)},
-         {"loops", loops}});
-  }
-  return list.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::vector<nlohmann::ordered_json> list(regions.size());
+  parallel_for(regions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+    const StabilityRegion& region = regions[i];
+    nlohmann::ordered_json others = nlohmann::ordered_json::object();
+    for (const double level : other_levels)
+      others[fmt::format("{}", level)] = json_of(region, level);
+    list[i] = {
+        {"solver", report::plain(region.library + "/" + region.solver)},
+        {"plane", report::plain(region.plane)},
+        {"missing", report::plain(region.growth.empty() ? region.detail : "")},
+        {"box", {region.first_low, region.first_high, region.second_low, region.second_high}},
+        {"cell", (region.first_high - region.first_low) / std::max(1, region.columns - 1)},
+        {"loops", json_of(region, no_growth)},
+        {"others", others}};
+  });
+  return nlohmann::ordered_json(list).dump(-1, ' ', false,
+                                           nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace odeum::study

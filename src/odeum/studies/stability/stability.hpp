@@ -96,9 +96,6 @@ struct StabilityResult {
 /// that regions allow on them are measured instead. Throws Interrupted.
 StabilityResult measure_stability(const Options& options, const Runner& runner = Runner());
 
-/// What the page shows of a result.
-void add_section(report::Page& page, const StabilityResult& result, const Origin& origin);
-
 /// The part of it for the selected cases.
 StabilityResult measure_steps(const Options& options, const Runner& runner);
 

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "odeum/core/build_info.hpp"
+#include "odeum/core/machine.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/report/columns.hpp"
+#include "odeum/report/shared_files.hpp"
+#include "odeum/report/text.hpp"
+
+namespace odeum::report {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr int schema = 1;
+
+// Text of others may be no UTF-8; the file is valid all the same.
+std::string text_of(const ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+std::string stem_of(const std::string& file) { return file.substr(0, file.find('.')); }
+
+/// The texts of a folder of pages, by the names of their files.
+std::map<std::string, std::string> texts_of(const fs::path& folder) {
+  std::map<std::string, std::string> texts;
+  std::error_code none;
+  if (const auto shared = shared_folder())
+    for (const auto& entry : fs::directory_iterator(*shared / folder, none))
+      if (entry.path().extension() == ".md" || entry.path().extension() == ".js")
+        texts[entry.path().filename().string()] = shared_text(folder / entry.path().filename());
+  return texts;
+}
+
+ordered_json json_of(const StudyFacts& study) {
+  ordered_json json{{"name", study.name},
+                    {"command", study.command},
+                    {"help", study.help},
+                    {"place", study.place},
+                    {"problem", plain(study.problem)},
+                    {"selection", plain(study.selection)},
+                    {"measured", study.measured},
+                    {"pages", ordered_json::array()},
+                    {"case_page", ""},
+                    {"summary", ""},
+                    {"script", ""}};
+  for (const auto& [file, text] : texts_of(fs::path("pages") / study.name)) {
+    const std::string stem = stem_of(file);
+    if (file == "view.js")
+      json["script"] = "viewer/view-" + study.name + ".js";
+    else if (stem == "case")
+      json["case_page"] = text;
+    else if (stem == "summary")
+      json["summary"] = text;
+    else if (stem != "columns")
+      json["pages"].push_back({{"id", stem == "page" ? study.name : stem}, {"text", text}});
+  }
+  return json;
+}
+
+std::string key_of(const ordered_json& entry) {
+  if (entry.contains("library"))
+    return entry.value("library", "") + "/" + entry.value("method", "");
+  return entry.contains("id") ? entry.value("id", "") : entry.value("name", "");
+}
+
+/// Appends the entries of an earlier list whose keys the new one has not.
+void add_missing(ordered_json& list, const ordered_json& earlier) {
+  std::set<std::string> known;
+  for (const auto& entry : list) known.insert(key_of(entry));
+  for (const auto& entry : earlier)
+    if (!known.contains(key_of(entry))) list.push_back(entry);
+}
+
+/// What an earlier run said of a study that was not measured now.
+void keep_origin(ordered_json& studies, const ordered_json& earlier) {
+  for (auto& study : studies)
+    for (const auto& before : earlier)
+      if (!study.value("measured", true) && before.value("name", "") == study["name"])
+        for (const char* key : {"problem", "selection", "measured"})
+          if (before.contains(key)) study[key] = before[key];
+}
+
+}  // namespace
+
+Report::Report(Facts facts, const record::OutputFolder& folder)
+    : facts_(std::move(facts)), folder_(folder) {}
+
+void Report::table(const std::string& study, const std::string& file, const record::Fields& blank,
+                   const std::vector<TablePart>& parts) {
+  const std::string name = stem_of(file);
+  std::vector<std::string> columns;
+  for (const record::Field& field : blank) columns.push_back(field.column);
+  ordered_json entry{{"name", name}, {"file", file},       {"study", study},
+                     {"rows", 0},    {"columns", columns}, {"parts", ordered_json::array()}};
+  const auto data_name = [&](std::size_t i) {
+    return parts.size() == 1 ? name : fmt::format("{}-{}", name, i);
+  };
+  std::size_t rows = 0;
+  std::mutex counting;
+  std::set<std::string> cases;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    ordered_json part{{"data", data_name(i)}, {"rows", parts[i].rows}};
+    if (!parts[i].case_id.empty()) part["case"] = plain(parts[i].case_id);
+    entry["parts"].push_back(part);
+    rows += parts[i].rows;
+  }
+  entry["rows"] = rows;
+  parallel_for(parts.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+    const std::vector<record::Fields> fields = parts[i].fields();
+    folder_.write(fmt::format("data/{}.js", data_name(i)),
+                  data_script(data_name(i), columns_json(fields, columns)));
+    const std::lock_guard lock(counting);
+    for (const record::Fields& row : fields)
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        if (row[k].column == "case") cases.insert(record::cell_text(row[k].value));
+        if (row[k].column != "status") continue;
+        const std::string status = record::cell_text(row[k].value);
+        ++statuses_[file][status];
+        if (status == "not_applicable" && k + 1 < row.size() && row[k + 1].column == "detail")
+          ++reasons_[record::cell_text(row[k + 1].value)];
+      }
+  });
+  entry["cases"] = cases;
+  tables_.push_back(text_of(entry));
+}
+
+void Report::table(const std::string& study, const std::string& file,
+                   const record::CsvTable& rows) {
+  record::Fields blank;
+  for (const std::string& column : rows.columns()) blank.push_back({column, std::string()});
+  table(study, file, blank, {{"", rows.rows().size(), [&rows] { return rows.rows(); }}});
+}
+
+void Report::data(const std::string& name, const std::string& json) {
+  folder_.write("data/" + name + ".js", data_script(name, json));
+}
+
+void Report::fact(const std::string& key, const ordered_json& value) {
+  facts_more_[key] = text_of(value);
+}
+
+void Report::manifest(const std::string& key, const ordered_json& value) {
+  manifest_[key] = text_of(value);
+}
+
+std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
+  ordered_json page{
+      {"schema", schema},
+      {"odeum", {{"version", build::version}, {"revision", build::revision}}},
+      {"run",
+       {{"command", run.command_line},
+        {"quick", run.quick},
+        {"seconds", run.seconds},
+        {"date", utc_text(run.finished)},
+        {"compiler", fmt::format("{}, {}, {}", build::compiler, build::type, build::flags)},
+        {"processor", cpu_model()}}},
+      {"libraries", report::json_of(facts_.libraries)},
+      {"cases", ordered_json::array()},
+      {"solvers", ordered_json::array()},
+      {"studies", ordered_json::array()},
+      {"tables", ordered_json::array()},
+      {"documents", ordered_json::array()}};
+  for (const CaseFacts& c : facts_.cases) page["cases"].push_back(report::json_of(c));
+  for (const SolverInfo& solver : facts_.solvers)
+    page["solvers"].push_back(report::json_of(solver));
+  std::vector<StudyFacts> studies = studies_;
+  std::stable_sort(studies.begin(), studies.end(),
+                   [](const auto& a, const auto& b) { return a.place < b.place; });
+  for (const StudyFacts& study : studies) page["studies"].push_back(json_of(study));
+  for (const std::string& table : tables_) page["tables"].push_back(ordered_json::parse(table));
+  for (const auto& [file, text] : texts_of("documents")) page["documents"].push_back(stem_of(file));
+  for (const auto& [key, value] : facts_more_) page[key] = ordered_json::parse(value);
+  if (!keep_earlier) return text_of(page);
+  const auto text = text_of_file((folder_.path() / "page.json").string());
+  const auto earlier = ordered_json::parse(text.value_or(""), nullptr, false);
+  if (!earlier.is_object() || earlier.value("schema", 0) != schema) return text_of(page);
+  for (const char* list : {"cases", "solvers", "tables"})
+    if (earlier.contains(list)) add_missing(page[list], earlier[list]);
+  if (earlier.contains("studies")) keep_origin(page["studies"], earlier["studies"]);
+  for (const auto& [key, value] : earlier.items())
+    if (!page.contains(key)) page[key] = value;
+  return text_of(page);
+}
+
+std::string Report::manifest_text(const RunFacts& run) const {
+  ordered_json manifest{
+      {"schema", 3},
+      {"odeum", {{"version", build::version}, {"revision", build::revision}}},
+      {"date", utc_text(run.finished)},
+      {"command_line", run.command_line},
+      {"options", {{"quick", run.quick}}},
+      {"seconds", run.seconds},
+      {"build", {{"compiler", build::compiler}, {"type", build::type}, {"flags", build::flags}}},
+      {"cpu", cpu_model()},
+      {"libraries", report::json_of(facts_.libraries)}};
+  for (const auto& [key, value] : manifest_) manifest[key] = ordered_json::parse(value);
+  // Pairs that were not run, by the reason that they gave; rows by how their run ended.
+  ordered_json reasons = ordered_json::array();
+  for (const auto& [reason, rows] : reasons_)
+    reasons.push_back({{"reason", reason}, {"rows", rows}});
+  manifest["skipped"] = {{"not_applicable", reasons}, {"rows_by_status", statuses_}};
+  return text_of(manifest, 2) + "\n";
+}
+
+void Report::write(const RunFacts& run, bool keep_earlier) {
+  const std::string page = page_json(run, keep_earlier);
+  folder_.write("data/facts.js", data_script("facts", page));
+  folder_.write("page.json", page + "\n");
+  ordered_json documents = ordered_json::object();
+  for (const auto& [file, text] : texts_of("documents")) documents[stem_of(file)] = text;
+  data("documents", text_of(documents));
+  for (const StudyFacts& study : studies_)
+    if (const std::string view = shared_text(fs::path("pages") / study.name / "view.js");
+        !view.empty())
+      folder_.write("viewer/view-" + study.name + ".js", view);
+  folder_.write("manifest.json", manifest_text(run));
+  std::vector<std::string> files;
+  for (const auto& table : ordered_json::parse(page)["tables"])
+    if (table.value("rows", 0) > 0) files.push_back(table.value("file", ""));
+  files.insert(files.end(), {"manifest.json", "page.json"});
+  write_viewer(folder_, files);
+}
+
+}  // namespace odeum::report

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "odeum/record/csv.hpp"
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::trajectories {
+
+/// One solver's run of a case with its output times.
+struct CaseRun {
+  const Entrant* entrant = nullptr;
+  Request request;
+  Outcome outcome;
+
+  double step(double t0) const {
+    return (request.stops.back() - t0) / static_cast<double>(request.steps);
+  }
+  std::size_t reached(std::size_t n) const { return outcome.states.size() / n; }  ///< stops
+};
+
+/// The exact states of a case at some times, those where the truth is known.
+struct ExactStates {
+  std::vector<double> times;
+  std::vector<std::vector<double>> states;
+  bool everywhere = false;  ///< at each output: a line, not marks
+};
+
+/// At the outputs of all runs, and where a reference holds the truth at its times.
+ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
+
+/// A row for each output of each solver, and for each exact state (library `truth`): case, library,
+/// solver, time, the components by name, energy, error.
+record::CsvTable case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
+                                 const ExactStates& exact);
+/// The end of each run: case, library, solver, status, time, component, value, exact, error, name.
+record::CsvTable case_solution(const Case& c, const std::vector<CaseRun>& runs);
+/// The accepted steps of adaptive runs of own solvers: case, library, solver, time, step.
+record::CsvTable case_steps(const Case& c, const std::vector<CaseRun>& runs);
+
+/// The scheme's own closed form at the outputs of each run that has one: case, library, solver,
+/// time, the components by name.
+record::CsvTable case_schemes(const Case& c, const std::vector<CaseRun>& runs);
+
+/// Largest difference between a run at a fixed step and the scheme's own closed form, over the
+/// outputs; NaN where none is known.
+double difference_to_scheme(const Case& c, const CaseRun& run);
+
+}  // namespace odeum::trajectories

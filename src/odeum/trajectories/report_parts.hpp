@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/record/output_folder.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/precision/precision.hpp"
+
+/// What a report has beside the sections of its studies.
+namespace odeum::trajectories {
+
+inline constexpr const char* replayed_case = "cloth11_two_way";
+
+/// Runs the cloth with own integrators and those of Bullet, beside the exact motion, and writes
+/// their replays, with the error as colour, into replay/ and rows of them into the report. Nothing
+/// where the report has no cloth. Throws Interrupted.
+void add_replays(report::Report& report, const record::OutputFolder& folder, unsigned jobs);
+
+/// Makes the cheap runs of both studies again, with output, on those cases of the report whose
+/// ids `cases` holds (empty: on all), and hands them to the report: data/solutions-<number>.js.
+/// Throws Interrupted.
+void add_solutions(report::Report& report, const std::vector<std::string>& cases,
+                   const study::ConvergenceResult& converged, const study::PrecisionResult& timed,
+                   unsigned jobs);
+
+}  // namespace odeum::trajectories

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/trajectories/run_page.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "odeum/judge/errors.hpp"
+#include "odeum/record/rows.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/report/text.hpp"
+
+namespace odeum::trajectories {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// One run: a line of runs.csv.
+struct RunRow {
+  std::string library, solver, status, detail, setting_kind;
+  double setting = record::nan;
+  Counters counters;
+  double result = record::nan;  ///< of a case the error at the end, of a scene the change of energy
+  std::string replay;           ///< the address of its page; empty: it has none
+
+  static constexpr const char* file = "runs.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
+    visit("detail", row.detail), visit("setting_kind", row.setting_kind);
+    visit("setting", row.setting), visit("steps", row.counters.steps);
+    visit("rejected_steps", row.counters.rejected_steps);
+    visit("rhs_evaluations", row.counters.rhs_evaluations);
+    visit("jacobian_evaluations", row.counters.jacobian_evaluations), visit("result", row.result);
+    visit("replay", row.replay);
+  }
+};
+
+RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status status,
+              const std::string& detail, const Counters& counters) {
+  const bool fixed = request.mode == Mode::fixed;
+  return {.library = info.library,
+          .solver = info.method,
+          .status = to_string(status),
+          .detail = detail,
+          .setting_kind = fixed ? "step" : "tol",
+          .setting = fixed ? (request.stops.back() - t0) / static_cast<double>(request.steps)
+                           : request.tolerance,
+          .counters = counters};
+}
+
+ordered_json json_of(const RunTexts& texts) {
+  ordered_json facts = ordered_json::array();
+  for (const auto& [name, text] : texts.facts)
+    facts.push_back({report::plain(name), report::plain(text)});
+  return {
+      {"title", report::plain(texts.title)}, {"lead", report::plain(texts.lead)}, {"facts", facts}};
+}
+
+report::Facts facts_of(const auto& runs) {
+  report::Facts facts{.cases = {}, .solvers = {}, .libraries = all_libraries()};
+  for (const auto& run : runs) facts.solvers.push_back(run.entrant->info);
+  return facts;
+}
+
+/// The time, position and velocity that are plotted, of each run and exact where that is known.
+record::CsvTable plotted(const scene::Scene& scene, const scene::SceneProblem& problem,
+                         const std::vector<SceneRun>& runs, const scene::Plot& plot) {
+  record::CsvTable table("library,solver,time,position,velocity", true);
+  const std::size_t at = 3 * plot.particle + plot.coordinate;
+  const auto add = [&](const std::string& library, const std::string& solver, double t,
+                       const std::vector<double>& y) {
+    table.add(record::CsvRow().text(library).text(solver).number(t).number(y[at]).number(
+        y[y.size() / 2 + at]));
+  };
+  for (const SceneRun& run : runs)
+    for (const scene::Frame& frame : run.outcome.frames)
+      add(run.entrant->info.library, run.entrant->info.method, frame.t, frame.y);
+  const scene::RunResult& first = runs.front().outcome;
+  if (!problem.structure().closed_form || first.births > 0 || !scene.emitters.empty()) return table;
+  std::vector<double> y(problem.size());
+  for (const scene::Frame& frame : first.frames) {
+    if (frame.y.size() != y.size()) break;
+    problem.closed_form(frame.t, problem.start().data(), y.data());
+    add("truth", "exact", frame.t, y);
+  }
+  return table;
+}
+
+/// What is drawn: the scene's plot, or the height of its first free particle.
+std::optional<scene::Plot> plot_of(const scene::Scene& scene) {
+  if (scene.plot) return scene.plot;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i)
+    if (!scene.particles[i].fixed)
+      return scene::Plot{
+          .particle = i, .coordinate = static_cast<std::size_t>(scene.up - 'x'), .y_range = {}};
+  return std::nullopt;
+}
+
+}  // namespace
+
+void write_case_page(const record::OutputFolder& folder, const Case& c,
+                     const std::vector<CaseRun>& runs, const RunTexts& texts) {
+  report::Report page(facts_of(runs), folder);
+  const ExactStates exact = exact_states(c, runs);
+  const record::CsvTable solution = case_solution(c, runs),
+                         trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs),
+                         schemes = case_schemes(c, runs);
+  folder.write("solution.csv", solution.text());
+  folder.write("trajectory.csv", trajectory.text());
+  folder.write("steps.csv", steps.text());
+  page.table("runs", "trajectory.csv", trajectory);
+  page.table("runs", "steps.csv", steps);
+  page.table("runs", "schemes", schemes);
+  std::vector<RunRow> rows;
+  for (const CaseRun& run : runs) {
+    rows.push_back(row_of(run.entrant->info, run.request, c.t0, run.outcome.status,
+                          run.outcome.detail, run.outcome.counters));
+    if (run.outcome.status == Status::ok)
+      rows.back().result = judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max;
+  }
+  record::write_rows(rows, folder);
+  page.rows("runs", rows);
+  ordered_json json = json_of(texts);
+  json["kind"] = "case";
+  json["components"] = component_names(c);
+  json["measured"] = judge::measured_components(c);
+  json["second_order"] = c.problem.view.second_order();
+  json["energy"] = static_cast<bool>(c.energy);
+  json["exact_everywhere"] = exact.everywhere;
+  page.fact("runs", json);
+  page.write({.command_line = "odeum run " + c.id});
+}
+
+void write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
+                      const scene::SceneProblem& problem, const std::vector<SceneRun>& runs,
+                      const RunTexts& texts) {
+  report::Report page(facts_of(runs), folder);
+  record::CsvTable energies("library,solver,time,kinetic,potential,total", true);
+  std::vector<RunRow> rows;
+  for (const SceneRun& run : runs) {
+    const SolverInfo& info = run.entrant->info;
+    const auto& frames = run.outcome.frames;
+    for (const scene::Frame& frame : frames)
+      energies.add(record::CsvRow()
+                       .text(info.library)
+                       .text(info.method)
+                       .number(frame.t)
+                       .number(frame.kinetic)
+                       .number(frame.potential)
+                       .number(frame.kinetic + frame.potential));
+    rows.push_back(
+        row_of(info, run.request, 0, run.outcome.status, run.outcome.detail, run.outcome.counters));
+    rows.back().result = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
+                         frames.front().potential;
+    rows.back().replay = run.folder + "replay.html";
+  }
+  record::write_rows(rows, folder);
+  page.rows("runs", rows);
+  page.table("runs", "energies", energies);
+  ordered_json json = json_of(texts);
+  json["kind"] = "scene";
+  const auto plot = plot_of(scene);
+  const record::CsvTable table =
+      plot ? plotted(scene, problem, runs, *plot) : record::CsvTable("time");
+  if (plot) {
+    page.table("runs", "plotted", table);
+    json["plot"] = {{"particle", plot->particle},
+                    {"coordinate", std::string(1, "xyz"[plot->coordinate])}};
+    if (plot->y_range) json["plot"]["range"] = *plot->y_range;
+  }
+  page.fact("runs", json);
+  page.write({.command_line = "odeum run " + scene.name});
+}
+
+}  // namespace odeum::trajectories

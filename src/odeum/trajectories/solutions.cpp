@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/trajectories/solutions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "odeum/judge/errors.hpp"
+#include "odeum/report/columns.hpp"
+#include "odeum/report/text.hpp"
+#include "odeum/truth/system.hpp"
+
+namespace odeum::trajectories {
+namespace {
+
+constexpr std::uint64_t outputs = 100;
+constexpr int fine = 1000;     // levels over the range of a component
+constexpr int unknown = 9999;  // of a logarithm
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+int logarithm(double error) {
+  if (std::isnan(error)) return unknown;
+  if (!(error > 1e-20)) return -2000;
+  if (!(error < 1e30)) return 3000;
+  return static_cast<int>(std::lround(100 * std::log10(error)));
+}
+
+// A run through the times by the extrapolation method of the computed references.
+ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
+  std::vector<double> all = times;
+  for (const double stop : c.stops)
+    if (stop <= times.back()) all.push_back(stop);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  const std::size_t n = c.y0.size();
+  truth::System system;
+  system.states = n;
+  system.t0 = c.t0;
+  system.y0.assign(c.y0.begin(), c.y0.end());
+  std::vector<double> y(n), f(n);
+  system.rhs = [&](truth::Real t, const truth::Real* state, truth::Real* slope) {
+    std::copy_n(state, n, y.begin());
+    c.problem.view.rhs(c.problem.view.problem, static_cast<double>(t), y.data(), f.data());
+    std::copy_n(f.begin(), n, slope);
+  };
+  // The right-hand side is rounded to double.
+  const truth::Run run = truth::extrapolation_run(system, {all.begin(), all.end()},
+                                                  {.tolerance = 1e-13L, .budget = 2e9});
+  ExactCurve curve{
+      .times = {}, .states = {}, .source = "extrapolation in extended precision", .size = n};
+  const auto measured = judge::measured_components(c);
+  double apart = 0, scale = 0;
+  bool checked = false;
+  for (std::size_t k = 0; k < run.states.size(); ++k) {
+    if (std::binary_search(c.stops.begin(), c.stops.end(), all[k]) &&
+        c.truth.at(all[k], y.data())) {
+      checked = true;
+      for (const std::size_t i : measured) {
+        apart = std::fmax(apart,
+                          std::abs(static_cast<double>(run.states[k][i]) - y[i]) / c.scale_of(i));
+        scale = std::fmax(scale, std::abs(y[i]) / c.scale_of(i));
+      }
+    }
+    curve.times.push_back(all[k]);
+    for (const truth::Real value : run.states[k])
+      curve.states.push_back(static_cast<double>(value));
+  }
+  curve.floor = apart + c.truth.floor;
+  curve.everywhere = checked && run.end.empty() && apart <= 1e-6 * scale;
+  return curve;
+}
+
+}  // namespace
+
+Request drawn_request(const Case& c, const DrawnRun& run, std::uint64_t evaluations) {
+  Request request;
+  request.mode = run.mode;
+  request.steps = run.steps;
+  request.tolerance = run.tolerance;
+  request.over_stops = true;
+  request.budget.evaluations = evaluations;
+  request.budget.seconds = 2;
+  const std::uint64_t parts = run.mode == Mode::fixed ? run.steps : outputs;
+  const std::uint64_t apart = (parts + outputs - 1) / outputs;
+  for (std::uint64_t i = apart; i < parts; i += apart)
+    request.stops.push_back(c.t0 + static_cast<double>(i) *
+                                       ((run.end - c.t0) / static_cast<double>(parts)));
+  request.stops.push_back(run.end);
+  return request;
+}
+
+std::vector<std::size_t> drawn_components(const Case& c) {
+  const std::size_t n = c.y0.size();
+  if (n > 4 && c.problem.view.second_order()) {
+    std::size_t most = 0;
+    double largest = -1;
+    std::vector<double> y(n);
+    for (std::size_t i = 0; i < n / 2; ++i) {
+      double moved = 0;
+      for (const double stop : c.stops)
+        if (c.truth.at(stop, y.data())) moved = std::fmax(moved, std::abs(y[i] - c.y0[i]));
+      if (moved > largest) {
+        largest = moved;
+        most = i;
+      }
+    }
+    return {most, n / 2 + most};
+  }
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < std::min<std::size_t>(n, 4); ++i) all.push_back(i);
+  return all;
+}
+
+const double* ExactCurve::at(double t) const {
+  const auto found = std::lower_bound(times.begin(), times.end(), t);
+  return found == times.end() || *found != t
+             ? nullptr
+             : states.data() + static_cast<std::size_t>(found - times.begin()) * size;
+}
+
+ExactCurve exact_curve(const Case& c, std::vector<double> times) {
+  ExactCurve known{.times = {},
+                   .states = {},
+                   .everywhere = true,
+                   .floor = c.truth.floor,
+                   .source = c.truth.source,
+                   .size = c.y0.size()};
+  std::vector<double> y(c.y0.size());
+  for (const double t : times) {
+    if (!c.truth.at(t, y.data())) {
+      known.everywhere = false;
+      continue;
+    }
+    known.times.push_back(t);
+    known.states.insert(known.states.end(), y.begin(), y.end());
+  }
+  if (known.everywhere || times.empty()) return known;
+  if (c.y0.size() <= dense_dimension_limit)
+    if (ExactCurve computed = computed_curve(c, times); computed.everywhere) return computed;
+  return known;
+}
+
+Solutions::Solutions(const Case& c, double end, ExactCurve exact)
+    : case_(c),
+      end_(end),
+      exact_(std::move(exact)),
+      components_(drawn_components(c)),
+      measured_(judge::measured_components(c)),
+      low_(components_.size()),
+      high_(components_.size()) {
+  for (std::size_t k = 0; k < components_.size(); ++k) low_[k] = high_[k] = c.y0[components_[k]];
+  if (c.energy) energy_scale_ = std::abs(c.energy(c.y0.data()));
+  for (std::size_t j = 0; j < exact_.times.size(); ++j) {
+    const double* const y = exact_.states.data() + j * exact_.size;
+    for (std::size_t k = 0; k < components_.size(); ++k) {
+      if (!std::isfinite(y[components_[k]])) continue;
+      low_[k] = std::min(low_[k], y[components_[k]]);
+      high_[k] = std::max(high_[k], y[components_[k]]);
+    }
+    if (c.energy) energy_scale_ = std::fmax(energy_scale_, std::abs(c.energy(y)));
+  }
+  for (std::size_t k = 0; k < components_.size(); ++k) {
+    const double size = high_[k] - low_[k],
+                 room = size > 0 ? 0.1 * size : std::fmax(std::abs(high_[k]), 1);
+    low_[k] -= room;
+    high_[k] += room;
+  }
+}
+
+std::vector<int> Solutions::levels(const double* y) const {
+  std::vector<int> values;
+  for (std::size_t k = 0; k < components_.size(); ++k) {
+    const double place = (y[components_[k]] - low_[k]) / (high_[k] - low_[k]);
+    // Half a range beyond the exact solution's the picture ends.
+    values.push_back(static_cast<int>(
+        std::lround(fine * std::clamp(std::isnan(place) ? 9.0 : place, -0.5, 1.5))));
+  }
+  return values;
+}
+
+// The number of a list of curves; one that lies within a level of an earlier one is that one.
+std::size_t Solutions::curve(std::vector<int> values) {
+  for (std::size_t i = 0; i < kept_.size(); ++i)
+    if (std::equal(values.begin(), values.end(), kept_[i].begin(), kept_[i].end(),
+                   [](int a, int b) { return std::abs(a - b) <= 1; }))
+      return i;
+  curves_.push_back(fmt::format("[{}]", fmt::join(values, ",")));
+  kept_.push_back(std::move(values));
+  return kept_.size() - 1;
+}
+
+void Solutions::add(const DrawnRun& run, const Request& request, const Outcome& outcome) {
+  const std::size_t n = case_.y0.size(), reached = outcome.states.size() / n;
+  if (reached == 0) return;
+  std::vector<int> values, errors, energies;
+  bool some_error = false;
+  for (std::size_t k = 0; k < reached; ++k) {
+    const double* const y = outcome.states.data() + k * n;
+    const double* const exact = exact_.at(request.stops[k]);
+    for (const int level : levels(y)) values.push_back(level);
+    double error = exact ? 0 : nan;
+    if (exact)
+      for (const std::size_t i : measured_)
+        if (const double e = std::abs(y[i] - exact[i]) / case_.scale_of(i); !(e <= error))
+          error = e;
+    some_error = some_error || exact;
+    errors.push_back(logarithm(error));
+    if (case_.energy && exact)
+      energies.push_back(
+          logarithm(std::abs(case_.energy(y) - case_.energy(exact)) / energy_scale_));
+  }
+  const bool fixed = run.mode == Mode::fixed;
+  const std::string key =
+      fmt::format("{}:{}", report::plain(run.entrant->info.id()),
+                  fixed ? fmt::format("fixed:{}", run.steps)
+                        : fmt::format("adaptive:{}", std::lround(-std::log10(run.tolerance))));
+  if (!some_error) errors.clear();
+  if (energies.size() != reached) energies.clear();
+  runs_.push_back(fmt::format("{}:[{},{},[{}],[{}]]", nlohmann::json(key).dump(),
+                              fixed ? run.steps : outputs, curve(std::move(values)),
+                              fmt::join(errors, ","), fmt::join(energies, ",")));
+}
+
+std::string Solutions::json() const {
+  nlohmann::json names = nlohmann::json::array();
+  const auto all = component_names(case_);
+  for (const std::size_t i : components_) names.push_back(report::plain(all[i]));
+  std::vector<std::string> low, high, times, exact;
+  for (std::size_t k = 0; k < components_.size(); ++k) {
+    low.push_back(report::json_number(low_[k]));
+    high.push_back(report::json_number(high_[k]));
+  }
+  // Some 400 of the exact states: between them the eye sees no corner.
+  const std::size_t known = exact_.times.size(), every = std::max<std::size_t>(1, known / 400);
+  for (std::size_t j = 0; j < known; j = j + 1 < known ? std::min(j + every, known - 1) : known) {
+    times.push_back(report::json_number(exact_.times[j]));
+    for (const int level : levels(exact_.states.data() + j * exact_.size))
+      exact.push_back(std::to_string(level));
+  }
+  return fmt::format(
+      "{{\"start\":{},\"end\":{},\"outputs\":{},\"fine\":{},\"names\":{},\"low\":[{}],\"high\":[{}]"
+      ",\"exact\":{{\"everywhere\":{},\"floor\":{},"
+      "\"source\":{},\"times\":[{}],\"values\":[{}]}},\"first\":[{}],\"curves\":[{}],\"runs\":{{{}}"
+      "}}}",
+      report::json_number(case_.t0), report::json_number(end_), outputs, fine, names.dump(),
+      fmt::join(low, ","), fmt::join(high, ","), exact_.everywhere,
+      report::json_number(exact_.floor), nlohmann::json(report::plain(exact_.source)).dump(),
+      fmt::join(times, ","), fmt::join(exact, ","), fmt::join(levels(case_.y0.data()), ","),
+      fmt::join(curves_, ","), fmt::join(runs_, ","));
+}
+
+}  // namespace odeum::trajectories
