@@ -23,6 +23,7 @@ std::vector<fs::path> documents() {
   std::vector<fs::path> folders{root,
                                 root / "reports",
                                 root / "reports/docs",
+                                root / "reports/findings",
                                 root / "cases/problems",
                                 root / "cases/scenes",
                                 root / "cases/tableaus"};

@@ -156,8 +156,7 @@ constexpr const char* introduction =
     R"(# Settings of the peers
 
 What the documentation of each library leaves to its user, the alternatives measured with the library
-alone, and the one that the adapter takes; `odeum_peers` (tests/bench/peers) writes this file. Settings
-that need no measurement are in docs/explanation.md.
+alone, and the one that the adapter takes; `odeum_peers` (tests/bench/peers) writes this file.
 
 Implicit methods run on the cases {}; explicit ones on {}. Tolerances, relative and absolute, go from 1e-3
 to 1e-9. A run is solved where the library reports success within 100,000 evaluations and the error at the
@@ -167,9 +166,9 @@ time to these errors are the least, on the line between two tolerances in logari
 relative to the first row over what both reach.
 
 Times are processor times of SUNDIALS built by `scripts/sundials` and Debian's GSL with other programs
-running: ratios of them below 1.1 say nothing. A run on Robertson's reactions with one tolerance for all
-components may drift away (reports/findings/sundials.md) or not, by its last digits: three errors more or
-less are that. A citation holds for the sections after it up to the next one.
+running: ratios of them below 1.1 say nothing. Runs on Robertson's reactions may drift away by
+their last digits (reports/findings/sundials.md): three errors more or less are that. A citation holds for the
+sections after it up to the next one.
 
 Each library solves each case that it fits to a hundredth (test `Agreement.NoLibraryFailsACaseUnexplained`), but for
 blow_up, whose solution ends at a pole. GSL and odeint have dense Jacobians alone, formed up to 128 unknowns here: they
