@@ -20,8 +20,13 @@ const fs::path root = ODEUM_SOURCE_DIR;
 
 std::vector<fs::path> documents() {
   std::vector<fs::path> found;
-  std::vector<fs::path> folders{root, root / "reports", root / "cases/problems",
-                                root / "cases/scenes", root / "cases/tableaus"};
+  std::vector<fs::path> folders{root,
+                                root / "reports",
+                                root / "reports/docs",
+                                root / "reports/findings",
+                                root / "cases/problems",
+                                root / "cases/scenes",
+                                root / "cases/tableaus"};
   for (const fs::directory_entry& study : fs::directory_iterator(root / "src/odeum/studies"))
     if (study.is_directory()) folders.push_back(study.path());
   for (const fs::path& folder : folders)

@@ -164,12 +164,13 @@ TEST_F(Checkout, SiblingsDoNotIncludeOneAnother) {
                           "src/odeum/studies/drift stand side by side"});
 }
 
-TEST_F(Checkout, SourcesIncludeCasesInStudiesOnly) {
-  write("src/odeum/cases/stage.hpp", "");
-  write("src/odeum/studies/drift/rows.hpp", "#include \"odeum/cases/stage.hpp\"\n");
+TEST_F(Checkout, SourcesIncludeNoCases) {
+  write("cases/orbit.hpp", "");
+  write("cases/orbit.cpp", "#include \"orbit.hpp\"\n");
   EXPECT_EQ(faults(), std::vector<std::string>{});
-  write("src/odeum/core/low.hpp", "#include \"odeum/cases/stage.hpp\"\n");
-  EXPECT_EQ(faults().size(), 1U);
+  write("src/odeum/studies/drift/rows.hpp", "#include \"orbit.hpp\"\n");
+  EXPECT_EQ(faults(), std::vector<std::string>{
+                          "src/odeum/studies/drift/rows.hpp:1: src includes from itself only"});
 }
 
 TEST_F(Checkout, AFolderOutsideOfTheTableIsNamed) {

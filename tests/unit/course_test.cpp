@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The commands of reports/course.md.
+// The commands of reports/docs/course.md.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,7 +12,7 @@ namespace odeum::tests {
 namespace {
 
 std::vector<std::string> course_commands() {
-  std::istringstream lines(text_of(ODEUM_SOURCE_DIR "/reports/course.md"));
+  std::istringstream lines(text_of(ODEUM_SOURCE_DIR "/reports/docs/course.md"));
   std::vector<std::string> commands;
   std::string line;
   while (std::getline(lines, line))

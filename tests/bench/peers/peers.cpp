@@ -116,8 +116,11 @@ double ratio(const Costs& costs, const Costs& first) {
   return std::exp(sum / count);
 }
 
-void write(const Choice& choice, const std::vector<const Case*>& cases) {
-  fmt::print("## {}: {}\n\n{}\n\n", choice.solver, choice.choice, choice.documentation);
+/// `cited`: the documentation of the choice before, which is not printed again.
+void write(const Choice& choice, const std::vector<const Case*>& cases, std::string& cited) {
+  fmt::print("## {}: {}\n\n", choice.solver, choice.choice);
+  if (choice.documentation != cited) fmt::print("{}\n\n", choice.documentation);
+  cited = choice.documentation;
   fmt::print(
       "| setting | solved | steps | evaluations | errors reached | evaluations to them | time to "
       "them | |\n");
@@ -153,32 +156,19 @@ constexpr const char* introduction =
     R"(# Settings of the peers
 
 What the documentation of each library leaves to its user, the alternatives measured with the library
-alone, and the one that the adapter takes. Written by `odeum_peers` (target of the build, see
-tests/bench/peers). Implicit methods: on the cases {}; explicit ones: on {}.
+alone, and the one that the adapter takes; `odeum_peers` (tests/bench/peers) writes this file.
 
-Tolerances from 1e-3 to 1e-9, relative and absolute. A run is solved where the library reports success
-within 100,000 evaluations and the error at the horizon is below a tenth of the largest component. Steps
-and evaluations are sums over the solved runs. Errors reached: of 1e-2, 1e-4 and 1e-6 in each case, at
-any tolerance. Evaluations and processor time to these errors: the least, on the line between two
-tolerances in logarithms, as a geometric mean relative to the first row over what both reach.
+Implicit methods run on the cases {}; explicit ones on {}. Tolerances, relative and absolute, go from 1e-3
+to 1e-9. A run is solved where the library reports success within 100,000 evaluations and the error at the
+horizon is below a tenth of the largest component. Steps and evaluations are sums over the solved runs.
+Errors reached are those of 1e-2, 1e-4 and 1e-6 in each case, at any tolerance. Evaluations and processor
+time to these errors are the least, on the line between two tolerances in logarithms, as a geometric mean
+relative to the first row over what both reach.
 
-Evaluations and runs solved do not depend on the machine's load; times are processor times of SUNDIALS
-built by `scripts/sundials` and Debian's GSL, with other programs running: ratios of them below 1.1 say
-nothing. Where a documentation is cited, it was read for its recommendation; the settings taken are by
-measurement. A run on Robertson's reactions with one tolerance for all components may drift away
-(reports/findings/sundials.md) or not, by its last digits: three errors more or less are that.
-
-Settings that need no measurement:
-
-- **Linear algebra**: dense LU with the exact Jacobian up to 128 unknowns, the problem's own solver of
-  its structure beyond (SUNDIALS: matrix-embedded), Krylov iterations where it has none.
-- **First step**: CVODE and ARKODE choose their own; GSL and odeint ask for one and get that of Hairer,
-  Norsett and Wanner (Solving ODEs I, II.4), which own methods use.
-- **Stops**: CVODE interpolates those before the last and has its stop time at the last; ARKODE lands on
-  each (interpolation costs evaluations, or order); GSL's driver and odeint's controlled steppers land,
-  odeint's dense ones interpolate.
-
-What the choices changed, before and after: reports/speed.md.
+Times are processor times of SUNDIALS built by `scripts/sundials` and Debian's GSL with other programs
+running: ratios of them below 1.1 say nothing. Runs on Robertson's reactions may drift away by
+their last digits (reports/findings/sundials.md): three errors more or less are that. A citation holds for the
+sections after it up to the next one.
 
 Each library solves each case that it fits to a hundredth (test `Agreement.NoLibraryFailsACaseUnexplained`), but for
 blow_up, whose solution ends at a pole. GSL and odeint have dense Jacobians alone, formed up to 128 unknowns here: they
@@ -198,8 +188,10 @@ int main() {
   const auto smooth = peers::cases_of({"kepler_e06", "lotka_volterra", "arenstorf", "pleiades",
                                        "brusselator2", "henon_heiles_regular"});
   fmt::print(fmt::runtime(peers::introduction), peers::names_of(stiff), peers::names_of(smooth));
+  std::string cited;
   for (const auto& choices :
        {peers::sundials_choices(), peers::gsl_choices(), peers::odeint_choices()})
-    for (const Choice& choice : choices) peers::write(choice, choice.smooth ? smooth : stiff);
+    for (const Choice& choice : choices)
+      peers::write(choice, choice.smooth ? smooth : stiff, cited);
   peers::write_bullet();
 }
