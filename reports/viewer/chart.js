@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Charts in SVG, coloured by the style sheet; scales, ticks and lines by D3.
+// Charts in SVG, coloured by the style sheet; scales, ticks and lines by D3 (version 5, as Debian 12 has it).
 //
 // plot(host, spec) fills the element `host` and returns the scales {x, y}. spec:
 //   height, description; x, y: {low, high, log, label, text: (value) => string};
@@ -44,7 +44,7 @@ const spanOf = (values) => {
   const finite = values.filter(Number.isFinite), low = d3.min(finite), high = d3.max(finite), room = 0.04 * (high - low) || Math.abs(high) || 1;
   return finite.length ? { low: low - room, high: high + room } : null;
 };
-const pathOf = (points, x, y, curve = d3.curveLinear) => d3.line((p) => x.at(p.x).toFixed(1), (p) => y.at(p.y).toFixed(1)).curve(curve)(points) || '';
+const pathOf = (points, x, y, curve = d3.curveLinear) => points.length ? d3.line().x((p) => Math.round(10 * x.at(p.x)) / 10).y((p) => Math.round(10 * y.at(p.y)) / 10).curve(curve)(points) : '';
 
 // Places texts one below the other, each as near as possible to where it wants to be.
 const spread = (wanted, gap, low, high) => {
@@ -128,8 +128,8 @@ const attachPointer = (host, picture, spec, x, y) => {
     tip.style.top = `${top + 14}px`;
   };
   const nearest = (event) => {
-    const [px, py] = d3.pointer(event, picture), scale = picture.viewBox.baseVal.width / (picture.getBoundingClientRect().width || 1);
-    const away = (item) => Math.hypot(x.at(item.point.x) - px, y.at(item.point.y) - py) / item.near / Math.max(1, scale);
+    const box = picture.getBoundingClientRect(), px = event.clientX - box.left, py = event.clientY - box.top, scale = picture.viewBox.baseVal.width / (box.width || 1);
+    const away = (item) => Math.hypot(x.at(item.point.x) - scale * px, y.at(item.point.y) - scale * py) / item.near;
     const best = d3.least(drawn, away);
     return best && away(best) < 1 ? best : null;
   };

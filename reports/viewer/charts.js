@@ -54,3 +54,10 @@ blocks.chart = async (host, spec, context) => {
   if (facets.length > 1 && names.length) host.append(legendOf(d3.greatest(charts, ({ curves }) => curves.length).curves));
   return null;
 };
+
+// Draws in `host` once it comes near the window: a page may have hundreds of charts.
+const whenSeen = (host, height, draw) => {
+  host.style.minHeight = `${height}px`;
+  const observer = new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting)) { observer.disconnect(); host.style.minHeight = ''; draw(); } }, { rootMargin: '800px' });
+  observer.observe(host);
+};

@@ -35,7 +35,7 @@ const aggregates = {
   first: (list) => list[0] ?? NaN,
   last: (list) => list[list.length - 1] ?? NaN,
   distinct: (list) => new Set(list).size,
-  list: (list) => [...new Set(list)].join(', '),
+  list: (list) => [...new Set(list)].filter((value) => value !== '').join(', '),
   any: (list) => list.some(Boolean),
   all: (list) => list.every(Boolean),
 };
@@ -53,6 +53,8 @@ const functions = {
     const level = [slight, strong, extreme].filter((limit) => Math.abs(size) >= limit).length;
     return level ? `t${size < 0 ? '-' : ''}${level}` : '';
   },
+  // The text of the first limit that a value is not above: grade(x, 'good', 1e-9, '', 1e-2, 'bad').
+  grade: (value, ...rest) => (Number.isNaN(value) ? '' : rest[2 * d3.range(1, rest.length, 2).filter((k) => value > rest[k]).length]),
   // "1/60 s" for a step that is a whole part of a second, else "0.0125 s".
   seconds: (step) => (step < 1 && Math.abs(1 / step - Math.round(1 / step)) < 1e-9 / step && 1 / step < 1e5 ? `1/${Math.round(1 / step)} s` : `${number(step)} s`),
   number: (value, digits) => number(value, digits),

@@ -2,7 +2,7 @@
 // Regions of stability laid over each other, with the eigenvalues of a problem times the step.
 let regionsRead = null;
 const loadRegions = () => {
-  regionsRead = regionsRead || load('regions').then((data) => new Map(data.regions.map((region) => [`${region.solver}:${region.plane}`, region])));
+  regionsRead = regionsRead || load('regions').then((data) => new Map(data.map((region) => [`${region.solver}:${region.plane}`, region])));
   return regionsRead;
 };
 

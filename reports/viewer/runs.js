@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of one problem's runs, as odeum run --out writes it (src/odeum/trajectories/run_page.hpp): what ran, how
-// it ended, the solutions over time and in the state plane, errors, energy, steps, and replays in step.
+// The page of one problem, as odeum run, classify and poisson write it with --out (src/odeum/trajectories/run_page.hpp):
+// of runs what ran, how it ended, the solutions over time and in the state plane, errors, energy, steps, and replays
+// in step; see also fields.js.
 const mostComponents = 6;
 
+// A figure with a title and a picture, which can be saved.
+const figureOf = (host, title) => {
+  const picture = html('div', { class: 'picture' }), name = title.toLowerCase().replace(/[^a-z0-9]+/g, '_');
+  host.append(html('figure', { 'data-figure': name }, html('figcaption', {}, html('strong', {}, title), ' ', html('button', { type: 'button', class: 'download', onclick: () => saveSvg(picture, `${name}.svg`) }, 'save as SVG')), picture));
+  return picture;
+};
 // A figure of curves {name, key, points, exact, dashed}: the exact solution wide and pale, solvers in colours of
 // their own. `bare` curves are drawn as marks.
 const runFigure = (host, title, axes, curves, spec = {}) => {
@@ -10,9 +17,7 @@ const runFigure = (host, title, axes, curves, spec = {}) => {
   const points = drawn.flatMap((curve) => curve.points);
   const x = spanOf(points.map((p) => p.x)), y = axes.y.log ? rangeOf(points.map((p) => p.y), 1.5) : axes.y.range ? { low: axes.y.range[0], high: axes.y.range[1] } : spanOf(points.map((p) => p.y));
   if (!x || !y) return;
-  const picture = html('div', { class: 'picture' });
-  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '_');
-  host.append(html('figure', { 'data-figure': name }, html('figcaption', {}, html('strong', {}, title), ' ', html('button', { type: 'button', class: 'download', onclick: () => saveSvg(picture, `${name}.svg`) }, 'save as SVG')), picture));
+  const picture = figureOf(host, title);
   plot(picture, { height: 300, description: title, x: { ...x, label: axes.x.label }, y: { ...y, label: axes.y.label, log: axes.y.log }, nameless: true, tell: (run, curve) => [curve.name, `${axes.x.label || 'x'}: ${number(run.x, 6)}`, `${axes.y.label || 'y'}: ${number(run.y, 6)}`],
     curves: drawn.map((curve) => ({ ...curve, points: curve.points.map((p) => ({ ...p, run: p })), colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`, shape: curve.exact ? 0 : curve.key % 8, wide: curve.exact && !curve.loose, bare: !curve.loose && (curve.exact || curve.points.length > 30), stairs: spec.stairs })) });
   host.lastChild.append(legendOf(drawn.map((curve) => ({ name: curve.name, colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`, shape: curve.exact ? 0 : curve.key % 8, dashed: curve.dashed, bare: !curve.loose }))));
@@ -68,17 +73,21 @@ const sceneFigures = async (host, about, runs) => {
   runFigure(host, 'Energy, less that at the start', { x: { label: 'time (s)' }, y: { label: 'energy (J)' } }, groups.map((group) => ({ ...group, points: group.rows.map((row) => ({ x: row.time, y: row.total - start })) })));
 };
 
+const pageFigures = { case: caseFigures, scene: sceneFigures, types: typeFigures, field: fieldFigures };
+const runTable = (about, runs) => {
+  const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
+  return tableOf(['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({ text })), runs.map((run) => ({
+    cells: [{ text: idOf(run) }, { text: `${run.status}${run.detail ? `: ${run.detail}` : ''}`, class: run.detail ? 'reason' : undefined }, { text: settingText(run) }, ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({ text: value.toLocaleString('en'), value })), { text: number(run.result, 4), value: run.result }] })));
+};
 const showRuns = async (host) => {
-  const about = facts.runs, rows = await rowsOf('runs'), runs = rows.objects();
+  const about = facts.runs, runs = (await rowsOf('runs')).objects();
   document.title = `${about.title} – Odeum`;
   host.append(html('h1', {}, about.title), about.lead ? html('p', { class: 'lead' }, html('code', {}, about.lead)) : '',
     html('dl', { class: 'facts' }, about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)])));
-  const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
-  host.append(tableOf(['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({ text })), runs.map((run) => ({
-    cells: [{ text: idOf(run) }, { text: `${run.status}${run.detail ? `: ${run.detail}` : ''}`, class: run.detail ? 'reason' : undefined }, { text: settingText(run) }, ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({ text: value.toLocaleString('en'), value })), { text: number(run.result, 4), value: run.result }] }))));
+  if (runs.length) host.append(runTable(about, runs));
   const figures = html('div', { class: 'figures' });
   host.append(figures);
-  await (about.kind === 'scene' ? sceneFigures : caseFigures)(figures, about, runs);
+  await pageFigures[about.kind](figures, about, runs);
   const replays = runs.filter((run) => run.replay).map((run) => ({ name: idOf(run), address: run.replay }));
   if (replays.length) replaysInStep(host, replays);
 };

@@ -2,6 +2,18 @@
 // Tables over rows: sorted by a click on a heading, filtered by a word, of any length (rows are added as one scrolls).
 const firstRows = 60;
 
+// Rows that a study's view.js makes of others, under a name of their own: addRows('ends', async () => [{case, …}, …]).
+// They are made when they are first asked for.
+const addRows = (name, make) => {
+  let made = null;
+  const rows = async () => {
+    const list = await make(), names = Object.keys(list[0] || {}), table = new Rows(name, [], list.length, names);
+    for (const each of names) table.columns.set(each, list.map((row) => row[each]));
+    return table;
+  };
+  tablesRead.set(name, { then: (resolve, reject) => (made = made || rows()).then(resolve, reject) });
+};
+
 // A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under `headings`
 // [{text, title, class, span}]. The first cell of a line is its header.
 const tableOf = (headings, lines, style = 'numbers', above = null) => {
@@ -42,6 +54,10 @@ const tableOf = (headings, lines, style = 'numbers', above = null) => {
 
 const emptyText = (host, spec) => { if (spec.empty !== '') host.append(html('p', { class: 'missing' }, spec.empty || 'No rows.')); };
 
+// A cell of list(…) alone: more than three names are counted, and open on demand.
+const isList = (template) => template.alone && template.trees[0].call === 'list';
+const folded = (text, noun) => { const count = text.split(', ').length; return count > 3 ? html('details', {}, html('summary', {}, `${count.toLocaleString('en')} ${noun}`), text) : text; };
+
 //   columns:      heading = template, a line each
 //   sort: -value  of an expression; without it, the order of the file
 //   group: name   a table for each text of an expression, closed but for the first
@@ -61,7 +77,7 @@ blocks.table = async (host, spec, context) => {
   let lines = one ? [...grouped(indices, one.text).values()] : indices.map((i) => [i]);
   if (sort) lines = d3.sort(lines, ([i, ...rest]) => sort.value(i, [i, ...rest]));
   const lineOf = (members) => ({ first: members[0], cells: columns.map((column, k) => {
-    const i = members[0], text = bound[k].text(i, members), node = linkOf(column.cell.trim(), text);
+    const i = members[0], text = bound[k].text(i, members), node = isList(column.template) ? folded(text, column.heading) : linkOf(column.cell.trim(), text);
     return { text, node: node === text ? null : node, value: bound[k].value(i, members), class: bound[n + k]?.text(i, members) || (text.length > 40 ? 'reason' : undefined), title: bound[2 * n + k]?.text(i, members) };
   }) });
   const tableFor = (some) => tableOf(columns.map((c) => ({ text: c.heading })), some.map(lineOf), spec.class || 'numbers words');
@@ -100,7 +116,7 @@ blocks.matrix = async (host, spec, context) => {
   let columns = [...grouped(indices, columnOf_.text)];
   if (order) columns = d3.sort(columns, ([, members]) => order.value(members[0], members));
   else if (spec.column === 'case') { const at = new Map(facts.cases.map((c, k) => [c.id, k])); columns = d3.sort(columns, ([id]) => at.get(id) ?? Infinity); }
-  const headings = [{ text: spec.row ? '' : 'solver', class: 'corner' }, ...before.map((c) => ({ text: c.heading })),
+  const headings = [{ text: spec.row ? '' : 'solver', class: 'corner' }, ...before.map((c) => ({ text: c.heading, class: 'claim' })),
     ...columns.map(([name, members]) => (spec.column === 'case' ? { node: html('span', { class: 'turned' }, linkOf('case', name)), class: 'turned' } : { text: heading ? heading.text(members[0], members) : name }))];
   const lineOf = ([name, members]) => {
     const cells = grouped(members, columnOf_.text);
@@ -121,3 +137,17 @@ blocks.matrix = async (host, spec, context) => {
   return null;
 };
 const versionOf = (library) => facts.libraries.find((each) => each.solvers.includes(library))?.version || '';
+
+// Solvers in groups: own ones by family, families of one or two together, peers by library.
+// [{name, title, own, ids}]
+const solverGroups = () => {
+  if (facts.solverGroups) return facts.solverGroups;
+  const [own, peers] = [true, false].map((is) => facts.solvers.filter((s) => (s.library === 'odeum') === is));
+  const families = d3.sort(d3.groups(own, (s) => s.family), ([, list]) => -list.length), large = families.filter(([, list]) => list.length > 2);
+  const other = families.filter(([, list]) => list.length <= 2).flatMap(([, list]) => list);
+  const group = (isOwn) => ([name, list]) => { const title = isOwn ? name.replaceAll('_', ' ').replace(/ rk$/, ' RK') : name; return { name: isOwn ? `odeum: ${title}` : title, title, own: isOwn, ids: list.map((s) => `${s.library}/${s.method}`) }; };
+  facts.solverGroups = [...[...large, ...(other.length ? [['other', other]] : [])].map(group(true)), ...d3.groups(peers, (s) => s.library).map(group(false))];
+  facts.groupOf = new Map(facts.solverGroups.flatMap((each) => each.ids.map((id) => [id, each.name])));
+  return facts.solverGroups;
+};
+functions.solver_group = (library, solver) => solverGroups() && (facts.groupOf.get(`${library}/${solver}`) ?? library);

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <filesystem>
-#include <set>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "odeum/report/page.hpp"
-#include "odeum/studies/convergence/section.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/stability/stability.hpp"
+#include "support/page_data.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::test {
 
-/// Made-up results for the page.
+/// Made-up results for a report.
 struct MadeUp {
   report::Facts facts;
   study::ConvergenceResult convergence;
@@ -29,41 +31,39 @@ MadeUp fabricate_small_report();
 /// A report in a folder of its own, of whatever results are added.
 class Report {
  public:
-  explicit Report(report::Facts facts) : page_(std::move(facts), folder_) {}
+  explicit Report(report::Facts facts) : report_(std::move(facts), folder_) {}
   explicit Report(const MadeUp& data) : Report(data.facts) {
-    add(data.convergence);
-    add(data.stability);
+    add({.name = "convergence", .command = "converge", .help = ""}, data.convergence);
+    add({.name = "stability", .command = "stability", .help = ""}, data.stability);
   }
 
   template <class Result>
-  Report& add(const Result& result, const study::Origin& origin = {}) {
-    add_section(page_, result, origin);
+  Report& add(const report::StudyFacts& study, const Result& result) {
+    report_.study(study);
+    record::for_each_list(result, [&](const auto& rows) { report_.rows(study.name, rows); });
     return *this;
   }
-  /// Writes all and returns index.html and the pages of the sections, one after the other.
-  std::string index(const report::RunFacts& run = {}) {
-    page_.write(run);
-    std::set<std::filesystem::path> pages;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
-      if (entry.path().extension() == ".html") pages.insert(entry.path());
-    std::string text;
-    for (const auto& page : pages) text += tests::text_of(page);
-    return text;
+  Report& write(const report::RunFacts& run = {}) {
+    report_.write(run);
+    return *this;
   }
-  /// The page of a case.
-  std::string case_page(std::size_t index) {
-    page_.write({});
-    return tests::text_of(folder_.path() / page_.facts().cases.at(index).file);
-  }
+  report::Report& report() { return report_; }
   const record::OutputFolder& folder() const { return folder_; }
+  std::string text(const std::string& file) const { return tests::text_of(folder_.path() / file); }
+  nlohmann::json json(const std::string& file) const { return tests::json_of(folder_.path() / file); }
+  nlohmann::json table(const std::string& name) const {
+    return tests::table_in(folder_.path(), name);
+  }
+  std::vector<nlohmann::json> column(const std::string& table, const std::string& name) const {
+    return tests::column_in(folder_.path(), table, name);
+  }
 
  private:
   tests::TemporaryFolder root_;
   record::OutputFolder folder_{root_.path() / "out"};
-  report::Page page_;
+  report::Report report_;
 };
 
 bool has(std::string_view text, std::string_view part);
-std::size_t count(std::string_view text, std::string_view part);
 
 }  // namespace odeum::test

@@ -1,156 +1,138 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/report/page.hpp"
+// A report's folder: page.json, manifest.json, index.html. How it looks is tested in tests/viewer.
+#include "odeum/report/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <vector>
+#include <map>
 
+#include "odeum/core/machine.hpp"
+#include "support/full_disk.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::report {
 namespace {
 
 namespace fs = std::filesystem;
-using test::count;
+using nlohmann::json;
 using test::has;
 using test::MadeUp;
 using test::Report;
 
-/// The first thing wrong with the nesting of the elements of pages; empty where nothing is.
-std::string broken_nesting(const std::string& html) {
-  const std::vector<std::string> childless{"meta", "img", "br", "!DOCTYPE"};
-  std::vector<std::string> open;
-  std::size_t at = 0;
-  while ((at = html.find('<', at)) != std::string::npos) {
-    const auto end = html.find('>', at);
-    if (end == std::string::npos) return "a tag that does not end";
-    const std::string tag = html.substr(at + 1, end - at - 1);
-    const std::string name = tag.substr(0, tag.find_first_of(" \t\n/", 1));
-    at = end;
-    if (tag.back() == '/' || std::find(childless.begin(), childless.end(), name) != childless.end())
-      continue;
-    if (tag.front() != '/') {
-      open.push_back(name);
-      if (name == "style") at = html.find("</style>", at) - 1;  // the style sheet is no markup
-      continue;
-    }
-    if (open.empty() || "/" + open.back() != tag) return "<" + tag + "> in the wrong place";
-    open.pop_back();
-  }
-  return open.empty() ? "" : "<" + open.back() + "> stays open";
+std::vector<std::string> names_of(const json& list, const char* key = "name") {
+  std::vector<std::string> names;
+  for (const json& entry : list) names.push_back(entry[key]);
+  return names;
 }
 
-nlohmann::json manifest_of(const Report& report) {
-  return nlohmann::json::parse(tests::text_of(report.folder().path() / "manifest.json"));
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
-/// index.html and the pages of all cases.
-std::vector<std::string> pages_of(Report& report, const MadeUp& data) {
-  std::vector<std::string> pages{report.index()};
-  for (std::size_t i = 0; i < data.facts.cases.size(); ++i) pages.push_back(report.case_page(i));
-  return pages;
-}
-
-TEST(Page, TellsOfEveryCaseAndSolver) {
+TEST(Page, TellsOfEveryCaseSolverAndRow) {
   const MadeUp data = test::fabricate_report();
-  const std::string html = Report(data).index();
-  EXPECT_EQ(broken_nesting(html), "");
+  Report report(data);
+  const json page = report.write().json("page.json");
   ASSERT_EQ(data.facts.cases.size(), 15U);
-  for (const CaseFacts& c : data.facts.cases)
-    EXPECT_TRUE(has(html, "<code>" + c.id + "</code>")) << c.id;
-  for (const SolverInfo& solver : data.facts.solvers)
-    EXPECT_TRUE(has(html, ">" + solver.method + "</th>")) << solver.id();
-  // Every pair is a cell with a title of the matrix: none is silently absent.
-  std::size_t cells = 0;
-  for (const auto& style : verdict_styles)
-    cells += count(html, std::string("<td class=\"") + to_string(style.verdict) + "\" title=");
-  EXPECT_EQ(cells, data.convergence.orders.size());
-  EXPECT_TRUE(has(html, "<section id=\"findings\""));
+  ASSERT_EQ(page["cases"].size(), 15U);
+  ASSERT_EQ(page["solvers"].size(), data.facts.solvers.size());
+  for (std::size_t i = 0; i < 15; ++i) EXPECT_EQ(page["cases"][i]["id"], data.facts.cases[i].id);
+  for (std::size_t i = 0; i < data.facts.solvers.size(); ++i)
+    EXPECT_EQ(page["solvers"][i]["method"], data.facts.solvers[i].method);
+  EXPECT_EQ(names_of(page["tables"]),
+            (std::vector<std::string>{"convergence", "convergence_times", "orders",
+                                      "stability_limits", "stability"}));
+  EXPECT_EQ(report.table("orders")["rows"], data.convergence.orders.size());
+  EXPECT_EQ(report.table("orders")["columns"].size(),
+            record::fields_of(study::OrderRow()).size());
+  EXPECT_EQ(report.column("orders", "verdict").size(), data.convergence.orders.size());
 }
 
-TEST(Page, HasSectionsInTheOrderOfTheirPlaces) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  Page page(Facts(), folder);
-  page.section({.id = "late", .title = "Late <b>", .place = 20, .html = "<p>2</p>"});
-  page.section({.id = "early", .title = "Early", .place = 10, .html = "<p>1</p>"});
-  page.section({.id = "later", .title = "Later", .place = 20, .html = "", .short_title = "Short"});
-  page.write({});
-  EXPECT_TRUE(has(tests::text_of(folder.path() / "index.html"),
-                  "<a href=\"early.html\">Early</a><a href=\"late.html\">Late &lt;b&gt;</a>"
-                  "<a href=\"later.html\">Short</a>"));
-  const std::string late = tests::text_of(folder.path() / "late.html");
-  EXPECT_TRUE(has(late, "<section id=\"late\">\n<h2>Late &lt;b&gt;</h2>\n<p>2</p>"));
-  EXPECT_TRUE(has(late, "<a href=\"late.html\" aria-current=\"page\">"));
+// A page that shows one case does not load the rows of all.
+TEST(Page, RowsOfALargeFileAreKeptCaseByCase) {
+  const MadeUp data = test::fabricate_report();
+  ASSERT_GT(data.convergence.rows.size(), 5000U);
+  Report report(data);
+  const json parts = report.write().table("convergence")["parts"];
+  std::map<std::string, std::size_t> rows;
+  for (const study::ConvergenceRow& row : data.convergence.rows) ++rows[row.case_id];
+  ASSERT_EQ(parts.size(), rows.size());
+  for (const json& part : parts) {
+    const std::string id = part["case"];
+    EXPECT_EQ(part["rows"], rows.at(id));
+    const json columns =
+        tests::unpacked(report.text("data/" + part["data"].get<std::string>() + ".js"));
+    EXPECT_EQ(columns["case"]["words"], json::array({id}));
+    EXPECT_EQ(columns["error_max"].size(), rows.at(id));
+  }
+  EXPECT_EQ(report.table("convergence")["cases"].size(), rows.size());
 }
 
+TEST(Page, StudiesStandInTheOrderOfTheirPlacesWithTheirTexts) {
+  Report report{Facts()};
+  report.report().study({.name = "late", .command = "late", .help = "<b>", .place = 20});
+  report.report().study({.name = "mesh", .command = "mesh", .help = "", .place = 10});
+  report.report().study({.name = "later", .command = "later", .help = "", .place = 20});
+  const json studies = report.write().json("page.json")["studies"];
+  EXPECT_EQ(names_of(studies), (std::vector<std::string>{"mesh", "late", "later"}));
+  EXPECT_EQ(studies[1]["pages"].size(), 0U) << "it has no folder of texts";
+  ASSERT_GE(studies[0]["pages"].size(), 1U);
+  EXPECT_EQ(studies[0]["pages"][0]["id"], "mesh");
+  EXPECT_EQ(studies[0]["pages"][0]["text"],
+            tests::text_of(ODEUM_SOURCE_DIR "/src/odeum/studies/mesh/page.md"));
+}
+
+// The folder may be moved and is opened from a disk: each address in it leads to a file of it.
 TEST(Page, StandsAlone) {
   const MadeUp data = test::fabricate_small_report();
   Report report(data);
-  for (const std::string& html : pages_of(report, data)) {
-    for (const char* external : {"<script>", "<link", "<iframe", "src=\"http", "src=\"/",
-                                 "url(http", "@import", " onclick="})
-      EXPECT_FALSE(has(html, external)) << external;
-    EXPECT_EQ(count(html, "<script"),
-              count(html, "<script src=\"data/") + count(html, "<script src=\"viewer/"));
-    EXPECT_EQ(count(html, "<html"), count(html, "script-src 'self' file:; base-uri 'none'"));
-    EXPECT_TRUE(has(html, "prefers-color-scheme: dark"));
-  }
-}
-
-// The folder is opened from a disk: an address that does not lead to a file is a dead link.
-TEST(Page, EveryAddressLeadsToAFile) {
-  const MadeUp data = test::fabricate_small_report();
-  Report report(data);
   record::write(data.convergence, report.folder());
+  record::write(data.stability, report.folder());
+  const record::CsvTable rows("a", true);
+  record::CsvTable alone("b", true);
+  alone.add(record::CsvRow().number(1));
+  report.report().table("convergence", "none.csv", rows);
+  report.report().table("convergence", "alone", alone);
+  report.write();
+  const std::string index = report.text("index.html");
   std::size_t checked = 0;
-  const auto check = [&](const std::string& html, const fs::path& folder) {
-    for (const std::string attribute : {" href=\"", " src=\""})
-      for (std::size_t at = 0; (at = html.find(attribute, at)) != std::string::npos;) {
-        at += attribute.size();
-        const std::string address = html.substr(at, html.find_first_of("\"#", at) - at);
-        if (address.empty() || address.starts_with("http")) continue;
-        EXPECT_TRUE(fs::exists(folder / address)) << address;
-        ++checked;
-      }
-  };
-  const fs::path root = report.folder().path();
-  const std::string index = report.index();
-  check(index, root);
-  for (std::size_t i = 0; i < data.facts.cases.size(); ++i)
-    check(report.case_page(i), root / "cases");
-  EXPECT_GT(checked, 10U);
-  for (const char* name :
-       {"convergence.csv", "convergence_times.csv.gz", "orders.csv", "manifest.json"})
-    EXPECT_TRUE(has(index, "href=\"./" + std::string(name) + "\"")) << name;
+  for (const std::string attribute : {" href=\"", " src=\""})
+    for (std::size_t at = 0; (at = index.find(attribute, at)) != std::string::npos;) {
+      at += attribute.size();
+      const std::string address = index.substr(at, index.find_first_of("\"#", at) - at);
+      if (address.empty()) continue;
+      EXPECT_TRUE(fs::path(address).is_relative()) << address;
+      EXPECT_TRUE(fs::exists(report.folder().path() / address)) << address;
+      ++checked;
+    }
+  EXPECT_GT(checked, 20U);
+  EXPECT_TRUE(has(index, "script-src 'self' file:;"));
+  EXPECT_TRUE(has(index, "default-src 'none'"));
+  EXPECT_FALSE(has(index, "{{"));
+  for (const char* name : {"convergence.csv", "convergence_times.csv.gz", "orders.csv",
+                           "stability_limits.csv", "manifest.json", "page.json"})
+    EXPECT_TRUE(has(index, "<a href=\"" + std::string(name) + "\">" + name + "</a>")) << name;
+  EXPECT_FALSE(has(index, "none.csv")) << "it has no rows, and was not written";
+  EXPECT_FALSE(has(index, "alone")) << "rows for the page alone have no file";
+  for (const char* name : {"viewer/d3.min.js", "viewer/markdown-it.js", "viewer/page.css"})
+    EXPECT_TRUE(fs::exists(report.folder().path() / name)) << name;
 }
 
-TEST(Page, CasesThatWouldShareAFileDoNot) {
-  MadeUp data = test::fabricate_small_report();
-  data.facts.cases[0].id = "a/b";
-  data.facts.cases[1].id = "a?b";
-  Report report(data);
-  const std::string html = report.index();
-  EXPECT_TRUE(has(html, "href=\"cases/a_b.html\""));
-  EXPECT_TRUE(has(html, "href=\"cases/a_b_2.html\""));
-  EXPECT_TRUE(has(report.case_page(1), "<code>a?b</code>"));
-}
-
-TEST(Page, HasChartsAndPictures) {
-  const MadeUp data = test::fabricate_small_report();
-  Report report(data);
-  const std::vector<std::string> pages = pages_of(report, data);
-  for (const std::string& page : pages) {
-    EXPECT_EQ(broken_nesting(page), "");
-    EXPECT_FALSE(has(page, "class=\"missing\"") && !has(page, "Not measured in this run"));
-  }
-  for (std::size_t i = 1; i < pages.size(); ++i)
-    EXPECT_GE(count(pages[i], "<svg class=\"plot\""), 2U) << "by step and by cost at least";
-  EXPECT_EQ(count(pages[0], " src=\"stability/"), data.stability.regions.size());
+TEST(Page, ATableWithoutRowsHasColumns) {
+  Report report{Facts()};
+  const record::CsvTable none("time,y", true);
+  report.report().table("runs", "none", none);
+  const json table = report.write().table("none");
+  EXPECT_EQ(table["rows"], 0);
+  EXPECT_EQ(table["parts"].size(), 0U) << "nothing to be loaded";
+  EXPECT_EQ(table["columns"], json::array({"time", "y"}));
 }
 
 TEST(Page, HostileTextStaysText) {
@@ -168,54 +150,129 @@ TEST(Page, HostileTextStaysText) {
   for (auto& row : data.convergence.orders) row.fit.reason = hostile;
   for (auto& limit : data.stability.limits)
     limit.library = limit.solver = limit.status = limit.detail = hostile;
-  for (auto& region : data.stability.regions) region.library = region.solver = hostile;
   for (CaseFacts& c : data.facts.cases) c.id = c.title = c.equation = c.source = c.truth = hostile;
   for (SolverInfo& s : data.facts.solvers)
     s.library = s.method = s.family = s.controller = s.needs = s.source = hostile;
   for (LibraryInfo& info : data.facts.libraries) info.name = info.option = info.version = hostile;
 
   Report report(data);
-  const std::string html = report.index({.command_line = hostile});
-  EXPECT_GT(count(html, "&lt;/script&gt;&lt;img"), 20U) << "the text itself is shown";
-  for (const std::string& page : {html, report.case_page(0), report.case_page(1)}) {
-    EXPECT_EQ(broken_nesting(page), "");
-    EXPECT_FALSE(has(page, "<img src=x"));
-    EXPECT_EQ(page.find_first_of("\x1b\x01\x02\xff"), std::string::npos);
+  report.report().study({.name = "mesh",
+                         .command = "mesh",
+                         .help = "",
+                         .problem = hostile,
+                         .selection = hostile});
+  report.write({.command_line = hostile});
+  const json page = report.json("page.json");
+  const std::string plain = page["cases"][0]["title"];
+  EXPECT_TRUE(has(plain, "</script><img src=x")) << "the text itself is kept: " << plain;
+  EXPECT_EQ(plain.find_first_of("\x1b\x01\x02\n\xff"), std::string::npos);
+  EXPECT_EQ(report.column("orders", "solver").at(0), plain);
+  EXPECT_EQ(page["solvers"][0]["source"], plain);
+  EXPECT_EQ(page["studies"].back()["problem"], plain);
+  EXPECT_TRUE(report.json("manifest.json")["command_line"].get<std::string>().starts_with("</scr"));
+  // Nothing of it in what a browser reads as markup or as a script.
+  EXPECT_FALSE(has(report.text("index.html"), "<img"));
+  for (const auto& entry : fs::directory_iterator(report.folder().path() / "data")) {
+    const std::string script = tests::text_of(entry.path());
+    EXPECT_FALSE(has(script, "<")) << entry.path();
+    EXPECT_TRUE(entry.path().filename().string().find_first_of("<>\"'&\n") == std::string::npos);
   }
-  report.index({.command_line = hostile});
-  EXPECT_EQ(manifest_of(report)["command_line"].get<std::string>().find("</script>"), 0U);
 }
 
-TEST(Page, ToldOfNothingSaysSo) {
-  const std::string html = Report(MadeUp()).index();
-  EXPECT_EQ(broken_nesting(html), "");
-  EXPECT_TRUE(has(html, "Not measured in this run"));
+// A command of a study measures into the folder of a report, whose other results stay.
+TEST(Page, EarlierResultsStayBesideNewOnes) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path() / "out");
+  const MadeUp data = test::fabricate_small_report();
+  const auto page_of = [&](const StudyFacts& convergence, bool rows, bool keep_earlier) {
+    Facts facts = data.facts;
+    if (!rows) facts.cases.erase(facts.cases.begin());
+    report::Report report(facts, folder);
+    report.study(convergence);
+    if (rows) report.rows("convergence", data.convergence.orders);
+    if (rows) report.fact("kept", 7);
+    report.study({.name = "stability", .command = "stability", .help = ""});
+    if (!rows) report.rows("stability", data.stability.limits);
+    report.write({}, keep_earlier);
+    return tests::json_of(folder.path() / "page.json");
+  };
+  const StudyFacts measured{.name = "convergence",
+                            .command = "converge",
+                            .help = "",
+                            .selection = "of the first run"};
+  StudyFacts read_back = measured;
+  read_back.measured = false;
+  read_back.selection = "";
+  page_of(measured, true, false);
+  json page = page_of(read_back, false, true);
+  EXPECT_EQ(names_of(page["tables"]), (std::vector<std::string>{"stability_limits", "orders"}));
+  EXPECT_EQ(page["cases"].size(), 2U) << "the case that the second run had not";
+  EXPECT_EQ(page["kept"], 7);
+  for (const json& study : page["studies"])
+    if (study["name"] == "convergence") {
+      EXPECT_EQ(study["selection"], "of the first run");
+      EXPECT_EQ(study["measured"], true);
+    }
+  EXPECT_EQ(tests::column_in(folder.path(), "orders", "solver").size(),
+            data.convergence.orders.size());
+  page = page_of(read_back, false, false);
+  EXPECT_EQ(names_of(page["tables"]), (std::vector<std::string>{"stability_limits"}));
+  // What is no page of this version is left aside.
+  for (const char* damaged : {"", "{", "[1]", "{\"schema\": 0, \"tables\": [{\"name\": \"x\"}]}"}) {
+    tests::write_text(folder.path() / "page.json", damaged);
+    page = page_of(read_back, false, true);
+    EXPECT_EQ(names_of(page["tables"]), (std::vector<std::string>{"stability_limits"})) << damaged;
+  }
 }
 
-TEST(Page, RegionsWithoutResultsAreNotDrawn) {
-  MadeUp data = test::fabricate_small_report();
-  ASSERT_GE(data.stability.regions.size(), 2U);
-  std::fill(data.stability.regions[0].growth.begin(), data.stability.regions[0].growth.end(),
-            std::numeric_limits<float>::quiet_NaN());
-  data.stability.regions[0].detail = "every solve failed";
-  data.stability.regions[1].growth.pop_back();
-  data.stability.regions[1].detail = "the grid is not whole";
-  const std::string html = Report(data).index();
-  EXPECT_TRUE(has(html, "every solve failed"));
-  EXPECT_TRUE(has(html, "the grid is not whole"));
+TEST(Page, AFullDiskLeavesWhatWasThereAndNoHalfFile) {
+  const MadeUp data = test::fabricate_small_report();
+  Report report(data);
+  report.write({.command_line = "before"});
+  const std::vector<std::string> files = files_in(report.folder().path());
+  {
+    const tests::FullDisk full(100);
+    EXPECT_THROW(report.write({.command_line = "after"}), record::FileError);
+  }
+  EXPECT_EQ(files_in(report.folder().path()), files);
+  EXPECT_EQ(report.json("page.json")["run"]["command"], "before");
+  EXPECT_TRUE(has(report.text("index.html"), "</html>"));
+}
+
+TEST(Page, ToldOfNothingIsAPageAllTheSame) {
+  Report report{MadeUp()};
+  const json page = report.write().json("page.json");
+  EXPECT_EQ(page["cases"].size(), 0U);
+  for (const json& table : page["tables"]) EXPECT_EQ(table["rows"], 0) << table;
+}
+
+TEST(Page, NamesTheLibrariesThatAreLoaded) {
+  Report report{Facts()};
+  EXPECT_EQ(report.write().json("page.json")["run"]["loaded"],
+            json(loaded_libraries({"libsundials_cvode.", "libgsl.", "libBulletDynamics"})));
+  const std::vector<std::string> files = loaded_libraries({"libm.", "libc.", "no such library"});
+#ifdef __linux__
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_NE(files[0].find("/libm."), std::string::npos) << "files, in the order asked";
+  EXPECT_NE(files[1].find("/libc."), std::string::npos);
+#else
+  EXPECT_TRUE(files.empty());
+#endif
 }
 
 TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
   const MadeUp data = test::fabricate_report();
   Report report(data);
-  report.index({.command_line = "odeum report", .seconds = 123.4});
-  const auto m = manifest_of(report);
-  EXPECT_EQ(m["schema"], 2);
+  report.report().manifest("more", 5);
+  const json m =
+      report.write({.command_line = "odeum report", .seconds = 123.4}).json("manifest.json");
+  EXPECT_EQ(m["schema"], 3);
   EXPECT_EQ(m["odeum"]["version"], "0.1.0");
   EXPECT_NE(m["build"]["compiler"], "");
   EXPECT_NE(m["cpu"], "");
   EXPECT_EQ(m["options"]["quick"], false);
   EXPECT_EQ(m["seconds"], 123.4);
+  EXPECT_EQ(m["more"], 5);
   ASSERT_EQ(m["libraries"].size(), 4U);
   EXPECT_EQ(m["libraries"][0]["version"], "6.4.1");
   EXPECT_EQ(m["libraries"][3]["version"], nullptr);
@@ -223,14 +280,19 @@ TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
   const std::string date = m["date"];
   EXPECT_EQ(date.size(), std::string("2025-01-01T00:00:00Z").size());
   const auto unfit = [](const auto& row) { return row.status == "not_applicable"; };
-  const auto pairs =
+  const auto rows =
       std::count_if(data.convergence.rows.begin(), data.convergence.rows.end(), unfit);
   const auto limits =
       std::count_if(data.stability.limits.begin(), data.stability.limits.end(), unfit);
-  ASSERT_EQ(m["skipped"]["not_applicable"].size(), 1U);
-  EXPECT_EQ(m["skipped"]["not_applicable"][0]["pairs"], pairs);
-  EXPECT_EQ(m["skipped"]["rows_by_status"]["not_applicable"], pairs + limits);
-  EXPECT_EQ(m["verdicts"].back()["pairs"], data.convergence.orders.size());
+  const json skipped = m["skipped"];
+  ASSERT_EQ(skipped["not_applicable"].size(), 2U) << "reasons";
+  for (const json& each : skipped["not_applicable"])
+    EXPECT_EQ(each["rows"], each["reason"] == "needs a second-order problem" ? limits : rows);
+  EXPECT_EQ(skipped["rows_by_status"]["convergence.csv"]["not_applicable"], rows);
+  EXPECT_EQ(skipped["rows_by_status"]["stability_limits.csv"]["not_applicable"], limits);
+  EXPECT_EQ(skipped["rows_by_status"]["convergence.csv"]["ok"],
+            std::count_if(data.convergence.rows.begin(), data.convergence.rows.end(),
+                          [](const auto& row) { return row.status == "ok"; }));
 }
 
 }  // namespace

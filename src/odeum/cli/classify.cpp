@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "odeum/cli/session.hpp"
 #include "odeum/fem/second_order_pde.hpp"
 #include "odeum/formula/parser.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/trajectories/run_page.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -81,11 +86,13 @@ std::string letters(const fem::PdeMap& map) {
   return text;
 }
 
+constexpr PdeType all_types[] = {PdeType::elliptic, PdeType::parabolic, PdeType::hyperbolic,
+                                 PdeType::first_order, PdeType::undefined};
+
 std::string describe(const fem::PdeMap& map) {
   std::string text = fmt::format("over [{:g}, {:g}] x [{:g}, {:g}], {} points\n", map.region.x0,
                                  map.region.x1, map.region.y0, map.region.y1, map.points.size());
-  for (const PdeType type : {PdeType::elliptic, PdeType::parabolic, PdeType::hyperbolic,
-                             PdeType::first_order, PdeType::undefined})
+  for (const PdeType type : all_types)
     if (map.share(type) > 0)
       text += fmt::format("  {:<12} {:.1f} %\n", to_string(type), 100 * map.share(type));
   text += letters(map);
@@ -121,6 +128,66 @@ std::string csv_of(const fem::PdeMap& map, const std::string& second) {
   return table.text();
 }
 
+/// Rectangles of one type: cells of the type of their lower left node, joined along a row.
+record::CsvTable regions_of(const fem::PdeMap& map) {
+  record::CsvTable table("x0,x1,y0,y1,type", true);
+  for (std::size_t j = 0; j < map.divisions; ++j)
+    for (std::size_t i = 0, end = 0; i < map.divisions; i = end) {
+      const PdeType type = map.point(i, j).type;
+      while (end < map.divisions && map.point(end, j).type == type) ++end;
+      const auto low = map.place(i, j), high = map.place(end, j + 1);
+      table.add(record::CsvRow().number(low[0]).number(high[0]).number(low[1]).number(high[1]).text(
+          to_string(type)));
+    }
+  return table;
+}
+
+/// Characteristic directions at some points.
+record::CsvTable directions_of(const fem::PdeMap& map) {
+  record::CsvTable table("x,y,dx,dy", true);
+  const std::size_t stride = std::max<std::size_t>(1, map.divisions / 24);
+  for (std::size_t j = stride / 2; j <= map.divisions; j += stride)
+    for (std::size_t i = stride / 2; i <= map.divisions; i += stride)
+      for (const auto& direction : map.point(i, j).characteristics) {
+        const auto [x, y] = map.place(i, j);
+        table.add(record::CsvRow().number(x).number(y).number(direction[0]).number(direction[1]));
+      }
+  return table;
+}
+
+record::CsvTable changes_of(const fem::PdeMap& map) {
+  record::CsvTable table("x,y", true);
+  for (const auto& [x, y] : map.changes) table.add(record::CsvRow().number(x).number(y));
+  return table;
+}
+
+void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
+                const std::string& equation, const std::string& second) {
+  const fem::PdeRegion& r = map.region;
+  trajectories::RunTexts texts{
+      .title = equation,
+      .lead = "",
+      .facts = {{"region", fmt::format("x from {:g} to {:g}, {} from {:g} to {:g}, {} points", r.x0,
+                                       r.x1, second, r.y0, r.y1, map.points.size())}}};
+  for (const PdeType type : all_types)
+    if (map.share(type) > 0)
+      texts.facts.emplace_back(to_string(type), fmt::format("{:.1f} %", 100 * map.share(type)));
+  if (!map.changes.empty())
+    texts.facts.emplace_back("change of type",
+                             fmt::format("at {} points of the grid's lines", map.changes.size()));
+  report::Report page({}, folder);
+  const record::CsvTable regions = regions_of(map), directions = directions_of(map),
+                         changes = changes_of(map);
+  page.table("runs", "types", regions);
+  page.table("runs", "characteristics", directions);
+  page.table("runs", "type_changes", changes);
+  auto json = trajectories::page_facts("types", texts);
+  json["second"] = second;
+  json["region"] = {r.x0, r.x1, r.y0, r.y1};
+  page.fact("runs", json);
+  page.write({.command_line = "odeum classify " + equation});
+}
+
 void classify(const ClassifyOptions& given) {
   const fem::SecondOrderPde pde = read_pde(given.pde);
   if (!given.at.empty() && given.at.size() != 2)
@@ -144,9 +211,9 @@ void classify(const ClassifyOptions& given) {
                                 ? given.pde[0]
                                 : fmt::format("({}) u_xx + ({}) u_xy + ({}) u_yy", given.pde[0],
                                               given.pde[1], given.pde[2]);
-  folder.write("classify.svg", fem::picture_of(map, title, pde.second()));
   folder.write("classify.csv", csv_of(map, pde.second()));
-  remark("classify.svg, classify.csv are in {}", given.out);
+  write_page(folder, map, title, pde.second());
+  remark("index.html, classify.csv are in {}", given.out);
 }
 
 }  // namespace
@@ -168,7 +235,7 @@ void add_classify(CLI::App& app) {
   command->add_option("--divisions", given->divisions, "of the map, each way; default: 120")
       ->type_name("N")
       ->check(CLI::Range(1, 2000));
-  command->add_option("--out", given->out, "folder for a picture and a table of the map")
+  command->add_option("--out", given->out, "folder for a table of the map and a page that draws it")
       ->type_name("DIR");
   command->callback([given] { classify(*given); });
 }

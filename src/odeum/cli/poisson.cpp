@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "odeum/cli/session.hpp"
@@ -19,6 +20,8 @@
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/trajectories/run_page.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -168,21 +171,19 @@ class Solution {
              level.system.imbalance);
   }
 
-  std::string vtk(const fem::TriangleMesh& mesh) const {
+  /// The solution, and its error where that is known.
+  std::vector<fem::NodalField> fields(const fem::TriangleMesh& mesh) const {
     std::vector<fem::NodalField> fields{{"u", nodal_}};
     if (exact_) {
       fields.push_back({"error", nodal_});
       for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
         fields.back().values[i] -= (*exact_)(mesh.nodes[i]);
     }
-    return fem::vtk_of(mesh, "-div(a grad u) = " + given_.load, fields);
-  }
-  std::string picture(const fem::TriangleMesh& mesh) const {
-    return fem::field_picture(mesh, nodal_, "u");
+    return fields;
   }
   std::string summary() const {
     const auto [low, high] = std::minmax_element(nodal_.begin(), nodal_.end());
-    return fmt::format("u lies between {:.6g} and {:.6g} at the nodes\n", *low, *high);
+    return fmt::format("u lies between {:.6g} and {:.6g} at the nodes", *low, *high);
   }
 
  private:
@@ -192,6 +193,15 @@ class Solution {
   fem::FieldErrors before_;
   double before_h_ = 0;
 };
+
+trajectories::RunTexts page_texts(const PoissonOptions& given, const std::string& mesh,
+                                  const std::string& summary) {
+  return {.title = "-div(a grad u) = " + given.load,
+          .lead = "",
+          .facts = {{"mesh", mesh},
+                    {"a", given.a.empty() ? "1" : fmt::format("{}", fmt::join(given.a, ", "))},
+                    {"solution", summary}}};
+}
 
 void solve(const PoissonOptions& given) {
   const fem::GmshMesh coarse = read_mesh(given.mesh);
@@ -213,14 +223,25 @@ void solve(const PoissonOptions& given) {
     levels.add(std::move(finer));
     solution.add(levels);
   }
-  print(solution.summary());
+  print(solution.summary() + '\n');
   if (given.out.empty()) return;
   const record::OutputFolder folder(given.out);
-  folder.write("solution.vtk", solution.vtk(levels.finest().mesh));
+  const fem::TriangleMesh& mesh = levels.finest().mesh;
+  const std::vector<fem::NodalField> fields = solution.fields(mesh);
   // A browser shows no more triangles at once.
-  const bool drawn = levels.finest().mesh.triangles.size() <= 20'000;
-  if (drawn) folder.write("solution.svg", solution.picture(levels.finest().mesh));
-  remark("solution.vtk{} in {}", drawn ? ", solution.svg are" : " is", given.out);
+  const bool drawn = mesh.triangles.size() <= 20'000;
+  const trajectories::RunTexts texts =
+      page_texts(given,
+                 fmt::format("{}, {} triangles{}", given.mesh, mesh.triangles.size(),
+                             drawn ? "" : ", too many to draw"),
+                 solution.summary());
+  folder.write("solution.vtk", fem::vtk_of(mesh, texts.title, fields));
+  const record::CsvTable triangles = fem::triangle_rows(drawn ? mesh : fem::TriangleMesh(), fields);
+  report::Report page({}, folder);
+  page.table("runs", "triangles", triangles);
+  page.fact("runs", trajectories::page_facts("field", texts));
+  page.write({.command_line = "odeum poisson " + given.mesh});
+  remark("index.html, solution.vtk are in {}", given.out);
 }
 
 }  // namespace
@@ -249,7 +270,7 @@ void add_poisson(CLI::App& app) {
       ->check(CLI::Range(0, 10));
   command->add_option("--tolerance", given->tolerance, "of the residual; default: 1e-10")
       ->check(CLI::Range(1e-15, 1.0));
-  command->add_option("--out", given->out, "folder for solution.vtk and a picture")
+  command->add_option("--out", given->out, "folder for solution.vtk and a page that draws it")
       ->type_name("DIR");
   command->callback([given] {
     try {

@@ -12,7 +12,7 @@
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/input/text_file.hpp"
-#include "odeum/report/facts.hpp"
+#include "odeum/report/text.hpp"
 #include "odeum/solvers/given_cases.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 

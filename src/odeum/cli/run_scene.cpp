@@ -61,7 +61,8 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
         fmt::format("solves     {}: {} births, {} deaths", run.solves, run.births, run.deaths));
   const scene::Frame &first = run.frames.front(), &last = run.frames.back();
   lines.push_back(fmt::format("energy     {:.9g} J at t = {}, {:.9g} J at t = {:.9g}",
-                              energy(first), first.t, energy(last), last.t));
+                              first.kinetic + first.potential, first.t,
+                              last.kinetic + last.potential, last.t));
   lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
                               last.momentum[0], last.momentum[1], last.momentum[2]));
   return lines;

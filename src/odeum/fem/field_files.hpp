@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "odeum/fem/triangle_mesh.hpp"
+#include "odeum/record/csv.hpp"
 
 namespace odeum::fem {
 
@@ -15,10 +16,8 @@ struct NodalField {
 std::string vtk_of(const TriangleMesh& mesh, const std::string& title,
                    const std::vector<NodalField>& fields);
 
-/// An <svg> of a mesh whose triangles have the colours of the means of their nodes' values, from
-/// the lowest to the highest, which stand beside; a triangle tells its middle and its value when
-/// pointed at. `values` by node; `title` is shown above and must be safe in markup.
-std::string field_picture(const TriangleMesh& mesh, const std::vector<double>& values,
-                          const std::string& title);
+/// A row for each triangle, for a picture: x1, y1, x2, y2, x3, y3 of its nodes, and of each field
+/// the values there, named as the field with 1, 2 and 3 behind.
+record::CsvTable triangle_rows(const TriangleMesh& mesh, const std::vector<NodalField>& fields);
 
 }  // namespace odeum::fem

@@ -79,7 +79,4 @@ struct PdeMap {
 /// Throws std::invalid_argument for a region that is empty or not finite, or no division.
 PdeMap map_types(const SecondOrderPde& pde, const PdeRegion& region, std::size_t divisions);
 
-/// An SVG file: the regions in colours, where the type changes, and the characteristic directions.
-std::string picture_of(const PdeMap& map, const std::string& title, const std::string& second);
-
 }  // namespace odeum::fem

@@ -44,6 +44,25 @@ std::map<std::string, std::string> texts_of(const fs::path& folder) {
   return texts;
 }
 
+/// The documents by name: each with what lies in a folder of its name, the columns with those of
+/// all studies.
+std::map<std::string, std::string> documents() {
+  std::map<std::string, std::string> all;
+  for (const auto& [file, text] : texts_of("documents")) {
+    std::string& document = all[stem_of(file)] = text;
+    for (const auto& [part, more] : texts_of(fs::path("documents") / stem_of(file)))
+      document += "\n" + more;
+  }
+  std::error_code none;
+  std::set<fs::path> studies;
+  if (const auto shared = shared_folder())
+    for (const auto& entry : fs::directory_iterator(*shared / "pages", none))
+      studies.insert(entry.path().filename());
+  for (const fs::path& study : studies)
+    all["columns"] += "\n" + shared_text("pages" / study / "columns.md");
+  return all;
+}
+
 ordered_json json_of(const StudyFacts& study) {
   ordered_json json{{"name", study.name},
                     {"command", study.command},
@@ -141,7 +160,10 @@ void Report::table(const std::string& study, const std::string& file,
                    const record::CsvTable& rows) {
   record::Fields blank;
   for (const std::string& column : rows.columns()) blank.push_back({column, std::string()});
-  table(study, file, blank, {{"", rows.rows().size(), [&rows] { return rows.rows(); }}});
+  std::vector<TablePart> parts;
+  if (!rows.rows().empty())
+    parts.push_back({"", rows.rows().size(), [&rows] { return rows.rows(); }});
+  table(study, file, blank, parts);
 }
 
 void Report::data(const std::string& name, const std::string& json) {
@@ -166,7 +188,8 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
         {"seconds", run.seconds},
         {"date", utc_text(run.finished)},
         {"compiler", fmt::format("{}, {}, {}", build::compiler, build::type, build::flags)},
-        {"processor", cpu_model()}}},
+        {"processor", cpu_model()},
+        {"loaded", loaded_libraries({"libsundials_cvode.", "libgsl.", "libBulletDynamics"})}}},
       {"libraries", report::json_of(facts_.libraries)},
       {"cases", ordered_json::array()},
       {"solvers", ordered_json::array()},
@@ -181,7 +204,7 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
                    [](const auto& a, const auto& b) { return a.place < b.place; });
   for (const StudyFacts& study : studies) page["studies"].push_back(json_of(study));
   for (const std::string& table : tables_) page["tables"].push_back(ordered_json::parse(table));
-  for (const auto& [file, text] : texts_of("documents")) page["documents"].push_back(stem_of(file));
+  for (const auto& [name, text] : documents()) page["documents"].push_back(name);
   for (const auto& [key, value] : facts_more_) page[key] = ordered_json::parse(value);
   if (!keep_earlier) return text_of(page);
   const auto text = text_of_file((folder_.path() / "page.json").string());
@@ -219,9 +242,7 @@ void Report::write(const RunFacts& run, bool keep_earlier) {
   const std::string page = page_json(run, keep_earlier);
   folder_.write("data/facts.js", data_script("facts", page));
   folder_.write("page.json", page + "\n");
-  ordered_json documents = ordered_json::object();
-  for (const auto& [file, text] : texts_of("documents")) documents[stem_of(file)] = text;
-  data("documents", text_of(documents));
+  data("documents", text_of(ordered_json(documents())));
   for (const StudyFacts& study : studies_)
     if (const std::string view = shared_text(fs::path("pages") / study.name / "view.js");
         !view.empty())
@@ -229,7 +250,9 @@ void Report::write(const RunFacts& run, bool keep_earlier) {
   folder_.write("manifest.json", manifest_text(run));
   std::vector<std::string> files;
   for (const auto& table : ordered_json::parse(page)["tables"])
-    if (table.value("rows", 0) > 0) files.push_back(table.value("file", ""));
+    if (const std::string file = table.value("file", "");
+        table.value("rows", 0) > 0 && file.find('.') != std::string::npos)
+      files.push_back(file);
   files.insert(files.end(), {"manifest.json", "page.json"});
   write_viewer(folder_, files);
 }

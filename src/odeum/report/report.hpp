@@ -75,7 +75,8 @@ class Report {
     }
     table(study, Row::file, record::fields_of(Row()), parts);
   }
-  /// The same of rows that are made elsewhere; `blank` names the columns.
+  /// The same of rows that are made elsewhere; `blank` names the columns. A `file` without an
+  /// ending is the name of rows for the page alone.
   void table(const std::string& study, const std::string& file, const record::Fields& blank,
              const std::vector<TablePart>& parts);
   void table(const std::string& study, const std::string& file, const record::CsvTable& rows);

@@ -22,7 +22,7 @@ struct RunRow {
   double setting = record::nan;
   Counters counters;
   double result = record::nan;  ///< of a case the error at the end, of a scene the change of energy
-  std::string replay;           ///< the address of its page; empty: it has none
+  std::string replay = {};      ///< the address of its page; empty: it has none
 
   static constexpr const char* file = "runs.csv";
   static void each(auto& row, auto&& visit) {
@@ -47,14 +47,6 @@ RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status 
           .setting = fixed ? (request.stops.back() - t0) / static_cast<double>(request.steps)
                            : request.tolerance,
           .counters = counters};
-}
-
-ordered_json json_of(const RunTexts& texts) {
-  ordered_json facts = ordered_json::array();
-  for (const auto& [name, text] : texts.facts)
-    facts.push_back({report::plain(name), report::plain(text)});
-  return {
-      {"title", report::plain(texts.title)}, {"lead", report::plain(texts.lead)}, {"facts", facts}};
 }
 
 report::Facts facts_of(const auto& runs) {
@@ -99,6 +91,16 @@ std::optional<scene::Plot> plot_of(const scene::Scene& scene) {
 
 }  // namespace
 
+nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts) {
+  ordered_json facts = ordered_json::array();
+  for (const auto& [name, text] : texts.facts)
+    facts.push_back({report::plain(name), report::plain(text)});
+  return {{"kind", kind},
+          {"title", report::plain(texts.title)},
+          {"lead", report::plain(texts.lead)},
+          {"facts", facts}};
+}
+
 void write_case_page(const record::OutputFolder& folder, const Case& c,
                      const std::vector<CaseRun>& runs, const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
@@ -121,8 +123,7 @@ void write_case_page(const record::OutputFolder& folder, const Case& c,
   }
   record::write_rows(rows, folder);
   page.rows("runs", rows);
-  ordered_json json = json_of(texts);
-  json["kind"] = "case";
+  ordered_json json = page_facts("case", texts);
   json["components"] = component_names(c);
   json["measured"] = judge::measured_components(c);
   json["second_order"] = c.problem.view.second_order();
@@ -158,8 +159,7 @@ void write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
   record::write_rows(rows, folder);
   page.rows("runs", rows);
   page.table("runs", "energies", energies);
-  ordered_json json = json_of(texts);
-  json["kind"] = "scene";
+  ordered_json json = page_facts("scene", texts);
   const auto plot = plot_of(scene);
   const record::CsvTable table =
       plot ? plotted(scene, problem, runs, *plot) : record::CsvTable("time");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +12,8 @@
 #include "odeum/solvers/case.hpp"
 #include "odeum/trajectories/case_runs.hpp"
 
-/// The page of one problem's runs (odeum run --out): rows and facts, see reports/viewer/runs.js.
+/// The page of one problem (odeum run, classify and poisson with --out): rows and facts, see
+/// reports/viewer/runs.js.
 namespace odeum::trajectories {
 
 /// A solver's run of a scene.
@@ -27,6 +29,9 @@ struct RunTexts {
   std::string title, lead;
   std::vector<std::pair<std::string, std::string>> facts;
 };
+
+/// As the fact "runs" of page.json; what is drawn depends on `kind`.
+nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts);
 
 /// Writes the tables of the runs of a case (trajectory.csv, steps.csv, solution.csv, runs.csv) and
 /// their page. Throws FileError.

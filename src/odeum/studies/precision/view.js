@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Error against time with the Pareto fronts, and how disturbed the machine was while a case was timed.
+{
+  functions.loaded_libraries = () => (facts.run.loaded || []).join(', ');
+  functions.case_end = (id) => facts.caseOf.get(id)?.end ?? NaN;
+
+  // The limits that the program has for timing a case again, studies/stopwatch.hpp.
+  const isDisturbed = (drift, share) => Math.abs(drift) > 0.05 || share < 0.95;
+  functions.disturbed = isDisturbed;
+  const conditions = new Map();
+  functions.conditions = (id) => conditions.get(id) ?? 'nothing was timed';
+
+  // A matrix of precision_summary that may call conditions(case).
+  blocks.ratios = async (host, spec, context) => {
+    const rows = await rowsOf('precision'), [ids, drifts, shares] = ['case', 'drift', 'processor_share'].map((name) => rows.column(name));
+    for (const i of rows.indices((k) => !Number.isNaN(drifts[k])))
+      if (!conditions.has(ids[i])) conditions.set(ids[i], `${isDisturbed(drifts[i], shares[i]) ? '⚠ disturbed: ' : ''}drift ${formatted(drifts[i], '+.1%')}, processor ${formatted(shares[i], '.0%')}`);
+    return blocks.matrix(host, spec, context);
+  };
+
+  // No other row is both faster and more accurate.
+  const frontOf = (rows) => {
+    let least = Infinity;
+    return d3.sort(rows, (row) => row.wall_ns_min, (row) => row.error).filter((row) => row.error < least && (least = row.error));
+  };
+  const pointOf = (run) => ({ x: run.wall_ns_min, y: run.error, run });
+  const fronts = { all: { colour: 'var(--ink)', text: 'Pareto front: no solver is both faster and more accurate' }, peers: { colour: 'var(--dim)', dashed: true, text: 'the same of the peers alone' } };
+  const legendOfSpeed = (libraries) => legendOf([...libraries.map((name) => ({ name, colour: colourOf(name), shape: facts.libraryNames.indexOf(name) % 8 })), ...Object.values(fronts).map((front) => ({ ...front, name: front.text, bare: true }))]);
+  const tell = (run) => [`${idOf(run)}${run.options ? ` (${run.options})` : ''}`, `${run.setting_kind === 'tol' ? 'tolerance' : 'step'} ${number(run.setting)}`, duration(run.wall_ns_min), `error ${number(run.error)}`, `${plural(run.rhs_evaluations, 'evaluation')} of f`];
+  const pick = (c) => (run) => { location.hash = addressOf('compare', { case: c.id, x: 'time', add: '1', show: `${idOf(run)}:${run.setting_kind === 'tol' ? 'adaptive' : 'fixed'}` }); };
+
+  // An error beyond ten times the initial state only says that a run diverged.
+  const drawnOf = (c, rows) => rows.filter((row) => row.repetitions > 0 && row.wall_ns_min > 0 && row.error > 0 && row.error <= 10 * c.scale);
+  const drawSpeed = (host, c, rows, height) => {
+    const best = frontOf(rows), peers = frontOf(rows.filter((row) => row.library !== 'odeum')), onFront = new Set(best);
+    const clouds = d3.groups(rows, (row) => row.library).sort(([a], [b]) => facts.libraryNames.indexOf(b) - facts.libraryNames.indexOf(a)).flatMap(([library, some]) => d3.groups(some, (row) => onFront.has(row)).map(([front, part]) =>
+      ({ name: library, colour: colourOf(library), shape: facts.libraryNames.indexOf(library) % 8, loose: true, faint: !front, points: part.map(pointOf) })));
+    plot(host, { height, nameless: true, description: `error against time of a solve, ${c.id}`, x: { ...rangeOf(rows.map((row) => row.wall_ns_min), 1.4), label: 'time of a solve (minimum)', text: duration }, y: { ...rangeOf(rows.map((row) => row.error), 3), label: 'largest error, absolute' },
+      levels: c.timed_floor > 0 ? [{ y: c.timed_floor, text: "the truth's own error", shaded: true }] : [],
+      curves: [...clouds, ...[['peers', peers], ['all', best]].map(([name, points]) => ({ ...fronts[name], name: '', stairs: true, bare: true, points: points.map(pointOf) }))], tell, pick: pick(c) });
+  };
+
+  // A diagram of each case, or of the one whose page this is.
+  blocks.speed = async (host, spec, context) => {
+    checkKeys(spec, 'speed', []);
+    const ids = new Set(facts.tableOf.get('precision')?.cases || []), cases = facts.cases.filter((c) => (context.caseId ? c.id === context.caseId : ids.has(c.id)));
+    const figures = html('div', { class: context.caseId ? 'single' : 'speeds' }), height = context.caseId ? 460 : 340, seen = new Set();
+    host.append(figures);
+    for (const c of cases) {
+      const picture = html('div', { class: 'picture' });
+      const rows = drawnOf(c, (await rowsOf('precision', c.id)).objects());
+      rows.forEach((row) => seen.add(row.library));
+      const caption = context.caseId ? null : html('figcaption', {}, html('a', { href: addressOf('case', { id: c.id, part: 'precision' }) }, c.id), ` ${c.title}, t = ${number(c.end, 6)}`);
+      figures.append(html('figure', { class: 'speed' }, caption, rows.length ? picture : html('p', { class: 'missing' }, 'There is nothing to draw.')));
+      if (rows.length) whenSeen(picture, height, () => drawSpeed(picture, c, rows, height));
+    }
+    if (seen.size) host.append(legendOfSpeed(facts.libraryNames.filter((name) => seen.has(name))));
+  };
+}
