@@ -4,13 +4,13 @@ const readAddress = () => {
   let text = location.hash.slice(1);
   try { text = decodeURIComponent(text); } catch { /* a stray %: as it stands */ }
   const [view, query] = text.split('?');
-  return { view: view || 'answers', choice: Object.fromEntries(new URLSearchParams(query || '')) };
+  return { view, choice: Object.fromEntries(new URLSearchParams(query || '')) };
 };
 const addressOf = (view, choice) => {
   const query = Object.entries(choice).filter(([, value]) => value).map(([name, value]) => `${name}=${value}`).join('&');
   return `#${view}${query ? `?${query}` : ''}`;
 };
-const writeAddress = (view, choice) => { if (readAddress().view === view) history.replaceState(null, '', addressOf(view, choice)); };
+const writeAddress = (view, choice) => { if ((readAddress().view || firstView()) === view) history.replaceState(null, '', addressOf(view, choice)); };
 
 // A row of buttons of which one is chosen; arrows move.
 const choices = (label, items, chosen, choose) => html('div', { class: 'choices', role: 'radiogroup', 'aria-label': label },

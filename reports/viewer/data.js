@@ -28,7 +28,7 @@ const load = (name) => {
 };
 
 const notNumbers = { inf: Infinity, '-inf': -Infinity };
-const decoded = (column) => (Array.isArray(column) ? column.map((v) => (v === null ? NaN : typeof v === 'string' ? notNumbers[v] : v)) : column.of.map((i) => column.words[i]));
+const decoded = (column) => (!column ? [] : Array.isArray(column) ? column.map((v) => (v === null ? NaN : typeof v === 'string' ? notNumbers[v] : v)) : column.of.map((i) => column.words[i]));
 // A table, column by column. A column is decoded when it is first asked for.
 class Rows {
   constructor(name, parts, length, names) {

@@ -43,7 +43,7 @@ const tableOf = (headings, lines, style = 'numbers', above = null) => {
     append(firstRows);
   };
   const turn = (k) => { state.down = state.by === k && !state.down; state.by = k; heads.forEach((head, i) => head.setAttribute('aria-sort', i === k ? (state.down ? 'descending' : 'ascending') : 'none')); refresh(); };
-  const heads = headings.map((heading, k) => html('th', { class: heading.class, title: heading.title, scope: 'col', 'aria-sort': 'none' }, heading.node || html('button', { type: 'button', class: 'sort', onclick: () => turn(k) }, heading.text)));
+  const heads = headings.map((heading, k) => html('th', { class: heading.class, title: heading.title, scope: 'col', 'aria-sort': 'none' }, heading.node?.cloneNode(true) || html('button', { type: 'button', class: 'sort', onclick: () => turn(k) }, heading.text)));
   refresh();
   const search = lines.length > 15 ? html('label', { class: 'field filter' }, 'Filter ', html('input', { type: 'search', 'aria-label': 'filter the rows', oninput: (event) => { state.word = event.target.value; refresh(); } }), html('small', {}, ` ${plural(lines.length, 'row')}`)) : null;
   // A box that scrolls can be reached by keys.

@@ -370,6 +370,8 @@ function(odeum_share_files)
     get_filename_component(folder ${page} DIRECTORY)
     get_filename_component(name ${folder} NAME)
     odeum_link(${folder} ${share}/pages/${name})
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum/pages/${name}
+            FILES_MATCHING PATTERN "*.md" PATTERN "*.js")
   endforeach()
   odeum_link(${PROJECT_SOURCE_DIR}/reports/viewer ${share}/viewer)
   odeum_link(${PROJECT_SOURCE_DIR}/reports ${share}/documents)
@@ -377,6 +379,9 @@ function(odeum_share_files)
   find_file(ODEUM_MARKDOWN_IT markdown-it.js PATHS /usr/share/javascript/markdown-it REQUIRED)
   mark_as_advanced(ODEUM_D3 ODEUM_MARKDOWN_IT)
   file(COPY ${ODEUM_D3} ${ODEUM_MARKDOWN_IT} DESTINATION ${share}/libraries)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/reports/viewer ${share}/libraries DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/reports/ DESTINATION ${CMAKE_INSTALL_DATADIR}/odeum/documents
+          FILES_MATCHING PATTERN "*.md" PATTERN docs EXCLUDE PATTERN viewer EXCLUDE PATTERN pictures EXCLUDE)
 endfunction()
 
 # odeum_build_info.cpp: the values of core/build_info.hpp. The revision is the one at configure time.

@@ -57,8 +57,7 @@ inline std::vector<nlohmann::json> column_in(const std::filesystem::path& folder
     if (all.is_array())
       values.insert(values.end(), all.begin(), all.end());
     else
-      for (const auto& index : all["of"])
-        values.push_back(all["words"][index.get<std::size_t>()]);
+      for (const auto& index : all["of"]) values.push_back(all["words"][index.get<std::size_t>()]);
   }
   return values;
 }

@@ -50,7 +50,9 @@ class Report {
   report::Report& report() { return report_; }
   const record::OutputFolder& folder() const { return folder_; }
   std::string text(const std::string& file) const { return tests::text_of(folder_.path() / file); }
-  nlohmann::json json(const std::string& file) const { return tests::json_of(folder_.path() / file); }
+  nlohmann::json json(const std::string& file) const {
+    return tests::json_of(folder_.path() / file);
+  }
   nlohmann::json table(const std::string& name) const {
     return tests::table_in(folder_.path(), name);
   }

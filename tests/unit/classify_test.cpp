@@ -108,15 +108,5 @@ TEST(Classify, TheCurveWhereTheTypeChangesIsFound) {
   EXPECT_THROW(map_types(SecondOrderPde("u_xx"), {1, -1, 0, 1}, 10), std::invalid_argument);
 }
 
-TEST(Classify, HasAPicture) {
-  const PdeMap map = map_types(SecondOrderPde("y*u_xx + u_yy"), {-1, 1, -1, 1}, 24);
-  const std::string svg = picture_of(map, "y < 0 & x", "y");
-  EXPECT_NE(svg.find("y &lt; 0 &amp; x"), std::string::npos);
-  for (const char* word : {">elliptic<", ">hyperbolic<", ">parabolic<", "<circle", "</svg>"})
-    EXPECT_NE(svg.find(word), std::string::npos) << word;
-  // No stroke in the elliptic half.
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace odeum::fem

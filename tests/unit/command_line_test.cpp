@@ -200,7 +200,7 @@ TEST_F(CommandLine, AClosedPipeKeepsFilesAndExitCode) {
     return shell("{ sleep 0.2; " + command + "; } | true; echo ${PIPESTATUS[0]}").output;
   };
   EXPECT_EQ(unread("odeum run free_fall --solver rk4 --step 0.5 --out " + in("one")), "0\n");
-  EXPECT_TRUE(fs::exists(folder_ / "one" / "comparison.html"));
+  EXPECT_TRUE(fs::exists(folder_ / "one" / "index.html"));
   EXPECT_EQ(unread("odeum run spinning_pair --until 0.5 --out " + in("scene")), "0\n");
   EXPECT_TRUE(fs::exists(folder_ / "scene" / "replay.html"));
   EXPECT_EQ(unread("odeum run dahlquist_real --solver implicit_euler_fixed_point --step 2"), "3\n");

@@ -95,5 +95,17 @@ TEST(Csv, BuildsATableOfOneLineARow) {
             "schema,case,error,steps\n1,\"x,y\",-0.25,18446744073709551615\n1,z,nan,0\n");
 }
 
+TEST(Csv, ATableKeepsItsRowsWhereAsked) {
+  CsvTable table("case,error", true), forgetful("case,error");
+  for (CsvTable* each : {&table, &forgetful}) each->add(CsvRow().text("=x").number(0.5));
+  EXPECT_EQ(table.text(), forgetful.text());
+  EXPECT_EQ(table.columns(), (std::vector<std::string>{"case", "error"}));
+  EXPECT_TRUE(forgetful.rows().empty());
+  ASSERT_EQ(table.rows().size(), 1U);
+  EXPECT_EQ(table.rows()[0][0].column, "case");
+  EXPECT_EQ(std::get<std::string>(table.rows()[0][0].value), "=x") << "as it was given";
+  EXPECT_EQ(std::get<double>(table.rows()[0][1].value), 0.5);
+}
+
 }  // namespace
 }  // namespace odeum::tests

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/report/page.hpp"
 #include "odeum/studies/evolution/rows.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/report_fixture.hpp"
 
 namespace odeum::study {
 namespace {
@@ -83,23 +82,19 @@ TEST(Evolution, ModesAndLimitsAreThoseOfTheory) {
     EXPECT_NEAR(row.measured / row.predicted, 1, 4e-3) << row.problem << row.mass;
 }
 
-TEST(Evolution, HaveASection) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path());
-  report::Page page({}, folder);
+TEST(Evolution, HandsItsRowsToAReport) {
+  test::Report report{report::Facts()};
   for (const auto& study : make_studies()) {
     if (study->declaration().name != "evolution") continue;
     study->measure({.own = {{"most", "16"}}}, Runner(2));
-    study->section(page);
+    report.report().study(study->facts());
+    study->show(report.report());
   }
-  page.write({});
-  const std::string text = tests::text_of(root.path() / "evolution.html");
-  EXPECT_NE(text.find("Heat: the cheapest mesh and step for an error of 1e-02: h = 1/8"),
-            std::string::npos);
-  EXPECT_NE(text.find("wave: errors of odeum/velocity_verlet by mesh and steps"),
-            std::string::npos);
-  EXPECT_EQ(text.find("nan<"), std::string::npos);
-  EXPECT_EQ(text.find("inf<"), std::string::npos);
+  const auto studies = report.write().json("page.json")["studies"];
+  ASSERT_EQ(studies.size(), 1U);
+  EXPECT_EQ(studies[0]["name"], "evolution");
+  for (const char* file : {"evolution", "evolution_orders", "evolution_cheapest"})
+    EXPECT_GT(report.table(file)["rows"], 0) << file;
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(HashedUnits, ChangeWithTheirOwnObjectsAlone) {
       {"odeum_cases.dir/src/odeum/cases/stage.cpp.o", "rest"},
       {"odeum_core.dir/src/odeum/judge/answer.cpp.o", "rest"},
       {"odeum_study.dir/src/odeum/studies/runner.cpp.o", "rest"},
-      {"odeum_study.dir/src/odeum/report/page.cpp.o", ""},
+      {"odeum_study.dir/src/odeum/report/report.cpp.o", ""},
       {"odeum_study.dir/src/odeum/studies/drift/section_horizons.cpp.o", ""},
       {"odeum_study.dir/src/odeum/studies/drift/study.cpp.o", ""},
       {"odeum_study.dir/src/odeum/studies/study.cpp.o", "rest"},

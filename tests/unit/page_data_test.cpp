@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the report hands to its scripts.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <cmath>
 #include <limits>
@@ -9,41 +8,14 @@
 
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/report/columns.hpp"
-#include "odeum/studies/precision/section.hpp"
+#include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/questions.hpp"
-#include "odeum/studies/stability/section.hpp"
+#include "odeum/studies/reduction/reduction.hpp"
+#include "odeum/studies/stability/outline.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::study {
 namespace {
-
-using test::has;
-
-/// Undoes report::data_script, as the page's scripts do.
-nlohmann::json unpacked(const std::string& script) {
-  const std::size_t first = script.rfind(",\"") + 2, end = script.rfind("\"]");
-  constexpr std::string_view alphabet =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0, held = 0;
-  for (const char c : script.substr(first, end - first)) {
-    if (c == '=') break;
-    held = held << 6U | static_cast<unsigned>(alphabet.find(c));
-    if ((bits += 6) < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(held >> bits & 0xffU);
-  }
-  std::string text(1 << 24, '\0');
-  uLongf size = text.size();
-  EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(text.data()), &size,
-                         reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()),
-            Z_OK);
-  return nlohmann::json::parse(text.substr(0, size));
-}
-
-nlohmann::json data_of(const test::Report& report, const std::string& file) {
-  return unpacked(tests::text_of(report.folder().path() / "data" / (file + ".js")));
-}
 
 TEST(PageData, ColumnsKeepNumbersAndTexts) {
   ToleranceRow row{"c", "odeum", "a", 1e-3, 0.1234567891234};
@@ -64,26 +36,79 @@ TEST(PageData, ColumnsKeepNumbersAndTexts) {
 TEST(PageData, ScriptsHoldTheRowsOfTheFiles) {
   const test::MadeUp data = test::fabricate_small_report();
   test::Report report(data);
-  report::RunFacts run;
-  run.quick = true;
-  report.index(run);
-  const auto index = data_of(report, "index");
-  ASSERT_EQ(index["cases"].size(), data.facts.cases.size());
-  EXPECT_EQ(index["solvers"].size(), data.facts.solvers.size());
-  EXPECT_EQ(index["run"]["quick"], true);
-  for (const report::CaseFacts& c : data.facts.cases) {
-    const auto runs = data_of(report, "case_" + c.id)["runs"];
-    std::vector<double> errors;
-    for (const ConvergenceRow& row : data.convergence.rows)
-      if (row.case_id == c.id) errors.push_back(row.error_max);
-    ASSERT_EQ(runs["error_max"].size(), errors.size());
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-      if (std::isnan(errors[i]))
-        EXPECT_TRUE(runs["error_max"][i].is_null());
-      else
-        EXPECT_NEAR(runs["error_max"][i].get<double>() / errors[i], 1, 1e-7);
-    }
+  report.write({.quick = true});
+  const auto facts = tests::unpacked(report.text("data/facts.js"));
+  EXPECT_EQ(facts, report.json("page.json"));
+  ASSERT_EQ(facts["cases"].size(), data.facts.cases.size());
+  EXPECT_EQ(facts["solvers"].size(), data.facts.solvers.size());
+  EXPECT_EQ(facts["run"]["quick"], true);
+  const auto errors = report.column("convergence", "error_max"),
+             ids = report.column("convergence", "case");
+  ASSERT_EQ(errors.size(), data.convergence.rows.size());
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    EXPECT_EQ(ids[i], data.convergence.rows[i].case_id);
+    if (const double error = data.convergence.rows[i].error_max; std::isnan(error))
+      EXPECT_TRUE(errors[i].is_null());
+    else
+      EXPECT_NEAR(errors[i].get<double>() / error, 1, 1e-7);
   }
+}
+
+StabilityRegion disk(double radius) {
+  StabilityRegion region{"odeum", "disk", "lambda", "ok", "", 61, 41, -3, 3, -2, 2, {}};
+  for (int j = 0; j < region.rows; ++j)
+    for (int i = 0; i < region.columns; ++i)
+      region.growth.push_back(static_cast<float>(std::hypot(-3 + 0.1 * i, -2 + 0.1 * j) / radius));
+  return region;
+}
+
+TEST(PageData, RegionsAreHandedOverWithWhyOneIsMissing) {
+  std::vector<StabilityRegion> regions{disk(1.5), disk(1), disk(1)};
+  std::fill(regions[1].growth.begin(), regions[1].growth.end(),
+            std::numeric_limits<float>::quiet_NaN());
+  regions[2].growth.clear();
+  regions[2].detail = "every <solve> failed\x1b";
+  const auto json = nlohmann::json::parse(outlines_json(regions));
+  ASSERT_EQ(json.size(), 3U);
+  EXPECT_EQ(json[0]["solver"], "odeum/disk");
+  EXPECT_EQ(json[0]["loops"].size(), 1U);
+  EXPECT_EQ(json[0]["missing"], "");
+  EXPECT_EQ(json[0]["box"], nlohmann::json::array({-3, 3, -2, 2}));
+  EXPECT_EQ(json[1]["loops"].size(), 0U);
+  EXPECT_EQ(json[2]["loops"].size(), 0U);
+  EXPECT_EQ(json[2]["missing"], "every <solve> failed\xEF\xBF\xBD");
+}
+
+ReductionResult two_rows(const Options&, const Runner&) {
+  return {{ReductionRow(), ReductionRow()}};
+}
+
+TEST(PageData, AStudyTellsWhatOfItWasMeasured) {
+  const auto study =
+      make_study<ReductionResult>({.name = "reduce", .help = "of this test", .folder = "reduction"},
+                                  {.measure = two_rows, .table = nullptr});
+  EXPECT_FALSE(study->facts().measured);
+  study->measure({.solvers = {"odeum/*"}}, Runner());
+  EXPECT_TRUE(study->facts().measured);
+  EXPECT_EQ(study->facts().selection, "solvers odeum/* on every case");
+  study->measure({.cases = {"a", "b*"}}, Runner());
+  EXPECT_EQ(study->facts().selection, "solvers odeum/* on every case; every solver on a, b*");
+  EXPECT_EQ(study->facts().command, "reduce");
+  EXPECT_EQ(study->facts().name, "reduction") << "the folder of its texts";
+  test::Report report{report::Facts()};
+  study->show(report.report());
+  EXPECT_EQ(report.write().table("order_reduction")["rows"], 4);
+  EXPECT_EQ(report.table("order_reduction")["study"], "reduction");
+}
+
+TEST(PageData, AStudyTellsWhyAnEarlierFileCannotBeUsed) {
+  const tests::TemporaryFolder folder;
+  const auto study =
+      make_study<ReductionResult>({.name = "reduction", .help = "", .folder = "reduction"},
+                                  {.measure = two_rows, .table = nullptr});
+  tests::write_text(folder.path() / ReductionRow::file, "schema,x\n1,2\n");
+  study->add_earlier(folder.path());
+  EXPECT_NE(study->facts().problem.find(ReductionRow::file), std::string::npos);
 }
 
 PrecisionRow timed(const char* library, const char* solver, double setting, double error,
@@ -124,16 +149,8 @@ TEST(PageData, QuestionsAreCasesThatAQuickReportMeasures) {
   for (const std::string& id : quick) EXPECT_NO_THROW(find_case(id)) << id;
 }
 
-StabilityRegion disk(double radius) {
-  StabilityRegion region{"odeum", "disk", "lambda", "ok", "", 61, 41, -3, 3, -2, 2, {}};
-  for (int j = 0; j < region.rows; ++j)
-    for (int i = 0; i < region.columns; ++i)
-      region.growth.push_back(static_cast<float>(std::hypot(-3 + 0.1 * i, -2 + 0.1 * j) / radius));
-  return region;
-}
-
 TEST(Outline, OfADiskIsACircle) {
-  const std::vector<Loop> loops = outline(disk(1.5));
+  const std::vector<Loop> loops = outline(disk(1.5), 1);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_GT(loops[0].size(), 40U);
   // Growth is linear along radii: interpolation along an edge is within h^2 / (8 r) of the circle.
@@ -142,7 +159,7 @@ TEST(Outline, OfADiskIsACircle) {
 }
 
 TEST(Outline, ClosesAlongTheEdgesOfThePlaneAndKeepsPartsApart) {
-  const std::vector<Loop> cut = outline(disk(2.5));
+  const std::vector<Loop> cut = outline(disk(2.5), 1);
   ASSERT_EQ(cut.size(), 1U) << "cut off above and below";
   for (const auto& [x, y] : cut[0]) EXPECT_LE(std::abs(y), 2.0);
   StabilityRegion two = disk(1);
@@ -150,11 +167,11 @@ TEST(Outline, ClosesAlongTheEdgesOfThePlaneAndKeepsPartsApart) {
     for (int i = 0; i < two.columns; ++i)
       two.growth[static_cast<std::size_t>(j * two.columns + i)] =
           std::abs(std::abs(-3 + 0.1 * i) - 1.5) < 0.75 ? 0.5F : 2.0F;
-  EXPECT_EQ(outline(two).size(), 2U);
+  EXPECT_EQ(outline(two, 1).size(), 2U);
   std::fill(two.growth.begin(), two.growth.end(), std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(outline(two).empty());
+  EXPECT_TRUE(outline(two, 1).empty());
   two.growth.pop_back();
-  EXPECT_TRUE(outline(two).empty());
+  EXPECT_TRUE(outline(two, 1).empty());
 }
 
 TEST(Spectrum, OfASmallCaseIsThatOfItsMatrix) {

@@ -48,10 +48,9 @@ TEST(Page, TellsOfEveryCaseSolverAndRow) {
     EXPECT_EQ(page["solvers"][i]["method"], data.facts.solvers[i].method);
   EXPECT_EQ(names_of(page["tables"]),
             (std::vector<std::string>{"convergence", "convergence_times", "orders",
-                                      "stability_limits", "stability"}));
+                                      "stability_limits", "stability_regions", "stability_steps"}));
   EXPECT_EQ(report.table("orders")["rows"], data.convergence.orders.size());
-  EXPECT_EQ(report.table("orders")["columns"].size(),
-            record::fields_of(study::OrderRow()).size());
+  EXPECT_EQ(report.table("orders")["columns"].size(), record::fields_of(study::OrderRow()).size());
   EXPECT_EQ(report.column("orders", "verdict").size(), data.convergence.orders.size());
 }
 
@@ -156,11 +155,8 @@ TEST(Page, HostileTextStaysText) {
   for (LibraryInfo& info : data.facts.libraries) info.name = info.option = info.version = hostile;
 
   Report report(data);
-  report.report().study({.name = "mesh",
-                         .command = "mesh",
-                         .help = "",
-                         .problem = hostile,
-                         .selection = hostile});
+  report.report().study(
+      {.name = "mesh", .command = "mesh", .help = "", .problem = hostile, .selection = hostile});
   report.write({.command_line = hostile});
   const json page = report.json("page.json");
   const std::string plain = page["cases"][0]["title"];
@@ -196,10 +192,8 @@ TEST(Page, EarlierResultsStayBesideNewOnes) {
     report.write({}, keep_earlier);
     return tests::json_of(folder.path() / "page.json");
   };
-  const StudyFacts measured{.name = "convergence",
-                            .command = "converge",
-                            .help = "",
-                            .selection = "of the first run"};
+  const StudyFacts measured{
+      .name = "convergence", .command = "converge", .help = "", .selection = "of the first run"};
   StudyFacts read_back = measured;
   read_back.measured = false;
   read_back.selection = "";

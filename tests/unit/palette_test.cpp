@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/report/chart.hpp"
-#include "odeum/report/texts.hpp"
+#include "odeum/report/shared_files.hpp"
 
 namespace odeum::report {
 namespace {
@@ -71,7 +70,7 @@ double luminance(const Triple& linear) { return product(to_xyz, linear)[1]; }
 
 /// The page's colours for light and for dark: what follows the second `--paper` is for dark.
 std::array<std::string, 2> schemes() {
-  const std::string style(page_style());
+  const std::string style = shared_text("viewer/page.css");
   const std::size_t dark = style.find("--paper:", style.find("--paper:") + 1);
   return {style.substr(0, dark), style.substr(dark)};
 }
@@ -88,8 +87,7 @@ double least_distance(const Matrix& sight, const std::vector<Triple>& colours) {
 
 std::vector<Triple> curve_colours(const std::string& scheme) {
   std::vector<Triple> colours;
-  for (std::size_t i = 0; i < chart_styles; ++i)
-    colours.push_back(colour(scheme, "s" + std::to_string(i)));
+  for (std::size_t i = 0; i < 8; ++i) colours.push_back(colour(scheme, "s" + std::to_string(i)));
   return colours;
 }
 

@@ -2,16 +2,20 @@
 // odeum poisson and odeum classify as a user runs them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "odeum/fem/shapes.hpp"
 #include "support/gmsh_text.hpp"
+#include "support/page_data.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum {
 namespace {
 
+using std::numbers::pi;
 using tests::Result;
 using tests::shell;
 
@@ -43,11 +47,30 @@ TEST(PoissonCommand, SolvesOnAMeshFileAndWritesVtk) {
   const std::string vtk = tests::text_of(out + "/solution.vtk");
   EXPECT_NE(vtk.find("CELL_TYPES 8192"), std::string::npos);
   EXPECT_NE(vtk.find("SCALARS error"), std::string::npos);
-  const std::string svg = tests::text_of(out + "/solution.svg");
-  std::size_t triangles = 0;
-  for (std::size_t k = svg.find("<path"); k != std::string::npos; k = svg.find("<path", k + 1))
-    ++triangles;
-  EXPECT_EQ(triangles, 8192U);
+  // The page draws the same triangles.
+  EXPECT_EQ(tests::json_of(out + "/page.json")["runs"]["kind"], "field");
+  EXPECT_EQ(tests::table_in(out, "triangles")["rows"], 8192);
+  const auto x = tests::column_in(out, "triangles", "x1"),
+             y = tests::column_in(out, "triangles", "y1"),
+             u = tests::column_in(out, "triangles", "u1"),
+             error = tests::column_in(out, "triangles", "error1");
+  for (std::size_t i = 0; i < 8192; ++i)
+    EXPECT_NEAR(u[i].get<double>() - error[i].get<double>(),
+                std::sin(pi * x[i].get<double>()) * std::sin(2 * pi * y[i].get<double>()), 1e-6);
+}
+
+TEST(PoissonCommand, APageOfAFineMeshSaysThatItIsNotDrawn) {
+  const tests::TemporaryFolder root;
+  const std::string out = (root.path() / "out").string();
+  const Result result = shell("odeum poisson square:101 --load \"</script>\" --out " + out);
+  EXPECT_EQ(result.code, 2) << "no expression";
+  const Result fine = shell("odeum poisson square:101 --out " + out);
+  EXPECT_EQ(fine.code, 0) << fine.output;
+  EXPECT_EQ(tests::table_in(out, "triangles")["rows"], 0);
+  const auto page = tests::json_of(out + "/page.json");
+  EXPECT_EQ(page["runs"]["facts"][0][1], "square:101, 20402 triangles, too many to draw");
+  EXPECT_NE(tests::text_of(out + "/solution.vtk").find("CELL_TYPES 20402"), std::string::npos);
+  EXPECT_NE(tests::text_of(out + "/index.html").find("viewer/fields.js"), std::string::npos);
 }
 
 // u = 1 - y: 0 on the upper edge by a group, flux 1 through the lower one and 0 through the sides.
@@ -99,8 +122,36 @@ TEST(ClassifyCommand, TellsTheTypeAndDrawsIt) {
   const Result tricomi = shell("odeum classify \"y*u_xx + u_yy = 0\" --out " + out);
   EXPECT_EQ(tricomi.code, 0) << tricomi.output;
   EXPECT_NE(tricomi.output.find("the type changes at 121 points"), std::string::npos);
-  EXPECT_NE(tests::text_of(out + "/classify.svg").find("</svg>"), std::string::npos);
   EXPECT_EQ(tests::text_of(out + "/classify.csv").substr(0, 12), "schema,x,y,t");
+  const auto page = tests::json_of(out + "/page.json")["runs"];
+  EXPECT_EQ(page["kind"], "types");
+  EXPECT_EQ(page["title"], "y*u_xx + u_yy = 0");
+  EXPECT_EQ(page["region"], nlohmann::json::array({-1, 1, -1, 1}));
+  EXPECT_EQ(page["second"], "y");
+  // A rectangle for each of 120 rows of cells, of the type of its lower edge.
+  const auto types = tests::column_in(out, "types", "type"),
+             low = tests::column_in(out, "types", "y0"),
+             left = tests::column_in(out, "types", "x0"),
+             right = tests::column_in(out, "types", "x1");
+  ASSERT_EQ(types.size(), 120U);
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const double y = low[i];
+    EXPECT_EQ(types[i], y < -1e-9 ? "hyperbolic" : y > 1e-9 ? "elliptic" : "parabolic") << y;
+    EXPECT_EQ(left[i], -1);
+    EXPECT_EQ(right[i], 1);
+  }
+  EXPECT_EQ(tests::table_in(out, "type_changes")["rows"], 121);
+  // y dy^2 + dx^2 = 0: two directions below the axis, one on it, none above.
+  const auto x = tests::column_in(out, "characteristics", "dx"),
+             dy = tests::column_in(out, "characteristics", "dy"),
+             at = tests::column_in(out, "characteristics", "y");
+  ASSERT_GT(at.size(), 500U);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    EXPECT_LE(at[i].get<double>(), 1e-12);
+    EXPECT_NEAR(
+        at[i].get<double>() * std::pow(dy[i].get<double>(), 2) + std::pow(x[i].get<double>(), 2), 0,
+        1e-7);
+  }
   const Result numbers = shell("odeum classify 1 -2 1");
   EXPECT_NE(numbers.output.find("type             parabolic"), std::string::npos) << numbers.output;
   expect_refused("classify 1 2", "got 2 arguments");

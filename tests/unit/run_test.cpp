@@ -10,6 +10,7 @@
 
 #include "odeum/truth/computed_truth.hpp"
 #include "support/catalogue.hpp"
+#include "support/page_data.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -44,18 +45,23 @@ double field(const std::string& csv, const std::string& name, const std::string&
   throw std::out_of_range(name + " of " + start);
 }
 
-TEST_F(RunCommand, ComparesSolversInOnePicture) {
+TEST_F(RunCommand, ComparesSolversOnOnePage) {
   const Result result =
       run("damped_oscillator_undamped --solver explicit_euler --solver symplectic_euler --solver "
           "midpoint --step 0.01 --every 0.1" +
           out());
   ASSERT_EQ(result.code, 0) << result.output;
-  const std::string page = file("comparison.html");
-  for (const char* title : {"y over time", "u over time", "State plane: u against y",
-                            "Largest error over time", "Energy, less that at the start"})
-    EXPECT_EQ(count(page, "<strong>" + std::string(title) + "</strong>"), 1U) << title;
-  for (const char* id : {"odeum/explicit_euler", "odeum/symplectic_euler", "odeum/midpoint"})
-    EXPECT_GE(count(page, id), 6U) << "a row of the table and a line in each figure: " << id;
+  const auto page = json_of(folder_.path() / "page.json")["runs"];
+  EXPECT_EQ(page["kind"], "case");
+  EXPECT_EQ(page["components"], nlohmann::json::array({"y", "u"}));
+  EXPECT_EQ(page["measured"], nlohmann::json::array({0, 1}));
+  for (const char* drawn : {"second_order", "energy", "exact_everywhere"})
+    EXPECT_EQ(page[drawn], true) << drawn;
+  EXPECT_EQ(column_in(folder_.path(), "runs", "solver"),
+            (std::vector<nlohmann::json>{"explicit_euler", "symplectic_euler", "midpoint"}));
+  EXPECT_EQ(column_in(folder_.path(), "runs", "steps"), std::vector<nlohmann::json>(3, 1000));
+  EXPECT_EQ(column_in(folder_.path(), "trajectory", "error").size(), 4 * 101U);
+  EXPECT_EQ(table_in(folder_.path(), "schemes")["rows"], 101) << "that of explicit Euler is known";
   const std::string csv = file("trajectory.csv");
   EXPECT_TRUE(csv.starts_with("schema,case,library,solver,time,y,u,energy,error\n"));
   EXPECT_EQ(count(csv, "\n1,damped_oscillator_undamped,odeum,midpoint,"), 101U);
@@ -73,7 +79,12 @@ TEST_F(RunCommand, WritesOneFolderForEachSolverOfAScene) {
   for (const char* name : {"odeum_explicit_euler/replay.html", "odeum_midpoint/energy.csv",
                            "odeum_midpoint/trajectory.vtk.series"})
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / name)) << name;
-  EXPECT_EQ(count(file("comparison.html"), "<iframe "), 2U);
+  EXPECT_EQ(column_in(folder_.path(), "runs", "replay"),
+            (std::vector<nlohmann::json>{"odeum_explicit_euler/replay.html",
+                                         "odeum_midpoint/replay.html"}));
+  for (const char* table : {"energies", "plotted"})
+    EXPECT_GE(table_in(folder_.path(), table)["rows"], 4) << table;
+  EXPECT_EQ(json_of(folder_.path() / "page.json")["runs"]["kind"], "scene");
 }
 
 TEST_F(RunCommand, SaysWhatACourseFileLeavesOut) {
@@ -90,7 +101,11 @@ TEST_F(RunCommand, SaysWhatACourseFileLeavesOut) {
        {"scene      scene01\n", "duration   10 s: the scene gives none; --until sets another\n",
         "scene01.yml:5:31: particles[1].color: only a viewer needs it", "10000 steps to t = 10\n"})
     EXPECT_NE(result.output.find(sentence), std::string::npos) << sentence << result.output;
-  EXPECT_TRUE(file("out/plot.svg").starts_with("<svg xmlns="));
+  const auto plot = json_of(folder_.path() / "out/page.json")["runs"]["plot"];
+  EXPECT_EQ(plot["particle"], 1);
+  EXPECT_EQ(plot["coordinate"], "z");
+  EXPECT_EQ(plot["range"], nlohmann::json::array({0.7, 1.2}));
+  EXPECT_EQ(column_in(folder_.path() / "out", "plotted", "position").at(0), 1);
   EXPECT_NE(file("out/replay.html")
                 .find("\"plot\":{\"particle\":1,\"coordinate\":2,\"range\":[0.7,1.2]}"),
             std::string::npos);
@@ -159,12 +174,16 @@ TEST_F(RunCommand, ComputesATruthForOtherParametersAndTimes) {
   EXPECT_NE(lost.output.find("chaos"), std::string::npos) << lost.output;
 }
 
-// A body in a plane has its path as a figure, one along a line has none.
-TEST_F(RunCommand, DrawsThePathOfABodyInAPlane) {
+// Of a body in a plane the page draws the path: four components of an equation of second order.
+TEST_F(RunCommand, TellsThePageOfABodyInAPlane) {
   ASSERT_EQ(run("kepler_e06 --solver rk4 --step 0.01" + out()).code, 0);
-  EXPECT_EQ(count(file("comparison.html"), "<strong>Path: y against x</strong>"), 1U);
-  ASSERT_EQ(run("free_fall --solver rk4 --step 0.01" + out()).code, 0);
-  EXPECT_EQ(count(file("comparison.html"), "<strong>Path:"), 0U);
+  auto page = json_of(folder_.path() / "page.json")["runs"];
+  EXPECT_EQ(page["components"].size(), 4U);
+  EXPECT_EQ(page["second_order"], true);
+  ASSERT_EQ(run("lotka_volterra --solver rk4 --step 0.01" + out()).code, 0);
+  page = json_of(folder_.path() / "page.json")["runs"];
+  EXPECT_EQ(page["second_order"], false);
+  EXPECT_EQ(page["energy"], false);
 }
 
 // At all outputs, so that the exact solution is a line and each output has its error.

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "odeum/studies/convergence/summary.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::study {

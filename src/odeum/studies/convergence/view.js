@@ -47,7 +47,7 @@
     const rows = await rowsOf('orders'), [ids, libraries, solvers, verdictOf] = ['case', 'library', 'solver', 'verdict'].map((name) => rows.column(name));
     const groups = solverGroups(), tally = d3.rollup(rows.indices(null), (some) => Object.fromEntries(d3.rollup(some, (list) => list.length, (i) => verdictOf[i])), (i) => ids[i], (i) => functions.solver_group(libraries[i], solvers[i]));
     const countsOf = (id, name) => tally.get(id)?.get(name) || {};
-    const measured = facts.cases.filter((c) => tally.has(c.id)), others = facts.cases.filter((c) => !tally.has(c.id)), cloths = measured.filter((c) => c.tags.includes('cloth'));
+    const measured = facts.cases.filter((c) => tally.has(c.id)), cloths = measured.filter((c) => c.tags.includes('cloth'));
     const all = (name) => Object.fromEntries(judged.map((verdict) => [verdict, sum(measured.map((c) => countsOf(c.id, name)[verdict] || 0))]));
     const own = groups.filter((group) => group.own).length;
     const kinds = html('tr', {}, html('th', {}), own ? html('th', { colspan: own }, 'Odeum, by family') : null, own < groups.length ? html('th', { colspan: groups.length - own }, 'peers, by library') : null);
@@ -55,6 +55,9 @@
       ...measured.map((c) => ({ cells: [{ text: `${c.id} ${c.title}`, node: [caseLink(c), html('span', {}, c.title)] }, ...groups.map((group) => cellOf(countsOf(c.id, group.name), group.title))] }))];
     host.append(tableOf([{ text: 'case' }, ...groups.map((group) => ({ text: group.title, title: plural(group.ids.length, 'solver') }))], lines, 'overview', kinds));
     if (cloths.length) host.append(html('p', {}, 'The pages of the cloths also show errors and energy over time: ', listed(cloths.map((c) => caseLink(c))), '.'));
+  };
+  blocks.cases_left_out = async (host) => {
+    const ids = new Set((await rowsOf('orders')).column('case')), others = facts.cases.filter((c) => !ids.has(c.id));
     if (others.length) host.append(html('p', { class: 'dim' }, 'Not tried in this report: ', listed(others.map((c) => caseLink(c))), '.'));
   };
 
@@ -101,7 +104,7 @@
     const figureOf = (panel) => html('figure', { class: `panel${charts.length > 2 ? ' four' : ''}` }, html('figcaption', {}, contentsOf(panel)), html('div', { class: 'plots' }, charts.map((chart) => pictureOf(panel, chart))),
       legendOf(panel.solvers.map((solver, k) => ({ name: solver.method, colour: `var(--s${k})`, shape: k }))));
     const libraries = d3.groups(facts.solvers.filter((s) => bySolver.has(key(s))), (s) => s.library);
-    libraries.forEach(([library, solvers], k) => host.append(lazyDetails([html('strong', {}, library), ` ${versionOf(library)} `, html('span', { class: 'dim' }, plural(solvers.length, 'solver'))], () => html('div', { class: 'panels' }, panelsOf(solvers).map(figureOf)), k === 0)));
+    libraries.forEach(([library, solvers], k) => host.append(lazyDetails([html('strong', {}, library), ` ${versionOf(library)} `, html('span', { class: 'dim' }, plural(solvers.length, 'solver'))], () => html('div', { class: 'panels pairs' }, panelsOf(solvers).map(figureOf)), k === 0)));
     return null;
   };
 

@@ -40,7 +40,7 @@ addRows('drift_oscillator', async () => {
     const [energy, amplitude, phase] = ['energy', 'amplitude', 'phase'].map((name) => some.find((each) => each.invariant === name && each.status === 'ok'));
     const all = energy && amplitude && phase, { library, solver, status, step } = some[some.length - 1];
     // The row has the magnitude of the change; its sign follows from the first and the last value.
-    return { library, solver, status: all ? '' : status, step, amplitude: all ? Math.sign(amplitude.last_value - amplitude.first_value) * amplitude.end : NaN,
+    return { library, solver, status: all ? '' : status, step, amplitude: all ? (amplitude.last_value < amplitude.first_value ? -1 : 1) * amplitude.end : NaN,
       phase: all ? phase.last_value : NaN, frequency: all ? phase.end : NaN, energy: all ? energy.end : NaN };
   });
 });

@@ -25,7 +25,12 @@
   };
   const pointOf = (run) => ({ x: run.wall_ns_min, y: run.error, run });
   const fronts = { all: { colour: 'var(--ink)', text: 'Pareto front: no solver is both faster and more accurate' }, peers: { colour: 'var(--dim)', dashed: true, text: 'the same of the peers alone' } };
-  const legendOfSpeed = (libraries) => legendOf([...libraries.map((name) => ({ name, colour: colourOf(name), shape: facts.libraryNames.indexOf(name) % 8 })), ...Object.values(fronts).map((front) => ({ ...front, name: front.text, bare: true }))]);
+  // Runs are points without a line.
+  const legendOfSpeed = (libraries) => {
+    const legend = legendOf([...libraries.map((name) => ({ name, colour: colourOf(name), shape: facts.libraryNames.indexOf(name) % 8 })), ...Object.values(fronts).map((front) => ({ ...front, name: front.text, bare: true }))]);
+    libraries.forEach((_, k) => legend.children[k].querySelector('.curve').remove());
+    return legend;
+  };
   const tell = (run) => [`${idOf(run)}${run.options ? ` (${run.options})` : ''}`, `${run.setting_kind === 'tol' ? 'tolerance' : 'step'} ${number(run.setting)}`, duration(run.wall_ns_min), `error ${number(run.error)}`, `${plural(run.rhs_evaluations, 'evaluation')} of f`];
   const pick = (c) => (run) => { location.hash = addressOf('compare', { case: c.id, x: 'time', add: '1', show: `${idOf(run)}:${run.setting_kind === 'tol' ? 'adaptive' : 'fixed'}` }); };
 
