@@ -203,7 +203,7 @@ class Parser : Cursor {
     expect(']', "an open bracket");
     if (found == scope_.arrays.end()) {
       if (scope_.names.contains(name))
-        fail(where, "an index of what has none; got {0}[...], expected {0}", name);
+        fail(where, "{0} has no index; got {0}[...], expected {0}", name);
       fail_unknown(where, name);
     }
     const Array& array = found->second;
