@@ -152,8 +152,7 @@ endfunction()
 # What prints texts as C++ (src/odeum/print), and a command for each of ODEUM_CASE_TEXTS: its problem as
 # generated/problems/<stem>.hpp, its cases as generated/cases/<stem>.cpp; the target odeum_printed is all of them.
 function(odeum_print_cases)
-  add_executable(odeum_print $<TARGET_OBJECTS:odeum_formula> ${PROJECT_SOURCE_DIR}/src/odeum/print/main.cpp
-                 ${PROJECT_SOURCE_DIR}/src/odeum/print/print_cases.cpp ${PROJECT_SOURCE_DIR}/src/odeum/print/print_problem.cpp)
+  add_executable(odeum_print ${PROJECT_SOURCE_DIR}/src/odeum/print/main.cpp $<TARGET_OBJECTS:odeum_formula>)
   target_include_directories(odeum_print PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(odeum_print PRIVATE odeum_options fmt::fmt yaml-cpp)
   set(printed "")

@@ -6,44 +6,27 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/printer.hpp"
-#include "odeum/formula/reader.hpp"
+#include "odeum/print/case_keys.hpp"
 #include "odeum/print/print_problem.hpp"
 
 namespace odeum::print {
 namespace {
 
 using namespace formula;
-using reading::Item;
+using Kind = Member::Kind;
 
-enum class Kind { text, number, numbers };
-/// A key whose value is assigned to a member of Case.
-struct Member {
-  const char* key;
-  const char* member;
-  Kind kind;
-};
-constexpr Member members[] = {{"title", "title", Kind::text},
-                              {"equation", "equation", Kind::text},
-                              {"source", "source", Kind::text},
-                              {"stops", "stops", Kind::numbers},
-                              {"thresholds", "thresholds", Kind::numbers},
-                              {"no_fixed_steps", "settings.no_fixed_steps", Kind::text},
-                              {"steps_multiple", "settings.steps_multiple", Kind::number},
-                              {"coarsest_steps", "settings.coarsest_steps", Kind::number},
-                              {"finest_steps", "settings.finest_steps", Kind::number},
-                              {"timed_stops", "settings.timed_stops", Kind::numbers},
-                              {"timed_floor", "settings.timed_floor", Kind::number},
-                              {"evaluation_budget", "settings.evaluation_budget", Kind::number}};
+constexpr std::size_t most_printed_states = 40;  // their Jacobian is dense
 
 std::string raw_text(const std::string& text) { return "R\"odeum(" + text + ")odeum\""; }
 
-class CasesPrinter : reading::Source {
+class CasesPrinter : CaseKeys {
  public:
   CasesPrinter(const std::string& file, const std::string& text)
-      : Source(file, text),
+      : CaseKeys(file, text),
         stem_(std::filesystem::path(file).stem().string()),
         problem_(read_problem(file, text, {}, Parameters::names)),
         analysis_(analyse(problem_)) {
@@ -53,24 +36,24 @@ class CasesPrinter : reading::Source {
         scope_.names[each.name] = each.id;
         parameters_.push_back(each);
       }
-    for (const Item& item : items(root(), "problem")) {
-      if (item.key == "case") common_ = items(*item.value, "case");
-      if (item.key == "cases") cases_ = items(*item.value, "cases");
-    }
-    if (cases_.empty()) fail({}, "cases: missing; got none, expected `cases: {{id: {{...}}}}`");
+    if (problem_.kinetic_energy != no_node || problem_.states.size() > most_printed_states)
+      fail({}, "cases: got {} states{}, expected at most {} and no mass matrix: such cases are C++",
+           problem_.states.size(), problem_.kinetic_energy != no_node ? ", mass" : "",
+           most_printed_states);
     read_offers();
   }
 
   Printed print() {
     std::string calls;
     for (const Item& item : cases_) {
-      own_ = items(*item.value, item.key);
+      enter(item);
       print_case(item);
       calls += fmt::format("{}{}", calls.empty() ? "" : ",\n          ", call_);
     }
     return {
         print_problem(stem_, problem_, analysis_, offers_),
-        fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n"
+        fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
+                    "#include <fmt/format.h>\n\n"
                     "#include \"odeum/cases/parameters.hpp\"\n"
                     "#include \"odeum/cases/reference.hpp\"\n"
                     "#include \"odeum/cases/stage.hpp\"\n\nnamespace odeum::cases {{\n"
@@ -84,26 +67,6 @@ class CasesPrinter : reading::Source {
     text_ += "  " + fmt::format(format, std::forward<Values>(values)...) + "\n";
   }
 
-  /// The value of a key of the case, else of `case`, which holds for all; null: neither has it.
-  const YamlNode* find(std::string_view key) const {
-    for (const auto* list : {&own_, &common_})
-      for (const Item& item : *list)
-        if (item.key == key) return item.value;
-    return nullptr;
-  }
-  /// A scalar, or the entries of a list.
-  std::vector<const YamlNode*> entries(const YamlNode* value) const {
-    if (!value) return {};
-    if (value->kind != YamlNode::Kind::sequence) return {value};
-    std::vector<const YamlNode*> all;
-    for (const auto& each : value->items) all.push_back(each.get());
-    return all;
-  }
-  std::vector<std::string> texts(const YamlNode* value, const std::string& key) const {
-    std::vector<std::string> all;
-    for (const YamlNode* each : entries(value)) all.push_back(scalar(*each, key));
-    return all;
-  }
   /// An expression of the parameters, as a node.
   Id constant(const YamlNode& value, const std::string& key) {
     try {
@@ -123,33 +86,20 @@ class CasesPrinter : reading::Source {
     const YamlNode* const value = find("offers");
     if (!value) return;
     offers_.jacobian = offers_.second_order = offers_.series = false;
-    for (const YamlNode* each : entries(value)) {
-      const std::string name = scalar(*each, "offers");
-      if (name == "jacobian")
-        offers_.jacobian = true;
-      else if (name == "second_order")
-        offers_.second_order = true;
-      else if (name == "series")
-        offers_.series = true;
-      else
-        fail(each->place, "offers: got {}, expected jacobian, second_order or series", name);
+    const std::pair<const char*, bool*> known[] = {{"jacobian", &offers_.jacobian},
+                                                   {"second_order", &offers_.second_order},
+                                                   {"series", &offers_.series}};
+    for (const std::string& name : texts(value, "offers")) {
+      const auto at = std::find_if(std::begin(known), std::end(known),
+                                   [&](const auto& each) { return each.first == name; });
+      if (at == std::end(known))
+        fail(value->place, "offers: got {}, expected jacobian, second_order or series", name);
+      *at->second = true;
     }
-  }
-  void require_known(const std::vector<Item>& list, const std::string& in) const {
-    std::vector<std::string> known{"tags",     "parameters",   "meanings",   "set",  "reference",
-                                   "positive", "not_negative", "invariants", "floor"};
-    if (&list == &common_) known.emplace_back("offers");
-    for (const Member& each : members) known.emplace_back(each.key);
-    for (const Item& item : list)
-      if (std::find(known.begin(), known.end(), item.key) == known.end())
-        fail(item.key_place, "{}: an unknown key; got {}, expected one of {}{}", in,
-             shown(item.key), fmt::join(known, ", "), near_one(item.key, known));
   }
 
   void print_case(const Item& item) {
     const std::string& id = item.key;
-    require_known(common_, "case");
-    require_known(own_, id);
     text_ += fmt::format("Case make_{}([[maybe_unused]] const Values& values) {{\n", id);
     print_values(id);
     line("Case c;\n  c.id = \"{}\";\n  c.t0 = {};", id, static_cast<double>(problem_.t0));
@@ -157,12 +107,15 @@ class CasesPrinter : reading::Source {
       if (const YamlNode* const value = find(each.key)) print_member(each, *value);
     if (!find("title")) line("c.title = {};", raw_text(problem_.name.empty() ? id : problem_.name));
     if (!find("equation")) line("c.equation = {};", raw_text(problem_.equations_text));
+    text_ += suffix_;
     if (!find("stops")) line("c.stops = {{{}}};", fmt::join(problem_.stops, ", "));
     print_tags();
     line("c.components = {{\"{}\"}};", fmt::join(problem_.states, "\", \""));
     std::vector<std::string> start;
     for (const Id y : problem_.start) start.push_back(names_.name(y, in_double));
     line("c.y0 = {{{}}};", fmt::join(start, ", "));
+    if (!problem_.scale.empty()) line("c.scale = {{{}}};", fmt::join(problem_.scale, ", "));
+    print_tolerance();
     print_truth(id, item.key_place);
     print_invariants();
     line("set_stage(c, problem);\n  return c;\n}}");
@@ -176,6 +129,7 @@ class CasesPrinter : reading::Source {
     if (!find("parameters"))
       for (const Item& each : meanings) offered.push_back(each.key);
     std::vector<std::string> fields, rows(offered.size());
+    std::vector<double> usual(offered.size());
     for (const Definition& each : parameters_) {
       const auto given = of_name(set, each.name), meaning = of_name(meanings, each.name);
       const double value = given ? number(*given->value, "set: " + each.name)
@@ -183,6 +137,7 @@ class CasesPrinter : reading::Source {
       const auto at = std::find(offered.begin(), offered.end(), each.name) - offered.begin();
       if (static_cast<std::size_t>(at) < offered.size()) {
         fields.push_back(fmt::format(".{} = values[{}]", each.name, at));
+        usual[static_cast<std::size_t>(at)] = value;
         rows[static_cast<std::size_t>(at)] =
             fmt::format("{{\"{}\", {}, {}}}", each.name, value,
                         raw_text(meaning ? scalar(*meaning->value, each.name) : ""));
@@ -199,11 +154,15 @@ class CasesPrinter : reading::Source {
         line("require_{}({}, {});", sign, raw_text(scalar(*each, sign)),
              names_.name(offers_.members.back(), in_double));
       }
-    call_ = offered.empty()
-                ? fmt::format("make_{}({{}})", id)
-                : fmt::format("{}({{{}}}, make_{})",
-                              find("reference") ? "with_tabled_parameters" : "with_parameters",
-                              fmt::join(rows, ", "), id);
+    usual_ = fmt::format("{}", fmt::join(usual, ", "));
+    const bool tabled = find("reference") && problem_.exact.empty();
+    suffix_.clear();
+    for (std::size_t k = 0; !tabled && k < offered.size(); ++k)
+      suffix_ += fmt::format("  c.equation += fmt::format(\"{} {} = {{}}\", values[{}]);\n",
+                             k ? "," : ";", offered[k], k);
+    call_ = offered.empty() ? fmt::format("make_{}({{}})", id)
+                            : fmt::format("with_{}parameters({{{}}}, make_{})",
+                                          tabled ? "tabled_" : "", fmt::join(rows, ", "), id);
   }
 
   void print_member(const Member& each, const YamlNode& value) {
@@ -231,22 +190,34 @@ class CasesPrinter : reading::Source {
     line("c.tags = {{\"{}\"}};", fmt::join(tags, "\", \""));
   }
 
+  void print_tolerance() {
+    std::vector<double> thresholds = problem_.absolute;
+    for (double& each : thresholds) each /= problem_.tolerance;
+    if (problem_.tolerance > 0) line("c.tolerance = {};", problem_.tolerance);
+    if (!thresholds.empty() && !find("thresholds"))
+      line("c.thresholds = {{{}}};", fmt::join(thresholds, ", "));
+  }
+
   void print_truth(const std::string& id, Place place) {
     const std::vector<std::string> files = texts(find("reference"), "reference");
     const YamlNode* const given = find("floor");
     const double floor = given ? number(*given, "floor") : 0;
     if (files.empty() && problem_.exact.empty())
       fail(place, "{}: no truth; got none, expected `reference` and `floor`, or `exact`", id);
-    if (files.empty())
-      return line(
-          "c.truth.source = \"closed form\";\n  c.truth.floor = {};\n"
+    if (!problem_.exact.empty()) {
+      line(
+          "c.truth.source = \"closed form\";\n"
           "  c.truth.at = [problem](double t, double* y) {{\n    long double exact[{}];\n"
           "    problem.exact<long double>(t, exact);\n"
           "    for (const long double x : exact) *y++ = static_cast<double>(x);\n"
           "    return true;\n  }};",
-          floor, problem_.states.size());
+          problem_.states.size());
+    }
+    if (files.empty()) return line("c.truth.floor = {};", floor);
     if (!(floor > 0)) fail(place, "{}: floor: got none, expected the error of the reference", id);
-    line("c.truth = reference_truth(\"{}\", {});", files.front(), floor);
+    line("{}c.truth = reference_truth(\"{}\", {});",
+         problem_.exact.empty() ? "" : fmt::format("if (values == Values{{{}}}) ", usual_),
+         files.front(), floor);
     for (std::size_t k = 1; k < files.size(); ++k)
       line(
           "c.truth.at = [before = c.truth.at, more = reference_truth(\"{}\", {}).at](\n"
@@ -267,16 +238,6 @@ class CasesPrinter : reading::Source {
     }
   }
 
-  std::vector<Item> mapping(const std::string& key) const {
-    const YamlNode* const value = find(key);
-    return value ? items(*value, key) : std::vector<Item>{};
-  }
-  static const Item* of_name(const std::vector<Item>& list, const std::string& name) {
-    const auto at =
-        std::find_if(list.begin(), list.end(), [&](const Item& item) { return item.key == name; });
-    return at == list.end() ? nullptr : &*at;
-  }
-
   std::string stem_;
   Problem problem_;
   Analysis analysis_;
@@ -284,8 +245,9 @@ class CasesPrinter : reading::Source {
   Printer names_{problem_.graph};
   Scope scope_;
   std::vector<Definition> parameters_;
-  std::vector<Item> common_, cases_, own_;
   std::string text_, call_;
+  std::string usual_,
+      suffix_;  ///< values of the parameters, and code that adds them to the equation
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ struct Offers {
 std::string type_name(const std::string& stem);
 
 /// A header with a struct of the problem (problem/concepts.hpp), in plain C++17: parameters are its
-/// members, constants that follow from them are computed once. An invariant x is the function kept_x,
-/// `energy` and `H` are `energy`. The problem was read with the names of its parameters.
+/// members, constants that follow from them are computed once. An invariant x is the function
+/// kept_x, `energy` and `H` are `energy`. The problem was read with the names of its parameters.
 std::string print_problem(const std::string& stem, const formula::Problem& problem,
                           const formula::Analysis& analysis, const Offers& offers);
 
