@@ -4,5 +4,5 @@
 #include "problems/oscillator.hpp"
 
 namespace odeum::cases::inlined {
-using oscillator = UnitOscillator<false>;
+using oscillator = Oscillator<false, UnitNumbers>;
 }

@@ -89,13 +89,26 @@ ${calls}    return list;
 endfunction()
 
 # odeum_cases.cpp: all_cases() from every file in cases/, its stem the function that makes it, and
-# case_files(), which names them.
+# case_files(), which names them. A text is printed as C++, by odeum_print_cases().
 function(odeum_generate_cases)
-  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
-  set(declarations "")
-  set(calls "")
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp ${PROJECT_SOURCE_DIR}/cases/*.yaml)
+  set(stems "")
+  set(units "")
+  set(texts "")
   foreach(file IN LISTS files)
     get_filename_component(stem ${file} NAME_WE)
+    list(APPEND stems ${stem})
+    if(file MATCHES "\\.yaml$")
+      list(APPEND texts ${file})
+      list(APPEND units ${ODEUM_GENERATED}/cases/${stem}.cpp)
+    else()
+      list(APPEND units ${file})
+    endif()
+  endforeach()
+  list(SORT stems)
+  set(declarations "")
+  set(calls "")
+  foreach(stem IN LISTS stems)
     string(APPEND declarations "std::vector<Case> ${stem}();\n")
     string(APPEND calls "    add(cases::${stem}(), \"${stem}\");\n")
   endforeach()
@@ -132,7 +145,24 @@ const std::map<std::string, std::string>& case_files() {
 }
 }
 ")
-  set(ODEUM_CASE_FILES ${files} ${ODEUM_GENERATED}/odeum_cases.cpp PARENT_SCOPE)
+  set(ODEUM_CASE_FILES ${units} ${ODEUM_GENERATED}/odeum_cases.cpp PARENT_SCOPE)
+  set(ODEUM_CASE_TEXTS ${texts} PARENT_SCOPE)
+endfunction()
+
+# What prints texts as C++ (src/odeum/print), and a command for each of ODEUM_CASE_TEXTS: its problem as
+# generated/problems/<stem>.hpp, its cases as generated/cases/<stem>.cpp; the target odeum_printed is all of them.
+function(odeum_print_cases)
+  add_executable(odeum_print ${PROJECT_SOURCE_DIR}/src/odeum/print/main.cpp $<TARGET_OBJECTS:odeum_formula>)
+  target_include_directories(odeum_print PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(odeum_print PRIVATE odeum_options fmt::fmt yaml-cpp)
+  set(printed "")
+  foreach(text IN LISTS ODEUM_CASE_TEXTS)
+    get_filename_component(stem ${text} NAME_WE)
+    set(outputs ${ODEUM_GENERATED}/problems/${stem}.hpp ${ODEUM_GENERATED}/cases/${stem}.cpp)
+    add_custom_command(OUTPUT ${outputs} COMMAND odeum_print ${text} ${ODEUM_GENERATED} DEPENDS ${text} VERBATIM)
+    list(APPEND printed ${outputs})
+  endforeach()
+  add_custom_target(odeum_printed DEPENDS ${printed})
 endfunction()
 
 # odeum_studies.cpp: make_studies() from every folder in src/odeum/studies that has a study.cpp, which

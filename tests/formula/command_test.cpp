@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string problems = ODEUM_SOURCE_DIR "/cases/problems/";
+const std::string cases = ODEUM_SOURCE_DIR "/cases/", problems = cases + "problems/";
 
 class ProblemCommands : public testing::Test {
  protected:
@@ -34,18 +34,18 @@ class ProblemCommands : public testing::Test {
 };
 
 TEST_F(ProblemCommands, RunSaysWhatWasFoundAndHowGoodTheTruthIs) {
-  expect("run " + problems + "kepler.yaml", 0, "second order, q'' = a(t, q): separable");
-  const std::string run = "run " + problems + "kepler.yaml --solver rk4 --step 0.01";
+  expect("run " + cases + "kepler.yaml", 0, "second order, q'' = a(t, q): separable");
+  const std::string run = "run " + cases + "kepler.yaml --solver rk4 --step 0.01";
   expect(run, 0, "known to ");
   expect(run, 0, "from the cache");
   expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
-  expect("run " + problems + "kepler.yaml --step 0.1", 2, "--solver is required");
-  expect("run " + problems + "kepler.yaml --solver exponential_propagator --step 0.1", 2,
+  expect("run " + cases + "kepler.yaml --step 0.1", 2, "--solver is required");
+  expect("run " + cases + "kepler.yaml --solver exponential_propagator --step 0.1", 2,
          "does not fit");
 }
 
 TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
-  const std::string run = "run " + problems + "van_der_pol.yaml --solver rk4 --step 0.01";
+  const std::string run = "run " + cases + "van_der_pol.yaml --solver rk4 --step 0.01";
   const auto error = [&](const std::string& variables) {
     const std::string output = odeum(run, variables).output;
     const std::size_t at = output.find("\nerror ");
@@ -59,22 +59,21 @@ TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
 }
 
 TEST_F(ProblemCommands, ConvergeGivesOrdersWithVerdicts) {
-  expect("converge " + problems + "brusselator.yaml --solver odeum/rk4 --mode fixed --out out", 0,
+  expect("converge " + cases + "brusselator.yaml --solver odeum/rk4 --mode fixed --out out", 0,
          "confirmed");
   const std::string orders = tests::text_of(folder_.path() / "out/orders.csv");
   EXPECT_NE(orders.find(",brusselator,odeum,rk4,"), std::string::npos) << orders;
   // The name of a compiled case is left to it.
-  expect(
-      "converge --case " + problems + "hires.yaml --solver odeum/sdirk2 --mode adaptive --out out",
-      0, "hires_text");
+  expect("converge --case " + cases + "hires.yaml --solver odeum/sdirk2 --mode adaptive --out out",
+         0, "hires_text");
 }
 
 TEST_F(ProblemCommands, OtherStudiesTakeProblemsToo) {
   const std::string solver = " --solver odeum/rk4 --out out";
-  expect("drift " + problems + "kepler.yaml" + solver, 0, "angular_momentum");
+  expect("drift " + cases + "kepler.yaml" + solver, 0, "angular_momentum");
   expect("limits " + problems + "heat.yaml" + solver, 0, "heat");
-  expect("precision " + problems + "lotka_volterra.yaml" + solver, 0, "lotka_volterra");
-  expect("report --quick " + problems + "lotka_volterra.yaml --solver odeum/rk4 --out page", 0,
+  expect("precision " + cases + "lotka_volterra.yaml" + solver, 0, "lotka_volterra");
+  expect("report --quick " + cases + "lotka_volterra.yaml --solver odeum/rk4 --out page", 0,
          "index.html");
   const std::string orders = tests::text_of(folder_.path() / "page/orders.csv");
   EXPECT_NE(orders.find(",odeum,rk4,"), std::string::npos) << orders;
@@ -83,7 +82,7 @@ TEST_F(ProblemCommands, OtherStudiesTakeProblemsToo) {
 
 // Of studies without times; the page takes what the commands before it have measured.
 TEST_F(ProblemCommands, AReportTakesTheResultsOfEarlierCommands) {
-  const std::string with = " " + problems + "lotka_volterra.yaml --solver odeum/heun --out page";
+  const std::string with = " " + cases + "lotka_volterra.yaml --solver odeum/heun --out page";
   expect("converge" + with, 0, "heun");
   expect("stability" + with, 0, "heun");
   expect("report" + with, 0, "index.html");
@@ -99,10 +98,10 @@ TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
   write("broken.yaml", "states: {x: 1\nequations:\n  x: y\n");
   expect("run broken.yaml", 2, "problem: not YAML");
   expect("converge nowhere.yaml", 2, "nowhere.yaml:1:1: problem: cannot be read");
-  expect("run " + problems + "kepler.yaml --set e=2", 2, "none to set of that name");
-  expect("run " + problems + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
-  expect("run " + problems + "kepler.yaml --set eccentricity=1", 2, "division by zero");
-  expect("run " + problems + "lorenz.yaml --set zz=1", 2, "expected one of: ");
+  expect("run " + cases + "kepler.yaml --set e=2", 2, "none to set of that name");
+  expect("run " + cases + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
+  expect("run " + cases + "kepler.yaml --set eccentricity=1", 2, "division by zero");
+  expect("run " + cases + "lorenz.yaml --set zz=1", 2, "expected one of: ");
   write("plain.yaml", "states: {x: 1}\nequations: {x: -x}\ntime: {end: 1}\n");
   expect("run plain.yaml --set x=3", 2, "the file has no parameters");
   expect("run lotka_volterra --solver rk4 --step 0.1 --set zz=1", 2, "no parameter zz");

@@ -15,7 +15,7 @@ using formula::TextOde;
 /// Every function of the format, at points where it is smooth; x = 0.7, y = 1.3.
 const char* const all_functions = R"(states: {x: 0.7, y: 1.3}
 equations:
-  x: sin(x*y) + cos(x)/y - tan(x)*asin(x/2) + acos(y/3)*atan(x) - atan2(x, y) + sinh(x)*cosh(y)
+  x: sin(x*y) + cos(x)/y - tan(x)*asin(x/2) + acos(y/3)*atan(x) - atan2(x, y) + sinh(x)*cosh(y) + hypot(x, y)
   y: tanh(x - y) + exp(-x*t) + log(x + y)*log10(y) - sqrt(x)*abs(x - 5) + x^2.5/y^3 + x^y + y^0.3 + 2^x + min(x, y)*max(x, 2*y) + if(x < y, x*x, y) - x^20
 time: {end: 1}
 )";
@@ -104,7 +104,7 @@ void expect_series(const TextOde& ode, double t, std::vector<double> y) {
 TEST(Series, FulfilsTheEquations) {
   const char* const smooth = R"(states: {x: 0.7, y: 1.3}
 equations:
-  x: sin(x*y) + cos(x)/y - tan(x)*asin(x/2) + acos(y/3)*atan(x) - atan2(x, y) + sinh(x)*cosh(y)
+  x: sin(x*y) + cos(x)/y - tan(x)*asin(x/2) + acos(y/3)*atan(x) - atan2(x, y) + sinh(x)*cosh(y) + hypot(x, y)
   y: tanh(x - y) + exp(-x*t) + log(x + y)*log10(y) - sqrt(x)*3 + x^2.5/y^3 + x^y + y^0.3 + 2^x
 time: {end: 1}
 )";

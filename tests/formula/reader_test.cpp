@@ -127,11 +127,11 @@ TEST(ProblemReader, Expressions) {
   expect_fault(with_equation("sni(x)"), "3:6: ", "did you mean sin?");
   expect_fault(with_equation("ln(x)"), "3:6: ", "did you mean log?");
   expect_fault(with_equation("sin + x"), "3:6: ", "sin(...)");
-  expect_fault(with_equation("1.2.3*x"), "3:9: ", "two points");
+  expect_fault(with_equation("1.2.3*x"), "3:9: ", "two decimal points");
   expect_fault(with_equation("x $ 2"), "3:8: ", "not understood");
   expect_fault(with_equation("`reboot`"), "3:6: ", "");
   expect_fault("states: {x: 1}\nequations: {x: min(x, 2)}\ntime: {end: 1}\n", "2:21: ", "quote");
-  expect_fault(with_equation("x[1]"), "3:6: ", "an index of what has none");
+  expect_fault(with_equation("x[1]"), "3:6: ", "x has no index");
 }
 
 TEST(ProblemReader, NumbersAndConstants) {
@@ -190,7 +190,7 @@ TEST(ProblemReader, TimesAndIndices) {
   expect_fault(chain + "u[i+1]}\n",
                "3:26: ", "got u[4], expected 1 to 3, or a value for it in boundaries");
   expect_fault(chain + "u[i/2]}\n", "3:26: ", "no whole number");
-  expect_fault(chain + "u}\n", "3:26: ", "no index");
+  expect_fault(chain + "u}\n", "3:26: ", "an index is missing");
   expect_fault("states: {u[1..3]: 1}\ntime: {end: 1}\nequations: {u[1..2]: 1}\n",
                "1:10: ", "none for u[3]");
   expect_fault("states: {u[1..3]: 1}\ntime: {end: 1}\nequations: {u[1..4]: 1}\n",

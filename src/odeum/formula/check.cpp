@@ -85,7 +85,7 @@ void Reader::require_exact() {
     const Real t = problem.t0 + (end - problem.t0) * point / points;
     solution(t, nullptr, y.data());
     equations(t, y.data(), f.data());
-    // What rounding of y moves f by: the equations may amplify it.
+    // The equations may amplify the rounding of y: f_moved - f tells by how much.
     for (std::size_t k = 0; k < n; ++k) moved[k] = y[k] * (1 + 1e-14L);
     equations(t, moved.data(), f_moved.data());
     for (std::size_t k = 0; k < n; ++k) {

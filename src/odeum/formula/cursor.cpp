@@ -56,7 +56,7 @@ long double Cursor::number() {
     fail(at_, "not a number; got {}, expected digits", shown(text_.substr(at_, 12)));
   at_ += read.size();
   if (at_ < text_.size() && text_[at_] == '.')
-    fail(at_, "a number with two points; got a second one, expected one at most");
+    fail(at_, "a number has two decimal points; got a second one, expected at most one");
   return value;
 }
 

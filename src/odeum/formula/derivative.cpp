@@ -1,81 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <stdexcept>
 
-#include "odeum/formula/graph.hpp"
+#include "odeum/formula/parser.hpp"
 
 namespace odeum::formula {
 namespace {
 
-/// The derivative of an elementary function of one argument, `w` its value at u.
-Id of_function(Graph& g, Op op, Id u, Id w) {
-  const auto one = [&] { return g.constant(1); };
-  const auto square = [&](Id x) { return g.make(Op::multiply, x, x); };
-  const auto root_of_rest = [&] {  // sqrt(1 - u^2)
-    return g.make(Op::sqrt, g.make(Op::subtract, one(), square(u)));
-  };
-  switch (op) {
-    case Op::sin:
-      return g.make(Op::cos, u);
-    case Op::cos:
-      return g.make(Op::negate, g.make(Op::sin, u));
-    case Op::tan:
-      return g.make(Op::add, one(), square(w));
-    case Op::asin:
-      return g.make(Op::divide, one(), root_of_rest());
-    case Op::acos:
-      return g.make(Op::divide, g.constant(-1), root_of_rest());
-    case Op::atan:
-      return g.make(Op::divide, one(), g.make(Op::add, one(), square(u)));
-    case Op::sinh:
-      return g.make(Op::cosh, u);
-    case Op::cosh:
-      return g.make(Op::sinh, u);
-    case Op::tanh:
-      return g.make(Op::subtract, one(), square(w));
-    case Op::exp:
-      return w;
-    case Op::log:
-      return g.make(Op::divide, one(), u);
-    case Op::log10:
-      return g.make(Op::divide, one(), g.make(Op::multiply, g.make(Op::log, g.constant(10)), u));
-    case Op::sqrt:
-      return g.make(Op::divide, g.constant(0.5L), w);
-    case Op::abs:
-      return g.make(Op::sign, u);
-    default:
-      return no_node;
-  }
-}
+/// The derivative of an operation by an argument as in its row of operations.cpp: `roots` of a
+/// graph whose states 0, 1 and 2 are a, b and w; no_node where there is none.
+struct Rules {
+  Graph graph;
+  std::vector<std::array<Id, 2>> of;  ///< by operation and argument
 
-/// Of a function of two arguments.
-Id of_pair(Graph& g, Op op, std::size_t argument, Id a, Id b, Id w) {
-  const bool first = argument == 0;
-  switch (op) {
-    case Op::multiply:
-      return first ? b : a;
-    case Op::divide:
-      return first ? g.make(Op::divide, g.constant(1), b)
-                   : g.make(Op::negate, g.make(Op::divide, w, b));
-    case Op::power:
-      if (!first) return g.make(Op::multiply, w, g.make(Op::log, a));
-      // With a constant exponent, of which products and roots are already made, w / a would fail at
-      // a = 0.
-      return g.is_constant(b) ? g.make(Op::multiply, b,
-                                       g.make(Op::power, a, g.make(Op::subtract, b, g.constant(1))))
-                              : g.make(Op::multiply, b, g.make(Op::divide, w, a));
-    case Op::atan2: {
-      const Id length = g.make(Op::add, g.make(Op::multiply, a, a), g.make(Op::multiply, b, b));
-      return first ? g.make(Op::divide, b, length)
-                   : g.make(Op::negate, g.make(Op::divide, a, length));
+  Rules() {
+    const Scope scope{
+        .names = {{"a", graph.state(0)}, {"b", graph.state(1)}, {"w", graph.state(2)}},
+        .arrays = {},
+        .refused = {},
+        .index = {}};
+    for (std::size_t op = leaves; op <= static_cast<std::size_t>(Op::choose); ++op) {
+      std::array<Id, 2> roots{no_node, no_node};
+      for (std::size_t k = 0; k < 2; ++k)
+        if (const char* const text = meaning_of(static_cast<Op>(op)).partials[k])
+          roots[k] = parse_expression(text, scope, graph);
+      of.push_back(roots);
     }
-    case Op::min:
-    case Op::max: {
-      const Id other = op == Op::min ? g.make(Op::less, b, a) : g.make(Op::less, a, b);
-      return first ? g.make(Op::choose, other, g.constant(0), g.constant(1)) : other;
-    }
-    default:
-      return no_node;
   }
+  /// The rule with a, b and w put in.
+  Id in(Graph& target, Id root, const std::array<Id, 3>& given) const {
+    const Node& node = graph[root];
+    if (node.op == Op::state) return given[node.index];
+    if (node.op == Op::constant) return target.constant(node.value);
+    std::array<Id, 3> of_node{no_node, no_node, no_node};
+    for (std::size_t k = 0; k < arity(node.op); ++k) of_node[k] = in(target, node.of[k], given);
+    return target.make(node.op, of_node[0], of_node[1], of_node[2]);
+  }
+};
+
+/// A power's derivative by its base with a constant exponent, of which products and roots are
+/// already made: w / a would fail at a = 0.
+Id partial_at(Graph& g, Id id, std::size_t argument) {
+  const Node n = g[id];
+  if (n.op != Op::power || argument != 0 || !g.is_constant(n.of[1])) return g.partial(id, argument);
+  const Id less = g.make(Op::subtract, n.of[1], g.constant(1));
+  return g.make(Op::multiply, n.of[1], g.make(Op::power, n.of[0], less));
 }
 
 /// d += outer * inner for each entry of `inner`; both in ascending order of `by`.
@@ -97,30 +66,15 @@ std::vector<Entry> plus_multiple(Graph& g, const std::vector<Entry>& d, Id outer
 }  // namespace
 
 Id Graph::partial(Id node, std::size_t argument) {
+  static const Rules rules;
   const Node n = nodes_[node];
-  switch (n.op) {
-    case Op::constant:
-    case Op::time:
-    case Op::state:
-    case Op::less:
-    case Op::less_equal:
-    case Op::equal:
-    case Op::sign:
-      return no_node;
-    case Op::add:
-      return constant(1);
-    case Op::subtract:
-      return constant(argument == 0 ? 1 : -1);
-    case Op::negate:
-      return constant(-1);
-    case Op::choose:
-      if (argument == 0) return no_node;
-      return make(Op::choose, n.of[0], constant(argument == 1 ? 1 : 0),
-                  constant(argument == 2 ? 1 : 0));
-    default:
-      return arity(n.op) == 1 ? of_function(*this, n.op, n.of[0], node)
-                              : of_pair(*this, n.op, argument, n.of[0], n.of[1], node);
-  }
+  if (is_leaf(n.op)) return no_node;
+  if (n.op == Op::choose)
+    return argument == 0 ? no_node
+                         : make(Op::choose, n.of[0], constant(argument == 1 ? 1 : 0),
+                                constant(argument == 2 ? 1 : 0));
+  const Id rule = rules.of[static_cast<std::size_t>(n.op) - leaves][argument];
+  return rule == no_node ? no_node : rules.in(*this, rule, {n.of[0], n.of[1], node});
 }
 
 std::vector<std::vector<Entry>> gradients(Graph& graph, const std::vector<Id>& roots,
@@ -139,7 +93,7 @@ std::vector<std::vector<Entry>> gradients(Graph& graph, const std::vector<Id>& r
       for (std::size_t k = 0; k < arity(node.op); ++k) {
         const std::vector<Entry>& inner = of.at(node.of[k]);
         if (inner.empty()) continue;
-        if (const Id outer = graph.partial(id, k); outer != no_node)
+        if (const Id outer = partial_at(graph, id, k); outer != no_node)
           d = plus_multiple(graph, d, outer, inner);
       }
     }

@@ -36,7 +36,7 @@ void Evaluator<Real>::operator()(Real t, const Real* y, Real* out) const {
         v[k] = y[step.a];
         break;
       default:
-        v[k] = apply<Real>(step.op, v[step.a], v[step.b], v[step.c]);
+        v[k] = apply(step.op, v[step.a], v[step.b], v[step.c]);
     }
   }
   for (std::size_t k = 0; k < roots_.size(); ++k) out[k] = v[roots_[k]];

@@ -8,101 +8,17 @@
 
 namespace odeum::formula {
 
-namespace {
-
-template <class Real>
-Real apply_function(Op op, Real a) {
-  switch (op) {
-    case Op::sin:
-      return std::sin(a);
-    case Op::cos:
-      return std::cos(a);
-    case Op::tan:
-      return std::tan(a);
-    case Op::asin:
-      return std::asin(a);
-    case Op::acos:
-      return std::acos(a);
-    case Op::atan:
-      return std::atan(a);
-    case Op::sinh:
-      return std::sinh(a);
-    case Op::cosh:
-      return std::cosh(a);
-    case Op::tanh:
-      return std::tanh(a);
-    case Op::exp:
-      return std::exp(a);
-    case Op::log:
-      return std::log(a);
-    case Op::log10:
-      return std::log10(a);
-    case Op::sqrt:
-      return std::sqrt(a);
-    case Op::abs:
-      return std::abs(a);
-    default:  // sign; NaN of NaN
-      return static_cast<Real>(a > 0) - static_cast<Real>(a < 0) + 0 * a;
-  }
-}
-
-}  // namespace
-
-template <class Real>
-Real apply(Op op, Real a, Real b, Real c) {
-  switch (op) {
-    case Op::add:
-      return a + b;
-    case Op::subtract:
-      return a - b;
-    case Op::multiply:
-      return a * b;
-    case Op::divide:
-      return a / b;
-    case Op::power:
-      return std::pow(a, b);
-    case Op::negate:
-      return -a;
-    case Op::less:
-      return static_cast<Real>(a < b);
-    case Op::less_equal:
-      return static_cast<Real>(a <= b);
-    case Op::equal:
-      return static_cast<Real>(a == b);
-    case Op::choose:
-      return a != 0 ? b : c;
-    case Op::atan2:
-      return std::atan2(a, b);
-    case Op::min:
-      return b < a ? b : a;
-    case Op::max:
-      return a < b ? b : a;
-    default:
-      return apply_function(op, a);
-  }
-}
-template double apply(Op, double, double, double);
-template long double apply(Op, long double, long double, long double);
-
-std::size_t arity(Op op) {
-  return op <= Op::state ? 0 : op <= Op::sign ? 1 : op <= Op::max ? 2 : 3;
-}
-
-bool has_kinks(Op op) {
-  return op == Op::choose || op == Op::abs || op == Op::sign || op == Op::min || op == Op::max;
-}
-
 std::size_t Graph::Hash::operator()(const Key& key) const {
   std::uint64_t h = 0x9e3779b97f4a7c15U;
   for (const std::uint64_t word : key.words) h = (h ^ word) * 0xff51afd7ed558ccdU ^ (h >> 29);
   return static_cast<std::size_t>(h ^ (h >> 32));
 }
 
-Id Graph::intern(Node node) {
+Graph::Key Graph::key_of(const Node& node) {
   Key key{};
   key.words[0] = static_cast<std::uint64_t>(node.op) | std::uint64_t{node.of[0]} << 32;
   key.words[1] = node.of[1] | std::uint64_t{node.of[2]} << 32;
-  if (node.op == Op::constant) {
+  if (node.op == Op::constant && node.index == 0) {
     // A number to its last bit: as a double and what that leaves.
     const auto head = static_cast<double>(node.value);
     const auto tail = static_cast<double>(node.value - static_cast<long double>(head));
@@ -110,8 +26,13 @@ Id Graph::intern(Node node) {
     std::memcpy(&key.words[3], &tail, sizeof tail);
   } else {
     key.words[2] = node.index;
+    key.words[3] = node.op == Op::constant ? 1 : 0;
   }
-  const auto [at, added] = known_.try_emplace(key, static_cast<Id>(nodes_.size()));
+  return key;
+}
+
+Id Graph::intern(Node node) {
+  const auto [at, added] = known_.try_emplace(key_of(node), static_cast<Id>(nodes_.size()));
   if (added) nodes_.push_back(node);
   return at->second;
 }
@@ -120,20 +41,45 @@ Id Graph::constant(long double value) {
   return intern({.op = Op::constant, .value = value + 0.0L});
 }
 
+Id Graph::named(long double value, const std::string& name) {
+  definitions_.push_back({.name = name, .id = static_cast<Id>(nodes_.size())});
+  return intern({.op = Op::constant,
+                 .index = static_cast<std::uint32_t>(definitions_.size()),
+                 .value = value});
+}
+
+Id Graph::define(const Node& node, long double value) {
+  const auto [at, added] = known_.try_emplace(key_of(node), static_cast<Id>(nodes_.size()));
+  if (!added) return at->second;
+  definitions_.push_back({.name = "c" + std::to_string(nodes_.size()) + "_",
+                          .id = static_cast<Id>(nodes_.size()),
+                          .op = node.op,
+                          .of = node.of});
+  nodes_.push_back({.op = Op::constant,
+                    .index = static_cast<std::uint32_t>(definitions_.size()),
+                    .value = value});
+  return at->second;
+}
+
+long double Graph::folded(Op op, Id a, Id b, Id c) const {
+  const std::size_t n = arity(op);
+  return apply(op, nodes_[a].value, n < 2 ? 0 : nodes_[b].value, n < 3 ? 0 : nodes_[c].value);
+}
+
 Id Graph::make(Op op, Id a, Id b, Id c) {
   const std::size_t n = arity(op);
-  const bool folds = is_constant(a) && (n < 2 || is_constant(b)) && (n < 3 || is_constant(c));
-  if (folds)
-    return constant(apply<long double>(op, nodes_[a].value, n < 2 ? 0 : nodes_[b].value,
-                                       n < 3 ? 0 : nodes_[c].value));
+  const auto all = [&](const auto& is) { return is(a) && (n < 2 || is(b)) && (n < 3 || is(c)); };
+  if (all([this](Id id) { return is_number(id); })) return constant(folded(op, a, b, c));
   if (op == Op::choose) {
-    if (is_constant(a)) return nodes_[a].value != 0 ? b : c;
+    if (is_number(a)) return nodes_[a].value != 0 ? b : c;
     if (b == c) return b;
   }
   if (const Id simple = simplified(op, a, b); simple != no_node) return simple;
   // Equal in any order, to the last bit.
   if ((op == Op::add || op == Op::multiply || op == Op::equal) && b < a) std::swap(a, b);
-  return intern({.op = op, .of = {a, b, c}});
+  const Node node{.op = op, .of = {a, b, c}};
+  if (all([this](Id id) { return is_constant(id); })) return define(node, folded(op, a, b, c));
+  return intern(node);
 }
 
 Id Graph::simplified(Op op, Id a, Id b) {
@@ -192,7 +138,7 @@ Id Graph::whole_power(Id base, unsigned exponent) {
 }
 
 Id Graph::simplified_power(Id a, Id b) {
-  if (!is_constant(b)) return is(a, 1) ? a : no_node;
+  if (!is_number(b)) return is(a, 1) ? a : no_node;
   const long double exponent = nodes_[b].value, size = std::abs(exponent);
   if (exponent == 0) return constant(1);
   constexpr long double most = 16;

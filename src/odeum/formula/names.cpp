@@ -10,12 +10,13 @@
 namespace odeum::formula {
 
 const std::map<std::string, Op, std::less<>>& functions() {
-  static const std::map<std::string, Op, std::less<>> all = {
-      {"sin", Op::sin},     {"cos", Op::cos},   {"tan", Op::tan},     {"asin", Op::asin},
-      {"acos", Op::acos},   {"atan", Op::atan}, {"atan2", Op::atan2}, {"sinh", Op::sinh},
-      {"cosh", Op::cosh},   {"tanh", Op::tanh}, {"exp", Op::exp},     {"log", Op::log},
-      {"log10", Op::log10}, {"sqrt", Op::sqrt}, {"abs", Op::abs},     {"sign", Op::sign},
-      {"min", Op::min},     {"max", Op::max},   {"if", Op::choose}};
+  static const std::map<std::string, Op, std::less<>> all = [] {
+    std::map<std::string, Op, std::less<>> named;
+    for (std::size_t op = leaves; op <= static_cast<std::size_t>(Op::choose); ++op)
+      if (const char* const name = meaning_of(static_cast<Op>(op)).name)
+        named.emplace(name, static_cast<Op>(op));
+    return named;
+  }();
   return all;
 }
 

@@ -203,12 +203,12 @@ class Parser : Cursor {
     expect(']', "an open bracket");
     if (found == scope_.arrays.end()) {
       if (scope_.names.contains(name))
-        fail(where, "an index of what has none; got {0}[...], expected {0}", name);
+        fail(where, "{0} has no index; got {0}[...], expected {0}", name);
       fail_unknown(where, name);
     }
     const Array& array = found->second;
     const long double value = graph_[id].value;
-    if (!graph_.is_constant(id) || value != std::floor(value))
+    if (!graph_.is_number(id) || value != std::floor(value))
       fail(where,
            "an index that is no whole number; got {}, expected whole numbers, i and parameters",
            shown(text_.substr(where, at_ - where)));
@@ -240,7 +240,7 @@ Id parse_expression(std::string_view text, const Scope& scope, Graph& graph) {
 std::int64_t parse_index(std::string_view text, const Scope& scope, Graph& graph) {
   const Id id = parse_expression(text, scope, graph);
   const long double value = graph[id].value;
-  if (!graph.is_constant(id) || value != std::floor(value) || std::abs(value) > 1e9L)
+  if (!graph.is_number(id) || value != std::floor(value) || std::abs(value) > 1e9L)
     throw ExpressionError(
         0, fmt::format("not an index; got {}, expected a whole number", shown(text)));
   return static_cast<std::int64_t>(value);

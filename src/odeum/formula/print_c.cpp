@@ -5,8 +5,6 @@
 namespace odeum::formula {
 namespace {
 
-constexpr const char* unused = "  (void)problem; (void)t; (void)y;";
-
 /// `name` fills f with the roots.
 void print_all(Printer& out, const char* name, const std::vector<Id>& roots, const Type& type) {
   print_values(out, values_function(name, type), roots, in_order(roots.size()), type);
@@ -41,13 +39,10 @@ void print_acceleration(Printer& out, const Problem& problem) {
 }
 
 /// One coefficient, number k >= 1, of a step of the plan; see Series::advance.
-void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::Step& step,
-                       const Graph& graph) {
+void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::Step& step) {
   const Id id = step.id;
   const auto array = [&](std::uint32_t at) { return fmt::format("s{}", plan.steps[at].id); };
-  const auto constant = [&](std::uint32_t at) {
-    return constant_text(graph[plan.steps[at].id].value, in_double);
-  };
+  const auto constant = [&](std::uint32_t at) { return out.name(plan.steps[at].id, in_double); };
   const auto is_constant = [&](std::uint32_t at) { return plan.steps[at].op == Op::constant; };
   switch (step.op) {
     case Op::constant:
@@ -93,7 +88,10 @@ void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::S
   }
 }
 
-void print_series(Printer& out, const Problem& problem, const SeriesPlan& plan) {
+}  // namespace
+
+void print_series(Printer& out, const std::string& head, const Problem& problem,
+                  const SeriesPlan& plan) {
   const std::size_t n = problem.states.size();
   out.text +=
       "static inline double sum(const double* a, const double* b, int from, int k) {\n"
@@ -103,8 +101,7 @@ void print_series(Printer& out, const Problem& problem, const SeriesPlan& plan) 
       "  return 2 * s + (k % 2 == 0 ? a[k / 2] * a[k / 2] : 0);\n}\n"
       "static inline double slopes(const double* a, const double* b, int k) {\n"
       "  double s = 0;\n  for (int j = 1; j <= k; ++j) s += j * a[j] * b[k - j];\n  return s;\n}\n";
-  out.line("void taylor(const void* problem, double t, const double* y, int order, double* c) {{");
-  out.line("{}", unused);
+  out.line("{}\n  (void)t; (void)y;", head);
   for (const auto& step : plan.steps)
     if (step.op != Op::constant) out.line("  double s{}[64];", step.id);
   out.line("  for (int i = 0; i < {}; ++i) c[i] = y[i];", n);
@@ -125,7 +122,7 @@ void print_series(Printer& out, const Problem& problem, const SeriesPlan& plan) 
   out.line("    if (k > 0) {{");
   for (const auto& step : plan.steps)
     if (step.op == Op::state) out.line("    s{}[k] = c[k * {} + {}];", step.id, n, step.a);
-  for (const auto& step : plan.steps) print_coefficient(out, plan, step, problem.graph);
+  for (const auto& step : plan.steps) print_coefficient(out, plan, step);
   out.line("    }}");
   for (std::size_t i = 0; i < n; ++i) {
     const auto& root = plan.steps[plan.roots[i]];
@@ -136,8 +133,6 @@ void print_series(Printer& out, const Problem& problem, const SeriesPlan& plan) 
   }
   out.line("  }}\n}}");
 }
-
-}  // namespace
 
 std::string print_c(const Problem& problem, const Analysis& analysis) {
   Printer out(problem.graph);
@@ -154,7 +149,11 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
   // One function of all steps: the compiler takes minutes for more.
   constexpr std::size_t most_compiled = 600;
   if (analysis.series && analysis.series->steps.size() <= most_compiled)
-    print_series(out, problem, *analysis.series);
+    print_series(
+        out,
+        "void taylor(const void* problem, double t, const double* y, int order, double* c) {\n"
+        "  (void)problem;",
+        problem, *analysis.series);
   print_all(out, "rhs_extended", problem.equations, in_long_double);
   print_all(out, "entries_extended", entries, in_long_double);
   return std::move(out.text);

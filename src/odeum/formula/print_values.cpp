@@ -47,27 +47,6 @@ class ValuesPrinter {
     if (function_.cleared > 0)
       out_.line("  for (int k = 0; k < {}; ++k) {}[k] = 0;", function_.cleared, function_.target);
   }
-  std::string state(std::uint32_t k) const {
-    if (k >= function_.split) return fmt::format("{}[{}]", function_.second, k - function_.split);
-    return fmt::format("{}[{}]", function_.first, k);
-  }
-  /// Computes the nodes on which roots depend.
-  void nodes(const std::vector<Id>& roots) {
-    for (const Id id : graph_.needed(roots)) {
-      const Node& node = graph_[id];
-      if (node.op == Op::constant) continue;
-      const auto argument = [&](std::size_t k) {
-        return node.of[k] == no_node ? std::string() : out_.name(node.of[k], type_);
-      };
-      std::string value = "t";
-      if (node.op == Op::state)
-        value = state(node.index);
-      else if (node.op != Op::time)
-        value = out_.operation(node.op, argument(0), argument(1), argument(2), type_);
-      out_.line("  const {} v{} = {};", type_.name, id, value);
-    }
-  }
-
   void print_all(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places,
                  const std::vector<Id>& shared, const RepeatedRoots& found,
                  const RepeatedRoots& of_shared) {
@@ -83,7 +62,7 @@ class ValuesPrinter {
       const std::size_t first = part * most_in_part,
                         last = std::min(first + most_in_part, others.size());
       for (std::size_t k = first; k < last; ++k) in_part.push_back(roots[others[k]]);
-      nodes(in_part);
+      print_nodes(out_, function_, in_part, type_);
       for (std::size_t k = first; k < last; ++k)
         out_.line("  {}[{}] = {};", function_.target, places[others[k]],
                   out_.name(roots[others[k]], type_));
@@ -93,7 +72,7 @@ class ValuesPrinter {
     main_head();
     std::vector<Id> before = found.before;
     before.insert(before.end(), of_shared.before.begin(), of_shared.before.end());
-    nodes(before);
+    print_nodes(out_, function_, before, type_);
     if (!shared.empty()) out_.line("  {} shared[{}];", type_.name, shared.size());
     for (const Repeated& group : of_shared.groups)
       print_loop(group, "shared", in_order(shared.size()));
@@ -189,6 +168,22 @@ Function values_function(const std::string& name, const Type& type) {
               fmt::format("const void* problem, {0} t, const {0}* y, {0}* __restrict f", type.name),
           .passed = "problem, t, y, f",
           .target = "f"};
+}
+
+void print_nodes(Printer& out, const Function& function, const std::vector<Id>& roots,
+                 const Type& type) {
+  for (const Id id : out.graph().needed(roots)) {
+    const Node& node = out.graph()[id];
+    if (node.op == Op::constant) continue;
+    std::string value = "t";
+    if (node.op == Op::state)
+      value = node.index >= function.split
+                  ? fmt::format("{}[{}]", function.second, node.index - function.split)
+                  : fmt::format("{}[{}]", function.first, node.index);
+    else if (node.op != Op::time)
+      value = out.operation(node.op, node.of, type);
+    out.line("  const {} v{} = {};", type.name, id, value);
+  }
 }
 
 void print_values(Printer& out, const Function& function, const std::vector<Id>& roots,

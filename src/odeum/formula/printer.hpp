@@ -2,7 +2,7 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -11,17 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/formula/names.hpp"
+#include "odeum/formula/analysis.hpp"
 
 namespace odeum::formula {
 
-/// A number type of C, the suffix of its functions and of its constants.
+/// A number type of C, what stands around the names of its functions, and the suffix of its
+/// constants. `in_real` is the R of a template of C++.
 struct Type {
   const char* name;
-  const char* function;
+  const char* before;
+  const char* after;
   const char* constant;
 };
-inline constexpr Type in_double{"double", "", ""}, in_long_double{"long double", "l", "L"};
+inline constexpr Type in_double{"double", "__builtin_", "", ""},
+    in_long_double{"long double", "__builtin_", "l", "L"}, in_real{"R", "std::", "", ""};
 
 inline std::string constant_text(long double value, const Type& type) {
   const std::string text = *type.constant ? fmt::format("{:a}L", value)
@@ -52,54 +55,28 @@ class Printer {
   /// What stands for a node in an expression.
   std::string name(Id id, const Type& type) const {
     const Node& node = graph_[id];
-    return node.op == Op::constant ? constant_text(node.value, type) : fmt::format("v{}", id);
+    if (node.op != Op::constant) return fmt::format("v{}", id);
+    return node.index == 0 ? constant_text(node.value, type)
+                           : owner + graph_.definitions()[node.index - 1].name;
   }
   static std::string operation(Op op, const std::string& a, const std::string& b,
                                const std::string& c, const Type& type) {
-    const char* const l = type.function;
-    switch (op) {
-      case Op::add:
-        return fmt::format("{} + {}", a, b);
-      case Op::subtract:
-        return fmt::format("{} - {}", a, b);
-      case Op::multiply:
-        return fmt::format("{} * {}", a, b);
-      case Op::divide:
-        return fmt::format("{} / {}", a, b);
-      case Op::negate:
-        return fmt::format("-{}", a);
-      case Op::less:
-        return fmt::format("{} < {}", a, b);
-      case Op::less_equal:
-        return fmt::format("{} <= {}", a, b);
-      case Op::equal:
-        return fmt::format("{} == {}", a, b);
-      case Op::choose:
-        return fmt::format("{} != 0 ? {} : {}", a, b, c);
-      case Op::min:
-        return fmt::format("{1} < {0} ? {1} : {0}", a, b);
-      case Op::max:
-        return fmt::format("{0} < {1} ? {1} : {0}", a, b);
-      case Op::sign:
-        return fmt::format("({0} > 0) - ({0} < 0) + 0 * {0}", a);
-      case Op::power:
-        return fmt::format("__builtin_pow{}({}, {})", l, a, b);
-      case Op::atan2:
-        return fmt::format("__builtin_atan2{}({}, {})", l, a, b);
-      default:
-        return fmt::format("__builtin_{}{}({})", function_name(op), l, a);
-    }
+    const Operation& meaning = meaning_of(op);
+    const std::string call = fmt::format("{{3}}{}{{4}}({{0}}{})", meaning.name ? meaning.name : "",
+                                         meaning.arguments > 1 ? ", {1}" : "");
+    return fmt::format(fmt::runtime(meaning.c ? meaning.c : call), a, b, c, type.before,
+                       type.after);
   }
+  /// An operation on nodes.
+  std::string operation(Op op, const std::array<Id, 3>& of, const Type& type) const {
+    const auto argument = [&](std::size_t k) {
+      return of[k] == no_node ? std::string() : name(of[k], type);
+    };
+    return operation(op, argument(0), argument(1), argument(2), type);
+  }
+  std::string owner;  ///< what constants with a name are members of, with the sign of access
 
  private:
-  /// The name in C of a function.
-  static std::string function_name(Op op) {
-    if (op == Op::abs) return "fabs";
-    return std::find_if(functions().begin(), functions().end(),
-                        [op](const auto& known) { return known.second == op; })
-        ->first;
-  }
-
   const Graph& graph_;
 };
 
@@ -117,6 +94,14 @@ struct Function {
 
 /// `name`(const void* problem, t, y, f) in numbers of a type.
 Function values_function(const std::string& name, const Type& type);
+
+/// Computes the nodes on which roots depend.
+void print_nodes(Printer& out, const Function& function, const std::vector<Id>& roots,
+                 const Type& type);
+
+/// `head` and the rest of a function that fills c, see Series.
+void print_series(Printer& out, const std::string& head, const Problem& problem,
+                  const SeriesPlan& plan);
 
 /// The function sets target[places[k]] to root number k. Many roots of one form are computed in
 /// loops, so that the text, and with it the compiler's time, does not grow with a family of states;

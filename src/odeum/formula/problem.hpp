@@ -24,6 +24,7 @@ struct Problem {
   std::vector<std::string> states;  ///< their names, u[3] for an element
   std::vector<Place> places;        ///< of the equation of each state
   std::vector<long double> y0;
+  std::vector<Id> start;  ///< y0 as expressions of the parameters
   std::vector<Id> equations;
   std::map<std::string, long double> parameters;
   long double t0 = 0;
@@ -46,17 +47,20 @@ inline constexpr std::size_t most_problem_bytes = 8'000'000;
 /// Values that replace those of parameters: name and expression.
 using Overrides = std::map<std::string, std::string>;
 
+/// Whether parameters are put in as numbers, or keep their names (Graph::named), for code that is
+/// to be printed.
+enum class Parameters { numbers, names };
+
 /// Reads a problem file (cases/problems/README.md has the format). Throws InputError with the place
 /// for every mistake: an unknown name or key, a state without an equation, a definition that needs
 /// a later one, what the limits of formula/parser.hpp exclude, an equation that is not finite at
 /// the start, an `exact` that does not fulfil the equations or the initial values, an invariant
 /// that changes at the start.
 Problem read_problem(const std::string& file, const std::string& text,
-                     const Overrides& overrides = {});
+                     const Overrides& overrides = {}, Parameters kind = Parameters::numbers);
 Problem read_problem_file(const std::string& file, const Overrides& overrides = {});
 
-/// Whether the text is a mapping with a key that problem files have and scenes have not. False for
-/// what is no YAML mapping.
+/// Whether the text is a YAML mapping with a key that problem files have and scenes have not.
 bool looks_like_problem(const std::string& file, const std::string& text);
 
 /// Throws InputError where an invariant changes along the equations at (t, y): its derivative is

@@ -20,13 +20,15 @@ const std::vector<std::string> known_keys = {"name",       "parameters", "defini
 
 namespace reading {
 
-Reader::Reader(const std::string& file, const std::string& text, const Overrides& overrides)
-    : Source(file, text), overrides_(overrides) {
+Reader::Reader(const std::string& file, const std::string& text, const Overrides& overrides,
+               Parameters kind)
+    : Source(file, text), overrides_(overrides), kind_(kind) {
   problem_.file = file;
 }
 
 Problem Reader::read() {
   for (const Item& item : items(root(), "problem")) {
+    if (item.key == "case" || item.key == "cases") continue;  // read where Odeum is built
     if (std::find(known_keys.begin(), known_keys.end(), item.key) == known_keys.end())
       fail(item.key_place, "an unknown key; got {}, expected {}{}", shown(item.key),
            fmt::join(known_keys, ", "), near_one(item.key, known_keys));
@@ -109,7 +111,9 @@ void Reader::read_parameters() {
                                                                key + " (--set)");
     problem_.parameters[item.key] = value;
     constants_.refused.erase(item.key);
-    constants_.names[item.key] = problem_.graph.constant(value);
+    constants_.names[item.key] = kind_ == Parameters::numbers
+                                     ? problem_.graph.constant(value)
+                                     : problem_.graph.named(value, item.key);
   }
 }
 
@@ -186,8 +190,9 @@ void Reader::read_definitions(Scope& scope) {
 
 using namespace reading;
 
-Problem read_problem(const std::string& file, const std::string& text, const Overrides& overrides) {
-  return Reader(file, text, overrides).read();
+Problem read_problem(const std::string& file, const std::string& text, const Overrides& overrides,
+                     Parameters kind) {
+  return Reader(file, text, overrides, kind).read();
 }
 
 Problem read_problem_file(const std::string& file, const Overrides& overrides) {

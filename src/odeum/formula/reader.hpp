@@ -61,13 +61,17 @@ struct Key {
 /// state.
 class Reader : Source {
  public:
-  Reader(const std::string& file, const std::string& text, const Overrides& overrides);
+  Reader(const std::string& file, const std::string& text, const Overrides& overrides,
+         Parameters kind);
   Problem read();
 
  private:
   /// The scalar of an item as an expression; a constant one as a number, a whole number.
   Id expression(const Item& item, const std::string& in, const Scope& scope);
-  long double number(const YamlNode& value, const std::string& key);
+  Id constant(const YamlNode& value, const std::string& key);
+  long double number(const YamlNode& value, const std::string& key) {
+    return problem_.graph[constant(value, key)].value;
+  }
   std::int64_t index(const Item& item, std::string_view text);
   Key read_key(const Item& item, const std::string& in);
 
@@ -106,6 +110,7 @@ class Reader : Source {
   void require_exact();
 
   const Overrides& overrides_;
+  Parameters kind_;
   Problem problem_;
   std::vector<Item> sections_;
   Scope constants_;                           ///< parameters, and the index of a state

@@ -116,13 +116,13 @@ Id Reader::expression(const Item& item, const std::string& in, const Scope& scop
   }
 }
 
-long double Reader::number(const YamlNode& value, const std::string& key) {
+Id Reader::constant(const YamlNode& value, const std::string& key) {
   const Id id = expression({key, value.place, &value}, "", constants_);
   if (!problem_.graph.is_constant(id))
     fail(value.place,
          "{}: not a constant; got an expression of states or t, expected numbers and parameters",
          key);
-  return problem_.graph[id].value;
+  return id;
 }
 
 std::int64_t Reader::index(const Item& item, std::string_view text) {

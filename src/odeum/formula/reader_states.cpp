@@ -23,7 +23,8 @@ void Reader::add_state(const Item& item, const std::string& name) {
   if (problem_.states.size() >= most_states)
     fail(item.key_place, "states: too many; got more than {}, expected at most that", most_states);
   problem_.states.push_back(name);
-  problem_.y0.push_back(number(*item.value, "states: " + item.key));
+  problem_.start.push_back(constant(*item.value, "states: " + item.key));
+  problem_.y0.push_back(problem_.graph[problem_.start.back()].value);
 }
 
 void Reader::read_states() {
@@ -107,7 +108,7 @@ std::vector<Id> Reader::read_by_state(const std::string& in, Scope scope,
     const bool has_index = first_of_.contains(key.name);
     if (has_index != key.indexed)
       fail(item.key_place, "{}: {}; got {}, expected {}", in,
-           has_index ? "no index" : "an index of what has none", shown(item.key),
+           has_index ? "an index is missing" : "the state has no index", shown(item.key),
            has_index ? key.name + "[first..last]" : key.name);
     for (std::int64_t k = key.first; k <= key.last; ++k) {
       const std::string name = key.indexed ? fmt::format("{}[{}]", key.name, k) : key.name;

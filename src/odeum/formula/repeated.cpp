@@ -12,13 +12,12 @@ namespace {
 constexpr std::uint32_t most_uses = 8;   // of what is computed in a loop
 constexpr std::size_t most_lines = 256;  // longer roots are not worth a search
 
-bool is_leaf(Op op) { return arity(op) == 0; }
 bool is_costly(Op op) {
   return (op >= Op::sin && op <= Op::sign) || (op >= Op::power && op <= Op::max);
 }
 
-/// By node: how many roots depend on it, up to one more than most_uses. What stands under a node of
-/// more uses is not counted by it.
+/// By node, the number of roots that depend on it, up to one more than most_uses. A node of more
+/// uses does not count as a use of its arguments.
 std::vector<std::uint32_t> uses_of(const Graph& graph, const std::vector<Id>& roots) {
   std::vector<std::uint32_t> uses(graph.size(), 0), seen_by(graph.size(), 0), open;
   for (std::uint32_t r = 0; r < roots.size(); ++r) {

@@ -14,15 +14,6 @@ bool is_elementary(Op op) {
          op == Op::multiply || op == Op::divide || op == Op::sqrt;
 }
 
-/// A power's derivative by its base as exponent * w / base: that of smaller and smaller exponents
-/// would need nodes without end.
-Id partial_for_series(Graph& graph, Id id, std::size_t argument) {
-  const Node node = graph[id];
-  if (node.op == Op::power && argument == 0)
-    return graph.make(Op::multiply, node.of[1], graph.make(Op::divide, id, node.of[0]));
-  return graph.partial(id, argument);
-}
-
 /// sum_{j = from}^{k} a_j b_{k - j}
 template <class Real>
 Real convolution(const Real* a, const Real* b, std::size_t from, std::size_t k) {
@@ -54,7 +45,7 @@ SeriesPlan make_series_plan(Graph& graph, const std::vector<Id>& equations) {
       std::array<Id, 2> of{no_node, no_node};
       for (std::size_t k = 0; k < arity(node.op); ++k) {
         if (graph.is_constant(node.of[k])) continue;
-        of[k] = partial_for_series(graph, id, k);
+        of[k] = graph.partial(id, k);
         if (of[k] != no_node) roots.push_back(of[k]);
       }
       partials.emplace(id, of);
@@ -105,7 +96,7 @@ void Series<Real>::operator()(Real t, const Real* y, int order, Real* c) {
     else if (step.op == Op::state)
       value = y[step.a];
     else
-      value = apply<Real>(step.op, v_[step.a * width], v_[step.b * width], 0);
+      value = apply(step.op, v_[step.a * width], v_[step.b * width], 0);
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (k > 0) {

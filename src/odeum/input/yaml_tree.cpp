@@ -223,6 +223,12 @@ std::string shown(std::string_view text) {
   return line;
 }
 
+const YamlNode* YamlNode::find(std::string_view key) const {
+  for (std::size_t i = 0; i + 1 < items.size(); i += 2)
+    if (items[i]->text == key) return items[i + 1].get();
+  return nullptr;
+}
+
 std::string YamlNode::kind_name() const {
   switch (kind) {
     case Kind::null:

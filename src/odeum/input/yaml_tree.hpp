@@ -39,6 +39,8 @@ struct YamlNode {
   std::size_t size = 1;  ///< number of nodes from here down, with aliases expanded
 
   std::string kind_name() const;
+  /// The value of a key of a mapping; null where it has no such key.
+  const YamlNode* find(std::string_view key) const;
 };
 
 /// The kind of a YAML file and its limits.

@@ -37,15 +37,15 @@ class Reader {
     w.stages = needed("A").items.size();
     w.a = matrix(needed("A"), w);
     w.b = row(needed("b"), "b", w.stages);
-    if (const YamlNode* c = find("c")) {
+    if (const YamlNode* c = root_.find("c")) {
       w.c = row(*c, "c", w.stages);
       result.has_nodes = true;
     }
-    if (const YamlNode* b_hat = find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
+    if (const YamlNode* b_hat = root_.find("b_hat")) w.b_hat = row(*b_hat, "b_hat", w.stages);
     w.order = claim("order");
     w.order_hat = claim("order_embedded");
     if (w.order_hat != 0 && w.b_hat.empty())
-      fail_at(*find("order_embedded"), "order_embedded", "claim without the row", "b_hat");
+      fail_at(*root_.find("order_embedded"), "order_embedded", "claim without the row", "b_hat");
 
     const bool exact = all_of(w, [](const Coefficient& x) { return x.rational; });
     if (exact)
@@ -71,13 +71,8 @@ class Reader {
     throw InputError(file_, at.place, fmt::format("{}: {}{}{}", key, what, join, expected));
   }
 
-  const YamlNode* find(const std::string& name) const {
-    for (std::size_t i = 0; i < root_.items.size(); i += 2)
-      if (root_.items[i]->text == name) return root_.items[i + 1].get();
-    return nullptr;
-  }
   const YamlNode& needed(const std::string& name) const {
-    const YamlNode* value = find(name);
+    const YamlNode* value = root_.find(name);
     if (!value) fail_at(root_, name, "missing", "a list");
     if (value->kind != YamlNode::Kind::sequence || value->items.empty())
       fail_at(*value, name, got(*value), "a list with an entry a stage");
@@ -99,14 +94,14 @@ class Reader {
   }
 
   std::string text_of(const std::string& name) const {
-    const YamlNode* value = find(name);
+    const YamlNode* value = root_.find(name);
     if (!value) return {};
     if (value->kind != YamlNode::Kind::scalar) fail_at(*value, name, got(*value), "a text");
     return value->text;
   }
 
   int claim(const std::string& name) const {
-    const YamlNode* value = find(name);
+    const YamlNode* value = root_.find(name);
     if (!value) return 0;
     const bool digits = value->kind == YamlNode::Kind::scalar && !value->text.empty() &&
                         value->text.size() <= 2 && value->text[0] != '0' &&

@@ -166,17 +166,10 @@ Mapping::Mapping(const Value& value, std::initializer_list<std::string_view> kno
   }
 }
 
-const YamlNode* Mapping::find(std::string_view key) const {
-  const auto& items = value_.node().items;
-  for (std::size_t i = 0; i + 1 < items.size(); i += 2)
-    if (items[i]->text == key) return items[i + 1].get();
-  return nullptr;
-}
-
 Value Mapping::at(std::string_view key) const {
   const std::string name =
       value_.key().empty() ? std::string(key) : fmt::format("{}.{}", value_.key(), key);
-  if (const YamlNode* node = find(key)) return {value_.context(), *node, name};
+  if (const YamlNode* node = value_.node().find(key)) return {value_.context(), *node, name};
   Value(value_.context(), value_.node(), name).fail("missing", "nothing", "a value");
 }
 

@@ -66,7 +66,7 @@ class Mapping {
  public:
   Mapping(const Value& value, std::initializer_list<std::string_view> known);
 
-  bool has(std::string_view key) const { return find(key) != nullptr; }
+  bool has(std::string_view key) const { return value_.node().find(key) != nullptr; }
   /// Throws where the key is missing.
   Value at(std::string_view key) const;
   void with(std::string_view key, const std::function<void(const Value&)>& use) const;
@@ -80,7 +80,6 @@ class Mapping {
   const Value& value() const { return value_; }
 
  private:
-  const YamlNode* find(std::string_view key) const;
   Value value_;
 };
 

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/print/print_problem.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "odeum/formula/printer.hpp"
+
+namespace odeum::print {
+namespace {
+
+using namespace formula;
+
+class ProblemPrinter {
+ public:
+  ProblemPrinter(const Problem& problem, const Analysis& analysis)
+      : problem_(problem), analysis_(analysis), out_(problem.graph) {
+    out_.owner = "this->";
+  }
+
+  std::string print(const std::string& stem, const Offers& offers) {
+    const Structure& s = analysis_.structure;
+    out_.line("struct {} {{", type_name(stem));
+    out_.line("  static constexpr std::size_t dimension = {};", s.states);
+    print_members(offers);
+    if (offers.second_order && s.second_order)
+      print_second_order();
+    else
+      print_function("template <class R>\n  void rhs(R t, const R* y, R* f)", problem_.equations,
+                     "f", in_real);
+    if (offers.jacobian) print_jacobian();
+    if (!s.autonomous)
+      print_function("void time_derivative(double t, const double* y, double* f)",
+                     analysis_.time_derivative, "f", in_double);
+    if (offers.series && analysis_.series)
+      print_series(out_, "void taylor(double t, const double* y, int order, double* c) const {",
+                   problem_, *analysis_.series);
+    if (!problem_.exact.empty())
+      print_function("template <class R>\n  void exact(R t, R* y)", problem_.exact, "y", in_real);
+    for (const Kept& kept : problem_.invariants) print_invariant(kept);
+    out_.line("}};");
+    return std::move(out_.text);
+  }
+
+ private:
+  /// Parameters, and the constants that follow from them where a function needs them.
+  void print_members(const Offers& offers) {
+    const auto& definitions = problem_.graph.definitions();
+    std::set<Id> needed(problem_.start.begin(), problem_.start.end());
+    needed.insert(offers.members.begin(), offers.members.end());
+    const auto need = [&](const std::vector<Id>& roots) {
+      for (const Id id : problem_.graph.needed(roots)) needed.insert(id);
+    };
+    need(problem_.equations);
+    if (offers.jacobian) need(jacobian_roots(analysis_));
+    need(analysis_.time_derivative);
+    need(problem_.exact);
+    if (offers.series && analysis_.series)
+      for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
+    for (const Kept& kept : problem_.invariants) need({kept.value});
+    for (auto at = definitions.rbegin(); at != definitions.rend(); ++at)
+      if (needed.contains(at->id)) needed.insert(at->of.begin(), at->of.end());
+    for (const Definition& each : definitions) {
+      const Node& node = problem_.graph[each.id];
+      if (each.op == Op::constant)
+        out_.line("  double {} = {};", each.name, constant_text(node.value, in_double));
+      else if (needed.contains(each.id))
+        out_.line("  double {} = {};", each.name, out_.operation(each.op, each.of, in_double));
+    }
+  }
+
+  /// `head` and a body that sets the elements of an array; no_node stands for 0.
+  void print_function(const std::string& head, const std::vector<Id>& roots,
+                      const std::string& target, const Type& type, Function function = {}) {
+    out_.line("  {} const {{", head);
+    for (const char* unused : {"t", "y", "q", "v"})
+      if (head.find(fmt::format(" {},", unused)) != std::string::npos)
+        out_.line("  (void){};", unused);
+    std::vector<Id> values;
+    std::copy_if(roots.begin(), roots.end(), std::back_inserter(values),
+                 [](Id id) { return id != no_node; });
+    print_nodes(out_, function, values, type);
+    for (std::size_t k = 0; k < roots.size(); ++k)
+      out_.line("  {}[{}] = {};", target, k, roots[k] == no_node ? "0" : out_.name(roots[k], type));
+    out_.line("  }}");
+  }
+
+  void print_second_order() {
+    const std::size_t half = analysis_.structure.states / 2;
+    out_.line("  static constexpr bool velocity_dependent = {};",
+              analysis_.structure.velocity_dependent);
+    Function function;
+    function.first = "q";
+    function.second = "v";
+    function.split = static_cast<std::uint32_t>(half);
+    print_function(
+        "template <class R>\n  void acceleration(R t, const R* q, const R* v, R* a)",
+        {problem_.equations.begin() + static_cast<std::ptrdiff_t>(half), problem_.equations.end()},
+        "a", in_real, function);
+    out_.line("  void rhs(double t, const double* y, double* f) const {{");
+    out_.line("  for (int i = 0; i < {0}; ++i) f[i] = y[{0} + i];", half);
+    out_.line("  acceleration(t, y, y + {0}, f + {0});\n  }}", half);
+  }
+
+  void print_jacobian() {
+    const std::size_t n = analysis_.structure.states;
+    std::vector<Id> all(n * n, no_node);
+    for (std::size_t row = 0; row < n; ++row)
+      for (const Entry& entry : analysis_.jacobian[row]) all[row * n + entry.by] = entry.value;
+    print_function("void jacobian(double t, const double* y, double* j)", all, "j", in_double);
+    if (analysis_.structure.linear && analysis_.structure.autonomous)
+      out_.line("  void linear_matrix(double* a) const {{ jacobian(0, nullptr, a); }}");
+  }
+
+  void print_invariant(const Kept& kept) {
+    out_.line("  double {}(const double* y) const {{",
+              is_energy(kept.name) ? "energy" : "kept_" + kept.name);
+    print_nodes(out_, {}, {kept.value}, in_double);
+    out_.line("  return {};\n  }}", out_.name(kept.value, in_double));
+  }
+
+  const Problem& problem_;
+  const Analysis& analysis_;
+  Printer out_;
+};
+
+}  // namespace
+
+std::string type_name(const std::string& stem) {
+  std::string name;
+  for (std::size_t k = 0; k < stem.size(); ++k) {
+    if (stem[k] == '_') continue;
+    const bool first = k == 0 || stem[k - 1] == '_';
+    name += first && stem[k] >= 'a' && stem[k] <= 'z' ? static_cast<char>(stem[k] - 'a' + 'A')
+                                                      : stem[k];
+  }
+  return name;
+}
+
+std::string print_problem(const std::string& stem, const Problem& problem, const Analysis& analysis,
+                          const Offers& offers) {
+  // Members are named as the file names its parameters, also where an argument has that name.
+  return fmt::format(
+      "// Printed from cases/{}.yaml.\n#pragma once\n#include <cmath>\n#include <cstddef>\n\n"
+      "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wshadow\"\n"
+      "namespace odeum::cases {{\n{}}}\n#pragma GCC diagnostic pop\n",
+      stem, ProblemPrinter(problem, analysis).print(stem, offers));
+}
+
+}  // namespace odeum::print
