@@ -95,8 +95,8 @@ TextCase foreign_case(foreign::Given from) {
   c.y0.assign(p.y0, p.y0 + p.dimension);
   c.stops.assign(p.stops, p.stops + p.stop_count);
   if (p.energy) c.energy = [held](const double* y) { return held->problem.energy(y); };
-  c.problem = {held->problem.view(), held, c.t0, std::make_shared<const std::vector<double>>(c.y0),
-               nullptr};
+  c.problem = {view_of(held->problem), held, c.t0,
+               std::make_shared<const std::vector<double>>(c.y0), nullptr};
   std::string words;
   const bool computed = set_truth(c, held, words);
   c.entrants = enroll(c.problem);
