@@ -18,7 +18,7 @@ Case describe(const char* id, const char* title) {
   c.y0 = {1, 0, 0};
   // The absolute tolerances of CVODE's example cvRoberts_dns are 1e-8, 1e-14 and 1e-6, the relative
   // one 1e-4: y2 is never above 4e-5.
-  c.thresholds = {1e-4, 1e-10, 1e-2};
+  c.tolerance = Tolerance::of_thresholds(0, {1e-4, 1e-10, 1e-2});
   c.settings.evaluation_budget = 60'000;
   c.truth = reference_truth("robertson", 1e-17);
   c.invariants = {{"mass", [](const double* y) { return y[0] + y[1] + y[2]; }}};

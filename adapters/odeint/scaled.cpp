@@ -4,7 +4,7 @@
 namespace odeum::adapters::odeint {
 
 ScaledProblem::ScaledProblem(const Contest<SharedOde>& contest, const Request& request)
-    : original_(contest), thresholds_(request.tolerances().thresholds), y_(thresholds_.size()) {}
+    : original_(contest), thresholds_(request.tolerance.thresholds), y_(thresholds_.size()) {}
 
 void ScaledProblem::rhs(double t, const double* z, double* dzdt) const {
   for (std::size_t i = 0; i < size(); ++i) y_[i] = z[i] * thresholds_[i];

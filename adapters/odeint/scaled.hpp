@@ -33,7 +33,7 @@ template <class Run>
 Outcome run_scaled(const Contest<SharedOde>& contest, const Request& request, Run run) {
   const ScaledProblem scaled(contest, request);
   Request plain = request;
-  plain.absolute.clear();
+  plain.tolerance = request.tolerance.relative;
   Outcome outcome = run(scaled.contest(), plain);
   scaled.unscale(outcome);
   return outcome;

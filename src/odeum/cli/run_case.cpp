@@ -112,9 +112,9 @@ std::string error_text(const Case& c, const Request& request, const Outcome& out
   const judge::JudgedAnswer judged =
       fixed ? judge::judge_fixed_answer(errors, judge.scale())
             : judge::judge_answer(
-                  errors, judge::measure_amplification(c, request.stops, request.tolerances()),
-                  request.tolerance, static_cast<double>(outcome.counters.steps), c.truth.floor,
-                  judge.scale());
+                  errors, judge::measure_amplification(c, request.stops, request.tolerance),
+                  request.tolerance.relative, static_cast<double>(outcome.counters.steps),
+                  c.truth.floor, judge.scale());
   std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
                                  errors.back().error_max, errors.back().error_rms, c.truth.source);
   if (judged.answer == judge::Answer::not_applicable) return text;

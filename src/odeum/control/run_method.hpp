@@ -77,7 +77,7 @@ Outcome run_method(const P& problem, double t0, const State<P>& y0, const Reques
     else
       return refusal("chooses its own steps only");
   } else if constexpr (has_trial_steps<M>) {
-    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerances());
+    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerance);
     return run_adaptive(problem, t0, y0, request, steps.first_step, steps.trial);
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     return M::integrate(problem, t0, y0, request);

@@ -41,9 +41,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   const double shift = c.problem.view.time_derivative ? 0 : start;
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = tolerance.relative;
-  for (std::size_t i = 0; i < tolerance.thresholds.size(); ++i)
-    request.absolute.push_back(tolerance.absolute(i));
+  request.tolerance = tolerance.requested(tolerance.relative);
   for (const double stop : stops) request.stops.push_back(stop - shift);
   request.budget.evaluations = budget;
   ErasedContest contest = c.problem;

@@ -67,7 +67,7 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
     HorizonRow row = blank;
     row.mode = request.mode;
     row.setting = request.mode == Mode::adaptive
-                      ? request.tolerance
+                      ? request.tolerance.relative
                       : (times.back() - c.t0) / static_cast<double>(request.steps);
     Outcome outcome = entrant.solve(request);
     // Times before a failure count: the horizon may lie there.
