@@ -232,7 +232,7 @@ Entrant entrant_of(const odeum_solver& solver, const std::string& library,
   entrant.unfit = unfit(solver, contest.view);
   if (!entrant.unfit.empty()) return entrant;
   entrant.solve = [&solver, contest](const Request& request) {
-    return foreign::solve_apart(
+    return foreign::solve_isolated(
         [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
         contest.view.dimension);
   };

@@ -237,7 +237,7 @@ int run_case(const RunOptions& options) {
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
-  GivenProblem given = load_problem(options.what, options.problems.sets);
+  LoadedProblem given = load_problem(options.what, options.problems.sets);
   std::string text;
   for (const auto& [name, fact] : given.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));

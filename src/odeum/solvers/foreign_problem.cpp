@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/linear/dense_limit.hpp"
 
 namespace odeum::foreign {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool is_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
@@ -125,7 +123,7 @@ int Problem::direct(int function, double t, const double* in, double* out) const
 
 void Problem::evaluate(Function function, double t, const double* in, std::size_t n_in, double* out,
                        std::size_t n_out) const {
-  if (!inside())
+  if (!in_isolated_process())
     evaluator_->call(function, t, in, n_in, out, n_out);
   else if (direct(function, t, in, out) != 0)
     std::fill_n(out, n_out, nan);
@@ -145,7 +143,7 @@ void Problem::time_derivative(double t, const double* y, double* dfdt) const {
 
 void Problem::acceleration(double t, const double* q, const double* v, double* a) const {
   const std::size_t m = size() / 2;
-  if (inside() && v == q + m) return evaluate(second, t, q, 2 * m, a, m);
+  if (in_isolated_process() && v == q + m) return evaluate(second, t, q, 2 * m, a, m);
   thread_local std::vector<double> y;
   y.assign(q, q + m);
   y.insert(y.end(), v, v + m);

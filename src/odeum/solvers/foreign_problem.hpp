@@ -60,7 +60,7 @@ std::string cleaned(const char* text);
 std::string fault_of(const odeum_problem& problem);
 
 /// A problem of a plug-in or an FMU, and what is said of it.
-struct Given {
+struct ProblemCallbacks {
   odeum_problem functions{};
   std::shared_ptr<const void> keep_alive;  ///< what the functions need; may be null
   std::string id, title, equation, source;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "odeum/report/html.hpp"
-#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::study {
 

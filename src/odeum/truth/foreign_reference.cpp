@@ -48,7 +48,7 @@ class Widened {
 
 }  // namespace
 
-std::optional<truth::Reference> reference_of(const Given& given, std::string& why) {
+std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std::string& why) {
   const odeum_problem& p = given.functions;
   const std::size_t n = p.dimension;
   if (n > most_unknowns) {
@@ -69,7 +69,7 @@ std::optional<truth::Reference> reference_of(const Given& given, std::string& wh
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
   const std::size_t room = (stops.size() + 100) * (n + 3) * 32 + 4096;
-  const auto [ended, text] = text_apart(
+  const auto [ended, text] = text_isolated(
       [&] { return truth::to_text(truth::compute_reference(system, stops, given.scale)); }, room,
       most_seconds);
   std::optional<truth::Reference> reference;

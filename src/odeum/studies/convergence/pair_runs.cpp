@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2;
 
 template <class Row>

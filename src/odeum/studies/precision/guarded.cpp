@@ -6,16 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/studies/foreseen.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double seconds) {
   std::vector<Request> requests;
   Request request;
