@@ -3,8 +3,9 @@
 
 namespace odeum {
 
-foreign::Given open_fmu(const std::string& file, const std::map<std::string, std::string>&) {
-  throw LateError(file +
+foreign::ProblemCallbacks open_fmu(const std::string& file,
+                                   const std::map<std::string, std::string>&) {
+  throw LoadError(file +
                   ": this Odeum was built without FMI; install libzip and pugixml and configure it "
                   "with -DODEUM_WITH_FMI=ON");
 }

@@ -48,23 +48,23 @@ void unpack_entry(zip_t* zip, zip_uint64_t index, const fs::path& to, std::uint6
   fs::create_directories(to.parent_path());
   const std::unique_ptr<zip_file_t, CloseZip> file(zip_fopen_index(zip, index, 0));
   if (!file)
-    throw LateError(
+    throw LoadError(
         fmt::format("{} in it cannot be read: {}", to.filename().string(), zip_strerror(zip)));
   std::ofstream out(to, std::ios::binary);
   std::vector<char> part(1 << 16);
   for (;;) {
     const zip_int64_t n = zip_fread(file.get(), part.data(), part.size());
     if (n < 0)
-      throw LateError(fmt::format("{} in it is damaged: {}", to.filename().string(),
+      throw LoadError(fmt::format("{} in it is damaged: {}", to.filename().string(),
                                   zip_file_strerror(file.get())));
     if (n == 0) break;
     if (static_cast<std::uint64_t>(n) > budget)
-      throw LateError(fmt::format("it unpacks to more than {} bytes", most_bytes));
+      throw LoadError(fmt::format("it unpacks to more than {} bytes", most_bytes));
     budget -= static_cast<std::uint64_t>(n);
     out.write(part.data(), n);
   }
   out.close();
-  if (!out) throw LateError(fmt::format("{} cannot be written", to.string()));
+  if (!out) throw LoadError(fmt::format("{} cannot be written", to.string()));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void unpack_entry(zip_t* zip, zip_uint64_t index, const fs::path& to, std::uint6
 TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "odeum_fmu_XXXXXX").string();
   if (!mkdtemp(name.data()))
-    throw LateError(fmt::format("no folder {} could be made: {}", name, std::strerror(errno)));
+    throw LoadError(fmt::format("no folder {} could be made: {}", name, std::strerror(errno)));
   path_ = name;
 }
 
@@ -89,18 +89,18 @@ void unpack(const std::string& archive, const fs::path& folder) {
     zip_error_init_with_code(&error, code);
     const std::string why = zip_error_strerror(&error);
     zip_error_fini(&error);
-    throw LateError(fmt::format("is no whole ZIP archive: {}", why));
+    throw LoadError(fmt::format("is no whole ZIP archive: {}", why));
   }
   const zip_int64_t entries = zip_get_num_entries(zip.get(), 0);
   if (entries > most_entries)
-    throw LateError(fmt::format("has {} entries, at most {} are read", entries, most_entries));
+    throw LoadError(fmt::format("has {} entries, at most {} are read", entries, most_entries));
   std::uint64_t budget = most_bytes;
   for (zip_int64_t i = 0; i < entries; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     const char* const raw = zip_get_name(zip.get(), index, 0);
     const std::string name = raw ? raw : "";
     if (!stays_inside(name))
-      throw LateError(fmt::format("has an entry that would be written outside of its folder: {}",
+      throw LoadError(fmt::format("has an entry that would be written outside of its folder: {}",
                                   foreign::cleaned(name.c_str())));
     if (is_wanted(name) && name.back() != '/')
       unpack_entry(zip.get(), index, folder / name, budget);

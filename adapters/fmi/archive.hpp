@@ -20,7 +20,7 @@ class TemporaryFolder {
 };
 
 /// Unpacks modelDescription.xml, binaries and resources of a ZIP archive into a folder. Throws
-/// LateError, without a file name, for what is no whole archive, has names that point out of the
+/// LoadError, without a file name, for what is no whole archive, has names that point out of the
 /// folder, or is larger than 1 GB unpacked.
 void unpack(const std::string& archive, const std::filesystem::path& folder);
 

@@ -20,7 +20,7 @@ namespace {
 using Node = pugi::xml_node;
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw LateError("modelDescription.xml: " + why);
+  throw LoadError("modelDescription.xml: " + why);
 }
 
 std::string text_of(const Node& node, const char* attribute) {

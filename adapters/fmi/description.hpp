@@ -32,7 +32,7 @@ struct Description {
   bool names_time = false;  ///< among what derivatives depend on
 };
 
-/// Throws LateError, without a file name, for what is no description, needs a version that is not
+/// Throws LoadError, without a file name, for what is no description, needs a version that is not
 /// read, has events, or is made for co-simulation only.
 Description read_description(const std::string& xml);
 

@@ -69,19 +69,19 @@ class Fmi2 final : public Model {
         derivatives_(binary.function<GetNumbers>("fmi2GetDerivatives")) {
     const std::string version = binary.function<GetVersion>("fmi2GetVersion")();
     if (version != "2.0")
-      throw LateError(fmt::format("its binary is of FMI version \"{}\", its description of 2.0",
+      throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 2.0",
                                   foreign::cleaned(version.c_str())));
     static const Callbacks callbacks{note, std::calloc, std::free, nullptr, nullptr};
     const std::string resources = "file://" + (folder / "resources").string();
     self_ = binary.function<Instantiate>("fmi2Instantiate")(
         d.model.c_str(), model_exchange, d.token.c_str(), resources.c_str(), &callbacks, 0, 0);
     if (!self_)
-      throw LateError(fmt::format("fmi2Instantiate failed{}{}", last_message().empty() ? "" : ": ",
+      throw LoadError(fmt::format("fmi2Instantiate failed{}{}", last_message().empty() ? "" : ": ",
                                   last_message()));
     set(binary, settings_of(d, values));
     initialise(d, binary);
     y0.resize(d.states.size());
-    if (y0.empty()) throw LateError("the model has no continuous states");
+    if (y0.empty()) throw LoadError("the model has no continuous states");
     require(binary.function<GetNumbers>("fmi2GetContinuousStates")(self_, y0.data(), y0.size()),
             "fmi2GetContinuousStates");
     if (d.directional_derivatives) {
@@ -104,7 +104,7 @@ class Fmi2 final : public Model {
         continue;
       }
       if (type != "Integer" && type != "Enumeration" && type != "Boolean")
-        throw LateError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
+        throw LoadError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
       const bool truth = type == "Boolean";
       using Limits = std::numeric_limits<int>;
       const int value =

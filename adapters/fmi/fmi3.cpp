@@ -46,22 +46,22 @@ class Fmi3 final : public Model {
         derivatives_(binary.function<GetNumbers>("fmi3GetContinuousStateDerivatives")) {
     const std::string version = binary.function<GetVersion>("fmi3GetVersion")();
     if (!version.starts_with("3."))
-      throw LateError(fmt::format("its binary is of FMI version \"{}\", its description of 3.0",
+      throw LoadError(fmt::format("its binary is of FMI version \"{}\", its description of 3.0",
                                   foreign::cleaned(version.c_str())));
     const std::string resources = (folder / "resources").string() + "/";
     self_ = binary.function<Instantiate>("fmi3InstantiateModelExchange")(
         d.model.c_str(), d.token.c_str(), resources.c_str(), false, false, nullptr, note);
     if (!self_)
-      throw LateError(fmt::format("fmi3InstantiateModelExchange failed{}{}",
+      throw LoadError(fmt::format("fmi3InstantiateModelExchange failed{}{}",
                                   last_message().empty() ? "" : ": ", last_message()));
     for (const Setting& setting : settings_of(d, values)) set(binary, setting);
     initialise(d, binary);
     std::size_t n = 0;
     require(binary.function<CountStates>("fmi3GetNumberOfContinuousStates")(self_, &n),
             "fmi3GetNumberOfContinuousStates");
-    if (n == 0) throw LateError("the model has no continuous states");
+    if (n == 0) throw LoadError("the model has no continuous states");
     if (n > 1'000'000 || (!d.has_arrays && n != d.states.size()))
-      throw LateError(fmt::format("the binary has {} continuous states, the description lists {}",
+      throw LoadError(fmt::format("the binary has {} continuous states, the description lists {}",
                                   n, d.states.size()));
     y0.resize(n);
     require(binary.function<GetNumbers>("fmi3GetContinuousStates")(self_, y0.data(), n),
@@ -103,7 +103,7 @@ class Fmi3 final : public Model {
     if (type == "UInt32") return set_integer<std::uint32_t>(binary, s);
     if (type == "Int64") return set_integer<std::int64_t>(binary, s);
     if (type == "UInt64") return set_integer<std::uint64_t>(binary, s);
-    throw LateError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
+    throw LoadError(fmt::format("--set {}: a {} cannot be set", s.variable->name, type));
   }
 
   void initialise(const Description& d, const Binary& binary) {

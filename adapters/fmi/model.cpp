@@ -32,7 +32,7 @@ Number parsed(const Setting& setting, const char* expected) {
   Number value{};
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc{} || end != last)
-    throw LateError(fmt::format("--set {}: got \"{}\", expected {}", setting.variable->name,
+    throw LoadError(fmt::format("--set {}: got \"{}\", expected {}", setting.variable->name,
                                 foreign::cleaned(setting.text.c_str()), expected));
   return value;
 }
@@ -47,18 +47,18 @@ Binary::Binary(const Description& d, const fs::path& folder) {
     std::set<std::string> others;
     for (const auto& entry : fs::directory_iterator(folder / "binaries", ignored))
       others.insert(entry.path().filename().string());
-    throw LateError(fmt::format(
+    throw LoadError(fmt::format(
         "has no binary for this machine: no binaries/{}/{}.so; {}", platform, d.identifier,
         others.empty() ? "it has none at all"
                        : fmt::format("it has those for {}", fmt::join(others, ", "))));
   }
   handle_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle_) throw LateError(fmt::format("cannot be loaded: {}", dlerror()));
+  if (!handle_) throw LoadError(fmt::format("cannot be loaded: {}", dlerror()));
 }
 
 void* Binary::symbol(const std::string& name) const {
   void* const found = dlsym(handle_, name.c_str());
-  if (!found) throw LateError(fmt::format("its binary exports no function {}", name));
+  if (!found) throw LoadError(fmt::format("its binary exports no function {}", name));
   return found;
 }
 
@@ -78,7 +78,7 @@ double Setting::real() const { return parsed<double>(*this, "a number"); }
 long long Setting::integer(long long least, long long most) const {
   const auto value = parsed<long long>(*this, "a whole number");
   if (value < least || value > most)
-    throw LateError(
+    throw LoadError(
         fmt::format("--set {}: got {}, expected {} to {}", variable->name, value, least, most));
   return value;
 }
@@ -86,7 +86,7 @@ long long Setting::integer(long long least, long long most) const {
 bool Setting::boolean() const {
   if (text == "true" || text == "1") return true;
   if (text == "false" || text == "0") return false;
-  throw LateError(fmt::format("--set {}: got \"{}\", expected true or false", variable->name,
+  throw LoadError(fmt::format("--set {}: got \"{}\", expected true or false", variable->name,
                               foreign::cleaned(text.c_str())));
 }
 
@@ -100,11 +100,11 @@ std::vector<Setting> settings_of(const Description& description, const Values& v
       if (v.settable && !v.is_array && names.size() < 20) names.push_back(v.name);
     }
     if (!found)
-      throw LateError(fmt::format(
+      throw LoadError(fmt::format(
           "--set: the model has no variable {}; {}", foreign::cleaned(name.c_str()),
           names.empty() ? "none can be set" : fmt::format("it has {}", fmt::join(names, ", "))));
     if (!found->settable || found->is_array)
-      throw LateError(fmt::format("--set: {} {}; {} can", name,
+      throw LoadError(fmt::format("--set: {} {}; {} can", name,
                                   found->is_array ? "is an array, which cannot be set"
                                                   : "is computed or constant and cannot be set",
                                   fmt::join(names, ", ")));
@@ -121,17 +121,17 @@ std::string& last_message() {
 void require(int status, const char* function) {
   if (status == 0 || status == 1) return;
   constexpr const char* names[] = {"ok", "warning", "discard", "error", "fatal", "pending"};
-  throw LateError(fmt::format("{} returned {}{}{}", function,
+  throw LoadError(fmt::format("{} returned {}{}{}", function,
                               status > 0 && status < 6 ? names[status] : std::to_string(status),
                               last_message().empty() ? "" : ": ", last_message()));
 }
 
 void refuse_events(bool next_event_time, double when, bool terminate, bool at_steps) {
   if (next_event_time)
-    throw LateError(
+    throw LoadError(
         fmt::format("has time events (the first at t = {}), which are not followed", when));
-  if (terminate) throw LateError("ends its simulation when it is initialised");
-  if (at_steps) throw LateError("has events at the end of steps, which are not followed");
+  if (terminate) throw LoadError("ends its simulation when it is initialised");
+  if (at_steps) throw LoadError("has events at the end of steps, which are not followed");
 }
 
 std::unique_ptr<Model> make_model(const Description& d, const fs::path& folder,

@@ -16,10 +16,10 @@ using Values = std::map<std::string, std::string>;
 /// A shared object of an FMU, never unloaded.
 class Binary {
  public:
-  /// Throws LateError where there is none for this machine or it cannot be loaded.
+  /// Throws LoadError where there is none for this machine or it cannot be loaded.
   Binary(const Description& description, const std::filesystem::path& folder);
 
-  /// Throws LateError where it exports no such function.
+  /// Throws LoadError where it exports no such function.
   template <class Function>
   Function function(const std::string& name) const {
     return reinterpret_cast<Function>(symbol(name));
@@ -53,7 +53,7 @@ class Model {
   bool has_jacobian_ = false;
 };
 
-/// Loads and initialises a model with these values of its variables. Throws LateError, without a
+/// Loads and initialises a model with these values of its variables. Throws LoadError, without a
 /// file name, where it has events, fails, or a value cannot be set.
 std::unique_ptr<Model> make_model(const Description& description,
                                   const std::filesystem::path& folder, const Values& values);
@@ -62,7 +62,7 @@ std::unique_ptr<Model> make_model2(const Description& description, const Binary&
 std::unique_ptr<Model> make_model3(const Description& description, const Binary& binary,
                                    const std::filesystem::path& folder, const Values& values);
 
-/// A value of --set with the variable that it is for. Throws LateError where there is no such
+/// A value of --set with the variable that it is for. Throws LoadError where there is no such
 /// variable, or none that can be set, or the text is no number of its type.
 struct Setting {
   const Variable* variable;
@@ -75,9 +75,9 @@ std::vector<Setting> settings_of(const Description& description, const Values& v
 
 /// The last message of a model, for people.
 std::string& last_message();
-/// Throws LateError where a call returned an error.
+/// Throws LoadError where a call returned an error.
 void require(int status, const char* function);
-/// What the model says of events after its initialisation. Throws LateError where there are any.
+/// What the model says of events after its initialisation. Throws LoadError where there are any.
 void refuse_events(bool next_event_time, double when, bool terminate, bool at_steps);
 
 }  // namespace odeum::adapters::fmi

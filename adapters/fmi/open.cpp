@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <utility>
 
 #include "fmi/archive.hpp"
 #include "fmi/model.hpp"
+#include "odeum/core/checksum.hpp"
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
@@ -167,9 +167,9 @@ std::shared_ptr<Fmu> read(const std::string& file) {
   const fs::path xml = fmu->folder.path() / "modelDescription.xml";
   std::error_code missing;
   const std::uintmax_t size = fs::file_size(xml, missing);
-  if (missing) throw LateError("has no modelDescription.xml");
+  if (missing) throw LoadError("has no modelDescription.xml");
   if (size > most_description_bytes)
-    throw LateError(fmt::format("modelDescription.xml has {} bytes, at most {} are read", size,
+    throw LoadError(fmt::format("modelDescription.xml has {} bytes, at most {} are read", size,
                                 most_description_bytes));
   fmu->description = read_description(content_of(xml));
   const Description& d = fmu->description;
@@ -182,28 +182,28 @@ std::shared_ptr<Fmu> read(const std::string& file) {
 
 /// Whatever its code does, it does first in a process of its own. Whether f depends on time.
 bool try_out(Fmu& fmu, const char* name, const Values& values) {
-  const auto [ended, said] = foreign::text_apart([&]() -> std::string {
+  const auto [ended, said] = foreign::text_isolated([&]() -> std::string {
     try {
       fmu.load(values);
       foreign::alive();
       const bool in_time = fmu.description.names_time || depends_on_time(fmu);
       const std::string fault = foreign::Problem(functions_of(fmu, name, in_time)).fault();
       return fault.empty() ? (in_time ? "+t" : "+") : fault;
-    } catch (const LateError& error) {
+    } catch (const LoadError& error) {
       return error.what();
     }
   });
-  if (!ended || !said.starts_with("+")) throw LateError(said);
+  if (!ended || !said.starts_with("+")) throw LoadError(said);
   return said == "+t";
 }
 
-foreign::Given open(const std::string& file, const Values& values) {
+foreign::ProblemCallbacks open(const std::string& file, const Values& values) {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) throw LateError("is no file");
+  if (!fs::is_regular_file(file, ignored)) throw LoadError("is no file");
   const std::shared_ptr<Fmu> fmu = read(file);
   const bool in_time = try_out(*fmu, "of the FMU", values);
   fmu->load(values);
-  foreign::Given given;
+  foreign::ProblemCallbacks given;
   given.functions = functions_of(*fmu, "of the FMU", in_time);
   given.keep_alive = fmu;
   const Description& d = fmu->description;
@@ -212,7 +212,7 @@ foreign::Given open(const std::string& file, const Values& values) {
   given.source = "the FMU " + fs::path(file).filename().string();
   given.provider = "the FMU";
   given.tag = "fmu";
-  given.content = fmt::format("{:x} {}", std::hash<std::string>()(content_of(file)), values);
+  given.content = fmt::format("{:x} {}", checksum(content_of(file)), values);
   given.components = names_of_states(d);
   given.scale = nominal_sizes(d);
   given.facts = facts_of(*fmu, given.components, values, given.functions);
@@ -224,13 +224,14 @@ foreign::Given open(const std::string& file, const Values& values) {
 
 std::string fmi_support() { return "2.0 and 3.0, Model Exchange, by libzip and pugixml"; }
 
-foreign::Given open_fmu(const std::string& file, const std::map<std::string, std::string>& values) {
+foreign::ProblemCallbacks open_fmu(const std::string& file,
+                                   const std::map<std::string, std::string>& values) {
   try {
     return adapters::fmi::open(file, values);
-  } catch (const LateError& error) {
-    throw LateError(fmt::format("{}: {}", file, error.what()));
+  } catch (const LoadError& error) {
+    throw LoadError(fmt::format("{}: {}", file, error.what()));
   } catch (const std::filesystem::filesystem_error& error) {
-    throw LateError(fmt::format("{}: {}", file, error.what()));
+    throw LoadError(fmt::format("{}: {}", file, error.what()));
   }
 }
 

@@ -167,7 +167,7 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
 
   Problem problem(contest.view, request.budget);
   const gsl_odeiv2_system system = {rhs, jacobian, n, &problem};
-  const Tolerance tolerance = fixed ? Tolerance(newton_tolerance) : request.tolerances();
+  const Tolerance tolerance = fixed ? Tolerance(newton_tolerance) : request.tolerance;
   const double first = fixed ? FixedGrid(contest.t0, request).h()
                              : first_step(problem.guarded, contest.t0, *contest.y0,
                                           request.stops.back(), method.first_order(), tolerance);

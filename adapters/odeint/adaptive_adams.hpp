@@ -44,8 +44,9 @@ Outcome run_controlled_adams(const Contest<P>& contest, const Request& request) 
     using Stepper = boost::numeric::odeint::controlled_adams_bashforth_moulton<
         boost::numeric::odeint::adaptive_adams_bashforth_moulton<K, Y>>;
     // The default largest step is 1, a bound that no problem requested.
-    Stepper stepper(typename Stepper::step_adjuster_type(
-        request.tolerances().absolute(0), request.tolerance, request.stops.back() - contest.t0));
+    Stepper stepper(typename Stepper::step_adjuster_type(request.tolerance.absolute(0),
+                                                         request.tolerance.relative,
+                                                         request.stops.back() - contest.t0));
     Y y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem}, contest.t0,
                     first_step(problem, contest, y, 1, request), request, y, outcome);

@@ -68,7 +68,7 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
 double first(const System& system, double t0, const std::vector<double>& y0,
              const Request& request) {
   return first_step(*system.first.problem, t0, y0, request.stops.back(), rosenbrock4_order,
-                    request.tolerances());
+                    request.tolerance);
 }
 
 template <class Stepper>

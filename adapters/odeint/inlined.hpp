@@ -56,7 +56,8 @@ class Roster {
     Contest<P> contest;
     Run<P> run;
     Outcome operator()(const Request& request) const {
-      if (request.mode == Mode::fixed || !request.by_component()) return run(contest, request);
+      if (request.mode == Mode::fixed || !request.tolerance.by_component())
+        return run(contest, request);
       if constexpr (std::same_as<P, SharedOde>) return run_scaled(contest, request, run);
       return refuse_by_component();
     }

@@ -45,8 +45,8 @@ using Controller = od::rosenbrock4_controller<Stepper>;
 /// Calls run(controller), of the request's tolerance.
 template <class Run>
 void with_controller(const Request& request, Run&& run) {
-  const Tolerance tolerance = request.tolerances();
-  if (request.by_component())
+  const Tolerance& tolerance = request.tolerance;
+  if (tolerance.by_component())
     run(Controller<ByComponent>(tolerance.relative, tolerance.relative, ByComponent(tolerance)));
   else
     run(Controller<od::rosenbrock4<double>>(tolerance.absolute(0), tolerance.relative));
@@ -99,7 +99,7 @@ Outcome run_bare(const OdeView& view, double t0, const std::vector<double>& y0,
   try {
     const std::pair<BareRhs<P>, BareJacobian<P>> system{{&problem}, {&problem}};
     const double first =
-        first_step(guarded, t0, y0, request.stops.back(), rosenbrock4_order, request.tolerances());
+        first_step(guarded, t0, y0, request.stops.back(), rosenbrock4_order, request.tolerance);
     walk(system, t0, first, request, y, outcome);
   } catch (...) {
     explain_exception(outcome);

@@ -39,7 +39,7 @@ State<P> start_of(const Contest<P>& contest) {
 template <Ode P>
 double first_step(const Guarded<P>& problem, const Contest<P>& contest, const State<P>& y,
                   int order, const Request& request) {
-  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerances());
+  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerance);
 }
 
 /// A stepper with do_step(system, y, t, h), in place.
@@ -73,7 +73,7 @@ Controlled<Stepper> make_controlled(const Tolerance& tolerance) {
 template <class Stepper, Ode P>
 Outcome run_to_tolerance(const Contest<P>& contest, const Request& request) {
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerances());
+    Controlled<Stepper> stepper = make_controlled<Stepper>(request.tolerance);
     State<P> y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem}, contest.t0,
                     first_step(problem, contest, y, Stepper::error_order_value, request), request,
@@ -111,7 +111,7 @@ template <class Controlled, int order, Ode P>
 Outcome run_controlled(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    Controlled stepper(request.tolerances().absolute(0), request.tolerance);
+    Controlled stepper(request.tolerance.absolute(0), request.tolerance.relative);
     State<P> y = start_of(contest);
     walk_controlled(stepper, System<P>{&problem}, contest.t0,
                     first_step(problem, contest, y, order, request), request, y, outcome);
@@ -123,7 +123,7 @@ template <auto make, int order, Ode P>
 Outcome run_dense(const Contest<P>& contest, const Request& request) {
   if (request.mode == Mode::fixed) return refuse_fixed();
   return attempt(contest, request, [&](const Guarded<P>& problem, Outcome& outcome) {
-    auto stepper = make(request.tolerances());
+    auto stepper = make(request.tolerance);
     State<P> y = start_of(contest);
     walk_dense(stepper, System<P>{&problem}, contest.t0,
                first_step(problem, contest, y, order, request), request, y, outcome);

@@ -13,14 +13,16 @@ namespace odeum::adapters::odeint {
 /// The problem of `contest` in units of its thresholds; must outlive the run.
 class ScaledProblem {
  public:
+  static constexpr std::size_t dimension = dynamic;
   ScaledProblem(const Contest<SharedOde>& contest, const Request& request);
   Contest<SharedOde> contest() const;
   /// Puts the states of an outcome back into the problem's units.
   void unscale(Outcome& outcome) const;
 
- private:
-  static void rhs(const void* self, double t, const double* z, double* dzdt);
+  std::size_t size() const { return thresholds_.size(); }
+  void rhs(double t, const double* z, double* dzdt) const;
 
+ private:
   const Contest<SharedOde>& original_;
   std::vector<double> thresholds_;
   mutable std::vector<double> y_;
@@ -31,7 +33,7 @@ template <class Run>
 Outcome run_scaled(const Contest<SharedOde>& contest, const Request& request, Run run) {
   const ScaledProblem scaled(contest, request);
   Request plain = request;
-  plain.absolute.clear();
+  plain.tolerance = request.tolerance.relative;
   Outcome outcome = run(scaled.contest(), plain);
   scaled.unscale(outcome);
   return outcome;

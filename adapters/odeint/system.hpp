@@ -2,6 +2,7 @@
 #pragma once
 #include "odeint/tripped.hpp"
 #include "odeum/core/guarded.hpp"
+#include "odeum/problem/concepts.hpp"
 
 namespace odeum::adapters::odeint {
 

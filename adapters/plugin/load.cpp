@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <set>
 
+#include "odeum/core/checksum.hpp"
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -71,21 +71,22 @@ std::string fault_of_plugin(const odeum_plugin& plugin) {
 }
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why) {
-  throw LateError(fmt::format("{}: {}", file, why));
+  throw LoadError(fmt::format("{}: {}", file, why));
 }
 
 std::string mark_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  return fmt::format("{:x}", std::hash<std::string>()(bytes));
+  return fmt::format("{:x}", checksum(bytes));
 }
 
 /// The problem as a case is made of it.
-foreign::Given given(const odeum_problem& p, const std::string& library, const std::string& mark) {
+foreign::ProblemCallbacks given(const odeum_problem& p, const std::string& library,
+                                const std::string& mark) {
   const auto text = [](const char* said, const std::string& otherwise) {
     return said ? foreign::cleaned(said) : otherwise;
   };
-  foreign::Given given;
+  foreign::ProblemCallbacks given;
   given.functions = p;
   given.id = library + "_" + p.name;
   given.title = text(p.title, given.id);
@@ -107,7 +108,7 @@ void add_plugin(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(file, "is no file");
   // Whatever it does when it is loaded, it does first in a process of its own.
-  const auto [ended, fault] = foreign::text_apart([&] {
+  const auto [ended, fault] = foreign::text_isolated([&] {
     std::string why;
     const odeum_plugin* const plugin = open(path, why);
     return plugin ? fault_of_plugin(*plugin) : why;
@@ -117,7 +118,7 @@ void add_plugin(const std::string& file) {
   const odeum_plugin* const plugin = open(path, why);
   if (!plugin) refuse(file, why);
   const std::string name = plugin->name;
-  LateLibrary library;
+  RuntimeLibrary library;
   library.info = {
       .name = name, .libraries = {name}, .option = "", .built = true, .version = "plug-in " + path};
   library.mark = mark_of(path);
@@ -126,12 +127,12 @@ void add_plugin(const std::string& file) {
       entrants.push_back(entrant_of(plugin->solvers[i], name, contest));
   };
   library.problems = [plugin, name, mark = library.mark] {
-    std::vector<foreign::Given> problems;
+    std::vector<foreign::ProblemCallbacks> problems;
     for (std::size_t i = 0; i < plugin->problem_count; ++i)
       problems.push_back(given(plugin->problems[i], name, mark));
     return problems;
   };
-  add_late_library(std::move(library));
+  add_runtime_library(std::move(library));
 }
 
 }  // namespace odeum

@@ -56,8 +56,7 @@ odeum_system callbacks(System& system, const std::vector<double>& absolute) {
 
 std::vector<double> absolute_of(const Request& request, std::size_t n) {
   std::vector<double> absolute(request.mode == Mode::adaptive ? n : 0);
-  const Tolerance tolerance = request.tolerances();
-  for (std::size_t i = 0; i < absolute.size(); ++i) absolute[i] = tolerance.absolute(i);
+  for (std::size_t i = 0; i < absolute.size(); ++i) absolute[i] = request.tolerance.absolute(i);
   return absolute;
 }
 
@@ -157,7 +156,7 @@ class Solve {
     double t = contest_.t0;
     for (const double stop : request_.stops) {
       const double before = t;
-      if (!sound(solver_.solve(self, &t, stop, request_.tolerance, y_.data()), t)) return;
+      if (!sound(solver_.solve(self, &t, stop, request_.tolerance.relative, y_.data()), t)) return;
       if (!fence_holds(before)) return;
       if (t < before) {
         fail(Status::refused, t, fmt::format("moved t backwards from {}", before));
@@ -233,7 +232,7 @@ Entrant entrant_of(const odeum_solver& solver, const std::string& library,
   entrant.unfit = unfit(solver, contest.view);
   if (!entrant.unfit.empty()) return entrant;
   entrant.solve = [&solver, contest](const Request& request) {
-    return foreign::solve_apart(
+    return foreign::solve_isolated(
         [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
         contest.view.dimension);
   };

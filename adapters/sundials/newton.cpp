@@ -9,7 +9,6 @@
 
 #include <utility>
 
-#include "odeum/core/counted_solver.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "sundials/structured.hpp"
 
@@ -91,8 +90,7 @@ void attach_linear_solver(Session& session) {
     matrix.reset(SUNDenseMatrix(n, n, session.context()));
     solver.reset(SUNLinSol_Dense(session.y(), matrix.get(), session.context()));
   } else if (view.shifted_solver) {
-    session.keep(counted(std::unique_ptr<ShiftedSolver>(view.shifted_solver(view.problem)),
-                         session.problem().guard()));
+    session.keep(session.problem().shifted_solver());
     solver.reset(embedded(session));
   } else {
     // Up to 60 directions: the default, 5, is meant for use with a preconditioner.

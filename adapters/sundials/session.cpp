@@ -101,18 +101,17 @@ void Session::run_fixed(Outcome& outcome) {
 }
 
 void Session::set_tolerances() {
-  const double relative = request_.tolerance;
-  const std::vector<double>& absolute = request_.absolute;
-  if (!request_.by_component()) {
-    check(module_.set_tolerances(integrator_, relative,
-                                 absolute.empty() ? relative : absolute.front()),
+  const Tolerance& tolerance = request_.tolerance;
+  if (!tolerance.by_component()) {
+    check(module_.set_tolerances(integrator_, tolerance.relative, tolerance.absolute(0)),
           "setting the tolerances");
     return;
   }
   const Vector by_component(N_VClone(y_.get()));  // the library copies it
   if (!by_component) throw Failure{CV_MEM_FAIL, "making the vector of absolute tolerances"};
-  std::copy(absolute.begin(), absolute.end(), NV_DATA_S(by_component.get()));
-  check(module_.set_tolerances_by_component(integrator_, relative, by_component.get()),
+  std::copy(tolerance.absolutes().begin(), tolerance.absolutes().end(),
+            NV_DATA_S(by_component.get()));
+  check(module_.set_tolerances_by_component(integrator_, tolerance.relative, by_component.get()),
         "setting the tolerances");
 }
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/core/guard.hpp"
+#include "odeum/core/guarded.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/solvers/solver.hpp"
 #include "sundials/handles.hpp"

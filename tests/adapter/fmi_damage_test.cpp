@@ -68,7 +68,7 @@ bool is_refused(const std::string& file) {
   try {
     open_fmu(file);
     return false;
-  } catch (const LateError&) {
+  } catch (const LoadError&) {
     return true;
   }
 }

@@ -75,7 +75,7 @@ class Fmus : public testing::TestWithParam<int> {
   static std::string refusal(const std::string& file, const Values& values = {}) {
     try {
       open_fmu(file, values);
-    } catch (const LateError& error) {
+    } catch (const LoadError& error) {
       return error.what();
     }
     return "it was not refused";
@@ -89,7 +89,7 @@ class Fmus : public testing::TestWithParam<int> {
     expect_refused(fmu([&](std::string& xml) { replace(xml, from, to); }), why);
   }
   Case made(const Values& values = {}) {
-    foreign::Given given = open_fmu(fmu(), values);
+    foreign::ProblemCallbacks given = open_fmu(fmu(), values);
     given.id = "model";
     return cases::foreign_case(std::move(given)).c;
   }

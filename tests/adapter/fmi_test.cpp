@@ -52,7 +52,7 @@ TEST_P(Fmus, TheJacobianIsThatOfDirectionalDerivatives) {
   EXPECT_DOUBLE_EQ(j[3], 1 - 0.25);
   const std::string provides = three() ? "providesDirectionalDerivatives=\"true\""
                                        : "providesDirectionalDerivative=\"true\"";
-  const foreign::Given without =
+  const foreign::ProblemCallbacks without =
       open_fmu(fmu([&](std::string& xml) { replace(xml, provides, ""); }));
   EXPECT_EQ(without.functions.jacobian, nullptr);
 }

@@ -8,7 +8,7 @@
 
 #include "odeum/cases/text_case.hpp"
 #include "odeum/formula/text_ode.hpp"
-#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum {
@@ -159,10 +159,10 @@ TEST(GivenCases, AreKnownBesideTheOthers) {
   const std::size_t before = known_cases().size();
   Case c;
   c.id = "given";
-  const Case& added = add_given_case(c);
+  const Case& added = add_user_case(c);
   EXPECT_EQ(known_cases().size(), before + 1);
   EXPECT_EQ(known_cases().back(), &added);
-  EXPECT_THROW(add_given_case(c), std::invalid_argument);
+  EXPECT_THROW(add_user_case(c), std::invalid_argument);
 }
 
 }  // namespace

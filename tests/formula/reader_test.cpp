@@ -35,8 +35,8 @@ tolerance: {relative: 1e-6, absolute: [1e-9, A*1e-12]}
   EXPECT_EQ(p.y0[1], 3);
   EXPECT_EQ(p.stops, (std::vector<double>{5, 10, 20}));
   EXPECT_EQ(p.scale, (std::vector<double>{1, 2}));
-  EXPECT_EQ(p.tolerance, 1e-6);
-  EXPECT_EQ(p.absolute, (std::vector<double>{1e-9, 1e-12}));
+  EXPECT_EQ(p.tolerance.relative, 1e-6);
+  EXPECT_EQ(p.tolerance.absolutes(), (std::vector<double>{1e-9, 1e-12}));
   const double y[] = {2, 3};
   double f[2];
   formula::Evaluator<double>(p.graph, p.equations)(0, y, f);

@@ -139,18 +139,20 @@ TEST(Verify, SaysWhatTheAuthorsOfAPairLookAt) {
   const proof::Verification v = verified(dormand_prince(1), text);
   EXPECT_TRUE(v.passed());
   // Dormand and Prince, J. Comput. Appl. Math. 6 (1980) 19-26: A = 3.99e-4.
-  EXPECT_NEAR(v.quality.a, 3.99e-4, 1e-6);
-  EXPECT_NEAR(v.quality.a_hat, 1.18e-3, 1e-5);
-  EXPECT_NEAR(v.quality.b, 1.54, 0.01);
-  EXPECT_NEAR(v.quality.c, 1.67, 0.01);
-  EXPECT_NEAR(v.quality.d, 11.6, 0.01);
-  EXPECT_NEAR(v.quality.e, v.quality.a / v.quality.a_hat, 1e-12);
+  EXPECT_NEAR(v.quality.principal_error, 3.99e-4, 1e-6);
+  EXPECT_NEAR(v.quality.embedded_principal_error, 1.18e-3, 1e-5);
+  EXPECT_NEAR(v.quality.next_term_ratio, 1.54, 0.01);
+  EXPECT_NEAR(v.quality.difference_ratio, 1.67, 0.01);
+  EXPECT_NEAR(v.quality.largest_coefficient, 11.6, 0.01);
+  EXPECT_NEAR(v.quality.rows_ratio, v.quality.principal_error / v.quality.embedded_principal_error,
+              1e-12);
   EXPECT_TRUE(v.quality.remarks().empty());
   EXPECT_NE(text.find("B = 1.54, C = 1.67, E = 0.337"), std::string::npos) << text;
   // One and a half times the difference is no fault, but it shows.
   const proof::Verification more = verified(dormand_prince(mpq_class(33, 20)), text);
   EXPECT_TRUE(more.passed());
-  EXPECT_NEAR(more.quality.a_hat / v.quality.a_hat, 1.65, 1e-9);
+  EXPECT_NEAR(more.quality.embedded_principal_error / v.quality.embedded_principal_error, 1.65,
+              1e-9);
 }
 
 TEST(Verify, AnEstimateOfAnUnusualSizeIsRemarkedOn) {
@@ -162,7 +164,7 @@ TEST(Verify, AnEstimateOfAnUnusualSizeIsRemarkedOn) {
   const proof::Verification small = verified(dormand_prince(mpq_class(1, 1000)), text);
   EXPECT_TRUE(small.passed());
   EXPECT_NE(text.find("too small to be seen"), std::string::npos) << text;
-  EXPECT_GT(small.quality.e, 100);
+  EXPECT_GT(small.quality.rows_ratio, 100);
   EXPECT_FALSE(small.quality.remarks().empty());
 }
 

@@ -39,7 +39,7 @@ Columns declared() {
     for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
       const std::size_t begin = at + mark.size(), end = text.find("\n  }\n", at);
       columns[text.substr(begin, text.find('"', begin) - begin)] =
-          matches(text.substr(at, end - at), "visit\\(\\s*\"(\\w+)\",(?!\\s*record::Unlisted)");
+          matches(text.substr(at, end - at), "visit\\(\\s*\"(\\w+)\",(?!\\s*record::StoredOnly)");
     }
   }
   return columns;

@@ -190,11 +190,11 @@ TEST(Stability, ResultsThatWereKeptAreThoseThatWereMeasured) {
     record::Store store(path);
     Options first = options;
     first.solvers = {"odeum/heun", "odeum/implicit_euler_fixed_point"};
-    measure_stability(first, Runner(1, {.store = &store, .maker = "same"}));
+    measure_stability(first, Runner(1, {.store = &store, .dependencies = "same"}));
   }
   record::Store store(path);
   const StabilityResult resumed =
-      measure_stability(options, Runner(1, {.store = &store, .maker = "same"}));
+      measure_stability(options, Runner(1, {.store = &store, .dependencies = "same"}));
   EXPECT_EQ(store.taken(), 10U);  // two solvers, three axes and two planes
   const StabilityResult fresh = measure_stability(options);
   ASSERT_EQ(resumed.limits.size(), fresh.limits.size());

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "odeum/core/guarded.hpp"
 #include "odeum/methods/cash_karp54.hpp"
 #include "odeum/methods/heun.hpp"
 #include "odeum/methods/midpoint.hpp"
@@ -188,7 +189,7 @@ TEST(StepDoubling, KeepsBothItsBounds) {
   Guard guard(2, request.budget);
   const Guarded<Prey> guarded(problem, guard);
   Recording::calls.clear();
-  StepDoubling<Recording, Prey> steps(guarded, request.tolerances(), 2);
+  StepDoubling<Recording, Guarded<Prey>> steps(guarded, request.tolerance, 2);
   const Outcome outcome = run_adaptive(guarded, 0, {1, 1}, request, 1e-3, steps);
   ASSERT_EQ(outcome.status, Status::ok);
   const auto& calls = Recording::calls;

@@ -71,7 +71,7 @@ TEST(Amplification, IsThatOfTheToleranceAsked) {
   expect(to(1e-6), 1, 1);
   expect(to(1e-12), 1e-6, 1);
   expect(to(1e-2), 1e4, 1);
-  c.thresholds = {1e-3, 1e-3};
+  c.tolerance = Tolerance::of_thresholds(0, {1e-3, 1e-3});
   expect(judge::measure_amplification(c, c.stops), 1e-3, 1);
   c.scale = {10, 10};
   expect(judge::measure_amplification(c, c.stops), 1e-3, 10);
@@ -169,7 +169,7 @@ std::vector<study::ConvergenceRow> rows_of(const Case& c, double looser) {
   Entrant entrant = find_entrant(c, "odeum/dormand_prince54");
   const auto solve = entrant.solve;
   entrant.solve = [solve, looser](Request request) {
-    request.tolerance *= looser;
+    request.tolerance.relative *= looser;
     return solve(request);
   };
   const study::CaseMeasures measures{.gain = 1,

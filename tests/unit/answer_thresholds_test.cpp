@@ -18,16 +18,15 @@ judge::JudgedAnswer judged_run(const Case& c, const char* solver, double relativ
                                double absolute) {
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = relative;
-  request.absolute = {absolute};
+  request.tolerance = {relative, absolute};
   request.stops = c.stops;
   const Outcome outcome = find_entrant(c, solver).solve(request);
   EXPECT_EQ(outcome.status, Status::ok) << solver << ' ' << outcome.detail;
   if (outcome.status != Status::ok) return {};
   const judge::Judge judge(c, c.stops);
   return judge::judge_answer(
-      judge.errors(outcome), judge::measure_amplification(c, c.stops, request.tolerances()),
-      relative, static_cast<double>(outcome.counters.steps), c.truth.floor, judge.scale());
+      judge.errors(outcome), judge::measure_amplification(c, c.stops, request.tolerance), relative,
+      static_cast<double>(outcome.counters.steps), c.truth.floor, judge.scale());
 }
 
 // With an absolute tolerance far above the second species the first one becomes negative, where the
@@ -99,8 +98,7 @@ TEST(Answer, OnE5IsJudgedByTheAbsoluteToleranceAsked) {
     const auto run = [&](double absolute) {
       Request request;
       request.mode = Mode::adaptive;
-      request.tolerance = 1e-6;
-      request.absolute = {absolute};
+      request.tolerance = {1e-6, absolute};
       request.stops = c.stops;
       return entrant.solve(request);
     };

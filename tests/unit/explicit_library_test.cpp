@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/control/run_method.hpp"
+#include "odeum/core/guarded.hpp"
 #include "odeum/kernel/dense_output.hpp"
 #include "odeum_methods.hpp"
 #include "support/order.hpp"

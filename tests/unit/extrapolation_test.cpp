@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "odeum/control/run_method.hpp"
+#include "odeum/core/guarded.hpp"
 #include "odeum/linear/matrix_exponential.hpp"
 #include "odeum/methods/exponential_propagator.hpp"
 #include "odeum/methods/gragg_bulirsch_stoer.hpp"

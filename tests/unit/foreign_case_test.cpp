@@ -15,14 +15,14 @@ namespace odeum {
 namespace {
 
 /// A problem of two unknowns from (1, 0), or whatever `y0` has.
-foreign::Given given(int (*rhs)(void*, double, const double*, double*), double horizon,
-                     std::vector<double> start = {1, 0}) {
+foreign::ProblemCallbacks given(int (*rhs)(void*, double, const double*, double*), double horizon,
+                                std::vector<double> start = {1, 0}) {
   struct Numbers {
     std::vector<double> y0, stops;
   };
   const auto numbers = std::make_shared<const Numbers>(
       Numbers{std::move(start), {horizon / 4, horizon / 2, 3 * horizon / 4, horizon}});
-  foreign::Given given;
+  foreign::ProblemCallbacks given;
   given.functions.name = "test";
   given.functions.dimension = numbers->y0.size();
   given.functions.y0 = numbers->y0.data();
@@ -65,7 +65,7 @@ int lorenz(void*, double, const double* y, double* f) {
   return 0;
 }
 
-truth::Reference reference(const foreign::Given& problem) {
+truth::Reference reference(const foreign::ProblemCallbacks& problem) {
   std::string why;
   auto found = foreign::reference_of(problem, why);
   if (!found) throw std::runtime_error(why);
@@ -132,7 +132,7 @@ TEST(ForeignReference, CodeThatEndsItsProcessHasNone) {
 }
 
 TEST(ForeignCase, WithoutAnExactSolutionHasAComputedTruthAndSteps) {
-  foreign::Given problem = given(oscillator, 10);
+  foreign::ProblemCallbacks problem = given(oscillator, 10);
   problem.content = "ForeignCase oscillator";
   const cases::TextCase made = cases::foreign_case(problem);
   const Case& c = made.c;
@@ -145,7 +145,7 @@ TEST(ForeignCase, WithoutAnExactSolutionHasAComputedTruthAndSteps) {
 }
 
 TEST(ForeignCase, WithoutATruthSaysSo) {
-  foreign::Given problem = given(aborts, 5);
+  foreign::ProblemCallbacks problem = given(aborts, 5);
   problem.content = "ForeignCase aborts";
   const Case c = cases::foreign_case(problem).c;
   double y[2];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "odeum/control/run_method.hpp"
+#include "odeum/core/guarded.hpp"
 #include "support/second_order_methods.hpp"
 
 namespace odeum::tests {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "odeum/control/one_step.hpp"
+#include "odeum/core/guarded.hpp"
 #include "odeum/methods/bogacki_shampine32.hpp"
 #include "odeum/methods/dormand_prince54.hpp"
 #include "odeum/solvers/own_methods.hpp"
@@ -147,7 +148,7 @@ double error_inside(double h) {
   Guard guard(1, {});
   const Guarded<Bell> problem(bell, guard);
   using Stepper = typename M::template Stepper<Guarded<Bell>>;
-  EmbeddedPair<Stepper, KeepStep, Bell, M> trial(problem, 1e-6, 1);
+  EmbeddedPair<Stepper, KeepStep, Guarded<Bell>, M> trial(problem, 1e-6, 1);
   const double t = 0.5;
   const std::array<double, 1> before{2 / (2 + t * t)};
   std::array<double, 1> after{}, y{};

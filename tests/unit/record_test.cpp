@@ -35,9 +35,9 @@ struct AnyRow {
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("number", row.number), visit("count", row.count), visit("offset", row.offset);
-    visit("flag", row.flag), visit("chosen", Words{row.chosen, "no", "yes"});
+    visit("flag", row.flag), visit("chosen", PhraseColumn{row.chosen, "no", "yes"});
     visit("z", row.z), visit("colour", row.colour), visit("order", row.order);
-    visit("kept", Unlisted{row.kept}), visit("twice", Derived{2 * row.number});
+    visit("kept", StoredOnly{row.kept}), visit("twice", ComputedColumn{2 * row.number});
   }
 };
 

@@ -56,10 +56,10 @@ TEST(SceneReader, TakesARelativeAndAnAbsoluteTolerance) {
                                     "}\nparticles: [{pos: [0, 0, 0], mass: 1}]\n")
         .scene.solver;
   };
-  EXPECT_EQ(solver("1e-6")->tolerance, 1e-6);
-  EXPECT_FALSE(solver("1e-6")->absolute);
-  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->tolerance, 1e-6);
-  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->absolute, 1e-9);
+  EXPECT_EQ(solver("1e-6")->tolerance->relative, 1e-6);
+  EXPECT_EQ(solver("1e-6")->tolerance->absolute(0), 1e-6);
+  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->tolerance->relative, 1e-6);
+  EXPECT_EQ(solver("{relative: 1e-6, absolute: 1e-9}")->tolerance->absolute(0), 1e-9);
   EXPECT_THROW(solver("{relative: 1e-6}"), InputError);
   EXPECT_THROW(solver("{relative: 1e-6, absolute: -1}"), InputError);
 }

@@ -41,12 +41,13 @@ TEST(Store, HoldsWhatWasAddedWhateverItsCharacters) {
                                        "\r\n",
                                        "h\xc3\xa4"};
   Store store(folder.path());
-  for (const std::string& maker : texts)
-    for (const std::string& key : texts) store.add(maker, key, key + maker);
+  for (const std::string& dependencies : texts)
+    for (const std::string& key : texts) store.add(dependencies, key, key + dependencies);
   EXPECT_EQ(store.problem(), "");
   Store again(folder.path());
-  for (const std::string& maker : texts)
-    for (const std::string& key : texts) EXPECT_EQ(again.take(maker, key), key + maker);
+  for (const std::string& dependencies : texts)
+    for (const std::string& key : texts)
+      EXPECT_EQ(again.take(dependencies, key), key + dependencies);
   EXPECT_EQ(again.take("plain", "never added"), std::nullopt);
   EXPECT_EQ(again.take("never was", "plain"), std::nullopt);
   EXPECT_EQ(again.taken(), store.added());
@@ -55,25 +56,26 @@ TEST(Store, HoldsWhatWasAddedWhateverItsCharacters) {
 // A line cut anywhere, and one in which a character changed, is no result and spoils no other.
 TEST(Store, ALineThatIsNotAsItWasWrittenIsNone) {
   const TemporaryFolder folder;
-  Store(folder.path()).add("maker", "first", "1");
+  Store(folder.path()).add("dependencies", "first", "1");
   const fs::path path = files_in(folder.path()).front();
   const std::size_t one = text_of(path).size();
-  Store(folder.path()).add("maker", "second", "2");
+  Store(folder.path()).add("dependencies", "second", "2");
   const std::string whole = text_of(path);
   for (std::size_t length = one; length <= whole.size(); ++length) {
     std::ofstream(path, std::ios::binary) << whole.substr(0, length);
-    Store(folder.path()).add("maker", "third", "3");
+    Store(folder.path()).add("dependencies", "third", "3");
     Store store(folder.path());
-    EXPECT_EQ(store.take("maker", "first"), "1") << length;
-    EXPECT_EQ(store.take("maker", "second").has_value(), length + 1 >= whole.size()) << length;
-    EXPECT_EQ(store.take("maker", "third"), "3") << length;
+    EXPECT_EQ(store.take("dependencies", "first"), "1") << length;
+    EXPECT_EQ(store.take("dependencies", "second").has_value(), length + 1 >= whole.size())
+        << length;
+    EXPECT_EQ(store.take("dependencies", "third"), "3") << length;
   }
   std::string changed = whole;
   changed[one - 2] = '9';
   std::ofstream(path, std::ios::binary) << changed;
   Store store(folder.path());
-  EXPECT_EQ(store.take("maker", "first"), std::nullopt);
-  EXPECT_EQ(store.take("maker", "second"), "2");
+  EXPECT_EQ(store.take("dependencies", "first"), std::nullopt);
+  EXPECT_EQ(store.take("dependencies", "second"), "2");
 }
 
 TEST(Store, TakesResultsOfSeveralThreadsAndRunsAtOnce) {
@@ -85,20 +87,20 @@ TEST(Store, TakesResultsOfSeveralThreadsAndRunsAtOnce) {
       threads.emplace_back([&, thread] {
         for (int i = 0; i < 100; ++i)
           (thread % 2 ? one : other)
-              .add("maker", std::to_string(thread) + ":" + std::to_string(i),
+              .add("dependencies", std::to_string(thread) + ":" + std::to_string(i),
                    std::string(500, 'x'));
       });
   }
   Store all(folder.path());
   for (int thread = 0; thread < 4; ++thread)
     for (int i = 0; i < 100; ++i)
-      EXPECT_TRUE(all.take("maker", std::to_string(thread) + ":" + std::to_string(i)));
+      EXPECT_TRUE(all.take("dependencies", std::to_string(thread) + ":" + std::to_string(i)));
 }
 
 TEST(Store, RemovesWhatWasUsedLeastRecently) {
   const TemporaryFolder folder;
-  for (const char* maker : {"a", "b", "c"})
-    Store(folder.path()).add(maker, "key", std::string(1000, 'x'));
+  for (const char* dependencies : {"a", "b", "c"})
+    Store(folder.path()).add(dependencies, "key", std::string(1000, 'x'));
   for (const fs::path& path : files_in(folder.path()))
     fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(1));
   EXPECT_TRUE(Store(folder.path()).take("b", "key"));  // now it was used last
@@ -112,8 +114,8 @@ TEST(Store, RemovesWhatWasUsedLeastRecently) {
 TEST(Store, SaysWhyItKeepsNothingAndGoesOn) {
   Store nowhere("/dev/null/results");
   EXPECT_NE(nowhere.problem(), "");
-  nowhere.add("maker", "key", "result");
-  EXPECT_EQ(nowhere.take("maker", "key"), std::nullopt);
+  nowhere.add("dependencies", "key", "result");
+  EXPECT_EQ(nowhere.take("dependencies", "key"), std::nullopt);
   EXPECT_EQ(nowhere.added(), 0U);
 }
 

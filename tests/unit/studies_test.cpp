@@ -54,7 +54,7 @@ TEST(Studies, ResultsThatWereKeptMakeTheSameFiles) {
     const auto files_of = [&](const Options& options, record::Store* store) {
       for (const auto& study : make_studies()) {
         if (study->declaration().name != name) continue;
-        study->measure(options, Runner(1, {.store = store, .maker = "same"}));
+        study->measure(options, Runner(1, {.store = store, .dependencies = "same"}));
         study->write(folder);
         std::string texts;
         for (const std::string& file : study->files()) texts += text_of(folder.path() / file);

@@ -115,8 +115,8 @@ int check_stability(const std::string& axis, const std::string& claimed) {
 
 }  // namespace
 
-int run(LateLibrary library, int argc, char** argv) try {
-  add_late_library(std::move(library));
+int run(RuntimeLibrary library, int argc, char** argv) try {
+  add_runtime_library(std::move(library));
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.size() >= 3 && words[0] == "order")
     return check_order(words[1], words[2], {words.begin() + 3, words.end()});

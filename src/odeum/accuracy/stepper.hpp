@@ -42,7 +42,7 @@ struct Adapted {
 
 /// The library `user` with the one solver `name` of the claimed order.
 template <class Solver>
-LateLibrary library_of(const std::string& name, double order) {
+RuntimeLibrary library_of(const std::string& name, double order) {
   SolverInfo info;
   if constexpr (PlainStepper<Solver>)
     info.family = "own";
@@ -51,7 +51,7 @@ LateLibrary library_of(const std::string& name, double order) {
   info.library = "user";
   info.method = name;
   info.order = order;
-  LateLibrary library;
+  RuntimeLibrary library;
   library.info = {
       .name = "user", .libraries = {"user"}, .option = "", .built = true, .version = ""};
   library.enroll = [info](const ErasedContest& contest, std::vector<Entrant>& entrants) {
@@ -77,6 +77,6 @@ LateLibrary library_of(const std::string& name, double order) {
 /// The program of odeum_add_accuracy_test: `order CASE FOLDER [SOLVER...]`, with solvers to
 /// compare with, or `stability AXIS LIMIT`. Returns
 /// its exit code: 0 the claim holds, 1 it does not, 2 usage, 77 no verdict is possible.
-int run(LateLibrary library, int argc, char** argv);
+int run(RuntimeLibrary library, int argc, char** argv);
 
 }  // namespace odeum::accuracy

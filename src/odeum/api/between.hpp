@@ -60,7 +60,7 @@ template <class M, Ode P, class Trial>
 class LastStep {
  public:
   using S = State<P>;
-  using Problem = Guarded<Plain<P>>;
+  using Problem = Plain<P>;
   static constexpr bool adaptive = !std::same_as<Trial, NoTrial>;
   static constexpr Inside inside = inside_of<M, adaptive, Trial, Problem>();
 

@@ -105,7 +105,7 @@ inline void require(bool sound, const char* what) {
 
 template <class M, Ode P>
 void require_fit(const P& problem, const State<P>& y, double t0, double t1) {
-  static_assert(M::template fits<Guarded<Plain<P>>>,
+  static_assert(M::template fits<Plain<P>>,
                 "the problem lacks what the method needs, see `needs` of the method");
   if constexpr (requires { M::fits_problem(problem); })
     require(M::fits_problem(problem), "the problem lacks what the method needs, see its `needs`");
@@ -128,8 +128,8 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Step st
   const auto steps = static_cast<std::uint64_t>(std::max(count, 1.0));
   const double h = (t1 - t0) / static_cast<double>(steps);
 
-  const Guarded<Plain<P>> seen(problem);
-  typename M::template Stepper<Guarded<Plain<P>>> stepper(seen);
+  const Plain<P> seen(problem);
+  typename M::template Stepper<Plain<P>> stepper(seen);
   RunEnd end;
   end.t = t0;
   LastStep<M, P, NoTrial> last(seen, nullptr, 0);
@@ -164,7 +164,7 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, const T
   detail::require(tolerance.sound_for(y.size()),
                   "a tolerance has to be positive and finite, an absolute one a number or a vector "
                   "of the state's size");
-  const Guarded<Plain<P>> seen(problem);
+  const Plain<P> seen(problem);
   auto steps = trial_steps_of<M>(seen, t0, y, t1, tolerance);
   using Trial = decltype(steps.trial);
   AdaptiveWalk walk(seen, t0, y, steps.first_step, steps.trial);

@@ -4,68 +4,72 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "odeum/core/guarded.hpp"
 #include "odeum/problem/concepts.hpp"
 
 namespace odeum {
 
-/// Names a problem for runs without a guard: no budget, no search for values that are not finite.
-template <Ode P>
-struct Plain {
-  static constexpr std::size_t dimension = P::dimension;
-  using real = RealOf<P>;
-  void rhs(real t, const real* y, real* dydt) const;  // never called: Guarded<Plain<P>> is
+/// The watch of a plain run: evaluations are counted; there is no budget and no search for values
+/// that are not finite.
+class EvaluationCount {
+ public:
+  template <class Real, class Call>
+  int evaluate(double, Real*, std::size_t, std::size_t, Call&& call, int count = 1) const {
+    evaluations_ += static_cast<std::uint64_t>(count);
+    call();
+    return 0;
+  }
+  void count_jacobian() const {}
+  void count_products(std::uint64_t) const {}
+  static constexpr bool tripped() { return false; }
+  std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  mutable std::uint64_t evaluations_ = 0;
 };
+inline std::unique_ptr<ShiftedSolver> counted(std::unique_ptr<ShiftedSolver> solver,
+                                              const EvaluationCount&) {
+  return solver;
+}
 
 /// What a method sees of the problem of a plain run, which has to outlive it: the same, counted,
 /// and by differences what implicit methods need and the problem lacks, without an allocation.
 template <Ode P>
-class Guarded<Plain<P>> {
+class Plain : public Guarded<P, EvaluationCount> {
+  using Base = Guarded<P, EvaluationCount>;
+
  public:
-  static constexpr std::size_t dimension = P::dimension;
   using real = RealOf<P>;
   static constexpr bool in_double = std::same_as<real, double>;
-  static constexpr bool velocity_dependent = [] {
-    if constexpr (SecondOrder<P>) return bool(P::velocity_dependent);
-    return true;
-  }();
 
-  explicit Guarded(const P& problem)
-      : problem_(problem),
+  explicit Plain(const P& problem)
+      : Base(problem, {}),
         f_(make_state(problem)),
         moved_(make_state(problem)),
         f_moved_(make_state(problem)) {}
 
-  std::size_t size() const { return size_of(problem_); }
-  std::uint64_t evaluations() const { return evaluations_; }
+  std::uint64_t evaluations() const { return this->watch().evaluations(); }
   /// Without a statement of the problem df/dt is formed by differences, not taken for zero.
   bool autonomous() const {
-    if constexpr (requires { problem_.autonomous(); }) return problem_.autonomous();
+    if constexpr (requires { Base::autonomous(); }) return Base::autonomous();
     return false;
   }
 
-  void rhs(real t, const real* y, real* dydt) const {
-    ++evaluations_;
-    problem_.rhs(t, y, dydt);
-  }
-  void acceleration(real t, const real* q, const real* v, real* a) const requires SecondOrder<P> {
-    ++evaluations_;
-    problem_.acceleration(t, q, v, a);
-  }
   /// Dense and row-major; by forward differences where the problem has none.
   void jacobian(double t, const double* y, double* j) const requires in_double {
     if constexpr (WithJacobian<P>) {
-      problem_.jacobian(t, y, j);
+      Base::jacobian(t, y, j);
     } else {
-      const std::size_t n = size();
+      const std::size_t n = this->size();
       const double root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-      rhs(t, y, f_.data());
+      this->rhs(t, y, f_.data());
       for (std::size_t i = 0; i < n; ++i) moved_[i] = y[i];
       for (std::size_t k = 0; k < n; ++k) {
         moved_[k] = y[k] + root_epsilon * std::max(std::abs(y[k]), 1e-5);
         const double delta = moved_[k] - y[k];
-        rhs(t, moved_.data(), f_moved_.data());
+        this->rhs(t, moved_.data(), f_moved_.data());
         moved_[k] = y[k];
         for (std::size_t i = 0; i < n; ++i) j[i * n + k] = (f_moved_[i] - f_[i]) / delta;
       }
@@ -74,9 +78,9 @@ class Guarded<Plain<P>> {
   /// By central differences where the problem has none: a Rosenbrock method would lose its order
   /// on a problem that depends on t and is taken for autonomous.
   void time_derivative(double t, const double* y, double* dfdt) const requires in_double {
-    const std::size_t n = size();
+    const std::size_t n = this->size();
     if constexpr (NonAutonomous<P>) {
-      problem_.time_derivative(t, y, dfdt);
+      Base::time_derivative(t, y, dfdt);
     } else if (autonomous()) {
       for (std::size_t i = 0; i < n; ++i) dfdt[i] = 0;
     } else {
@@ -84,45 +88,14 @@ class Guarded<Plain<P>> {
       const double wanted =
           std::cbrt(std::numeric_limits<double>::epsilon()) * std::max(std::abs(t), 1e-3);
       const double later = t + wanted, earlier = t - wanted;
-      rhs(later, y, f_.data());
-      rhs(earlier, y, f_moved_.data());
+      this->rhs(later, y, f_.data());
+      this->rhs(earlier, y, f_moved_.data());
       for (std::size_t i = 0; i < n; ++i) dfdt[i] = (f_[i] - f_moved_[i]) / (later - earlier);
     }
   }
 
-  bool offers_damping() const requires WithDamping<P> {
-    if constexpr (requires { problem_.offers_damping(); }) return problem_.offers_damping();
-    return true;
-  }
-  void undamped_acceleration(double t, const double* q, double* a) const requires WithDamping<P> {
-    ++evaluations_;
-    problem_.undamped_acceleration(t, q, a);
-  }
-  std::uint64_t damp(double t, const double* q, double h, double* v,
-                     double relative) const requires WithDamping<P> {
-    return problem_.damp(t, q, h, v, relative);
-  }
-  /// The coefficients that it does not set are zero.
-  void taylor(double t, const double* y, int order, double* c) const requires WithTaylorSeries<P> {
-    const std::size_t n = size();
-    for (std::size_t i = 0; i < n; ++i) c[i] = y[i];
-    for (std::size_t i = n; i < n * static_cast<std::size_t>(order + 1); ++i) c[i] = 0;
-    evaluations_ += static_cast<std::uint64_t>(order);
-    problem_.taylor(t, y, order, c);
-  }
-  void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
-  const Sparsity* sparsity() const requires WithSparsity<P> { return problem_.sparsity(); }
-  void jacobian_entries(double t, const double* y,
-                        double* values) const requires WithJacobianEntries<P> {
-    problem_.jacobian_entries(t, y, values);
-  }
-  auto shifted_solver() const requires WithShiftedSolver<P> { return problem_.shifted_solver(); }
-  static constexpr bool tripped() { return false; }
-
  private:
-  const P& problem_;
   mutable State<P> f_, moved_, f_moved_;
-  mutable std::uint64_t evaluations_ = 0;
 };
 
 }  // namespace odeum

@@ -20,8 +20,9 @@ namespace {
 
 /// A problem with what it needs.
 struct Held {
-  explicit Held(foreign::Given from) : given(std::move(from)), problem(given.functions) {}
-  foreign::Given given;
+  explicit Held(foreign::ProblemCallbacks from)
+      : given(std::move(from)), problem(given.functions) {}
+  foreign::ProblemCallbacks given;
   foreign::Problem problem;
 };
 
@@ -30,13 +31,13 @@ void isolate(Case& c) {
   for (Entrant& entrant : c.entrants)
     if (entrant.solve)
       entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-        return foreign::solve_apart(solve, request, n);
+        return foreign::solve_isolated(solve, request, n);
       };
 }
 
 /// The truth of the case, and words for people; whether it was computed.
 bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& words) {
-  const foreign::Given& given = held->given;
+  const foreign::ProblemCallbacks& given = held->given;
   c.truth.at = [held](double t, double* y) { return held->problem.exact(t, y); };
   // To the rounding of what the foreign code computes it with.
   for (const double y : c.y0) c.truth.floor = std::max(c.truth.floor, 1e-15 * std::abs(y));
@@ -77,9 +78,9 @@ void usual_steps(Case& c) {
 
 }  // namespace
 
-TextCase foreign_case(foreign::Given from) {
+TextCase foreign_case(foreign::ProblemCallbacks from) {
   const auto held = std::make_shared<const Held>(std::move(from));
-  const foreign::Given& given = held->given;
+  const foreign::ProblemCallbacks& given = held->given;
   const odeum_problem& p = given.functions;
   TextCase made;
   Case& c = made.c;
@@ -95,8 +96,8 @@ TextCase foreign_case(foreign::Given from) {
   c.y0.assign(p.y0, p.y0 + p.dimension);
   c.stops.assign(p.stops, p.stops + p.stop_count);
   if (p.energy) c.energy = [held](const double* y) { return held->problem.energy(y); };
-  c.problem = {held->problem.view(), held, c.t0, std::make_shared<const std::vector<double>>(c.y0),
-               nullptr};
+  c.problem = {view_of(held->problem), held, c.t0,
+               std::make_shared<const std::vector<double>>(c.y0), nullptr};
   std::string words;
   const bool computed = set_truth(c, held, words);
   c.entrants = enroll(c.problem);

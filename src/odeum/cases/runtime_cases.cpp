@@ -10,9 +10,9 @@ namespace odeum::cases {
 
 std::vector<Case> runtime_cases() {
   std::vector<Case> all;
-  for (const LateLibrary& library : late_libraries()) {
+  for (const RuntimeLibrary& library : runtime_libraries()) {
     if (!library.problems) continue;
-    for (foreign::Given& given : library.problems())
+    for (foreign::ProblemCallbacks& given : library.problems())
       all.push_back(foreign_case(std::move(given)).c);
   }
   return all;

@@ -14,9 +14,7 @@ ErasedContest stage_of(const std::shared_ptr<const scene::SceneProblem>& problem
   contest.problem = problem;
   contest.y0 = {problem, &problem->start()};
   contest.scene = problem->plain_scene();
-  ErasedContest erased = erase(contest);
-  erased.view.velocity_dependent = !problem->structure().separable;
-  return erased;
+  return erase(contest);
 }
 
 // The exact motion in closed form, as a solver without steps.

@@ -12,7 +12,7 @@ std::vector<Entrant> enroll(const ErasedContest& contest) {
   std::vector<Entrant> entrants = enroll_own(contest);
   with_shared_type(contest.view,
                    [&]<Shared P>() { enroll_adapters(shared_contest<P>(contest), entrants); });
-  for (const LateLibrary& library : late_libraries())
+  for (const RuntimeLibrary& library : runtime_libraries())
     if (library.enroll) library.enroll(contest, entrants);
   for (Entrant& entrant : entrants) {
     if (!entrant.solve) continue;

@@ -93,7 +93,6 @@ TextCase text_case(const std::string& id, formula::Problem problem, TextOde::Cod
   c.truth = truth.truth;
   c.scale = p.scale;
   c.tolerance = p.tolerance;
-  c.thresholds = Tolerance(p.tolerance, p.absolute).thresholds;
   add_tags(c, structure);
   add_invariants(c, ode, truth);
   c.extended = std::make_shared<const ExtendedProblem>(

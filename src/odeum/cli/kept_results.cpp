@@ -25,7 +25,7 @@ std::string mark_of_program() {
   const std::string bytes = text_of_file("/proc/self/exe").value_or("");
   std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
                                  std::hash<std::string>()(bytes));
-  for (const LateLibrary& library : late_libraries()) mark += " " + library.mark;
+  for (const RuntimeLibrary& library : runtime_libraries()) mark += " " + library.mark;
   return mark;
 }
 
@@ -42,11 +42,11 @@ std::string mark_of_machine() {
   return mark;
 }
 
-/// The unit of a solver: that of its family, the first word of its name, or its adapter.
+/// Own methods that the judge measures amplifications with, and studies of steps their windows.
+constexpr const char* measuring_methods[] = {"dormand_prince54", "dormand_prince853", "radau_iia5"};
+
 std::string unit_of(const SolverInfo& solver) {
-  if (solver.library == "odeum")
-    return "own/" +
-           solver.method.substr(0, solver.method.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+  if (solver.library == "odeum") return unit_of_own(solver.method);
   for (const LibraryInfo& adapter : all_libraries())
     if (std::count(adapter.libraries.begin(), adapter.libraries.end(), solver.library) > 0)
       return "adapter/" + adapter.name;
@@ -60,28 +60,30 @@ const std::map<std::string, std::string>& units() {
 
 }  // namespace
 
-study::Keeping keeping_of(record::Store* store, const study::Options& options) {
+study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
   static const std::string program = mark_of_program(), machine = mark_of_machine();
-  const std::string run = program + ' ' + machine + ' ' + options.text() + given_mark();
+  const std::string run = program + ' ' + machine + ' ' + options.text() + mark_of_loaded();
   study::Options settings = options;
   settings.cases.clear();
   settings.solvers.clear();
   const auto of_pair = [run, others = machine + ' ' + settings.text()](const Case& c,
                                                                        const SolverInfo& solver) {
-    std::string maker = others;
-    const bool built_in = &c >= all_cases().data() && &c < all_cases().data() + all_cases().size();
+    std::string dependencies = others;
+    const std::vector<Case>& all = all_cases();
+    const bool built_in =
+        std::any_of(all.begin(), all.end(), [&](const Case& known) { return &known == &c; });
     const auto file = case_files().find(c.id);
     if (!built_in || file == case_files().end()) return run;
-    // The judge measures amplifications, and the study of limits its windows, by the last two.
-    for (const std::string& unit : {std::string("rest"), "case/" + file->second, unit_of(solver),
-                                    std::string("own/dormand"), std::string("own/radau")}) {
+    std::vector<std::string> used{"rest", "case/" + file->second, unit_of(solver)};
+    for (const char* method : measuring_methods) used.push_back(unit_of_own(method));
+    for (const std::string& unit : used) {
       const auto found = units().find(unit);
       if (found == units().end()) return run;
-      maker += ' ' + unit + ' ' + found->second;
+      dependencies += ' ' + unit + ' ' + found->second;
     }
-    return maker;
+    return dependencies;
   };
-  return {.store = store, .maker = run, .maker_of_pair = of_pair};
+  return {.store = store, .dependencies = run, .dependencies_of_pair = of_pair};
 }
 
 std::unique_ptr<record::Store> open_store(const StudyOptions& options) {

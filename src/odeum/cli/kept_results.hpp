@@ -15,7 +15,7 @@ namespace odeum::cli {
 ///   adapter, case or page; on options that are no globs, shared libraries and the processor.
 /// A function that several object files define is linked from one of them; its copies have the same
 /// source, but may round differently where the compiler joins operations differently.
-study::Keeping keeping_of(record::Store* store, const study::Options& options);
+study::ResultCache result_cache_of(record::Store* store, const study::Options& options);
 
 /// The store of kept results; null with --no-cache, and where the user has no folder for it.
 std::unique_ptr<record::Store> open_store(const StudyOptions& options);

@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return run(argc, argv);
-  } catch (const odeum::LateError& error) {
+  } catch (const odeum::LoadError& error) {
     fmt::print(stderr, "odeum: --plugin {}\n", error.what());
     return usage;
   } catch (const UsageError& error) {

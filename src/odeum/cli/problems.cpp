@@ -13,7 +13,6 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
-#include "odeum/solvers/given_cases.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
@@ -56,14 +55,14 @@ std::string unused_id(const std::string& path, const std::string& otherwise) {
   return id;
 }
 
-GivenProblem load_fmu(const std::string& path, const std::vector<std::string>& sets) {
+LoadedProblem load_fmu(const std::string& path, const std::vector<std::string>& sets) {
   try {
-    foreign::Given given = open_fmu(path, overrides_of(sets));
+    foreign::ProblemCallbacks given = open_fmu(path, overrides_of(sets));
     given.id = unused_id(path, "_fmu");
     mark() += " " + given.content;
     cases::TextCase made = cases::foreign_case(std::move(given));
-    return {&add_given_case(std::move(made.c)), std::move(made.facts)};
-  } catch (const LateError& error) {
+    return {&add_user_case(std::move(made.c)), std::move(made.facts)};
+  } catch (const LoadError& error) {
     throw UsageError(error.what());
   }
 }
@@ -95,14 +94,14 @@ bool is_problem_file(const std::string& path) {
   }
 }
 
-GivenProblem load_problem(const std::string& path, const std::vector<std::string>& sets) {
+LoadedProblem load_problem(const std::string& path, const std::vector<std::string>& sets) {
   if (is_fmu(path)) return load_fmu(path, sets);
   try {
     const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
     cases::TextCase made = cases::text_case(unused_id(path, "_text"),
                                             formula::read_problem(path, text, overrides_of(sets)));
     mark() += fmt::format(" {} {}", formula::content_key(text), sets);
-    return {&add_given_case(std::move(made.c)), std::move(made.facts)};
+    return {&add_user_case(std::move(made.c)), std::move(made.facts)};
   } catch (const InputError& error) {
     throw UsageError(error.what());
   } catch (const std::length_error& error) {
@@ -120,7 +119,7 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
       globs.push_back(word);
       continue;
     }
-    GivenProblem given = load_problem(word, options.sets);
+    LoadedProblem given = load_problem(word, options.sets);
     for (const auto& [name, fact] : given.facts) remark("{:<9}  {}", name, fact);
     globs.push_back(given.c->id);
     loaded = true;
@@ -130,6 +129,6 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
   return globs;
 }
 
-std::string given_mark() { return mark(); }
+std::string mark_of_loaded() { return mark(); }
 
 }  // namespace odeum::cli

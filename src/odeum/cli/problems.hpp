@@ -22,12 +22,12 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words 
 bool is_problem_file(const std::string& path);
 
 /// A case made of a problem file and what was found in it.
-struct GivenProblem {
+struct LoadedProblem {
   const Case* c;
   std::vector<std::pair<std::string, std::string>> facts;
 };
 /// Throws UsageError for a file that is no problem, and for a value that is none.
-GivenProblem load_problem(const std::string& path, const std::vector<std::string>& sets);
+LoadedProblem load_problem(const std::string& path, const std::vector<std::string>& sets);
 
 /// The globs on cases that words and `case_globs` come to, with the problem files among them
 /// loaded.
@@ -35,6 +35,6 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
                                        const std::vector<std::string>& case_globs);
 
 /// A text that identifies the content of all that was loaded; empty: nothing was.
-std::string given_mark();
+std::string mark_of_loaded();
 
 }  // namespace odeum::cli

@@ -85,7 +85,7 @@ void run_studies(const study::Studies& studies, const Options& options,
     bool partial = runs.empty();
     for (const study::Options& run : runs) {
       record::Store* const kept = declaration.no_resume.empty() ? store : nullptr;
-      study->measure(run, study::Runner(options.jobs_or_cores(), keeping_of(kept, run)));
+      study->measure(run, study::Runner(options.jobs_or_cores(), result_cache_of(kept, run)));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
     }
     if (partial && options.given.empty()) study->add_earlier(folder.path());

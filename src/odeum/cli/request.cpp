@@ -32,20 +32,20 @@ void set_step(Request& request, double h, double length, const SolverInfo& info)
 void set_tolerances(Request& request, const RunSettings& settings, std::size_t numbers,
                     const SolverInfo& info) {
   const double smallest = std::numeric_limits<double>::epsilon();
-  const double tolerance = settings.relative.value_or(settings.tolerance.value_or(0));
-  if (!std::isfinite(tolerance) || !(tolerance > smallest))
+  const Tolerance tolerance = settings.tolerance.value_or(0);
+  const std::vector<double>& absolutes = tolerance.absolutes();
+  if (!std::isfinite(tolerance.relative) || !(tolerance.relative > smallest))
     throw UsageError("{}: got {}, expected a number above machine precision, {:.2g}",
-                     settings.relative ? "--rtol" : "--tol", tolerance, smallest);
-  for (const double each : settings.absolute)
+                     settings.absolute_given ? "--rtol" : "--tol", tolerance.relative, smallest);
+  for (const double each : absolutes)
     if (!std::isfinite(each) || !(each > 0))
       throw UsageError("--atol: got {}, expected positive numbers", each);
-  if (settings.absolute.size() > 1 && settings.absolute.size() != numbers)
+  if (absolutes.size() > 1 && absolutes.size() != numbers)
     throw UsageError("--atol: got {} numbers, expected one, or {}: one for each of the state's",
-                     settings.absolute.size(), numbers);
+                     absolutes.size(), numbers);
   if (!info.adaptive) throw UsageError("{} runs at a fixed step only: use --step", info.id());
   request.mode = Mode::adaptive;
   request.tolerance = tolerance;
-  request.absolute = settings.absolute;
 }
 
 }  // namespace
@@ -55,27 +55,25 @@ void require_positive(const char* option, double value) {
     throw UsageError("{}: got {}, expected a positive number", option, value);
 }
 
-bool has_setting(const RunSettings& settings) {
-  return settings.step || settings.tolerance || settings.relative;
-}
+bool has_setting(const RunSettings& settings) { return settings.step || settings.tolerance; }
 
 RunSettings settings_for(const Case& c, RunSettings settings) {
-  if (!has_setting(settings) && c.tolerance > 0) settings.tolerance = c.tolerance;
-  if (settings.tolerance) {
-    settings.absolute = c.thresholds;
-    for (double& each : settings.absolute) each *= *settings.tolerance;
-  }
+  if (!has_setting(settings) && c.tolerance.relative > 0) settings.tolerance = c.tolerance;
+  if (settings.tolerance && !settings.absolute_given)
+    settings.tolerance = c.tolerance.requested(settings.tolerance->relative);
   return settings;
 }
 
 std::string text_of_tolerance(const Request& request) {
-  if (request.absolute.empty()) return fmt::format("{}", request.tolerance);
+  const double relative = request.tolerance.relative;
+  const std::vector<double>& absolutes = request.tolerance.absolutes();
+  if (absolutes.empty()) return fmt::format("{}", relative);
   constexpr std::size_t most = 8;
-  const auto shown = std::min(request.absolute.size(), most);
-  return fmt::format("rtol {}, atol {}{}", request.tolerance,
-                     fmt::join(request.absolute.begin(),
-                               request.absolute.begin() + static_cast<std::ptrdiff_t>(shown), ","),
-                     shown < request.absolute.size() ? ",..." : "");
+  const auto shown = std::min(absolutes.size(), most);
+  return fmt::format(
+      "rtol {}, atol {}{}", relative,
+      fmt::join(absolutes.begin(), absolutes.begin() + static_cast<std::ptrdiff_t>(shown), ","),
+      shown < absolutes.size() ? ",..." : "");
 }
 
 Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,

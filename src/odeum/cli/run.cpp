@@ -1,31 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cli/run.hpp"
 
+#include <memory>
+
 namespace odeum::cli {
 namespace {
 
 void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
   CLI::Option* step = command.add_option("--step", settings.step, "fixed step")->type_name("H");
   CLI::Option* tol = command
-                         .add_option("--tol", settings.tolerance,
-                                     "relative and absolute tolerance, or with a case's own "
-                                     "absolute ones in proportion")
+                         .add_option_function<double>(
+                             "--tol", [&](double both) { settings.tolerance = both; },
+                             "relative and absolute tolerance, or with a case's own "
+                             "absolute ones in proportion")
                          ->type_name("R")
                          ->excludes(step);
+  struct Given {
+    double relative = 0;
+    std::vector<double> absolute;
+  };
+  const auto given = std::make_shared<Given>();
   CLI::Option* rtol =
-      command.add_option("--rtol", settings.relative, "relative tolerance, with --atol")
+      command.add_option("--rtol", given->relative, "relative tolerance, with --atol")
           ->type_name("R")
           ->excludes(step)
           ->excludes(tol);
   CLI::Option* atol =
       command
-          .add_option("--atol", settings.absolute,
+          .add_option("--atol", given->absolute,
                       "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
           ->type_name("A")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->needs(rtol);
   rtol->needs(atol);
+  command.parse_complete_callback([&settings, given] {
+    if (given->absolute.empty()) return;
+    settings.tolerance = Tolerance(given->relative, given->absolute);
+    settings.absolute_given = true;
+  });
 }
 
 }  // namespace

@@ -14,9 +14,10 @@ namespace odeum::cli {
 
 /// The settings of one run.
 struct RunSettings {
-  /// One of them: a step, a tolerance, or a relative tolerance with absolute ones.
-  std::optional<double> step, tolerance, relative;
-  std::vector<double> absolute;  ///< by component, or one for all
+  /// One of them.
+  std::optional<double> step;
+  std::optional<Tolerance> tolerance;
+  bool absolute_given = false;  ///< by --atol: a case's own thresholds do not hold
   std::optional<double> until;
   std::optional<double> every;  ///< between outputs
 };

@@ -115,9 +115,9 @@ std::string error_text(const Case& c, const Request& request, const Outcome& out
   const judge::JudgedAnswer judged =
       fixed ? judge::judge_fixed_answer(errors, judge.scale())
             : judge::judge_answer(
-                  errors, judge::measure_amplification(c, request.stops, request.tolerances()),
-                  request.tolerance, static_cast<double>(outcome.counters.steps), c.truth.floor,
-                  judge.scale());
+                  errors, judge::measure_amplification(c, request.stops, request.tolerance),
+                  request.tolerance.relative, static_cast<double>(outcome.counters.steps),
+                  c.truth.floor, judge.scale());
   std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
                                  errors.back().error_max, errors.back().error_rms, c.truth.source);
   if (judged.answer == judge::Answer::not_applicable) return text;
@@ -228,7 +228,7 @@ int run_case(const RunOptions& options) {
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
-  GivenProblem given = load_problem(options.what, options.problems.sets);
+  LoadedProblem given = load_problem(options.what, options.problems.sets);
   std::string text;
   for (const auto& [name, fact] : given.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));

@@ -21,14 +21,15 @@ std::string code_of(const Case& c, const Entrant& entrant, const Request& reques
         info.id());
   const double end = request.stops.back();
   std::string absolute;
-  for (const double each : request.absolute)
+  for (const double each : request.tolerance.absolutes())
     absolute += (absolute.empty() ? "" : ", ") + record::format_number(each);
   if (!absolute.empty()) absolute = ", {" + absolute + "}";
   const std::string setting =
       request.mode == Mode::fixed
           ? fmt::format("Step{{{}}}",
                         record::format_number((end - c.t0) / static_cast<double>(request.steps)))
-          : fmt::format("Tolerance{{{}{}}}", record::format_number(request.tolerance), absolute);
+          : fmt::format("Tolerance{{{}{}}}", record::format_number(request.tolerance.relative),
+                        absolute);
   return fmt::format(R"(// {0} by {1}.
 //
 //     find_package(Odeum REQUIRED COMPONENTS laboratory)

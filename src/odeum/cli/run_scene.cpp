@@ -72,14 +72,13 @@ std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(l
 
 RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   RunSettings settings = options.settings;
-  if (settings.absolute.size() > 1)
+  if (settings.tolerance && settings.tolerance->by_component())
     throw UsageError(
         "--atol: got {} numbers, expected one for a scene, whose particles may change in number",
-        settings.absolute.size());
+        settings.tolerance->absolutes().size());
   if (!has_setting(settings) && scene.solver) {
     settings.step = scene.solver->step;
     settings.tolerance = scene.solver->tolerance;
-    if (scene.solver->absolute) settings.absolute = {*scene.solver->absolute};
   }
   return settings;
 }
@@ -107,7 +106,6 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
   setting.mode = one.request.mode;
   setting.steps = one.request.steps;
   setting.tolerance = one.request.tolerance;
-  setting.absolute = one.request.absolute;
   setting.until = one.request.stops.back();
   setting.budget = one.request.budget;
   setting.frame_interval = scene::frame_interval(scene, setting.until);

@@ -13,7 +13,7 @@
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/output_folder.hpp"
-#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
 namespace {

@@ -12,7 +12,6 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/report/report.hpp"
-#include "odeum/solvers/given_cases.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
@@ -59,7 +58,8 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   const record::OutputFolder folder(common.out);
   const auto store = declaration.no_resume.empty() ? open_store(common) : nullptr;
   try {
-    study.measure(options, study::Runner(common.jobs_or_cores(), keeping_of(store.get(), options)));
+    study.measure(options,
+                  study::Runner(common.jobs_or_cores(), result_cache_of(store.get(), options)));
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }

@@ -7,10 +7,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/core/request.hpp"
 #include "odeum/core/text_of.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
+#include "odeum/problem/concepts.hpp"
 
 /// The adaptive loop, and the interface of what chooses its steps. A `Trial` makes one trial step
 /// of length h from (t, y), and accepts it, with the new state in y_new, or rejects it:
@@ -64,8 +65,8 @@ double scaled_error_norm(const S& error, const S& y, const S& y_new,
 
 /// A first step for a method of the given order (Solving ODEs I, II.4, "Starting step size").
 template <Ode P>
-double initial_step(const Guarded<P>& problem, double t0, const State<P>& y0, double horizon,
-                    int order, const Tolerance& tolerance) {
+double initial_step(const P& problem, double t0, const State<P>& y0, double horizon, int order,
+                    const Tolerance& tolerance) {
   const ErrorScale<State<P>> scale(tolerance, y0);
   State<P> f0 = make_state(problem), y1 = f0, f1 = f0;
   problem.rhs(t0, y0.data(), f0.data());
@@ -158,12 +159,12 @@ constexpr bool always_over_stops(const Trial&) {
 
 /// Steps from t0 to the last stop; they are shortened only to end on a stop.
 template <Ode P, class Trial>
-Outcome run_adaptive(const Guarded<P>& problem, double t0, const State<P>& y0,
-                     const Request& request, double first_step, Trial&& trial) {
+Outcome run_adaptive(const P& problem, double t0, const State<P>& y0, const Request& request,
+                     double first_step, Trial&& trial) {
   constexpr bool looks_between = LooksBetween<std::remove_cvref_t<Trial>, State<P>>;
   const bool over = looks_between && (request.over_stops || always_over_stops(trial));
   Outcome outcome;
-  AdaptiveWalk<Guarded<P>, std::remove_reference_t<Trial>> walk(problem, t0, y0, first_step, trial);
+  AdaptiveWalk<P, std::remove_reference_t<Trial>> walk(problem, t0, y0, first_step, trial);
   State<P> y_between = y0;
   for (const double stop : request.stops) {
     while (walk.t() < stop) {

@@ -111,7 +111,7 @@ class OrderAndStepControl {
 template <Ode P>
 class ExtrapolationTrial {
  public:
-  ExtrapolationTrial(const Guarded<P>& problem, const Tolerance& tolerance)
+  ExtrapolationTrial(const P& problem, const Tolerance& tolerance)
       : problem_(problem),
         table_(problem),
         control_(tolerance.relative),
@@ -168,8 +168,8 @@ class ExtrapolationTrial {
   }
 
   static constexpr int lines = 10;  // up to order 20
-  const Guarded<P>& problem_;
-  ExtrapolationTable<Guarded<P>, lines> table_;
+  const P& problem_;
+  ExtrapolationTable<P, lines> table_;
   OrderAndStepControl<lines> control_;
   State<P> difference_;
   ErrorScale<State<P>> scale_;

@@ -4,9 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/core/request.hpp"
 #include "odeum/core/text_of.hpp"
+#include "odeum/problem/concepts.hpp"
 
 namespace odeum {
 
@@ -15,8 +16,7 @@ namespace odeum {
 /// are too long for what grows (`oversteps_growth`) has the first such time in `detail` of
 /// a run that ends `ok`.
 template <class Stepper, Ode P>
-Outcome run_fixed(const Guarded<P>& problem, double t0, const State<P>& y0,
-                  const Request& request) {
+Outcome run_fixed(const P& problem, double t0, const State<P>& y0, const Request& request) {
   Outcome outcome;
   const FixedGrid grid(t0, request);
   std::uint64_t i = 0;

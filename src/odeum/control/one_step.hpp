@@ -20,7 +20,7 @@ namespace odeum {
 template <class Stepper, class StepControl, Ode P, class M = void>
 class EmbeddedPair {
  public:
-  EmbeddedPair(const Guarded<P>& problem, const Tolerance& tolerance, int order)
+  EmbeddedPair(const P& problem, const Tolerance& tolerance, int order)
       : problem_(problem),
         stepper_(problem),
         control_(order),
@@ -68,7 +68,7 @@ class EmbeddedPair {
     return false;
   }();
 
-  const Guarded<P>& problem_;
+  const P& problem_;
   Stepper stepper_;
   StepControl control_;
   State<P> error_;
@@ -86,7 +86,7 @@ class EmbeddedPair {
 template <class Stepper, Ode P>
 class StepDoubling {
  public:
-  StepDoubling(const Guarded<P>& problem, const Tolerance& tolerance, int order)
+  StepDoubling(const P& problem, const Tolerance& tolerance, int order)
       : problem_(problem),
         stepper_(problem),
         whole_(make_state(problem)),
@@ -122,7 +122,7 @@ class StepDoubling {
     return stepper.step(t, h, y) == Status::ok;
   }
 
-  const Guarded<P>& problem_;
+  const P& problem_;
   Stepper stepper_;
   State<P> whole_;
   ErrorScale<State<P>> scale_;

@@ -69,9 +69,9 @@ class RadauTrial {
 template <const auto& T>
 struct RadauMethod : FullyImplicitMethod<T> {
   template <Ode P>
-  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+  static auto trial_steps(const P& problem, double t0, const State<P>& y0, double end,
                           const Tolerance& tolerance) {
-    using Trial = RadauTrial<T, Guarded<P>>;
+    using Trial = RadauTrial<T, P>;
     const Tolerance held = Trial::held_tolerance(tolerance);
     return TrialSteps<Trial>{initial_step(problem, t0, y0, end, Trial::order, held),
                              {problem, tolerance}};

@@ -19,7 +19,7 @@ struct AnyProblem {
 
 /// A method with trial steps of its own, see kernel/method.hpp.
 template <class M>
-concept OwnTrialSteps = requires(const Guarded<detail::AnyProblem>& problem,
+concept OwnTrialSteps = requires(const detail::AnyProblem& problem,
                                  const State<detail::AnyProblem>& y) {
   M::trial_steps(problem, 0.0, y, 1.0, 1e-3);
 };
@@ -27,7 +27,7 @@ concept OwnTrialSteps = requires(const Guarded<detail::AnyProblem>& problem,
 /// A method with an adaptive run of its own, or trial steps for one.
 template <class M>
 concept ChoosesItsOwnSteps = OwnTrialSteps<M> ||
-    requires(const Guarded<detail::AnyProblem>& problem, const State<detail::AnyProblem>& y,
+    requires(const detail::AnyProblem& problem, const State<detail::AnyProblem>& y,
              const Request& request) {
   { M::integrate(problem, 0.0, y, request) } -> std::same_as<Outcome>;
 };
@@ -41,9 +41,9 @@ inline constexpr bool has_trial_steps = OwnTrialSteps<M> ||
 /// The trial steps of an adaptive run of method M from t0 to `end`: its own, those of an embedded
 /// pair, else step doubling.
 template <class M, Ode P>
-auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
                     const Tolerance& tolerance) {
-  using Stepper = typename M::template Stepper<Guarded<P>>;
+  using Stepper = typename M::template Stepper<P>;
   if constexpr (M::info.order_embedded != 0) {
     using Trial = EmbeddedPair<Stepper, typename ControlFor<M::info.control>::type, P, M>;
     constexpr int order = std::min(M::info.order, M::info.order_embedded);
@@ -56,7 +56,7 @@ auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, do
   }
 }
 template <OwnTrialSteps M, Ode P>
-auto trial_steps_of(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
                     const Tolerance& tolerance) {
   return M::trial_steps(problem, t0, y0, end, tolerance);
 }
@@ -70,15 +70,14 @@ inline Outcome refusal(const char* why) {
 
 /// The run of method M that a request asks for.
 template <class M, Ode P>
-Outcome run_method(const Guarded<P>& problem, double t0, const State<P>& y0,
-                   const Request& request) {
+Outcome run_method(const P& problem, double t0, const State<P>& y0, const Request& request) {
   if (request.mode == Mode::fixed) {
     if constexpr (M::info.fixed_step)
-      return run_fixed<typename M::template Stepper<Guarded<P>>>(problem, t0, y0, request);
+      return run_fixed<typename M::template Stepper<P>>(problem, t0, y0, request);
     else
       return refusal("chooses its own steps only");
   } else if constexpr (has_trial_steps<M>) {
-    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerances());
+    auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerance);
     return run_adaptive(problem, t0, y0, request, steps.first_step, steps.trial);
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     return M::integrate(problem, t0, y0, request);

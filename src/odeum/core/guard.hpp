@@ -6,7 +6,6 @@
 #include <string>
 
 #include "odeum/core/outcome.hpp"
-#include "odeum/problem/ode_view.hpp"
 
 namespace odeum {
 
@@ -17,9 +16,6 @@ class Guard {
  public:
   Guard(std::size_t dimension, const Budget& budget)
       : dimension_(dimension), budget_(budget), start_(Clock::now()) {}
-
-  /// Whether evaluations are counted and checked: not in a timed run.
-  bool watches() const { return budget_.watched; }
 
   /// To be called before an evaluation. False: the budget is spent, stop.
   bool admit() {
@@ -37,6 +33,26 @@ class Guard {
     if (is_finite(values, n)) return true;
     if (first_non_finite_.empty()) describe(t, values, n, first);
     return false;
+  }
+
+  /// An evaluation by `call`, which fills `values`, with what is to be done before and after it;
+  /// one that is not admitted gives zeros. It counts as `count` evaluations. Returns 0, or 1 where
+  /// the budget is spent.
+  template <class Call>
+  int evaluate(double t, double* values, std::size_t n, std::size_t first, Call&& call,
+               int count = 1) {
+    if (!budget_.watched) {
+      call();
+      return 0;
+    }
+    for (int k = 0; k < count; ++k)
+      if (!admit()) {
+        for (std::size_t i = 0; i < n; ++i) values[i] = 0;
+        return 1;
+      }
+    call();
+    inspect(t, values, n, first);
+    return 0;
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }
@@ -68,64 +84,6 @@ class Guard {
   std::uint64_t jacobian_evaluations_ = 0;
   std::uint64_t products_ = 0;
   std::string exhausted_, first_non_finite_;
-};
-
-/// A guarded problem for C interfaces. The functions return 0, or 1 once the budget is spent.
-class GuardedView {
- public:
-  GuardedView(const OdeView& view, const Budget& budget)
-      : view_(view), guard_(view.dimension, budget) {}
-
-  int rhs(double t, const double* y, double* dydt) {
-    if (!guard_.watches()) {
-      view_.rhs(view_.problem, t, y, dydt);
-      return 0;
-    }
-    if (!guard_.admit()) return 1;
-    view_.rhs(view_.problem, t, y, dydt);
-    guard_.inspect(t, dydt, view_.dimension);
-    return 0;
-  }
-  /// Dense, row-major.
-  int jacobian(double t, const double* y, double* j) {
-    if (guard_.tripped()) return 1;
-    guard_.count_jacobian();
-    view_.jacobian(view_.problem, t, y, j);
-    return 0;
-  }
-  /// The values of view().sparsity; to be called where view().jacobian_entries is not null.
-  int jacobian_entries(double t, const double* y, double* values) {
-    if (guard_.tripped()) return 1;
-    guard_.count_jacobian();
-    view_.jacobian_entries(view_.problem, t, y, values);
-    return 0;
-  }
-  /// df/dt; zeros for an autonomous problem.
-  void time_derivative(double t, const double* y, double* dfdt) const {
-    if (view_.time_derivative)
-      view_.time_derivative(view_.problem, t, y, dfdt);
-    else
-      for (std::size_t i = 0; i < view_.dimension; ++i) dfdt[i] = 0;
-  }
-  int jacobian_times(double t, const double* y, const double* x, double* product) {
-    guard_.count_products(1);
-    view_.jacobian_times(view_.problem, t, y, x, product);
-    return guard_.tripped() ? 1 : 0;
-  }
-  /// q'' = a; dimension of q, v and a is view().degrees_of_freedom. Counts as one evaluation.
-  int acceleration(double t, const double* q, const double* v, double* a) {
-    if (!guard_.admit()) return 1;
-    view_.acceleration(view_.problem, t, q, v, a);
-    guard_.inspect(t, a, view_.degrees_of_freedom, view_.degrees_of_freedom);
-    return 0;
-  }
-
-  const OdeView& view() const { return view_; }
-  Guard& guard() { return guard_; }
-
- private:
-  OdeView view_;
-  Guard guard_;
 };
 
 }  // namespace odeum

@@ -1,125 +1,169 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+// Plain C++17, see ode_view.hpp.
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
 #include "odeum/core/counted_solver.hpp"
 #include "odeum/core/guard.hpp"
-#include "odeum/problem/concepts.hpp"
 #include "odeum/problem/shared.hpp"
 
 namespace odeum {
 
-/// A problem with the capabilities of P, each evaluation checked by a guard. Once the guard has
-/// tripped the right-hand side returns zero; steppers check `tripped()` after each step.
-template <Ode P>
-class Guarded {
+namespace detail {
+template <class P, class = void>
+struct VelocityDependence {};
+template <class P>
+struct VelocityDependence<P, std::void_t<decltype(P::velocity_dependent)>> {
+  static constexpr bool velocity_dependent = P::velocity_dependent;
+};
+
+/// What a guarded function returns for one that returns a Result.
+template <class Result>
+using Answer = std::conditional_t<std::is_void_v<Result>, int, Result>;
+
+/// What a call of a capability costs a run, as the entries of capabilities.hpp name it.
+namespace charge {
+struct nothing {};
+struct jacobian {};
+struct product {};       ///< one product of the Jacobian with a vector
+struct products {};      ///< as many as the call returns
+struct acceleration {};  ///< an evaluation of half of the right-hand side
+struct series {};        ///< an evaluation for each coefficient: one pass of the recurrence
+struct solver {};        ///< the products of its solves
+}  // namespace charge
+}  // namespace detail
+
+/// A problem with the capabilities of P, each call watched by a policy: a Guard, or what has its
+/// functions evaluate, count_jacobian, count_products, tripped and counted(solver, watch).
+/// Functions that fill an array return 0, or 1 once the budget is spent, when evaluations give
+/// zeros; steppers check `tripped()` after each step.
+template <class P, class Watch = Guard&>
+class Guarded : public detail::VelocityDependence<P> {
  public:
   static constexpr std::size_t dimension = P::dimension;
+  using real = RealOf<P>;
 
-  Guarded(const P& problem, Guard& guard) : problem_(problem), guard_(guard) {}
+  Guarded(const P& problem, Watch watch) : problem_(problem), watch_(watch) {}
 
-  std::size_t size() const { return size_of(problem_); }
-  bool autonomous() const { return is_autonomous(problem_); }
+  std::size_t size() const {
+    if constexpr (P::dimension == dynamic)
+      return problem_.size();
+    else
+      return P::dimension;
+  }
+  int rhs(real t, const real* y, real* dydt) const {
+    return watch_.evaluate(t, dydt, size(), 0, [&] { problem_.rhs(t, y, dydt); });
+  }
+#define ODEUM_GUARDED(concept_name, function, charge_name, ...)                            \
+  template <class Q = P, class... Arguments>                                               \
+  auto function(Arguments... all)                                                          \
+      const->detail::Answer<decltype(std::declval<const Q&>().function(all...))> {         \
+    return charged(                                                                        \
+        detail::charge::charge_name(), [&] { return problem_.function(all...); }, all...); \
+  }                                                                                        \
+  ODEUM_FORWARD(offers_##function)
+#define ODEUM_FORWARD(function)                                          \
+  template <class Q = P>                                                 \
+  auto function() const->decltype(std::declval<const Q&>().function()) { \
+    return problem_.function();                                          \
+  }
+  ODEUM_CAPABILITIES(ODEUM_GUARDED)
+  ODEUM_FORWARD(sparsity)
+  ODEUM_FORWARD(autonomous)
+#undef ODEUM_FORWARD
+#undef ODEUM_GUARDED
 
-  void rhs(double t, const double* y, double* dydt) const {
-    if (!guard_.watches()) {
-      problem_.rhs(t, y, dydt);
-    } else if (guard_.admit()) {
-      problem_.rhs(t, y, dydt);
-      guard_.inspect(t, dydt, size());
-    } else {
-      for (std::size_t i = 0; i < size(); ++i) dydt[i] = 0;
-    }
-  }
-  void jacobian(double t, const double* y, double* j) const requires WithJacobian<P> {
-    if constexpr (Shared<P>) {
-      // Each evaluation of the differences is counted.
-      if (!problem_.offers_jacobian()) return difference_jacobian(*this, t, y, j);
-    }
-    guard_.count_jacobian();
-    problem_.jacobian(t, y, j);
-  }
-  const Sparsity* sparsity() const requires WithSparsity<P> { return problem_.sparsity(); }
-  bool offers_entries() const requires WithJacobianEntries<P> {
-    if constexpr (requires { problem_.offers_entries(); }) return problem_.offers_entries();
-    return true;
-  }
-  void jacobian_entries(double t, const double* y,
-                        double* values) const requires WithJacobianEntries<P> {
-    guard_.count_jacobian();
-    problem_.jacobian_entries(t, y, values);
-  }
-  void time_derivative(double t, const double* y, double* dfdt) const requires NonAutonomous<P> {
-    problem_.time_derivative(t, y, dfdt);
-  }
-  static constexpr bool velocity_dependent = [] {
-    if constexpr (SecondOrder<P>) return P::velocity_dependent;
-    return true;
-  }();
-  void acceleration(double t, const double* q, const double* v,
-                    double* a) const requires SecondOrder<P> {
-    watched(t, a, [&] { problem_.acceleration(t, q, v, a); });
-  }
-  bool offers_damping() const requires WithDamping<P> {
-    if constexpr (requires { problem_.offers_damping(); }) return problem_.offers_damping();
-    return true;
-  }
-  void undamped_acceleration(double t, const double* q, double* a) const requires WithDamping<P> {
-    watched(t, a, [&] { problem_.undamped_acceleration(t, q, a); });
-  }
-  std::uint64_t damp(double t, const double* q, double h, double* v,
-                     double relative) const requires WithDamping<P> {
-    const std::uint64_t products = problem_.damp(t, q, h, v, relative);
-    guard_.count_products(products);
-    return products;
-  }
-  /// Counts as `order` evaluations: one pass of the recurrence per coefficient.
-  void taylor(double t, const double* y, int order, double* c) const requires WithTaylorSeries<P> {
-    bool admitted = true;
-    for (int k = 0; k < order; ++k) admitted = admitted && guard_.admit();
-    const std::size_t n = size();
-    for (std::size_t i = 0; i < n; ++i) c[i] = y[i];
-    for (std::size_t i = n; i < n * static_cast<std::size_t>(order + 1); ++i) c[i] = 0;
-    if (!admitted) return;
-    problem_.taylor(t, y, order, c);
-    if (order > 0) guard_.inspect(t, c + n, n);
-  }
-  void linear_matrix(double* a) const requires LinearConstant<P> { problem_.linear_matrix(a); }
-  std::unique_ptr<ShiftedSolver> shifted_solver() const requires WithShiftedSolver<P> {
-    return counted(problem_.shifted_solver(), guard_);
-  }
-
-  bool tripped() const { return guard_.tripped(); }
-  Guard& guard() const { return guard_; }
+  bool tripped() const { return watch_.tripped(); }
+  Watch& watch() { return watch_; }
+  const Watch& watch() const { return watch_; }
 
  private:
-  template <class Evaluate>
-  void watched(double t, double* a, Evaluate&& evaluate) const {
-    if (!guard_.watches()) {
-      evaluate();
-    } else if (guard_.admit()) {
-      evaluate();
-      guard_.inspect(t, a, size() / 2, size() / 2);
-    } else {
-      for (std::size_t i = 0; i < size() / 2; ++i) a[i] = 0;
-    }
+  template <class Call, class... Arguments>
+  int charged(detail::charge::nothing, const Call& call, Arguments...) const {
+    call();
+    return tripped();
+  }
+  template <class Call, class... Arguments>
+  int charged(detail::charge::jacobian, const Call& call, Arguments...) const {
+    watch_.count_jacobian();
+    call();
+    return tripped();
+  }
+  template <class Call, class... Arguments>
+  int charged(detail::charge::product, const Call& call, Arguments...) const {
+    watch_.count_products(1);
+    call();
+    return tripped();
+  }
+  template <class Call, class... Arguments>
+  std::uint64_t charged(detail::charge::products, const Call& call, Arguments...) const {
+    const std::uint64_t count = call();
+    watch_.count_products(count);
+    return count;
+  }
+  template <class Call, class... Arguments>
+  int charged(detail::charge::acceleration, const Call& call, real t, Arguments... all) const {
+    real* const a = std::get<sizeof...(Arguments) - 1>(std::tuple<Arguments...>(all...));
+    return watch_.evaluate(t, a, size() / 2, size() / 2, call);
+  }
+  /// The coefficients that the problem does not set are zero.
+  template <class Call>
+  int charged(detail::charge::series, const Call& call, real t, const real* y, int order,
+              real* c) const {
+    const std::size_t n = size();
+    std::copy(y, y + n, c);
+    std::fill(c + n, c + n * static_cast<std::size_t>(order + 1), real(0));
+    return watch_.evaluate(t, c + n, order > 0 ? n : 0, 0, call, order);
+  }
+  template <class Call>
+  std::unique_ptr<ShiftedSolver> charged(detail::charge::solver, const Call& call) const {
+    return counted(call(), watch_);
   }
 
   const P& problem_;
-  Guard& guard_;
+  Watch watch_;
 };
 
 /// A problem for timed runs with an inlined right-hand side: no guard.
-template <Ode P>
+template <class P>
 struct Bare : P {};
 
-template <Ode P>
-class Guarded<Bare<P>> : public P {
+template <class P>
+class Guarded<Bare<P>, Guard&> : public P {
  public:
-  Guarded(const Bare<P>& problem, Guard& guard) : P(problem), guard_(guard) {}
+  Guarded(const Bare<P>& problem, Guard&) : P(problem) {}
   static constexpr bool tripped() { return false; }
-  Guard& guard() const { return guard_; }
+};
 
- private:
-  Guard& guard_;
+namespace detail {
+struct ViewAndGuard {
+  SharedOde problem;
+  Guard guarding;
+};
+}  // namespace detail
+
+/// A guarded problem for C interfaces, with its guard. A Jacobian is not evaluated once the budget
+/// is spent.
+class GuardedView : private detail::ViewAndGuard, public Guarded<SharedOde> {
+ public:
+  GuardedView(const OdeView& view, const Budget& budget)
+      : ViewAndGuard{{view, nullptr}, {view.dimension, budget}},
+        Guarded<SharedOde>(ViewAndGuard::problem, ViewAndGuard::guarding) {}
+  GuardedView(const GuardedView&) = delete;
+  GuardedView& operator=(const GuardedView&) = delete;
+
+  int jacobian(double t, const double* y, double* j) const {
+    return tripped() ? 1 : Guarded::jacobian(t, y, j);
+  }
+  int jacobian_entries(double t, const double* y, double* values) const {
+    return tripped() ? 1 : Guarded::jacobian_entries(t, y, values);
+  }
+  const OdeView& view() const { return problem.view(); }
+  Guard& guard() { return guarding; }
 };
 
 }  // namespace odeum

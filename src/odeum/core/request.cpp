@@ -19,17 +19,19 @@ void require_sound(const Request& request, double t0, std::size_t dimension) {
   if (request.mode == Mode::fixed && request.steps == 0)
     throw std::invalid_argument("a run at a fixed step needs a number of steps");
   if (request.mode != Mode::adaptive) return;
-  if (!(request.tolerance > 0 && std::isfinite(request.tolerance)))
+  const double relative = request.tolerance.relative;
+  const std::vector<double>& absolutes = request.tolerance.absolutes();
+  if (!(relative > 0 && std::isfinite(relative)))
     throw std::invalid_argument(
-        fmt::format("a tolerance of {} is not positive and finite", request.tolerance));
-  for (const double each : request.absolute)
+        fmt::format("a tolerance of {} is not positive and finite", relative));
+  for (const double each : absolutes)
     if (!(each > 0 && std::isfinite(each)))
       throw std::invalid_argument(
           fmt::format("an absolute tolerance of {} is not positive and finite", each));
-  if (request.by_component() && request.absolute.size() != dimension)
+  if (request.tolerance.by_component() && absolutes.size() != dimension)
     throw std::invalid_argument(fmt::format(
         "{} absolute tolerances for a state of {} numbers: give one for all, or one for each",
-        request.absolute.size(), dimension));
+        absolutes.size(), dimension));
 }
 
 }  // namespace odeum

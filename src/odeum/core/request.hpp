@@ -29,10 +29,8 @@ inline const char* to_string(Mode mode) { return mode == Mode::fixed ? "fixed" :
 /// A request to a solver: integrate from t0 to the last stop and record the state at every stop.
 struct Request {
   Mode mode = Mode::fixed;
-  std::uint64_t steps = 0;  ///< fixed: the number of equal steps from t0 to the last stop
-  double tolerance = 0;     ///< adaptive: relative tolerance
-  /// Adaptive: absolute tolerance by component, or one for all; empty: the number of `tolerance`.
-  std::vector<double> absolute = {};
+  std::uint64_t steps = 0;    ///< fixed: the number of equal steps from t0 to the last stop
+  Tolerance tolerance = 0;    ///< adaptive
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   /// Adaptive, own solvers: stops before the last do not limit the steps; the states there come
   /// from inside the steps, at the order of the method (see control/adaptive.hpp). For output;
@@ -44,11 +42,6 @@ struct Request {
   /// Values for options that the solver has of its own, see SolverInfo::options. Without a value an
   /// option has the default of the solver's library; other names are ignored.
   std::map<std::string, double> options = {};
-
-  /// Relative and absolute tolerance of an adaptive run.
-  Tolerance tolerances() const { return {tolerance, absolute}; }
-  /// Whether components have absolute tolerances of their own.
-  bool by_component() const { return absolute.size() > 1; }
 };
 
 /// Throws std::invalid_argument where a request is malformed: no stops, or stops that are not

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/tolerance.hpp"
 #include "odeum/formula/evaluator.hpp"
 #include "odeum/formula/graph.hpp"
 #include "odeum/input/yaml_tree.hpp"
@@ -32,9 +33,8 @@ struct Problem {
   std::vector<Id> exact;      ///< by state, in t; empty: not known
   std::vector<Place> exact_places;
   std::vector<Kept> invariants;
-  std::vector<double> scale;     ///< by state; empty: 1
-  double tolerance = 0;          ///< relative, that runs are asked for; 0: none given
-  std::vector<double> absolute;  ///< tolerance by state, or one for all; empty: none given
+  std::vector<double> scale;  ///< by state; empty: 1
+  Tolerance tolerance = 0;    ///< that runs are asked for; a relative one of 0: none given
   /// The equations as text, for people: `x' = ...`, in the order of the file.
   std::string equations_text;
   Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M

@@ -187,26 +187,29 @@ void Reader::read_tolerance() {
     if (!(given > 0)) fail(value.place, "{}: got {}, expected a positive number", key, given);
     return given;
   };
+  double relative = 0;
+  std::vector<double> absolute;
   for (const Item& item : items("tolerance")) {
     const std::string key = "tolerance: " + item.key;
     if (item.key == "relative") {
-      problem_.tolerance = positive(*item.value, key);
+      relative = positive(*item.value, key);
     } else if (item.key != "absolute") {
       fail(item.key_place, "tolerance: an unknown key; got {}, expected relative, absolute",
            shown(item.key));
     } else if (item.value->kind == YamlNode::Kind::sequence) {
-      for (const auto& each : item.value->items) problem_.absolute.push_back(positive(*each, key));
-      if (problem_.absolute.size() != problem_.states.size())
+      for (const auto& each : item.value->items) absolute.push_back(positive(*each, key));
+      if (absolute.size() != problem_.states.size())
         fail(item.value->place, "{}: got {} numbers, expected one, or {}: one for each state", key,
-             problem_.absolute.size(), problem_.states.size());
+             absolute.size(), problem_.states.size());
     } else {
-      problem_.absolute = {positive(*item.value, key)};
+      absolute = {positive(*item.value, key)};
     }
   }
-  if (const Item* const given = section("tolerance"); given && problem_.tolerance == 0)
+  if (const Item* const given = section("tolerance"); given && relative == 0)
     fail(
         given->value->place,
         "tolerance: got no relative one, expected `tolerance: {{relative: 1e-6, absolute: 1e-9}}`");
+  problem_.tolerance = {relative, absolute};
 }
 
 }  // namespace odeum::formula::reading

@@ -24,6 +24,7 @@
 #include <fmt/format.h>
 
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/thread_time.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::foreign {
@@ -76,7 +77,7 @@ class Shared {
 
 /// Becomes the process: its files are those of the parent, except that nothing it prints gets into
 /// the data on the standard output.
-void settle_in(Report& report, pid_t parent) {
+void prepare_child(Report& report, pid_t parent) {
   own_report = &report;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
@@ -144,13 +145,13 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
 }
 
 /// The work in a process of its own, see wait_for.
-std::string run_apart(Report& report, double seconds, bool& over_budget,
-                      const std::function<void()>& work) {
+std::string run_isolated(Report& report, double seconds, bool& over_budget,
+                         const std::function<void()>& work) {
   std::fflush(nullptr);
   const pid_t parent = getpid(), process = fork();
   if (process < 0) return fmt::format("no process could be made: {}", std::strerror(errno));
   if (process > 0) return wait_for(process, report, seconds, over_budget);
-  settle_in(report, parent);
+  prepare_child(report, parent);
   try {
     work();
   } catch (const std::exception& error) {
@@ -172,14 +173,7 @@ void warm_up(const std::function<Outcome(const Request&)>& solve, const Request&
   while (since(start) < 3e-4);
 }
 
-/// Of the calling thread.
-double processor_seconds() {
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
-
-void hand_back(const Outcome& outcome, std::size_t room, Report& report) {
+void write_result(const Outcome& outcome, std::size_t room, Report& report) {
   report.status = static_cast<int>(outcome.status);
   report.t = outcome.t;
   report.counters = outcome.counters;
@@ -188,7 +182,7 @@ void hand_back(const Outcome& outcome, std::size_t room, Report& report) {
   report.say(outcome.detail);
 }
 
-Outcome taken_over(Report& report, std::size_t room) {
+Outcome read_result(Report& report, std::size_t room) {
   Outcome outcome;
   outcome.status =
       static_cast<Status>(std::clamp(report.status, 0, static_cast<int>(Status::refused)));
@@ -201,24 +195,24 @@ Outcome taken_over(Report& report, std::size_t room) {
   return outcome;
 }
 
-/// See solve_apart; `solve_ns` and `processor_s` become the times of the solve.
-Outcome solve_there(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                    std::size_t room, double& solve_ns, double& processor_s) {
+/// See solve_isolated; `solve_ns` and `processor_s` become the times of the solve.
+Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                       std::size_t room, double& solve_ns, double& processor_s) {
   Shared shared(room);
   Report& report = shared.report();
   bool over_budget = false;
-  const std::string why = run_apart(report, request.budget.seconds, over_budget, [&] {
+  const std::string why = run_isolated(report, request.budget.seconds, over_budget, [&] {
     if (!request.budget.watched) warm_up(solve, request);
     const double used = processor_seconds();
     const auto begun = Clock::now();
     const Outcome outcome = solve(request);
     report.solve_ns = 1e9 * since(begun);
     report.processor_s = processor_seconds() - used;
-    hand_back(outcome, room, report);
+    write_result(outcome, room, report);
   });
   solve_ns = report.solve_ns;
   processor_s = report.processor_s;
-  Outcome outcome = taken_over(report, room);
+  Outcome outcome = read_result(report, room);
   if (why.empty()) return outcome;
   outcome.status = over_budget ? Status::over_budget : Status::refused;
   outcome.detail = why;
@@ -228,31 +222,31 @@ Outcome solve_there(const std::function<Outcome(const Request&)>& solve, const R
 
 }  // namespace
 
-bool inside() { return own_report != nullptr; }
+bool in_isolated_process() { return own_report != nullptr; }
 void alive() {
   if (own_report) own_report->signs.fetch_add(1, std::memory_order_relaxed);
 }
 
-Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                    std::size_t dimension) {
-  if (inside()) return solve(request);
+Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                       std::size_t dimension) {
+  if (in_isolated_process()) return solve(request);
   const auto start = Clock::now();
   const double used = processor_seconds();
   double solve_ns = 0, processor_s = 0;
   Outcome outcome =
-      solve_there(solve, request, request.stops.size() * dimension, solve_ns, processor_s);
+      solve_in_child(solve, request, request.stops.size() * dimension, solve_ns, processor_s);
   const double isolation = 1e9 * since(start) - solve_ns;
-  apart_times.isolation_ns += isolation;
-  apart_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;
+  isolated_times.isolation_ns += isolation;
+  isolated_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;
   return outcome;
 }
 
-std::pair<bool, std::string> text_apart(const std::function<std::string()>& work, std::size_t room,
-                                        double seconds) {
+std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
+                                           std::size_t room, double seconds) {
   Shared shared(room / sizeof(double) + 1);
   Report& report = shared.report();
   bool over_budget = false;
-  const std::string why = run_apart(report, seconds, over_budget, [&] {
+  const std::string why = run_isolated(report, seconds, over_budget, [&] {
     const std::string text = work();
     report.states = std::min(text.size(), room);
     std::memcpy(report.values(), text.data(), report.states);

@@ -12,22 +12,23 @@
 namespace odeum::foreign {
 
 /// Whether this is such a process.
-bool inside();
+bool in_isolated_process();
 /// In such a process: work goes on. Without it for `longest_silence` seconds the process is ended.
 void alive();
 inline constexpr double longest_silence = 5;
 
 /// solve(request) in a process of its own. A process that ends early, is ended by a signal, or
 /// shows no sign of work gives an outcome with status `refused` or `over_budget` and a sentence.
-/// What a timed run (Budget::watched off) spends on this is reported to core/apart_times.hpp, and
+/// What a timed run (Budget::watched off) spends on this is reported to isolated_times.hpp, and
 /// the solve is made twice, the second time timed: the first one copies the memory that it writes.
-Outcome solve_apart(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                    std::size_t dimension);
+Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,
+                       std::size_t dimension);
 
 /// work() in a process of its own: its text, of which at most `room` bytes come back, and true; or
 /// false and a sentence that says how the process ended. It is ended after `seconds`, and where it
 /// shows no sign of work.
-std::pair<bool, std::string> text_apart(const std::function<std::string()>& work,
-                                        std::size_t room = 2000, double seconds = longest_silence);
+std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
+                                           std::size_t room = 2000,
+                                           double seconds = longest_silence);
 
 }  // namespace odeum::foreign

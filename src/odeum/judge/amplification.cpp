@@ -31,20 +31,15 @@ States units_of(const Tolerance& asked, const States& y) {
   return units;
 }
 
-Tolerance thresholds_of(const Case& c, double relative = 1) {
-  return Tolerance(1, c.thresholds).with_relative(relative);
-}
-
 /// The smaller ones, of the case and of what is asked: a perturbation that is small beside each
 /// component, and runs that follow it.
 Tolerance finest_of(const Case& c, const Tolerance& asked, double relative) {
-  Tolerance finest = thresholds_of(c, relative);
+  const Tolerance finest = c.tolerance.with_relative(relative);
   if (asked.thresholds.empty() && finest.thresholds.empty()) return finest;
   std::vector<double> thresholds(c.y0.size());
   for (std::size_t i = 0; i < thresholds.size(); ++i)
     thresholds[i] = std::min(asked.threshold(i), finest.threshold(i));
-  finest.thresholds = std::move(thresholds);
-  return finest;
+  return Tolerance::of_thresholds(relative, std::move(thresholds));
 }
 
 /// Times from t0 to the last stop, every stop among them, and the state at each.
@@ -211,7 +206,7 @@ Amplification measure_amplification(const Case& c, const std::vector<double>& st
 }
 
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops) {
-  return measure_amplification(c, stops, thresholds_of(c));
+  return measure_amplification(c, stops, c.tolerance.with_relative(1));
 }
 
 }  // namespace odeum::judge

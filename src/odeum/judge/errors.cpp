@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "odeum/core/numbers.hpp"
+
 namespace odeum::judge {
 
 std::vector<std::size_t> measured_components(const Case& c) {
@@ -19,7 +21,7 @@ std::vector<std::size_t> measured_components(const Case& c) {
 
 Judge::Judge(const Case& c, std::vector<double> stops)
     : case_(c), stops_(std::move(stops)), truth_(stops_.size()), measured_(measured_components(c)) {
-  const auto see = [&](const double* y) {
+  const auto extend_scale = [&](const double* y) {
     double squares = 0;
     for (const std::size_t i : measured_) {
       const double size = y[i] / c.scale_of(i);
@@ -27,12 +29,12 @@ Judge::Judge(const Case& c, std::vector<double> stops)
     }
     scale_ = std::max(scale_, std::sqrt(squares / static_cast<double>(measured_.size())));
   };
-  see(c.y0.data());
+  extend_scale(c.y0.data());
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     std::vector<double> exact(c.y0.size());
     if (!c.truth.at(stops_[k], exact.data())) continue;
     if (is_finite(exact.data(), exact.size())) {
-      see(exact.data());
+      extend_scale(exact.data());
       if (c.energy) energy_scale_ = std::max(energy_scale_, std::abs(c.energy(exact.data())));
     } else {
       ends_ = true;
@@ -42,7 +44,6 @@ Judge::Judge(const Case& c, std::vector<double> stops)
 }
 
 std::vector<StopError> Judge::errors(const Outcome& outcome) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<StopError> errors;
   for (std::size_t k = 0; k < stops_.size(); ++k) {
     const double* const y = outcome.states.data() + k * case_.y0.size();

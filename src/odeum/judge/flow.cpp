@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "odeum/core/guarded.hpp"
 #include "odeum/solvers/own_methods.hpp"
 
 namespace odeum::judge {
@@ -16,25 +17,22 @@ namespace {
 
 constexpr std::uint64_t explicit_budget = 20'000, implicit_budget = 1'000'000;
 
-/// A problem's right-hand side and Jacobian, which records when the former is evaluated.
-struct Recorded {
-  OdeView view;
-  std::vector<double>* times = nullptr;
-
-  static void rhs(const void* self, double t, const double* y, double* f) {
-    const auto& problem = *static_cast<const Recorded*>(self);
-    problem.times->push_back(t);
-    problem.view.rhs(problem.view.problem, t, y, f);
+/// The watch of a run whose evaluations are recorded.
+struct Recorder {
+  std::vector<double>* times;
+  template <class Call>
+  int evaluate(double t, double*, std::size_t, std::size_t, Call&& call, int = 1) const {
+    times->push_back(t);
+    call();
+    return 0;
   }
-  static void jacobian(const void* self, double t, const double* y, double* j) {
-    const OdeView& view = static_cast<const Recorded*>(self)->view;
-    view.jacobian(view.problem, t, y, j);
-  }
-  static void time_derivative(const void* self, double t, const double* y, double* d) {
-    const OdeView& view = static_cast<const Recorded*>(self)->view;
-    view.time_derivative(view.problem, t, y, d);
-  }
+  void count_jacobian() const {}
+  void count_products(std::uint64_t) const {}
+  static constexpr bool tripped() { return false; }
 };
+std::unique_ptr<ShiftedSolver> counted(std::unique_ptr<ShiftedSolver> solver, const Recorder&) {
+  return solver;
+}
 
 Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, double start,
             const std::vector<double>& y, const std::vector<double>& stops, std::uint64_t budget,
@@ -43,20 +41,21 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   const double shift = c.problem.view.time_derivative ? 0 : start;
   Request request;
   request.mode = Mode::adaptive;
-  request.tolerance = tolerance.relative;
-  for (std::size_t i = 0; i < tolerance.thresholds.size(); ++i)
-    request.absolute.push_back(tolerance.absolute(i));
+  request.tolerance = tolerance.requested(tolerance.relative);
   for (const double stop : stops) request.stops.push_back(stop - shift);
   request.budget.evaluations = budget;
   ErasedContest contest = c.problem;
   contest.t0 = start - shift;
   contest.y0 = std::make_shared<const std::vector<double>>(y);
-  const Recorded recorded{c.problem.view, times};
+  const SharedOde problem(c.problem.view, nullptr);
+  const Guarded<SharedOde, Recorder> recorded(problem, {times});
   if (times) {
-    OdeView view{.problem = &recorded, .dimension = y.size(), .rhs = Recorded::rhs};
-    if (recorded.view.jacobian) view.jacobian = Recorded::jacobian;
-    if (recorded.view.time_derivative) view.time_derivative = Recorded::time_derivative;
-    contest.view = view;
+    const OdeView all = view_of(recorded);
+    contest.view = {.problem = all.problem,
+                    .dimension = all.dimension,
+                    .rhs = all.rhs,
+                    .jacobian = all.jacobian,
+                    .time_derivative = all.time_derivative};
   }
   for (const OwnMethod& own : own_methods()) {
     if (own.info.method != method) continue;

@@ -6,10 +6,10 @@
 #include <complex>
 #include <vector>
 
+#include "odeum/core/numbers.hpp"
+
 namespace odeum::judge {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Complex = std::complex<double>;
 

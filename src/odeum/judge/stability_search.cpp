@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "odeum/core/numbers.hpp"
+
 namespace odeum::judge {
 namespace {
 
@@ -37,7 +39,6 @@ std::optional<double> power_law(double onset, const Growth& at_onset,
 }  // namespace
 
 LimitFound find_limit(const std::function<Growth(double)>& growth_at) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   double low = 0, high = search_start;  // bounded up to low; high is the next point to look at
   bool seen_to_decay = false;
   Growth below, above = growth_at(high);

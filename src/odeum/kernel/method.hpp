@@ -31,14 +31,14 @@
 /// A method that chooses its own steps (and possibly order) has in addition, or instead
 /// (`fixed_step = false`), the trial steps of a run from t0 to `end` (control/adaptive.hpp),
 ///
-///     template <class P> static auto trial_steps(const Guarded<P>& problem, double t0,
-///                                                const State<P>& y0, double end,
-///                                                const Tolerance& tolerance);  // a TrialSteps
+///     template <class P> static auto trial_steps(const P& problem, double t0, const State<P>& y0,
+///                                                double end, const Tolerance& tolerance);
+///                                                                          // a TrialSteps
 ///
 /// or, where its steps are no trials, a complete adaptive run through every stop of the request:
 ///
-///     template <class P> static Outcome integrate(const Guarded<P>& problem, double t0,
-///                                                 const State<P>& y0, const Request& request);
+///     template <class P> static Outcome integrate(const P& problem, double t0, const State<P>& y0,
+///                                                 const Request& request);
 ///
 /// It needs no constraint: `fits` says what a problem must offer.
 namespace odeum {

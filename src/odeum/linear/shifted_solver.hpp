@@ -26,12 +26,7 @@ class DenseShiftedSolver final : public ShiftedSolver {
         solver_(n_) {}
 
   void linearise(double t, const State<P>& y) { linearise(t, y.data()); }
-  void linearise(double t, const double* y) {
-    if constexpr (WithJacobian<P>)
-      problem_.jacobian(t, y, j_.data());
-    else
-      difference_jacobian(problem_, t, y, j_.data());
-  }
+  void linearise(double t, const double* y) { jacobian_or_differences(problem_, t, y, j_.data()); }
   bool factorise(double gamma_h) {
     double* const m = solver_.data();
     for (std::size_t i = 0; i < n_ * n_; ++i) m[i] = -gamma_h * j_[i];

@@ -55,9 +55,7 @@ std::unique_ptr<ShiftedSolver> make_sparse_solver(const Sparsity& pattern, Jacob
 template <WithSparsity P>
 JacobianEntries entries_of(const P& problem) {
   if constexpr (WithJacobianEntries<P>) {
-    bool offered = true;
-    if constexpr (requires { problem.offers_entries(); }) offered = problem.offers_entries();
-    if (offered)
+    if (offers_jacobian_entries(problem))
       return [&problem](double t, const double* y, double* values) {
         problem.jacobian_entries(t, y, values);
       };

@@ -19,13 +19,13 @@ struct bdf_variable : ForAnyProblem {
       .source = "Shampine, Reichelt, SIAM J. Sci. Comput. 18 (1997) 1-22, section 2"};
   static constexpr auto inlined = Inlined::stiff;
   template <Ode P>
-  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+  static auto trial_steps(const P& problem, double t0, const State<P>& y0, double end,
                           const Tolerance& requested) {
     // Local errors of many small steps of low order accumulate: the local tolerance is a fraction
     // of the one requested, so that the error at the end meets it.
     const Tolerance tolerance = requested.with_relative(requested.relative / 20);
     const double first = initial_step(problem, t0, y0, end, 1, tolerance);
-    return TrialSteps<BdfTrial<Guarded<P>>>{first, {problem, t0, y0, first, tolerance}};
+    return TrialSteps<BdfTrial<P>>{first, {problem, t0, y0, first, tolerance}};
   }
 };
 

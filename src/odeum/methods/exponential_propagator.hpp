@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/core/guarded.hpp"
 #include "odeum/core/outcome.hpp"
+#include "odeum/core/request.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/linear/matrix_exponential.hpp"
 
@@ -33,9 +33,7 @@ struct exponential_propagator {
   static constexpr bool fits = LinearConstant<P>;
   template <class P>
   static bool fits_problem(const P& problem) {
-    if constexpr (requires { problem.offers_linear_matrix(); })
-      return problem.offers_linear_matrix();
-    return true;
+    return offers_linear_matrix(problem);
   }
 
   template <class P>
@@ -80,10 +78,10 @@ struct exponential_propagator {
   };
 
   template <class P>
-  static Outcome integrate(const Guarded<P>& problem, double t0, const State<P>& y0,
+  static Outcome integrate(const P& problem, double t0, const State<P>& y0,
                            const Request& request) {
     Outcome outcome;
-    Stepper<Guarded<P>> stepper(problem);
+    Stepper<P> stepper(problem);
     State<P> y = y0;
     double t = t0;
     for (const double stop : request.stops) {

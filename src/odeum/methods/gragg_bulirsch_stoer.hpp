@@ -40,7 +40,7 @@ struct gragg_bulirsch_stoer : ForAnyProblem {
   };
 
   template <class P>
-  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+  static auto trial_steps(const P& problem, double t0, const State<P>& y0, double end,
                           const Tolerance& tolerance) {
     ExtrapolationTrial<P> trial(problem, tolerance);
     const double first = initial_step(problem, t0, y0, end, trial.order(), tolerance);

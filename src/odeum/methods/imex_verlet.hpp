@@ -28,8 +28,7 @@ struct imex_verlet {
   static constexpr bool fits = WithDamping<P>;
   template <class P>
   static bool fits_problem(const P& problem) {
-    if constexpr (requires { problem.offers_damping(); }) return problem.offers_damping();
-    return true;
+    return offers_damp(problem);
   }
 
   template <class P>

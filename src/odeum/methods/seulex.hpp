@@ -22,10 +22,10 @@ struct seulex : ForAnyProblem {
   using Stepper = ExtrapolatedEuler<fixed_column, P>;
 
   template <Ode P>
-  static auto trial_steps(const Guarded<P>& problem, double t0, const State<P>& y0, double end,
+  static auto trial_steps(const P& problem, double t0, const State<P>& y0, double end,
                           const Tolerance& tolerance) {
-    return TrialSteps<ExtrapolatedEulerControl<Guarded<P>>>{
-        initial_step(problem, t0, y0, end, 2, tolerance), {problem, tolerance}};
+    return TrialSteps<ExtrapolatedEulerControl<P>>{initial_step(problem, t0, y0, end, 2, tolerance),
+                                                   {problem, tolerance}};
   }
 
   static double rounding() { return extrapolated_euler_rounding<fixed_column>(); }

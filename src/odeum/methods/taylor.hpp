@@ -32,8 +32,7 @@ struct taylor {
   static constexpr bool fits = WithTaylorSeries<P>;
   template <class P>
   static bool fits_problem(const P& problem) {
-    if constexpr (requires { problem.offers_taylor(); }) return problem.offers_taylor();
-    return true;
+    return offers_taylor(problem);
   }
 
   /// y <- sum_k c_k h^k by Horner's rule, with c laid out as in WithTaylorSeries.
@@ -87,7 +86,7 @@ struct taylor {
   template <class P>
   class Trial {
    public:
-    Trial(const Guarded<P>& problem, const Tolerance& tolerance)
+    Trial(const P& problem, const Tolerance& tolerance)
         : problem_(problem),
           order_(std::clamp(static_cast<int>(std::ceil(1 - std::log(tolerance.relative) / 2)), 3,
                             highest_taylor_order)),
@@ -112,14 +111,14 @@ struct taylor {
     }
 
    private:
-    const Guarded<P>& problem_;
+    const P& problem_;
     int order_;
     std::vector<double> c_;
     State<P> weights_;
   };
 
   template <class P>
-  static auto trial_steps(const Guarded<P>& problem, double, const State<P>&, double,
+  static auto trial_steps(const P& problem, double, const State<P>&, double,
                           const Tolerance& tolerance) {
     return TrialSteps<Trial<P>>{0, {problem, tolerance}};
   }

@@ -10,7 +10,7 @@ namespace odeum::print {
 
 /// A key whose value is assigned to a member of Case.
 struct Member {
-  enum class Kind { text, number, numbers };
+  enum class Kind { text, number, numbers, thresholds };
   const char* key;
   const char* member;
   Kind kind;
@@ -20,7 +20,7 @@ inline constexpr Member members[] = {
     {"equation", "equation", Member::Kind::text},
     {"source", "source", Member::Kind::text},
     {"stops", "stops", Member::Kind::numbers},
-    {"thresholds", "thresholds", Member::Kind::numbers},
+    {"thresholds", "tolerance", Member::Kind::thresholds},
     {"no_fixed_steps", "settings.no_fixed_steps", Member::Kind::text},
     {"steps_multiple", "settings.steps_multiple", Member::Kind::number},
     {"coarsest_steps", "settings.coarsest_steps", Member::Kind::number},

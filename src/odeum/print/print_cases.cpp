@@ -170,6 +170,9 @@ class CasesPrinter : CaseKeys {
       return line("c.{} = {};", each.member, raw_text(scalar(value, each.key)));
     std::vector<double> all;
     for (const YamlNode* entry : entries(&value)) all.push_back(number(*entry, each.key));
+    if (each.kind == Kind::thresholds)
+      return line("c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, {{{}}});",
+                  fmt::join(all, ", "));
     if (each.kind == Kind::numbers)
       return line("c.{} = {{{}}};", each.member, fmt::join(all, ", "));
     if (all.size() != 1) fail(value.place, "{}: got a list, expected a number", each.key);
@@ -191,11 +194,10 @@ class CasesPrinter : CaseKeys {
   }
 
   void print_tolerance() {
-    std::vector<double> thresholds = problem_.absolute;
-    for (double& each : thresholds) each /= problem_.tolerance;
-    if (problem_.tolerance > 0) line("c.tolerance = {};", problem_.tolerance);
-    if (!thresholds.empty() && !find("thresholds"))
-      line("c.thresholds = {{{}}};", fmt::join(thresholds, ", "));
+    const Tolerance& given = problem_.tolerance;
+    if (given.relative > 0)
+      line("c.tolerance = Tolerance({}, std::vector<double>{{{}}});", given.relative,
+           fmt::join(given.absolutes(), ", "));
   }
 
   void print_truth(const std::string& id, Place place) {

@@ -3,10 +3,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include "odeum/problem/capabilities.hpp"
 #include "odeum/problem/ode_view.hpp"
 #include "odeum/problem/sparsity.hpp"
 
@@ -22,26 +22,13 @@
 /// All times, states and parameters are in the units of the problem's own equation.
 namespace odeum {
 
-/// Marks a problem whose dimension is known at run time only; it then has a `size()`.
-inline constexpr std::size_t dynamic = static_cast<std::size_t>(-1);
-
 namespace detail {
-template <class P>
-struct RealOf {
-  using type = double;
-};
-template <class P>
-requires requires { typename P::real; }
-struct RealOf<P> {
-  using type = typename P::real;
-};
 template <class Real, std::size_t N>
 using StateOf = std::conditional_t<N == dynamic, std::vector<Real>, std::array<Real, N>>;
+/// Whether the result of a call may stand for an R.
+template <class Result, class R>
+concept Gives = std::is_void_v<R> || std::convertible_to<Result, R>;
 }  // namespace detail
-
-/// The number type of a problem: double, unless it names another one as `real`.
-template <class P>
-using RealOf = typename detail::RealOf<P>::type;
 
 /// The state of a problem: std::array for a static dimension, std::vector for a dynamic one.
 template <class P>
@@ -54,18 +41,30 @@ concept Ode = requires(const P& p, RealOf<P> t, const RealOf<P>* y, RealOf<P>* d
   p.rhs(t, y, dydt);
 };
 
-/// Offers df/dy, dense and row-major.
-template <class P>
-concept WithJacobian = Ode<P> && requires(const P& p, double t, const double* y, double* j) {
-  p.jacobian(t, y, j);
-};
-
-/// Offers the product of df/dy with a vector.
-template <class P>
-concept WithJacobianTimes = Ode<P> &&
-    requires(const P& p, double t, const double* y, const double* x, double* product) {
-  p.jacobian_times(t, y, x, product);
-};
+// By capability its concept, as WithJacobian<P>, and offers_jacobian(problem): whether the problem
+// offers it, which a type that stands for many problems decides at run time by a function of that
+// name.
+#define ODEUM_CONCEPT(concept_name, function, charge, ...)                                     \
+  namespace detail {                                                                           \
+  template <class P, class Signature>                                                          \
+  inline constexpr bool has_##function = false;                                                \
+  template <class P, class Result, class... Arguments>                                         \
+  requires requires(const P& p, Arguments... all) {                                            \
+    { p.function(all...) } -> Gives<Result>;                                                   \
+  }                                                                                            \
+  inline constexpr bool has_##function<P, Result(Arguments...)> = true;                        \
+  }                                                                                            \
+  template <class P>                                                                           \
+  concept concept_name = Ode<P> && detail::has_##function<P, capability::function<RealOf<P>>>; \
+  template <Ode P>                                                                             \
+  constexpr bool offers_##function([[maybe_unused]] const P& problem) {                        \
+    if constexpr (concept_name<P> && requires { problem.offers_##function(); })                \
+      return problem.offers_##function();                                                      \
+    else                                                                                       \
+      return concept_name<P>;                                                                  \
+  }
+ODEUM_CAPABILITIES(ODEUM_CONCEPT)
+#undef ODEUM_CONCEPT
 
 /// States which entries of df/dy may differ from zero: a pointer to a Sparsity, null where that is
 /// not known or all may. Implicit methods then solve with banded or sparse factors.
@@ -74,65 +73,19 @@ concept WithSparsity = Ode<P> && requires(const P& p) {
   { p.sparsity() } -> std::convertible_to<const Sparsity*>;
 };
 
-/// Offers the values of those entries, in the order of the Sparsity; without it they are formed by
-/// differences of f, several columns at a time.
-template <class P>
-concept WithJacobianEntries = WithSparsity<P> &&
-    requires(const P& p, double t, const double* y, double* values) {
-  p.jacobian_entries(t, y, values);
-};
-
-/// Offers df/dt. A problem without it is assumed autonomous; see is_autonomous().
-template <class P>
-concept NonAutonomous = Ode<P> && requires(const P& p, double t, const double* y, double* d) {
-  p.time_derivative(t, y, d);
-};
-
 /// q'' = a(t, q, v) with y = [q, v]: all positions, then all velocities.
 template <class P>
-concept SecondOrder = Ode<P> &&
-    requires(const P& p, RealOf<P> t, const RealOf<P>* q, const RealOf<P>* v, RealOf<P>* a) {
+concept SecondOrder = WithAcceleration<P> && requires {
   { P::velocity_dependent } -> std::convertible_to<bool>;
-  p.acceleration(t, q, v, a);
 };
 
 /// q'' = a(t, q): the acceleration does not depend on the velocity.
 template <class P>
 concept Separable = SecondOrder<P> && !P::velocity_dependent;
 
-/// q'' = a(t, q) + d(t, q, v) with d(t, q, 0) = 0: `undamped_acceleration` fills a, and `damp`
-/// takes one step of length h of the trapezoidal rule for v' = d(t, q, v) at fixed t and q. The
-/// error of the change of v is `relative` of it; the number of products with dd/dv is returned.
+/// q'' = a(t, q) + d(t, q, v) with d(t, q, 0) = 0, see `damp` in capabilities.hpp.
 template <class P>
-concept WithDamping = SecondOrder<P> &&
-    requires(const P& p, RealOf<P> t, const RealOf<P>* q, RealOf<P>* v, double relative) {
-  p.undamped_acceleration(t, q, v);
-  { p.damp(t, q, t, v, relative) } -> std::convertible_to<std::uint64_t>;
-};
-
-/// Offers its own solver of (I - gamma_h J) x = r, see problem/shifted_solver.hpp: a pointer, null
-/// where it has none.
-template <class P>
-concept WithShiftedSolver = Ode<P> && requires(const P& p) {
-  p.shifted_solver();
-};
-
-/// Offers its Taylor series: `taylor(t, y, order, c)` fills c[k * dimension + i] with the k-th
-/// coefficient y_i^(k)(t) / k! of the solution through y at t, for k = 0, ..., order, which is at
-/// most highest_taylor_order.
-inline constexpr int highest_taylor_order = 63;
-template <class P>
-concept WithTaylorSeries = Ode<P> &&
-    requires(const P& p, double t, const double* y, int order, double* c) {
-  p.taylor(t, y, order, c);
-};
-
-/// y' = A y + b with constant A and b. `linear_matrix` fills A, dense and row-major; b is the
-/// right-hand side at y = 0.
-template <class P>
-concept LinearConstant = Ode<P> && requires(const P& p, double* a) {
-  p.linear_matrix(a);
-};
+concept WithDamping = SecondOrder<P> && WithUndampedAcceleration<P> && WithDampingStep<P>;
 
 /// Offers an energy, in the problem's units.
 template <class P>
@@ -175,8 +128,21 @@ void second_order_rhs(const P& problem, std::size_t degrees, RealOf<P> t, const 
 }
 
 namespace detail {
-template <WithJacobianEntries P>
-std::vector<double> entries_at(const P& problem, double t, const double* y) {
+/// Points at a function of P, which `call` calls.
+template <class P, class Result, class... Arguments, class Call>
+void point(Result (*&pointer)(const void*, Arguments...), Call) {
+  pointer = [](const void* p, Arguments... all) -> Result {
+    if constexpr (std::is_void_v<Result>)
+      Call{}(*static_cast<const P*>(p), all...);
+    else
+      return Call{}(*static_cast<const P*>(p), all...);
+  };
+}
+
+template <class P>
+requires WithSparsity<P> && WithJacobianEntries<P> std::vector<double> entries_at(const P& problem,
+                                                                                  double t,
+                                                                                  const double* y) {
   std::vector<double> values(problem.sparsity()->entries());
   problem.jacobian_entries(t, y, values.data());
   return values;
@@ -186,22 +152,18 @@ std::vector<double> entries_at(const P& problem, double t, const double* y) {
 template <WithSparsity P>
 void view_sparsity(const P& problem, OdeView& view) {
   view.sparsity = problem.sparsity();
+  if (!view.sparsity) view.jacobian_entries = nullptr;
   if constexpr (WithJacobianEntries<P>) {
-    if (!view.sparsity) return;
-    view.jacobian_entries = [](const void* p, double t, const double* y, double* values) {
-      static_cast<const P*>(p)->jacobian_entries(t, y, values);
-    };
+    if (!view.jacobian_entries) return;
     if (!view.jacobian)
-      view.jacobian = [](const void* p, double t, const double* y, double* j) {
-        const P& self = *static_cast<const P*>(p);
+      point<P>(view.jacobian, [](const P& self, double t, const double* y, double* j) {
         fill_dense(*self.sparsity(), entries_at(self, t, y).data(), j);
-      };
+      });
     if (!view.jacobian_times)
-      view.jacobian_times = [](const void* p, double t, const double* y, const double* x,
-                               double* product) {
-        const P& self = *static_cast<const P*>(p);
-        multiply(*self.sparsity(), entries_at(self, t, y).data(), x, product);
-      };
+      point<P>(view.jacobian_times,
+               [](const P& self, double t, const double* y, const double* x, double* product) {
+                 multiply(*self.sparsity(), entries_at(self, t, y).data(), x, product);
+               });
   }
 }
 }  // namespace detail
@@ -213,52 +175,23 @@ OdeView view_of(const P& problem) {
   OdeView view;
   view.problem = &problem;
   view.dimension = size_of(problem);
-  view.rhs = [](const void* p, double t, const double* y, double* dydt) {
-    static_cast<const P*>(p)->rhs(t, y, dydt);
-  };
-  if constexpr (WithJacobian<P>)
-    view.jacobian = [](const void* p, double t, const double* y, double* j) {
-      static_cast<const P*>(p)->jacobian(t, y, j);
-    };
-  if constexpr (WithJacobianTimes<P>)
-    view.jacobian_times = [](const void* p, double t, const double* y, const double* x,
-                             double* product) {
-      static_cast<const P*>(p)->jacobian_times(t, y, x, product);
-    };
+  detail::point<P>(view.rhs, [](const P& self, double t, const double* y, double* dydt) {
+    self.rhs(t, y, dydt);
+  });
+#define ODEUM_VIEW(concept_name, function, charge, ...) \
+  if constexpr (concept_name<P>)                        \
+    if (offers_##function(problem))                     \
+      detail::point<P>(view.function,                   \
+                       [](const P& self, auto... all) { return self.function(all...); });
+  ODEUM_CAPABILITIES(ODEUM_VIEW)
+#undef ODEUM_VIEW
   if constexpr (WithSparsity<P>) detail::view_sparsity(problem, view);
-  if constexpr (NonAutonomous<P>)
-    view.time_derivative = [](const void* p, double t, const double* y, double* dfdt) {
-      static_cast<const P*>(p)->time_derivative(t, y, dfdt);
-    };
-  if constexpr (WithShiftedSolver<P>)
-    view.shifted_solver = [](const void* p) -> ShiftedSolver* {
-      return static_cast<const P*>(p)->shifted_solver().release();
-    };
-  if constexpr (WithTaylorSeries<P>)
-    view.taylor = [](const void* p, double t, const double* y, int order, double* c) {
-      static_cast<const P*>(p)->taylor(t, y, order, c);
-    };
-  if constexpr (LinearConstant<P>)
-    view.linear_matrix = [](const void* p, double* a) {
-      static_cast<const P*>(p)->linear_matrix(a);
-    };
   if constexpr (SecondOrder<P>) {
+    if (!view.acceleration) return view;
     view.degrees_of_freedom = view.dimension / 2;
     view.velocity_dependent = P::velocity_dependent;
-    view.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
-      static_cast<const P*>(p)->acceleration(t, q, v, a);
-    };
-  }
-  if constexpr (WithDamping<P>) {
-    if constexpr (requires { problem.offers_damping(); })
-      if (!problem.offers_damping()) return view;
-    view.undamped_acceleration = [](const void* p, double t, const double* q, double* a) {
-      static_cast<const P*>(p)->undamped_acceleration(t, q, a);
-    };
-    view.damp = [](const void* p, double t, const double* q, double h, double* v,
-                   double relative) -> std::uint64_t {
-      return static_cast<const P*>(p)->damp(t, q, h, v, relative);
-    };
+    if constexpr (requires { problem.depends_on_velocity(); })
+      view.velocity_dependent = problem.depends_on_velocity();
   }
   return view;
 }

@@ -26,4 +26,12 @@ void difference_jacobian(const P& problem, double t, const double* y, double* j)
   }
 }
 
+/// The problem's own, else by differences.
+template <Ode P>
+void jacobian_or_differences(const P& problem, double t, const double* y, double* j) {
+  if constexpr (WithJacobian<P>)
+    if (offers_jacobian(problem)) return void(problem.jacobian(t, y, j));
+  difference_jacobian(problem, t, y, j);
+}
+
 }  // namespace odeum

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/order_fit.hpp"
 #include "odeum/proof/test_problems.hpp"
 
 namespace odeum::proof {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TestProblem<FunctionProblem> quadrature() {
   TestProblem<FunctionProblem> g;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/numbers.hpp"
+
 namespace odeum::proof {
 namespace {
 
@@ -54,7 +56,7 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
     stepper.start(t0, h, y);
     for (std::uint64_t i = 0; i < steps; ++i) {
       if (stepper.step(t0 + static_cast<double>(i) * h, h, y) != Status::ok) {
-        point.error = std::numeric_limits<double>::quiet_NaN();
+        point.error = nan;
         break;
       }
       if ((i + 1) % (steps / plan.stops) != 0) continue;

@@ -65,12 +65,12 @@ double error_norm(const DynamicTableau<double>& tableau, const std::vector<doubl
 
 PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int order_hat) {
   PairQuality quality;
-  quality.d = std::max(
+  quality.largest_coefficient = std::max(
       {largest(tableau.a), largest(tableau.b), largest(tableau.c), largest(tableau.b_hat)});
   if (order > 0 && order < highest_order_checked)
-    quality.a = error_norm(tableau, tableau.b, order + 1);
+    quality.principal_error = error_norm(tableau, tableau.b, order + 1);
   if (!tableau.embedded() || order == 0 || order_hat == 0) return quality;
-  quality.a_hat =
+  quality.embedded_principal_error =
       error_norm(tableau, tableau.b_hat, std::min(order_hat + 1, highest_order_checked));
   const int q = std::min(order, order_hat) + 1;
   if (q + 1 <= highest_order_checked) {
@@ -80,10 +80,11 @@ PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int o
     std::vector<double> difference;
     for (std::size_t i = 0; i < lower.size(); ++i) difference.push_back(higher[i] - lower[i]);
     const double leading = error_norm(tableau, lower, q);
-    quality.b = error_norm(tableau, lower, q + 1) / leading;
-    quality.c = norm_of(tableau, difference, 0, q + 1) / leading;
-    quality.e = error_norm(tableau, higher, q + 1) / leading;
-    quality.of_term = leading / norm_of(tableau, std::vector<double>(tableau.stages), 1, q);
+    quality.next_term_ratio = error_norm(tableau, lower, q + 1) / leading;
+    quality.difference_ratio = norm_of(tableau, difference, 0, q + 1) / leading;
+    quality.rows_ratio = error_norm(tableau, higher, q + 1) / leading;
+    quality.solution_term_ratio =
+        leading / norm_of(tableau, std::vector<double>(tableau.stages), 1, q);
   }
   DynamicTableau<double> pair = tableau;
   pair.order = order;
@@ -94,16 +95,16 @@ PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int o
 
 std::vector<std::string> PairQuality::remarks() const {
   std::vector<std::string> remarks;
-  if (of_term > 3)
+  if (solution_term_ratio > 3)
     remarks.push_back(fmt::format(
         "the lower row's leading error is {:.2g} times the term of the solution that it misses: "
         "the estimate makes steps far too short",
-        of_term));
-  if (b > 10)
+        solution_term_ratio));
+  if (next_term_ratio > 10)
     remarks.push_back(fmt::format(
         "the lower row's leading error term is small beside the next (B = {:.2g}): the estimate is "
         "of its order only at steps much below 1/B, and may miss the error of the row that is kept",
-        b));
+        next_term_ratio));
   for (const EstimateQuality& q : estimate) {
     if (vanishes(q))
       remarks.push_back(fmt::format("no estimate on {} problems: it is {:.1e} of the error",
@@ -117,12 +118,13 @@ std::vector<std::string> PairQuality::remarks() const {
 }
 
 std::string PairQuality::text() const {
-  std::string text = fmt::format("principal error norms: A of b {:.3e}", a);
-  if (!std::isnan(a_hat)) text += fmt::format(", of b_hat {:.3e}", a_hat);
-  text += fmt::format("; largest coefficient D = {:.4g}\n", d);
-  if (!std::isnan(b))
-    text +=
-        fmt::format("Prince and Dormand's ratios: B = {:.3g}, C = {:.3g}, E = {:.3g}\n", b, c, e);
+  std::string text = fmt::format("principal error norms: A of b {:.3e}", principal_error);
+  if (!std::isnan(embedded_principal_error))
+    text += fmt::format(", of b_hat {:.3e}", embedded_principal_error);
+  text += fmt::format("; largest coefficient D = {:.4g}\n", largest_coefficient);
+  if (!std::isnan(next_term_ratio))
+    text += fmt::format("Prince and Dormand's ratios: B = {:.3g}, C = {:.3g}, E = {:.3g}\n",
+                        next_term_ratio, difference_ratio, rows_ratio);
   for (const EstimateQuality& q : estimate)
     text += fmt::format(
         "  {:<12}{:<16}{:.3g} of the error of the lower row, {:.3g} of that of b; h^{:.2f}\n",

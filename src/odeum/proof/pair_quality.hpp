@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/proof/embedded_check.hpp"
 #include "odeum/tableau/dynamic_tableau.hpp"
 
@@ -17,16 +17,17 @@ double error_norm(const DynamicTableau<double>& tableau, const std::vector<doubl
 /// Quality measures of a method or a pair besides the orders (Prince, Dormand, J. Comput. Appl.
 /// Math. 7 (1981) 67-75). The lower row is the one of less order, of order q - 1.
 struct PairQuality {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  double a = nan,
-         a_hat = nan;  ///< principal error norms of b and b_hat; b_hat's NaN without a pair
-  double b = nan;      ///< of the lower row, A(q+1) / A(q): small, its leading term leads
-  double c = nan;      ///< |tau(q+1) of the rows' difference| / A(q) of the lower row
-  double d = 0;        ///< the largest coefficient
-  double e = nan;      ///< A(q+1) of the higher row / A(q) of the lower one
+  /// The principal error norms A of b and b_hat; that of b_hat is NaN without a pair.
+  double principal_error = nan, embedded_principal_error = nan;
+  /// B, of the lower row: A(q+1) / A(q). Its leading error term dominates where B is small.
+  double next_term_ratio = nan;
+  /// C: |tau(q+1) of the rows' difference| / A(q) of the lower row.
+  double difference_ratio = nan;
+  double largest_coefficient = 0;  ///< D
+  double rows_ratio = nan;         ///< E: A(q+1) of the higher row / A(q) of the lower one
   /// A(q) of the lower row beside the whole term h^q of the solution, whose coefficients are
   /// 1 / (gamma sigma).
-  double of_term = nan;
+  double solution_term_ratio = nan;
   std::vector<EstimateQuality> estimate;  ///< measured; empty without a pair
 
   /// What is unusual in these numbers, a sentence each.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/linear/eigenvalues.hpp"
 #include "odeum/proof/test_problems.hpp"
 #include "odeum/tableau/character.hpp"
@@ -14,7 +14,6 @@ namespace odeum::proof {
 namespace {
 
 constexpr int points = 64;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 FunctionProblem dahlquist(std::complex<double> z) {
   FunctionProblem p;

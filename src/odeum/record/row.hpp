@@ -4,13 +4,14 @@
 #include <complex>
 #include <concepts>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
+
+#include "odeum/core/numbers.hpp"
 
 /// A row names its file and columns once; CSV, reader, store and tables follow from that:
 ///
@@ -30,31 +31,30 @@ namespace odeum::record {
 
 /// A value that follows from other members: written, never read back.
 template <class T>
-struct Derived {
+struct ComputedColumn {
   T value;
 };
 template <class T>
-Derived(T) -> Derived<T>;
+ComputedColumn(T) -> ComputedColumn<T>;
 
 /// A bool or an enumeration of two values as one of two words.
 template <class T>
-struct Words {
+struct PhraseColumn {
   T& value;
   const char *first, *second;
 };
 template <class T>
-Words(T&, const char*, const char*) -> Words<T>;
+PhraseColumn(T&, const char*, const char*) -> PhraseColumn<T>;
 
 /// Numbers that are in the store, without a column in the file.
 template <class T>
-struct Unlisted {
+struct StoredOnly {
   T& values;
 };
 template <class T>
-Unlisted(T&) -> Unlisted<T>;
+StoredOnly(T&) -> StoredOnly<T>;
 
-/// A number that is not known: not measured, or of a run that failed.
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using odeum::nan;
 
 using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
 struct Field {
@@ -116,15 +116,15 @@ struct Lister {
     value ? (*this)(column, *value) : add(column, nan);
   }
   template <class T>
-  void operator()(const char* column, const Words<T>& words) const {
+  void operator()(const char* column, const PhraseColumn<T>& words) const {
     add(column, std::string(static_cast<bool>(words.value) ? words.second : words.first));
   }
   template <class T>
-  void operator()(const char* column, const Derived<T>& value) const {
+  void operator()(const char* column, const ComputedColumn<T>& value) const {
     Lister{fields, unlisted, true}(column, value.value);
   }
   template <class T>
-  void operator()(const char* column, const Unlisted<T>& kept) const {
+  void operator()(const char* column, const StoredOnly<T>& kept) const {
     if (!unlisted) return;
     add(column, static_cast<std::uint64_t>(kept.values.size()));
     for (const auto value : kept.values) add(column, static_cast<double>(value));
@@ -164,15 +164,15 @@ struct Reader {
     value = std::isnan(found) ? std::nullopt : std::optional<T>(static_cast<T>(found));
   }
   template <class T>
-  void operator()(const char* column, const Words<T>& words) const {
+  void operator()(const char* column, const PhraseColumn<T>& words) const {
     const std::string text = source.next(column);
     if (text != words.first && text != words.second) throw BadField();
     words.value = static_cast<T>(text == words.second);
   }
   template <class T>
-  void operator()(const char*, const Derived<T>&) const {}
+  void operator()(const char*, const ComputedColumn<T>&) const {}
   template <class T>
-  void operator()(const char* column, const Unlisted<T>& kept) const {
+  void operator()(const char* column, const StoredOnly<T>& kept) const {
     if (!source.keeps_unlisted()) return;
     std::size_t count = 0;
     (*this)(column, count);

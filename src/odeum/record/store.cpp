@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "odeum/core/checksum.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 
@@ -53,11 +54,7 @@ std::string unescape(std::string_view text) {
   return plain;
 }
 
-std::string sum_of(std::string_view text) {
-  std::uint64_t sum = 0xcbf29ce484222325U;  // FNV-1a
-  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return fmt::format("{:016x}", sum);
-}
+std::string sum_of(std::string_view text) { return fmt::format("{:016x}", checksum(text)); }
 
 std::string line_of(const std::string& text) { return sum_of(text) + '\t' + text + '\n'; }
 
@@ -106,21 +103,22 @@ Store::Store(fs::path folder, std::uintmax_t most_bytes) : folder_(std::move(fol
   }
 }
 
-fs::path Store::file_of(const std::string& maker) const {
-  return folder_ / fmt::format("{}{}{}", sum_of(maker), sum_of("b" + maker), extension);
+fs::path Store::file_of(const std::string& dependencies) const {
+  return folder_ /
+         fmt::format("{}{}{}", sum_of(dependencies), sum_of("b" + dependencies), extension);
 }
 
-Store::Results& Store::results_of(const std::string& maker) {
-  const auto [place, is_new] = held_.try_emplace(maker);
+Store::Results& Store::results_of(const std::string& dependencies) {
+  const auto [place, is_new] = held_.try_emplace(dependencies);
   if (!is_new) return place->second;
-  const fs::path path = file_of(maker);
+  const fs::path path = file_of(dependencies);
   const std::string text = text_of_file(path).value_or("");
   std::string_view rest = text;
   bool first = true;
   for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
        rest.remove_prefix(end + 1)) {
     const auto line = checked(rest.substr(0, end));
-    if (first && (!line || *line != escape(maker))) return place->second;
+    if (first && (!line || *line != escape(dependencies))) return place->second;
     first = false;
     if (!line) continue;
     if (const std::size_t tab = line->find('\t'); tab != std::string_view::npos)
@@ -131,23 +129,24 @@ Store::Results& Store::results_of(const std::string& maker) {
   return place->second;
 }
 
-std::optional<std::string> Store::take(const std::string& maker, const std::string& key) {
+std::optional<std::string> Store::take(const std::string& dependencies, const std::string& key) {
   const std::lock_guard lock(mutex_);
-  const auto node = results_of(maker).extract(key);
+  const auto node = results_of(dependencies).extract(key);
   if (!node) return std::nullopt;
   ++taken_;
   return std::move(node.mapped());
 }
 
-void Store::add(const std::string& maker, const std::string& key, const std::string& result) {
+void Store::add(const std::string& dependencies, const std::string& key,
+                const std::string& result) {
   const std::string line = line_of(escape(key) + '\t' + escape(result));
   const std::lock_guard lock(mutex_);
   if (!problem_.empty()) return;
-  append(file_of(maker), maker, line);
+  append(file_of(dependencies), dependencies, line);
   if (problem_.empty()) ++added_;
 }
 
-void Store::append(const fs::path& path, const std::string& maker, const std::string& line) {
+void Store::append(const fs::path& path, const std::string& dependencies, const std::string& line) {
   const OpenFile file(
       ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
   struct stat before {};
@@ -157,7 +156,7 @@ void Store::append(const fs::path& path, const std::string& maker, const std::st
     return;
   }
   // After a line that was not written whole, a new one begins.
-  std::string text = before.st_size == 0 ? line_of(escape(maker)) + line : line;
+  std::string text = before.st_size == 0 ? line_of(escape(dependencies)) + line : line;
   if (before.st_size > 0) {
     std::ifstream in(path, std::ios::binary);
     in.seekg(-1, std::ios::end);

@@ -11,20 +11,20 @@
 namespace odeum::record {
 
 /// Results that runs of the program have measured, in a folder that they share. A file for each
-/// maker, a text that identifies all that its results depend on; in it a line for each result, with
-/// a sum by which damaged and incomplete lines are told. Nothing here ends a run: what cannot be
-/// read is not there, and what cannot be written is said by problem().
+/// text of dependencies, which identifies all that its results depend on; in it a line for each
+/// result, with a sum by which damaged and incomplete lines are told. Nothing here ends a run: what
+/// cannot be read is not there, and what cannot be written is said by problem().
 class Store {
  public:
   /// Makes the folder, and removes the files that were used least recently until the rest has at
   /// most `most_bytes`.
   explicit Store(std::filesystem::path folder, std::uintmax_t most_bytes = 1U << 30);
 
-  /// The result of a key, which is then no longer held in memory. Maker, key and result may have
-  /// any characters. Safe to call from several threads, as add is.
-  std::optional<std::string> take(const std::string& maker, const std::string& key);
+  /// The result of a key, which is then no longer held in memory. Dependencies, key and result may
+  /// have any characters. Safe to call from several threads, as add is.
+  std::optional<std::string> take(const std::string& dependencies, const std::string& key);
   /// Keeps a result, also for other runs that go on at the same time.
-  void add(const std::string& maker, const std::string& key, const std::string& result);
+  void add(const std::string& dependencies, const std::string& key, const std::string& result);
 
   std::size_t taken() const { return taken_; }
   std::size_t added() const { return added_; }
@@ -34,13 +34,14 @@ class Store {
 
  private:
   using Results = std::map<std::string, std::string>;
-  std::filesystem::path file_of(const std::string& maker) const;
-  Results& results_of(const std::string& maker);
-  void append(const std::filesystem::path& path, const std::string& maker, const std::string& line);
+  std::filesystem::path file_of(const std::string& dependencies) const;
+  Results& results_of(const std::string& dependencies);
+  void append(const std::filesystem::path& path, const std::string& dependencies,
+              const std::string& line);
 
   std::filesystem::path folder_;
   std::mutex mutex_;
-  std::map<std::string, Results> held_;  ///< by maker, once one was asked for
+  std::map<std::string, Results> held_;  ///< by dependencies, once a result was asked for
   std::size_t taken_ = 0, added_ = 0;
   std::string problem_;
 };

@@ -16,9 +16,7 @@ std::vector<std::string> component_names(const Case& c) {
 }
 
 void set_tolerance(Request& request, const Case& c, double relative) {
-  request.tolerance = relative;
-  request.absolute = c.thresholds;
-  for (double& each : request.absolute) each *= relative;
+  request.tolerance = c.tolerance.requested(relative);
 }
 
 }  // namespace odeum

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/request.hpp"
 #include "odeum/solvers/solver.hpp"
 
 namespace odeum {
@@ -78,10 +79,9 @@ struct Case {
   /// By component: its errors and its size are divided by this number; empty: by 1. The truth's
   /// floor is in the same units.
   std::vector<double> scale;
-  /// By component, or one for all: the size below which an error counts absolutely in a run to a
-  /// tolerance (core/tolerance.hpp), as a user of the problem would ask for it; empty: 1.
-  std::vector<double> thresholds;
-  double tolerance = 0;  ///< the relative one that its author asks for; 0: none
+  /// What its author asks for; a relative one of 0: none. Its thresholds hold for runs to other
+  /// relative tolerances too.
+  Tolerance tolerance = 0;
   std::function<double(const double* y)> energy;  ///< empty where the problem has none
   std::vector<Invariant> invariants;
   /// What a scheme gives after `steps` steps of h by a closed form of its own, for a few solvers of

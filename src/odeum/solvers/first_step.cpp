@@ -2,14 +2,12 @@
 #include "odeum/solvers/first_step.hpp"
 
 #include "odeum/control/adaptive.hpp"
-#include "odeum/problem/shared.hpp"
 
 namespace odeum {
 
 double first_step(GuardedView& problem, double t0, const std::vector<double>& y0, double horizon,
                   int order, const Tolerance& tolerance) {
-  const SharedOde viewed(problem.view(), nullptr);
-  return initial_step(Guarded(viewed, problem.guard()), t0, y0, horizon, order, tolerance);
+  return initial_step(problem, t0, y0, horizon, order, tolerance);
 }
 
 }  // namespace odeum

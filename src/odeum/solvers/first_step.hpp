@@ -3,7 +3,7 @@
 // Plain C++17, see ode_view.hpp.
 #include <vector>
 
-#include "odeum/core/guard.hpp"
+#include "odeum/core/guarded.hpp"
 
 namespace odeum {
 

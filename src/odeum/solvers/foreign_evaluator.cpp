@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <limits>
 #include <new>
 #include <utility>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/isolated/isolated_process.hpp"
 
 namespace odeum::foreign {
@@ -103,7 +103,7 @@ bool Evaluator::call(int function, double t, const double* in, std::size_t n_in,
     std::copy_n(memory_->in() + most_, n_out, out);
     return true;
   }
-  std::fill_n(out, n_out, std::numeric_limits<double>::quiet_NaN());
+  std::fill_n(out, n_out, nan);
   return false;
 }
 

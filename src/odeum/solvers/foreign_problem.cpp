@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/linear/dense_limit.hpp"
 
 namespace odeum::foreign {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool is_name(const std::string& name) {
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
@@ -82,7 +80,7 @@ Problem::Problem(const odeum_problem& description) : p_(description) {
                                   std::max<std::size_t>(most, 2));
 }
 
-bool Problem::has_jacobian() const {
+bool Problem::offers_jacobian() const {
   return (p_.jacobian || p_.banded_jacobian || p_.sparse_jacobian) &&
          p_.dimension <= dense_dimension_limit;
 }
@@ -108,13 +106,13 @@ int Problem::dense(double t, const double* y, double* j) const {
 int Problem::direct(int function, double t, const double* in, double* out) const {
   alive();
   switch (function) {
-    case rhs:
+    case f:
       return p_.rhs(p_.data, t, in, out);
-    case jacobian:
+    case f_y:
       return dense(t, in, out);
-    case time_derivative:
+    case f_t:
       return p_.time_derivative(p_.data, t, in, out);
-    case acceleration:
+    case second:
       return p_.acceleration(p_.data, t, in, in + p_.dimension / 2, out);
     case energy_of:
       return p_.energy(p_.data, in, out);
@@ -125,44 +123,31 @@ int Problem::direct(int function, double t, const double* in, double* out) const
 
 void Problem::evaluate(Function function, double t, const double* in, std::size_t n_in, double* out,
                        std::size_t n_out) const {
-  if (!inside())
+  if (!in_isolated_process())
     evaluator_->call(function, t, in, n_in, out, n_out);
   else if (direct(function, t, in, out) != 0)
     std::fill_n(out, n_out, nan);
 }
 
-OdeView Problem::view() const {
-  OdeView view;
-  view.problem = this;
-  view.dimension = p_.dimension;
-  view.rhs = [](const void* p, double t, const double* y, double* dydt) {
-    const auto& self = *static_cast<const Problem*>(p);
-    self.evaluate(rhs, t, y, self.p_.dimension, dydt, self.p_.dimension);
-  };
-  if (has_jacobian())
-    view.jacobian = [](const void* p, double t, const double* y, double* j) {
-      const auto& self = *static_cast<const Problem*>(p);
-      const std::size_t n = self.p_.dimension;
-      self.evaluate(jacobian, t, y, n, j, n * n);
-    };
-  if (p_.time_derivative)
-    view.time_derivative = [](const void* p, double t, const double* y, double* dfdt) {
-      const auto& self = *static_cast<const Problem*>(p);
-      self.evaluate(time_derivative, t, y, self.p_.dimension, dfdt, self.p_.dimension);
-    };
-  if (!p_.acceleration) return view;
-  view.degrees_of_freedom = p_.dimension / 2;
-  view.velocity_dependent = p_.velocity_dependent != 0;
-  view.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
-    const auto& self = *static_cast<const Problem*>(p);
-    const std::size_t m = self.p_.dimension / 2;
-    if (inside() && v == q + m) return self.evaluate(acceleration, t, q, 2 * m, a, m);
-    thread_local std::vector<double> y;
-    y.assign(q, q + m);
-    y.insert(y.end(), v, v + m);
-    self.evaluate(acceleration, t, y.data(), 2 * m, a, m);
-  };
-  return view;
+void Problem::rhs(double t, const double* y, double* dydt) const {
+  evaluate(f, t, y, size(), dydt, size());
+}
+
+void Problem::jacobian(double t, const double* y, double* j) const {
+  evaluate(f_y, t, y, size(), j, size() * size());
+}
+
+void Problem::time_derivative(double t, const double* y, double* dfdt) const {
+  evaluate(f_t, t, y, size(), dfdt, size());
+}
+
+void Problem::acceleration(double t, const double* q, const double* v, double* a) const {
+  const std::size_t m = size() / 2;
+  if (in_isolated_process() && v == q + m) return evaluate(second, t, q, 2 * m, a, m);
+  thread_local std::vector<double> y;
+  y.assign(q, q + m);
+  y.insert(y.end(), v, v + m);
+  evaluate(second, t, y.data(), 2 * m, a, m);
 }
 
 bool Problem::exact(double t, double* y) const {
@@ -190,10 +175,10 @@ std::string Problem::fault() const {
            std::all_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(size),
                        [](double x) { return std::isfinite(x); });
   };
-  if (!sound(rhs, n, p_.t0)) return say("rhs", p_.t0);
-  if (has_jacobian() && !sound(jacobian, n * n, p_.t0)) return say("the Jacobian", p_.t0);
-  if (p_.time_derivative && !sound(time_derivative, n, p_.t0)) return say("time_derivative", p_.t0);
-  if (p_.acceleration && !sound(acceleration, n / 2, p_.t0)) return say("acceleration", p_.t0);
+  if (!sound(f, n, p_.t0)) return say("rhs", p_.t0);
+  if (offers_jacobian() && !sound(f_y, n * n, p_.t0)) return say("the Jacobian", p_.t0);
+  if (p_.time_derivative && !sound(f_t, n, p_.t0)) return say("time_derivative", p_.t0);
+  if (p_.acceleration && !sound(second, n / 2, p_.t0)) return say("acceleration", p_.t0);
   if (p_.energy && !sound(energy_of, 1, p_.t0)) return say("energy", p_.t0);
   return p_.exact ? fault_of_exact() : std::string();
 }
@@ -212,8 +197,7 @@ std::string Problem::fault_of_exact() const {
   for (int k = 1; k <= 5; ++k) {
     const double t = p_.t0 + length * k / 6, d = 1e-6 * length;
     if (direct(exact_at, t, nullptr, y.data()) + direct(exact_at, t - d, nullptr, before.data()) +
-            direct(exact_at, t + d, nullptr, after.data()) +
-            direct(rhs, t, y.data(), slope.data()) !=
+            direct(exact_at, t + d, nullptr, after.data()) + direct(f, t, y.data(), slope.data()) !=
         0)
       return fmt::format("problem {}: exact or rhs fails at t = {}", p_.name, t);
     for (std::size_t i = 0; i < n; ++i) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "odeum/plugin.h"
-#include "odeum/problem/ode_view.hpp"
+#include "odeum/problem/capabilities.hpp"
 #include "odeum/solvers/foreign_evaluator.hpp"
 
 namespace odeum::foreign {
@@ -19,8 +19,18 @@ class Problem {
   Problem(const Problem&) = delete;
   Problem& operator=(const Problem&) = delete;
 
-  /// The problem behind function pointers; it must outlive the view.
-  OdeView view() const;
+  static constexpr std::size_t dimension = dynamic;
+  std::size_t size() const { return p_.dimension; }
+  static constexpr bool velocity_dependent = true;  // as far as the type knows
+  bool depends_on_velocity() const { return p_.velocity_dependent != 0; }
+  bool offers_jacobian() const;
+  bool offers_time_derivative() const { return p_.time_derivative != nullptr; }
+  bool offers_acceleration() const { return p_.acceleration != nullptr; }
+  void rhs(double t, const double* y, double* dydt) const;
+  void jacobian(double t, const double* y, double* j) const;
+  void time_derivative(double t, const double* y, double* dfdt) const;
+  void acceleration(double t, const double* q, const double* v, double* a) const;
+
   /// False where the solution is not known there.
   bool exact(double t, double* y) const;
   double energy(const double* y) const;
@@ -29,12 +39,11 @@ class Problem {
   std::string fault() const;
 
  private:
-  enum Function { rhs, jacobian, time_derivative, acceleration, energy_of, exact_at };
+  enum Function { f, f_y, f_t, second, energy_of, exact_at };
   int direct(int function, double t, const double* in, double* out) const;
   void evaluate(Function function, double t, const double* in, std::size_t n_in, double* out,
                 std::size_t n_out) const;
   int dense(double t, const double* y, double* j) const;
-  bool has_jacobian() const;
   std::string fault_of_exact() const;
 
   odeum_problem p_;
@@ -51,7 +60,7 @@ std::string cleaned(const char* text);
 std::string fault_of(const odeum_problem& problem);
 
 /// A problem of a plug-in or an FMU, and what is said of it.
-struct Given {
+struct ProblemCallbacks {
   odeum_problem functions{};
   std::shared_ptr<const void> keep_alive;  ///< what the functions need; may be null
   std::string id, title, equation, source;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,15 +11,20 @@
 namespace odeum {
 namespace {
 
-std::vector<LateLibrary>& libraries() {
-  static std::vector<LateLibrary> all;
+std::vector<RuntimeLibrary>& libraries() {
+  static std::vector<RuntimeLibrary> all;
   return all;
 }
 std::atomic<bool> closed = false;
 
+std::list<Case>& cases_of_user() {
+  static std::list<Case> cases;
+  return cases;
+}
+
 }  // namespace
 
-void add_late_library(LateLibrary library) {
+void add_runtime_library(RuntimeLibrary library) {
   if (closed) throw std::logic_error("a library was added after the cases had been built");
   const auto taken = [&](const LibraryInfo& info) {
     return info.name == library.info.name ||
@@ -26,13 +32,13 @@ void add_late_library(LateLibrary library) {
   };
   bool found = library.info.name == "odeum" ||
                std::any_of(built_in_libraries().begin(), built_in_libraries().end(), taken);
-  for (const LateLibrary& other : libraries()) found = found || taken(other.info);
+  for (const RuntimeLibrary& other : libraries()) found = found || taken(other.info);
   if (found)
-    throw LateError(fmt::format("there is a library of the name {} already", library.info.name));
+    throw LoadError(fmt::format("there is a library of the name {} already", library.info.name));
   libraries().push_back(std::move(library));
 }
 
-const std::vector<LateLibrary>& late_libraries() {
+const std::vector<RuntimeLibrary>& runtime_libraries() {
   closed = true;
   return libraries();
 }
@@ -40,10 +46,29 @@ const std::vector<LateLibrary>& late_libraries() {
 const std::vector<LibraryInfo>& all_libraries() {
   static const std::vector<LibraryInfo> all = [] {
     std::vector<LibraryInfo> list = built_in_libraries();
-    for (const LateLibrary& late : late_libraries()) list.push_back(late.info);
+    for (const RuntimeLibrary& each : runtime_libraries()) list.push_back(each.info);
     return list;
   }();
   return all;
+}
+
+std::vector<const Case*> user_cases() {
+  std::vector<const Case*> cases;
+  for (const Case& c : cases_of_user()) cases.push_back(&c);
+  return cases;
+}
+
+const Case& add_user_case(Case c) {
+  for (const Case& known : cases_of_user())
+    if (known.id == c.id) throw std::invalid_argument("a case named " + c.id + " exists");
+  return cases_of_user().emplace_back(std::move(c));
+}
+
+std::vector<const Case*> known_cases() {
+  std::vector<const Case*> cases;
+  for (const Case& c : all_cases()) cases.push_back(&c);
+  for (const Case& c : cases_of_user()) cases.push_back(&c);
+  return cases;
 }
 
 }  // namespace odeum

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <concepts>
+
 #include "odeum/problem/shared.hpp"
 #include "odeum/solvers/solver.hpp"
 
 namespace odeum {
+
+template <class P>
+concept Shared = std::derived_from<P, SharedOde>;
 
 /// A contest whose problem is of one of the shared types; P has to be one that the view offers.
 template <Shared P>

@@ -16,7 +16,7 @@ double foreseen_work(const std::vector<Cost>& coarser, const Request& next) {
   } else if (coarser.size() > 1) {
     const Cost& before = coarser[coarser.size() - 2];
     const double rate = std::log(last.work / before.work) / std::log(last.setting / before.setting);
-    growth = std::pow(1 / next.tolerance / last.setting, rate);
+    growth = std::pow(1 / next.tolerance.relative / last.setting, rate);
   }
   return 0.75 * growth * last.work;
 }

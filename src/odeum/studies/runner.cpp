@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::study {
 

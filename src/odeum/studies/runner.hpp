@@ -56,20 +56,20 @@ Row not_applicable(Row row, const std::string& reason) {
 }
 
 /// Where a run keeps results and takes those of earlier runs from, and what they depend on.
-struct Keeping {
+struct ResultCache {
   record::Store* store = nullptr;  ///< null: nowhere
   /// What any result of the run depends on: the whole program and all options.
-  std::string maker = {};
-  /// What a result of this case and solver depends on; empty: `maker` for them too.
-  std::function<std::string(const Case&, const SolverInfo&)> maker_of_pair = {};
+  std::string dependencies = {};
+  /// What a result of this case and solver depends on; empty: `dependencies` for them too.
+  std::function<std::string(const Case&, const SolverInfo&)> dependencies_of_pair = {};
 };
 
 /// Runs the tasks of a study: several at a time, with progress, and keeps their results, so that
 /// they need not be measured again, by a run that continues a killed one or by any later one.
 class Runner {
  public:
-  explicit Runner(unsigned jobs = 1, Keeping keeping = {})
-      : jobs_(jobs), keeping_(std::move(keeping)) {}
+  explicit Runner(unsigned jobs = 1, ResultCache cache = {})
+      : jobs_(jobs), cache_(std::move(cache)) {}
 
   /// Calls work(task), which returns a Result (record/rows.hpp), for each task and joins the
   /// results in the order of the tasks, so that they do not depend on the number of jobs. A task
@@ -96,28 +96,28 @@ class Runner {
   unsigned jobs() const { return jobs_; }
 
  private:
-  const std::string& maker_of(const auto&) const { return keeping_.maker; }
-  std::string maker_of(const Pair& pair) const {
-    return keeping_.maker_of_pair ? keeping_.maker_of_pair(*pair.c, pair.entrant->info)
-                                  : keeping_.maker;
+  const std::string& dependencies_of(const auto&) const { return cache_.dependencies; }
+  std::string dependencies_of(const Pair& pair) const {
+    return cache_.dependencies_of_pair ? cache_.dependencies_of_pair(*pair.c, pair.entrant->info)
+                                       : cache_.dependencies;
   }
 
   template <class Task, class Key, class Work>
   auto kept_or(const Task& task, Key&& key, Work&& work) const {
     using Result = decltype(work());
-    if (!keeping_.store) return work();
-    const std::string name = key(), maker = maker_of(task);
-    if (const auto kept = keeping_.store->take(maker, name))
+    if (!cache_.store) return work();
+    const std::string name = key(), dependencies = dependencies_of(task);
+    if (const auto kept = cache_.store->take(dependencies, name))
       return record::from_record<Result>(*kept);
     Result result = work();
     // An interrupted task has no result.
     if (interrupted) throw Interrupted();
-    keeping_.store->add(maker, name, record::to_record(result));
+    cache_.store->add(dependencies, name, record::to_record(result));
     return result;
   }
 
   unsigned jobs_;
-  Keeping keeping_;
+  ResultCache cache_;
 };
 
 }  // namespace odeum::study

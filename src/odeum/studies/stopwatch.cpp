@@ -14,12 +14,13 @@
 #include <limits>
 
 #include "odeum/core/machine.hpp"
+#include "odeum/core/numbers.hpp"
+#include "odeum/core/thread_time.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) {
@@ -79,12 +80,7 @@ double calibration_ns() {
   return least;
 }
 
-double thread_seconds() {
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec) +
-         apart_times.processor_s;
-}
+double thread_seconds() { return processor_seconds() + isolated_times.processor_s; }
 
 double Times::min() const { return ns.empty() ? nan : *std::min_element(ns.begin(), ns.end()); }
 
@@ -100,10 +96,10 @@ double time_call(const std::function<void()>& work, double guess_ns) {
   constexpr double shortest_ns = 20'000;
   const auto calls =
       static_cast<int>(std::clamp(std::ceil(shortest_ns / std::max(guess_ns, 1.0)), 1.0, 1000.0));
-  const double isolation = apart_times.isolation_ns;
+  const double isolation = isolated_times.isolation_ns;
   const auto start = Clock::now();
   for (int i = 0; i < calls; ++i) work();
-  return (since(start) - (apart_times.isolation_ns - isolation)) / calls;
+  return (since(start) - (isolated_times.isolation_ns - isolation)) / calls;
 }
 
 }  // namespace odeum::study

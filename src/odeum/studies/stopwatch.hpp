@@ -29,7 +29,7 @@ class Pinned {
 double calibration_ns();
 
 /// Seconds of processor time that the calling thread, and processes that it waited for (see
-/// core/apart_times.hpp), have used so far. Its quotient with wall time
+/// core/isolated_times.hpp), have used so far. Its quotient with wall time
 /// shows whether another program had the processor in between, which calibrations before and after
 /// do not.
 double thread_seconds();

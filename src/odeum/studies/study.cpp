@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "odeum/solvers/given_cases.hpp"
+#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::study {
 

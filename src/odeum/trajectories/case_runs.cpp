@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/record/csv.hpp"
 
 namespace odeum::trajectories {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 record::CsvRow row_of(const Case& c, const std::string& library, const std::string& solver) {
   return record::CsvRow().text(c.id).text(library).text(solver);

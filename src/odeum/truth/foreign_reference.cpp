@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "odeum/isolated/isolated_process.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 #include "odeum/problem/shared.hpp"
 
 namespace odeum::foreign {
@@ -36,7 +37,7 @@ class Widened {
   /// extrapolated Euler method has its order with any matrix.
   void jacobian(Real t, const Real* y, Real* j) {
     std::copy_n(y, y_.size(), y_.begin());
-    problem_.jacobian(static_cast<double>(t), y_.data(), j_.data());
+    jacobian_or_differences(problem_, static_cast<double>(t), y_.data(), j_.data());
     std::copy(j_.begin(), j_.end(), j);
   }
 
@@ -47,7 +48,7 @@ class Widened {
 
 }  // namespace
 
-std::optional<truth::Reference> reference_of(const Given& given, std::string& why) {
+std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std::string& why) {
   const odeum_problem& p = given.functions;
   const std::size_t n = p.dimension;
   if (n > most_unknowns) {
@@ -56,7 +57,7 @@ std::optional<truth::Reference> reference_of(const Given& given, std::string& wh
   }
   const std::vector<double> stops(p.stops, p.stops + p.stop_count);
   const Problem problem(p);
-  const auto widened = std::make_shared<Widened>(problem.view());
+  const auto widened = std::make_shared<Widened>(view_of(problem));
   truth::System system;
   system.states = n;
   system.t0 = p.t0;
@@ -68,7 +69,7 @@ std::optional<truth::Reference> reference_of(const Given& given, std::string& wh
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
   const std::size_t room = (stops.size() + 100) * (n + 3) * 32 + 4096;
-  const auto [ended, text] = text_apart(
+  const auto [ended, text] = text_isolated(
       [&] { return truth::to_text(truth::compute_reference(system, stops, given.scale)); }, room,
       most_seconds);
   std::optional<truth::Reference> reference;

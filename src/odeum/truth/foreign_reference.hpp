@@ -13,6 +13,6 @@ namespace odeum::foreign {
 /// extended precision over a right-hand side whose rounding is that of double, in a process of its
 /// own. Nothing, and `why`, where the problem is too large, or its code fails or takes longer than
 /// a minute.
-std::optional<truth::Reference> reference_of(const Given& given, std::string& why);
+std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std::string& why);
 
 }  // namespace odeum::foreign

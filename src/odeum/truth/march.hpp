@@ -26,7 +26,7 @@ struct Trial {
 /// zero has no relative error. One that has always been small is measured with the largest, but not
 /// by less than 1e-6 of that. `memory`: what remains of an earlier size after a step, down to 1e-4
 /// of the component's largest, `peaks`.
-inline void see(State& sizes, State& peaks, const State& y, Real memory) {
+inline void update_running_maxima(State& sizes, State& peaks, const State& y, Real memory) {
   Real largest = 0;
   for (std::size_t i = 0; i < y.size(); ++i) {
     peaks[i] = std::max(peaks[i], std::abs(y[i]));
@@ -109,7 +109,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
           Step&& step, Real memory = 1) {
   Run run;
   State y = system.y0, sizes(y.size(), 0), peaks(sizes), f(y.size());
-  see(sizes, peaks, y, memory);
+  update_running_maxima(sizes, peaks, y, memory);
   system.rhs(system.t0, y.data(), f.data());
   Real t = system.t0;
   const Real span = times.back() - t;
@@ -145,7 +145,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
         continue;
       }
       y = std::move(trial.y);
-      see(sizes, peaks, y, memory);
+      update_running_maxima(sizes, peaks, y, memory);
       t = last ? time : t + used;
       const Real next = used * std::clamp(factor, 0.2L, 3.0L);
       h = std::min(last ? std::max(h, next) : next, span / 50);

@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "odeum/core/tolerance.hpp"
+
 /// A mechanical scene: particles, springs, forces and contacts, in SI units. It is what a scene
 /// file is read into, what cases make, what a SceneProblem is compiled from, and what a physics
 /// engine, which takes bodies instead of a right-hand side, builds from.
@@ -96,10 +98,11 @@ struct Emitter {
 };
 
 struct SolverChoice {
-  std::string type;                       ///< a solver's id
-  std::string where;                      ///< `file:line:column: solver.type`, for messages
-  std::optional<double> step, tolerance;  ///< one of them; the tolerance relative
-  std::optional<double> absolute;         ///< tolerance; empty: the same number
+  std::string type;   ///< a solver's id
+  std::string where;  ///< `file:line:column: solver.type`, for messages
+  /// One of them.
+  std::optional<double> step;
+  std::optional<Tolerance> tolerance;
 };
 
 /// A coordinate that is drawn over time.

@@ -32,7 +32,8 @@ struct Structure {
 class SceneProblem {
  public:
   static constexpr std::size_t dimension = dynamic;
-  static constexpr bool velocity_dependent = true;  // as far as the type knows, see structure()
+  static constexpr bool velocity_dependent = true;  // as far as the type knows
+  bool depends_on_velocity() const { return !structure_.separable; }
 
   /// Throws std::invalid_argument for a spring end that is no particle, a mass that is not positive
   /// on a free particle, a velocity on a fixed one, or a velocity_matrix.
@@ -59,7 +60,8 @@ class SceneProblem {
   bool symmetric() const { return terms_.empty(); }
 
   /// See WithDamping; for springs that damp the whole relative velocity, and no other damping.
-  bool offers_damping() const { return symmetric() && !structure_.separable; }
+  bool offers_damp() const { return symmetric() && !structure_.separable; }
+  bool offers_undamped_acceleration() const { return offers_damp(); }
   void undamped_acceleration(double t, const double* q, double* a) const;
   std::uint64_t damp(double t, const double* q, double h, double* v, double relative) const;
 

@@ -33,8 +33,8 @@ SolverChoice read_solver(const Value& value) {
     if (v.node().kind != YamlNode::Kind::mapping)
       return void(choice.tolerance = v.number(Sign::positive));
     const Mapping both(v, {"relative", "absolute"});
-    choice.tolerance = both.at("relative").number(Sign::positive);
-    choice.absolute = both.at("absolute").number(Sign::positive);
+    const double relative = both.at("relative").number(Sign::positive);
+    choice.tolerance = Tolerance(relative, both.at("absolute").number(Sign::positive));
   });
   if (choice.step.has_value() == choice.tolerance.has_value())
     value.fail(choice.step ? "both settings" : "no setting",

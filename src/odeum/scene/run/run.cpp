@@ -40,7 +40,6 @@ class Clock {
     Request request;
     request.mode = setting_.mode;
     request.tolerance = setting_.tolerance;
-    request.absolute = setting_.absolute;
     request.over_stops = true;  // frames do not limit the steps
     request.budget = setting_.budget;
     request.budget.seconds = seconds_left;

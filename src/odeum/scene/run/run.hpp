@@ -15,10 +15,9 @@ namespace odeum::scene {
 
 struct RunSetting {
   Mode mode = Mode::fixed;
-  std::uint64_t steps = 0;            ///< fixed: of the whole run
-  double tolerance = 0;               ///< adaptive: relative
-  std::vector<double> absolute = {};  ///< as in Request, one for all
-  double until = 0;                   ///< s
+  std::uint64_t steps = 0;    ///< fixed: of the whole run
+  Tolerance tolerance = 0;    ///< adaptive: the absolute one is one for all
+  double until = 0;           ///< s
   double frame_interval = 0;  ///< s; at a fixed step frames are kept at the nearest whole step
   Budget budget = {};         ///< of the whole run
 };

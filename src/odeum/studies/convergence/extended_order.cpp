@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::study {
@@ -24,8 +25,7 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
   for (std::size_t stop = 0; stop < c.stops.size(); ++stop) {
     const Real* const y = states.data() + stop * problem.size();
     Real size = 0;
-    if (!problem.truth(c.stops[stop], exact.data()))
-      return {.error = std::numeric_limits<double>::quiet_NaN()};
+    if (!problem.truth(c.stops[stop], exact.data())) return {.error = nan};
     for (const std::size_t i : measured) {
       const Real unit = c.scale_of(i), error = (y[i] - exact[i]) / unit;
       squares += error * error;

@@ -60,7 +60,7 @@ void add_cost(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs
   fit.why = NoOrder::budget_ends;
   fit.reason += pair.mode == Mode::fixed
                     ? fmt::format("; {} steps take", next.steps)
-                    : fmt::format("; a tolerance of {:.0e} takes", next.tolerance);
+                    : fmt::format("; a tolerance of {:.0e} takes", next.tolerance.relative);
   fit.reason += fmt::format(" about {:.1g} evaluations, more than the budget", work / 0.75);
 }
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2;
 
 template <class Row>
@@ -43,7 +43,7 @@ ConvergenceRow make_row(const Pair& pair, const Request& request, const Outcome&
     row.steps = outcome.counters.steps;
     row.step =
         outcome.status == Status::ok && row.steps ? horizon / static_cast<double>(row.steps) : nan;
-    row.tolerance = request.tolerance;
+    row.tolerance = request.tolerance.relative;
   }
   row.error_max = row.error_rms = row.energy_error = nan;
   return row;
@@ -200,9 +200,9 @@ class PairRuns {
     else
       outcome = pair_.entrant->solve(request);
     if (outcome.status == Status::ok)
-      costs_.push_back(
-          {pair_.mode == Mode::fixed ? static_cast<double>(request.steps) : 1 / request.tolerance,
-           static_cast<double>(outcome.counters.work)});
+      costs_.push_back({pair_.mode == Mode::fixed ? static_cast<double>(request.steps)
+                                                  : 1 / request.tolerance.relative,
+                        static_cast<double>(outcome.counters.work)});
     return outcome;
   }
 
@@ -216,7 +216,7 @@ class PairRuns {
     judge_row(errors, row);
     row.judged = row.mode == Mode::fixed
                      ? judge::judge_fixed_answer(errors, judge_.scale())
-                     : judge::judge_answer(errors, amplification_, request.tolerance,
+                     : judge::judge_answer(errors, amplification_, request.tolerance.relative,
                                            static_cast<double>(row.steps), pair_.c->truth.floor,
                                            judge_.scale());
     for (const judge::StopError& e : errors) run.times.push_back(time_row(row, e));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/drift/drift.hpp"
 
@@ -55,7 +56,7 @@ double time_of_reaching(const std::vector<double>& times, const std::vector<doub
     const double share = std::log(limit / errors[k - 1]) / std::log(errors[k] / errors[k - 1]);
     return times[k - 1] + share * (times[k] - times[k - 1]);
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  return nan;
 }
 
 std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) {
@@ -67,7 +68,7 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
     HorizonRow row = blank;
     row.mode = request.mode;
     row.setting = request.mode == Mode::adaptive
-                      ? request.tolerance
+                      ? request.tolerance.relative
                       : (times.back() - c.t0) / static_cast<double>(request.steps);
     Outcome outcome = entrant.solve(request);
     // Times before a failure count: the horizon may lie there.

@@ -6,16 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/studies/foreseen.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double seconds) {
   std::vector<Request> requests;
   Request request;
@@ -66,8 +65,9 @@ std::string text_of_options(const Variant& options) {
 
 std::string absolute_of(const Request& request) {
   if (request.mode == Mode::fixed) return {};
-  if (request.absolute.empty()) return fmt::format("{:g}", request.tolerance);
-  return fmt::format("{:g}", fmt::join(request.absolute, " "));
+  const Tolerance& tolerance = request.tolerance;
+  if (tolerance.absolutes().empty()) return fmt::format("{:g}", tolerance.relative);
+  return fmt::format("{:g}", fmt::join(tolerance.absolutes(), " "));
 }
 
 TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request& request) {
@@ -75,7 +75,7 @@ TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request
                  .request = request,
                  .states = {},
                  .times = {}};
-  trial.row.setting = request.mode == Mode::adaptive ? request.tolerance
+  trial.row.setting = request.mode == Mode::adaptive ? request.tolerance.relative
                                                      : (request.stops.back() - stage.c.t0) /
                                                            static_cast<double>(request.steps);
   trial.row.absolute = absolute_of(request);
@@ -98,11 +98,12 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   const std::vector<judge::StopError> errors = stage.judge.errors(outcome);
   for (const judge::StopError& error : errors)
     trial.row.error = std::max(trial.row.error, error.error_max);
-  trial.row.judged = request.mode == Mode::fixed
-                         ? judge::judge_fixed_answer(errors, stage.judge.scale())
-                         : judge::judge_answer(errors, stage.amplification, request.tolerance,
-                                               static_cast<double>(outcome.counters.steps),
-                                               stage.floor, stage.judge.scale());
+  trial.row.judged =
+      request.mode == Mode::fixed
+          ? judge::judge_fixed_answer(errors, stage.judge.scale())
+          : judge::judge_answer(errors, stage.amplification, request.tolerance.relative,
+                                static_cast<double>(outcome.counters.steps), stage.floor,
+                                stage.judge.scale());
   if (trial.row.error <= stage.floor) trial.row.detail = "at the truth's floor";
   trial.states = std::move(outcome.states);
   return trial;
@@ -113,7 +114,7 @@ class Foreseen {
  public:
   void add(const TimedRun& run) {
     const double setting = run.request.mode == Mode::fixed ? static_cast<double>(run.request.steps)
-                                                           : 1 / run.request.tolerance;
+                                                           : 1 / run.request.tolerance.relative;
     work_.push_back({setting, static_cast<double>(run.row.counters.work)});
     ns_.push_back({setting, run.guarded_ns});
   }
@@ -138,7 +139,7 @@ void run_looser(const TimedCase& stage, TimedSolver& solver) {
     const TimedRun& coarsest = solver.trials.front();
     if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
     Request request = coarsest.request;
-    set_tolerance(request, stage.c, 10 * request.tolerance);
+    set_tolerance(request, stage.c, 10 * request.tolerance.relative);
     TimedRun looser = run_guarded(stage, *solver.entrant, request);
     solver.trials.insert(solver.trials.begin(), std::move(looser));
   }

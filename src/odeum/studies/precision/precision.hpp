@@ -47,7 +47,8 @@ struct PrecisionRow {
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail);
-    visit("setting_kind", record::Words{row.mode, "step", "tol"}), visit("setting", row.setting);
+    visit("setting_kind", record::PhraseColumn{row.mode, "step", "tol"}),
+        visit("setting", row.setting);
     visit("absolute_tolerance", row.absolute), visit("options", row.options);
     visit("jacobian", row.jacobian);
     visit("error", row.error), visit("wall_ns_min", row.wall_ns_min);
@@ -75,7 +76,7 @@ struct ToleranceRow {
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("requested", row.requested), visit("achieved", row.achieved);
-    visit("achieved_over_requested", record::Derived{row.achieved / row.requested});
+    visit("achieved_over_requested", record::ComputedColumn{row.achieved / row.requested});
     visit("answer", row.answer);
   }
 };
@@ -118,7 +119,8 @@ struct FastestRow {
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("error", row.error), visit("library", row.library);
-    visit("solver", row.solver), visit("setting_kind", record::Words{row.mode, "step", "tol"});
+    visit("solver", row.solver),
+        visit("setting_kind", record::PhraseColumn{row.mode, "step", "tol"});
     visit("setting", row.setting), visit("options", row.options);
     visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
   }

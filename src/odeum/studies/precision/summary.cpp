@@ -2,17 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <limits>
 #include <map>
 #include <string>
+
+#include "odeum/core/numbers.hpp"
 
 #include "odeum/studies/precision/precision.hpp"
 
 namespace odeum::study {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool timed(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
 

@@ -4,18 +4,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 
@@ -54,9 +53,9 @@ void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
 /// cannot be the fastest: guard and pointer cost up to 4.5 times an inlined right-hand side, and
 /// other programs may double a single time. Processor time without the guard's share is known
 /// better than that.
-constexpr double far_behind = 10, exactly_behind = 1.5, told_by_guarded = 2;
+constexpr double slow_factor = 10, exact_slow_factor = 1.5, guarded_time_factor = 2;
 
-void mark_far(std::vector<TimedSolver>& solvers) {
+void mark_slow_solvers(std::vector<TimedSolver>& solvers) {
   std::vector<std::pair<const TimedSolver*, TimedRun*>> trials;
   for (TimedSolver& solver : solvers)
     for (TimedRun& trial : solver.trials)
@@ -69,20 +68,22 @@ void mark_far(std::vector<TimedSolver>& solvers) {
     double& known = least.try_emplace(library, trial->guarded_ns).first->second;
     known = std::min(known, trial->guarded_ns);
     const bool exact = !solver->inlined && trial->measurable();
-    trial->far = exact ? trial->guarded_ns - 2 * trial->guard_ns() > exactly_behind * known
-                       : trial->guarded_ns > far_behind * known;
-    if (!exact || !trial->lightly_guarded() || trial->guarded_ns <= told_by_guarded * known)
+    trial->cannot_be_fastest =
+        exact ? trial->guarded_ns - 2 * trial->guard_ns() > exact_slow_factor * known
+              : trial->guarded_ns > slow_factor * known;
+    if (!exact || !trial->lightly_guarded() || trial->guarded_ns <= guarded_time_factor * known)
       continue;
     trial->row.right_hand_side = "guarded";
     trial->times.ns = {trial->guarded_ns};
   }
 }
 
-/// What is far behind, once each, and several at a time.
-void time_far(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
+/// Times each run that cannot be the fastest once, several at a time.
+void time_slow_solvers(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
   parallel_for(solvers.size(), jobs, [&](std::size_t i) {
     for (TimedRun& trial : solvers[i].trials)
-      if (trial.ok() && trial.far && !trial.guarded()) time_once(stage, solvers[i], trial);
+      if (trial.ok() && trial.cannot_be_fastest && !trial.guarded())
+        time_once(stage, solvers[i], trial);
   });
 }
 
@@ -90,14 +91,14 @@ void time_far(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigne
 
 void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds,
               unsigned jobs) {
-  mark_far(solvers);
-  time_far(stage, solvers, jobs);
+  mark_slow_solvers(solvers);
+  time_slow_solvers(stage, solvers, jobs);
   double once = 0;
   std::size_t most_settings = 0;
   for (const TimedSolver& solver : solvers) {
     most_settings = std::max(most_settings, solver.trials.size());
     for (const TimedRun& trial : solver.trials)
-      if (trial.ok() && !trial.far) once += std::max(trial.guarded_ns, 20'000.0);
+      if (trial.ok() && !trial.cannot_be_fastest) once += std::max(trial.guarded_ns, 20'000.0);
   }
   const auto rounds = static_cast<std::uint64_t>(
       std::clamp(seconds * 1e9 / std::max(once, 1.0), 2.0, double(most_repetitions)));
@@ -108,7 +109,7 @@ void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double 
         if (k >= solver.trials.size() || !solver.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         TimedRun& trial = solver.trials[k];
-        if (trial.failed || trial.far) continue;
+        if (trial.failed || trial.cannot_be_fastest) continue;
         // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, solver, trial);

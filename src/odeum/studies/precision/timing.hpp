@@ -18,9 +18,9 @@ struct TimedRun {
   PrecisionRow row;
   Request request;
   std::vector<double> states;
-  double guarded_ns = 0;  ///< processor time of the guarded run
-  bool far = false;       ///< see mark_far
-  bool failed = false;    ///< in a timed run: it has no time
+  double guarded_ns = 0;           ///< processor time of the guarded run
+  bool cannot_be_fastest = false;  ///< see mark_slow_solvers
+  bool failed = false;             ///< in a timed run: it has no time
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }

@@ -29,7 +29,7 @@ struct ProvenOrder {
     visit("order_low", row.fit.low), visit("order_high", row.fit.high);
     visit("points", row.fit.points), visit("verdict", row.fit.verdict);
     visit("reason", row.fit.reason);
-    visit("passes_as_next", record::Words{row.passes_as_next, "no", "yes"});
+    visit("passes_as_next", record::PhraseColumn{row.passes_as_next, "no", "yes"});
   }
 };
 
@@ -45,7 +45,7 @@ struct ProvenEstimate {
     visit("expected_exponent", row.quality.expected_exponent);
     visit("measured_exponent", row.quality.exponent);
     visit("ratio_to_true_error", row.quality.ratio), visit("margin", row.quality.margin);
-    visit("verdict", record::Derived{row.quality.good() ? "good" : "bad"});
+    visit("verdict", record::ComputedColumn{row.quality.good() ? "good" : "bad"});
   }
 };
 
@@ -57,10 +57,10 @@ struct MutantRow {
   static void each(auto& row, auto&& visit) {
     auto& m = row.mutant;
     visit("solver", m.method), visit("kind", m.kind), visit("change", m.change);
-    visit("size", m.size), visit("counts", record::Derived{counts(m) ? "yes" : "no"});
-    visit("verdict", record::Derived{m.caught()     ? "caught"
-                                     : m.survived() ? "survived"
-                                                    : "equivalent"});
+    visit("size", m.size), visit("counts", record::ComputedColumn{counts(m) ? "yes" : "no"});
+    visit("verdict", record::ComputedColumn{m.caught()     ? "caught"
+                                            : m.survived() ? "survived"
+                                                           : "equivalent"});
     visit("caught_by", m.caught_by), visit("reason", m.equivalent);
   }
 };
@@ -104,8 +104,8 @@ struct ProofRow {
     visit("claimed_embedded", row.order_embedded), visit("conditions", row.conditions);
     visit("conditions_embedded", row.conditions_embedded);
     visit("failing_tree", row.failing_tree), visit("code_difference", row.code_difference);
-    visit("stability",
-          record::Derived{row.has_stability_class() ? describe(row.stability) : std::string()});
+    visit("stability", record::ComputedColumn{row.has_stability_class() ? describe(row.stability)
+                                                                        : std::string()});
     visit("stability_angle", row.stability.angle);
     visit("at_infinity", row.stability.at_infinity);
     visit("stability_difference", row.stability_difference);
@@ -114,7 +114,7 @@ struct ProofRow {
     visit("energy_periods", row.energy_periods), visit("energy_first", row.energy_first);
     visit("energy_last", row.energy_last), visit("estimates_well", row.estimates_well);
     visit("mutants", row.mutants), visit("caught", row.caught), visit("equivalent", row.equivalent);
-    visit("survived", record::Derived{row.survived()});
+    visit("survived", record::ComputedColumn{row.survived()});
     visit("smallest_caught", row.smallest_caught), visit("needs", row.needs);
   }
 };

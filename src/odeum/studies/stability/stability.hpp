@@ -58,8 +58,8 @@ struct StabilityRegion {
     visit("status", row.status), visit("detail", row.detail), visit("columns", row.columns);
     visit("rows", row.rows), visit("first_low", row.first_low);
     visit("first_high", row.first_high), visit("second_low", row.second_low);
-    visit("second_high", row.second_high), visit("growth", record::Unlisted{row.growth});
-    visit("file", record::Derived{row.growth_file()});
+    visit("second_high", row.second_high), visit("growth", record::StoredOnly{row.growth});
+    visit("file", record::ComputedColumn{row.growth_file()});
   }
 };
 
