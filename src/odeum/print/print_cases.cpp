@@ -103,6 +103,7 @@ class CasesPrinter : CaseKeys {
     text_ += fmt::format("Case make_{}([[maybe_unused]] const Values& values) {{\n", id);
     print_values(id);
     line("Case c;\n  c.id = \"{}\";\n  c.t0 = {};", id, static_cast<double>(problem_.t0));
+    print_tolerance();
     for (const Member& each : members)
       if (const YamlNode* const value = find(each.key)) print_member(each, *value);
     if (!find("title")) line("c.title = {};", raw_text(problem_.name.empty() ? id : problem_.name));
@@ -115,7 +116,6 @@ class CasesPrinter : CaseKeys {
     for (const Id y : problem_.start) start.push_back(names_.name(y, in_double));
     line("c.y0 = {{{}}};", fmt::join(start, ", "));
     if (!problem_.scale.empty()) line("c.scale = {{{}}};", fmt::join(problem_.scale, ", "));
-    print_tolerance();
     print_truth(id, item.key_place);
     print_invariants();
     line("set_stage(c, problem);\n  return c;\n}}");
