@@ -96,7 +96,7 @@ class Parser {
     return this.take('(') ? this.call(token.name) : token;
   }
   call(name) {
-    if (!functions[name] && !aggregates[name]) this.fail(`there is no function ${name}`);
+    if (!Object.hasOwn(functions, name) && !Object.hasOwn(aggregates, name)) this.fail(`there is no function ${name}`);
     if (this.take(')')) return { call: name, arguments: [] };
     const first = this.expression();
     if (aggregates[name] && (this.take('of') || (name === 'count' && first.name && (this.peek().name === 'where' || this.peek().sign === ')')))) {

@@ -14,7 +14,7 @@ const browser = await Browser.open(chromium);
 await browser.size(1000, 900);
 for (const [name, [hash, view]] of Object.entries(pictures)) {
   await browser.go(`file://${view === 'regions' ? regions : folder}/index.html${hash}`);
-  await browser.until(`document.documentElement.dataset.drawn === 'all'`);
+  await browser.until(`document.documentElement.dataset.drawn === '${view}'`);
   const clip = await browser.run(`(() => { const b = document.querySelector('[data-view="${view}"] svg.plot').getBoundingClientRect(); return { x: b.x + scrollX, y: b.y + scrollY, width: b.width, height: b.height }; })()`);
   await browser.picture(`${out}/${name}.png`, clip);
   console.log(`${out}/${name}.png`);

@@ -36,7 +36,7 @@ TEST(PageData, ColumnsKeepNumbersAndTexts) {
 TEST(PageData, ScriptsHoldTheRowsOfTheFiles) {
   const test::MadeUp data = test::fabricate_small_report();
   test::Report report(data);
-  report.write({.quick = true});
+  report.write({.command_line = "odeum report", .quick = true});
   const auto facts = tests::unpacked(report.text("data/facts.js"));
   EXPECT_EQ(facts, report.json("page.json"));
   ASSERT_EQ(facts["cases"].size(), data.facts.cases.size());

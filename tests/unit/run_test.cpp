@@ -8,8 +8,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "odeum/truth/computed_truth.hpp"
-#include "support/catalogue.hpp"
 #include "support/page_data.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
@@ -22,6 +20,12 @@ class RunCommand : public testing::Test {
   Result run(const std::string& arguments) { return shell("odeum run " + arguments); }
   std::string out() const { return " --out " + folder_.path().string(); }
   std::string file(const std::string& name) const { return text_of(folder_.path() / name); }
+  nlohmann::json page(const std::string& in = "") const {
+    return json_of(folder_.path() / in / "page.json")["runs"];
+  }
+  std::vector<nlohmann::json> column(const std::string& table, const std::string& name) const {
+    return column_in(folder_.path(), table, name);
+  }
   TemporaryFolder folder_;
 };
 
@@ -51,16 +55,16 @@ TEST_F(RunCommand, ComparesSolversOnOnePage) {
           "midpoint --step 0.01 --every 0.1" +
           out());
   ASSERT_EQ(result.code, 0) << result.output;
-  const auto page = json_of(folder_.path() / "page.json")["runs"];
-  EXPECT_EQ(page["kind"], "case");
-  EXPECT_EQ(page["components"], nlohmann::json::array({"y", "u"}));
-  EXPECT_EQ(page["measured"], nlohmann::json::array({0, 1}));
+  const auto about = page();
+  EXPECT_EQ(about["kind"], "case");
+  EXPECT_EQ(about["components"], nlohmann::json::array({"y", "u"}));
+  EXPECT_EQ(about["measured"], nlohmann::json::array({0, 1}));
   for (const char* drawn : {"second_order", "energy", "exact_everywhere"})
-    EXPECT_EQ(page[drawn], true) << drawn;
-  EXPECT_EQ(column_in(folder_.path(), "runs", "solver"),
+    EXPECT_EQ(about[drawn], true) << drawn;
+  EXPECT_EQ(column("runs", "solver"),
             (std::vector<nlohmann::json>{"explicit_euler", "symplectic_euler", "midpoint"}));
-  EXPECT_EQ(column_in(folder_.path(), "runs", "steps"), std::vector<nlohmann::json>(3, 1000));
-  EXPECT_EQ(column_in(folder_.path(), "trajectory", "error").size(), 4 * 101U);
+  EXPECT_EQ(column("runs", "steps"), std::vector<nlohmann::json>(3, 1000));
+  EXPECT_EQ(column("trajectory", "error").size(), 4 * 101U);
   EXPECT_EQ(table_in(folder_.path(), "schemes")["rows"], 101) << "that of explicit Euler is known";
   const std::string csv = file("trajectory.csv");
   EXPECT_TRUE(csv.starts_with("schema,case,library,solver,time,y,u,energy,error\n"));
@@ -79,12 +83,12 @@ TEST_F(RunCommand, WritesOneFolderForEachSolverOfAScene) {
   for (const char* name : {"odeum_explicit_euler/replay.html", "odeum_midpoint/energy.csv",
                            "odeum_midpoint/trajectory.vtk.series"})
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / name)) << name;
-  EXPECT_EQ(column_in(folder_.path(), "runs", "replay"),
+  EXPECT_EQ(column("runs", "replay"),
             (std::vector<nlohmann::json>{"odeum_explicit_euler/replay.html",
                                          "odeum_midpoint/replay.html"}));
   for (const char* table : {"energies", "plotted"})
     EXPECT_GE(table_in(folder_.path(), table)["rows"], 4) << table;
-  EXPECT_EQ(json_of(folder_.path() / "page.json")["runs"]["kind"], "scene");
+  EXPECT_EQ(page()["kind"], "scene");
 }
 
 TEST_F(RunCommand, SaysWhatACourseFileLeavesOut) {
@@ -101,7 +105,7 @@ TEST_F(RunCommand, SaysWhatACourseFileLeavesOut) {
        {"scene      scene01\n", "duration   10 s: the scene gives none; --until sets another\n",
         "scene01.yml:5:31: particles[1].color: only a viewer needs it", "10000 steps to t = 10\n"})
     EXPECT_NE(result.output.find(sentence), std::string::npos) << sentence << result.output;
-  const auto plot = json_of(folder_.path() / "out/page.json")["runs"]["plot"];
+  const auto plot = page("out")["plot"];
   EXPECT_EQ(plot["particle"], 1);
   EXPECT_EQ(plot["coordinate"], "z");
   EXPECT_EQ(plot["range"], nlohmann::json::array({0.7, 1.2}));
@@ -132,28 +136,6 @@ double number_after(const std::string& text, const std::string& word) {
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + word.size()));
 }
 
-// Kepler's equation E - e sin E = t has the exact state: e = 0.3 is in no table.
-TEST(ComputedTruth, IsExact) {
-  const double e = 0.3;
-  const Case c = find_case("kepler_e06").with_values({e});
-  const std::vector<double> times{0.5, 2, 7, 11};
-  const Truth truth = cases::truth_at(c, times);
-  EXPECT_LT(truth.floor, 1e-15);
-  for (const double t : times) {
-    double anomaly = t;
-    for (int k = 0; k < 60; ++k)
-      anomaly -= (anomaly - e * std::sin(anomaly) - t) / (1 - e * std::cos(anomaly));
-    double y[4];
-    ASSERT_TRUE(truth.at(t, y)) << t;
-    // The initial velocity of the case is rounded: to t = 11 that moves the orbit by some 30
-    // roundings.
-    EXPECT_NEAR(y[0], std::cos(anomaly) - e, 1e-14) << t;
-    EXPECT_NEAR(y[1], std::sqrt(1 - e * e) * std::sin(anomaly), 1e-14) << t;
-  }
-  double y[4];
-  EXPECT_FALSE(truth.at(3, y)) << "a time that was not asked for";
-}
-
 TEST_F(RunCommand, ComputesATruthForOtherParametersAndTimes) {
   const auto error_of = [&](const std::string& arguments) {
     const Result result = run(arguments);
@@ -177,13 +159,11 @@ TEST_F(RunCommand, ComputesATruthForOtherParametersAndTimes) {
 // Of a body in a plane the page draws the path: four components of an equation of second order.
 TEST_F(RunCommand, TellsThePageOfABodyInAPlane) {
   ASSERT_EQ(run("kepler_e06 --solver rk4 --step 0.01" + out()).code, 0);
-  auto page = json_of(folder_.path() / "page.json")["runs"];
-  EXPECT_EQ(page["components"].size(), 4U);
-  EXPECT_EQ(page["second_order"], true);
+  EXPECT_EQ(page()["components"].size(), 4U);
+  EXPECT_EQ(page()["second_order"], true);
   ASSERT_EQ(run("lotka_volterra --solver rk4 --step 0.01" + out()).code, 0);
-  page = json_of(folder_.path() / "page.json")["runs"];
-  EXPECT_EQ(page["second_order"], false);
-  EXPECT_EQ(page["energy"], false);
+  EXPECT_EQ(page()["second_order"], false);
+  EXPECT_EQ(page()["energy"], false);
 }
 
 // At all outputs, so that the exact solution is a line and each output has its error.
@@ -202,68 +182,6 @@ TEST_F(RunCommand, PrintsNothingOfARunThatIsRefused) {
     EXPECT_EQ(result.output.find("case    "), std::string::npos) << result.output;
     EXPECT_EQ(result.output.find("set     "), std::string::npos) << result.output;
   }
-}
-
-// Every case that has parameters, with each of them a little changed, is a problem whose truth,
-// where there is one, a fine run confirms.
-TEST(CaseParameters, TheTruthFollows) {
-  std::size_t with = 0, confirmed = 0;
-  for (const Case& c : all_cases()) {
-    for (std::size_t p = 0; p < c.parameters.size(); ++p) {
-      ++with;
-      std::vector<double> values;
-      for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
-      values[p] = values[p] == 0 ? 0.1 : values[p] * 1.1;
-      const Case other = c.with_values(values);
-      const double end = c.t0 + (c.stops.front() - c.t0) / (c.has_tag("stiff") ? 1e3 : 2);
-      const Outcome outcome =
-          find_entrant(other, "odeum/verner98").solve(adaptive_request(1e-11, {end}));
-      ASSERT_EQ(outcome.status, Status::ok) << c.id << " " << c.parameters[p].name;
-      std::vector<double> exact(other.y0.size());
-      Truth truth = other.truth;
-      if (!truth.at(end, exact.data())) truth = cases::truth_at(other, {end});
-      if (!truth.at(end, exact.data())) continue;
-      ++confirmed;
-      for (std::size_t i = 0; i < exact.size(); ++i)
-        EXPECT_NEAR(outcome.states[i], exact[i], 1e-8 * (1 + std::abs(exact[i])))
-            << c.id << " " << c.parameters[p].name;
-    }
-  }
-  EXPECT_GE(with, 120U);
-  EXPECT_EQ(confirmed, with);
-}
-
-TEST(CaseParameters, TheirUsualValuesMakeTheCaseItself) {
-  for (const Case& c : all_cases()) {
-    if (c.parameters.empty()) continue;
-    std::vector<double> values;
-    for (const Parameter& parameter : c.parameters) values.push_back(parameter.value);
-    const Case same = c.with_values(values);
-    EXPECT_EQ(same.equation, c.equation);
-    EXPECT_EQ(same.y0, c.y0);
-    EXPECT_EQ(same.truth.source, c.truth.source);
-    EXPECT_EQ(component_names(c).size(), c.y0.size()) << c.id;
-  }
-}
-
-// Each scheme whose closed form a case has, against a run: to the rounding of 100 steps.
-TEST(CaseSchemes, AreWhatTheSolversDo) {
-  std::size_t compared = 0;
-  for (const Case& c : all_cases()) {
-    if (!c.scheme) continue;
-    for (const Entrant& entrant : c.entrants) {
-      std::vector<double> y(c.y0.size());
-      const double end = c.stops.front(), h = (end - c.t0) / 100;
-      if (!entrant.unfit.empty() || !c.scheme(entrant.info.id(), h, 100, y.data())) continue;
-      const Outcome outcome = entrant.solve(fixed_request(100, {end}));
-      ASSERT_EQ(outcome.status, Status::ok);
-      for (std::size_t i = 0; i < y.size(); ++i)
-        EXPECT_NEAR(outcome.states[i], y[i], 1e-12 * (1 + std::abs(y[i])))
-            << entrant.info.id() << " on " << c.id;
-      ++compared;
-    }
-  }
-  EXPECT_GE(compared, 25U);
 }
 
 // 501 steps at 0.01 s of output and 43 at 0.5 s were those of a run that ended a step at each.

@@ -66,8 +66,7 @@ void add_run(CLI::App& app, int& result) {
                    "time between outputs; it does not change the steps of own solvers")
       ->type_name("DT");
   command
-      ->add_option("--out", options->out,
-                   "folder for the files: comparison.html, trajectory.csv, ...")
+      ->add_option("--out", options->out, "folder for the files: index.html, trajectory.csv, ...")
       ->type_name("DIR");
   command->add_flag("--verbose", options->verbose,
                     "name every solver that fits a scene or problem file, and that does not");

@@ -58,7 +58,7 @@
   };
   blocks.cases_left_out = async (host) => {
     const ids = new Set((await rowsOf('orders')).column('case')), others = facts.cases.filter((c) => !ids.has(c.id));
-    if (others.length) host.append(html('p', { class: 'dim' }, 'Not tried in this report: ', listed(others.map((c) => caseLink(c))), '.'));
+    if (others.length) host.append(html('p', { class: 'dim' }, 'Without orders in this report: ', listed(others.map((c) => caseLink(c))), '.'));
   };
 
   blocks.not_built = (host) => {
@@ -80,20 +80,22 @@
   const contentsOf = ({ solvers }) => {
     const orders = d3.sort(new Set(solvers.map((s) => s.order).filter((order) => order !== null))), varies = solvers.some((s) => s.order === null);
     const text = orders.length > 1 ? `orders ${number(orders[0])} to ${number(orders.at(-1))}` : orders.length ? `order ${number(orders[0])}` : '';
-    return `${[...new Set(solvers.map((s) => s.family.replaceAll('_', ' ')))].join(', ')}; ${[text, varies ? 'variable order' : ''].filter(Boolean).join(' and ')}`;
+    return `${[...new Set(solvers.map((s) => s.family.replaceAll('_', ' ').replace(/ rk$/, ' RK')))].join(', ')}; ${[text, varies ? 'variable order' : ''].filter(Boolean).join(' and ')}`;
   };
 
+  // A level near the bottom has its text below itself.
+  const withRoom = (up, floor) => (floor > up.low && floor < up.high ? { ...up, low: Math.min(up.low, floor * (floor / up.high) ** 0.13) } : up);
   // A figure of each group of solvers with `charts`: [{title, x, label, slopes: with those of the claimed orders,
   // holds(row)}]; the axes are the same throughout. `y`: {column, label, most}.
   const showPanels = (host, c, rows, charts, y, floor) => {
     const drawn = rows.filter((row) => row[y.column] > 0 && row[y.column] <= y.most);
     if (!drawn.length) return host.append(html('p', { class: 'missing' }, 'Nothing to draw: no run of this case gave an error.'));
-    const up = rangeOf(drawn.map((row) => row[y.column]), 3), bySolver = d3.group(drawn, idOf), key = (s) => `${s.library}/${s.method}`;
+    const up = withRoom(rangeOf(drawn.map((row) => row[y.column]), 3), floor), bySolver = d3.group(drawn, idOf), key = (s) => `${s.library}/${s.method}`;
     const across = new Map(d3.groups(charts, (chart) => chart.x).map(([x, some]) => [x, rangeOf(drawn.filter((row) => some.some((chart) => chart.holds(row))).map((row) => row[x]), 1.3)]));
     const curvesOf = (panel, chart) => panel.solvers.flatMap((solver, k) => d3.groups(bySolver.get(key(solver)).filter(chart.holds), (row) => row.mode).map(([mode, some]) =>
       ({ name: `${key(solver)}${mode === 'fixed' ? '' : ', to a tolerance'}`, colour: `var(--s${k})`, shape: k, dashed: mode !== 'fixed', points: some.map((run) => ({ x: run[chart.x], y: run[y.column], run })) })));
     const tell = (chart) => (run, curve) => [curve.name, run.mode === 'fixed' ? `step ${number(run.step)}` : `tolerance ${number(run.tolerance)}`, `${y.label}: ${number(run[y.column])}`, run.rhs_evaluations ? plural(run.rhs_evaluations, 'evaluation') : ''].filter(Boolean);
-    const pick = (panel, chart) => (run) => { location.hash = addressOf('compare', { case: c.id, x: chart.x === 'step' ? 'step' : 'evaluations', show: panel.solvers.map((s) => `${key(s)}:${run.mode}`).join(',') }); };
+    const pick = (panel, chart) => (run) => { location.hash = addressOf('compare', { case: c.id, x: chart.x === 'step' ? 'step' : 'evaluations', show: panel.solvers.filter((s) => bySolver.get(key(s)).some((row) => row.mode === run.mode)).map((s) => `${key(s)}:${run.mode}`).join(',') }); };
     const pictureOf = (panel, chart) => {
       const picture = html('div', { class: 'picture' }), curves = curvesOf(panel, chart), x = across.get(chart.x);
       if (!curves.length || !x) return null;

@@ -40,25 +40,27 @@
     const best = frontOf(rows), peers = frontOf(rows.filter((row) => row.library !== 'odeum')), onFront = new Set(best);
     const clouds = d3.groups(rows, (row) => row.library).sort(([a], [b]) => facts.libraryNames.indexOf(b) - facts.libraryNames.indexOf(a)).flatMap(([library, some]) => d3.groups(some, (row) => onFront.has(row)).map(([front, part]) =>
       ({ name: library, colour: colourOf(library), shape: facts.libraryNames.indexOf(library) % 8, loose: true, faint: !front, points: part.map(pointOf) })));
-    plot(host, { height, nameless: true, description: `error against time of a solve, ${c.id}`, x: { ...rangeOf(rows.map((row) => row.wall_ns_min), 1.4), label: 'time of a solve (minimum)', text: duration }, y: { ...rangeOf(rows.map((row) => row.error), 3), label: 'largest error, absolute' },
-      levels: c.timed_floor > 0 ? [{ y: c.timed_floor, text: "the truth's own error", shaded: true }] : [],
+    // The floor's text stands below it.
+    const up = rangeOf(rows.map((row) => row.error), 3), floor = c.timed_floor, low = floor > up.low && floor < up.high ? Math.min(up.low, floor * (floor / up.high) ** 0.08) : up.low;
+    plot(host, { height, nameless: true, description: `error against time of a solve, ${c.id}`, x: { ...rangeOf(rows.map((row) => row.wall_ns_min), 1.4), label: 'time of a solve (minimum)', text: duration }, y: { ...up, low, label: 'largest error, absolute' },
+      levels: floor > 0 ? [{ y: floor, text: "the truth's own error", shaded: true }] : [],
       curves: [...clouds, ...[['peers', peers], ['all', best]].map(([name, points]) => ({ ...fronts[name], name: '', stairs: true, bare: true, points: points.map(pointOf) }))], tell, pick: pick(c) });
   };
 
-  // A diagram of each case, or of the one whose page this is.
-  blocks.speed = async (host, spec, context) => {
+  // A diagram of each case, or of the one whose page this is; its rows are loaded when it comes into view.
+  blocks.speed = (host, spec, context) => {
     checkKeys(spec, 'speed', []);
     const ids = new Set(facts.tableOf.get('precision')?.cases || []), cases = facts.cases.filter((c) => (context.caseId ? c.id === context.caseId : ids.has(c.id)));
-    const figures = html('div', { class: context.caseId ? 'single' : 'speeds' }), height = context.caseId ? 460 : 340, seen = new Set();
-    host.append(figures);
+    const figures = html('div', { class: context.caseId ? 'single' : 'speeds' }), height = context.caseId ? 460 : 340;
+    host.append(figures, legendOfSpeed(facts.libraryNames));
     for (const c of cases) {
       const picture = html('div', { class: 'picture' });
-      const rows = drawnOf(c, (await rowsOf('precision', c.id)).objects());
-      rows.forEach((row) => seen.add(row.library));
       const caption = context.caseId ? null : html('figcaption', {}, html('a', { href: addressOf('case', { id: c.id, part: 'precision' }) }, c.id), ` ${c.title}, t = ${number(c.end, 6)}`);
-      figures.append(html('figure', { class: 'speed' }, caption, rows.length ? picture : html('p', { class: 'missing' }, 'There is nothing to draw.')));
-      if (rows.length) whenSeen(picture, height, () => drawSpeed(picture, c, rows, height));
+      figures.append(html('figure', { class: 'speed' }, caption, picture));
+      whenSeen(picture, height, async () => {
+        const rows = drawnOf(c, (await rowsOf('precision', c.id)).objects());
+        if (rows.length) drawSpeed(picture, c, rows, height); else picture.replaceChildren(html('p', { class: 'missing' }, 'There is nothing to draw.'));
+      });
     }
-    if (seen.size) host.append(legendOfSpeed(facts.libraryNames.filter((name) => seen.has(name))));
   };
 }

@@ -15,7 +15,7 @@ blocks.axis_limits = async (host, spec) => {
       { text: `${differs ? 'differs: ' : ''}${number(row.difference, 2)}`, value: row.difference, class: differs ? 'lower' : 'dim' }];
   };
   const lineOf = ([solver, rows]) => ({ cells: [{ text: solver, node: linkOf('{library}/{solver}', solver) }, ...axes.flatMap(([axis]) => cellsOf(rows.find((row) => row.axis === axis)))] });
-  const above = html('tr', {}, html('th', {}), axes.map(([, text]) => html('th', { colspan: 3, scope: 'colgroup' }, text)));
+  const above = html('tr', {}, html('td', {}), axes.map(([, text]) => html('th', { colspan: 3, scope: 'colgroup' }, text)));
   const headings = [{ text: 'solver' }, ...axes.flatMap(() => [{ text: 'measured' }, { text: 'theory' }, { text: 'difference' }])];
   const rows = (await rowsOf('stability_limits')).objects();
   if (!rows.length) return emptyText(host, spec);

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// node expressions.mjs <d3.min.js>: what the page computes, without a browser: expressions, formats, data, series,
+// and that every expression of every study's page can be read.
+import { deflateSync } from 'node:zlib';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
+import vm from 'node:vm';
+
+const root = fileURLToPath(new URL('../..', import.meta.url)), read = (path) => readFileSync(join(root, path), 'utf8');
+const hold = (condition, text) => { if (!condition) throw new Error(text); };
+const same = (found, expected, text) => hold(Object.is(found, expected) || JSON.stringify(found) === JSON.stringify(expected), `${text}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
+const near = (found, expected, text) => hold(Math.abs(found - expected) <= 1e-9 * Math.max(1, Math.abs(expected)), `${text}: ${found}, expected ${expected}`);
+const errorOf = (work) => { try { work(); } catch (error) { return error.message; } return 'no error'; };
+
+// The scripts of the page share one scope.
+const context = vm.createContext({ atob, Blob, Response, DecompressionStream, Uint8Array, URLSearchParams, location: { hash: '' }, console });
+context.self = context;
+vm.runInContext(readFileSync(process.argv[2], 'utf8'), context);
+for (const name of ['dom', 'data', 'expression', 'chart', 'blocks', 'table', 'charts', 'address', 'words', 'fields']) vm.runInContext(read(`reports/viewer/${name}.js`), context);
+const page = (source) => vm.runInContext(source, context);
+const [Template, parse, formatted, Rows, takeFacts, rowsOf, specOf, columnOf, functions, blocks] = ['Template', 'parse', 'formatted', 'Rows', 'takeFacts', 'rowsOf', 'specOf', 'columnOf', 'functions', 'blocks'].map(page);
+
+const tableOf = (name, columns) => {
+  const names = Object.keys(columns), rows = new Rows(name, [], columns[names[0]].length, names);
+  for (const each of names) rows.columns.set(each, columns[each]);
+  return rows;
+};
+const runs = tableOf('runs', { library: ['odeum', 'odeum', 'gsl'], solver: ['rk4', 'heun', 'rk4'], error: [1e-3, NaN, 4e-3], steps: [10, 20, 40], ok: ['ok', 'failed', 'ok'] });
+const limits = tableOf('limits', { status: ['ok', 'differs', 'ok', 'ok'], limit: [2, 3, Infinity, NaN], solver: ['a', 'b', 'c', 'a'] });
+const tables = new Map([['runs', runs], ['limits', limits]]);
+const at = (source, i = 0, group = [i]) => new Template(`{${source}}`).bind(runs, tables).value(i, group);
+const shown = (template, i = 0, group = [i]) => new Template(template).bind(runs, tables).text(i, group);
+
+const checks = {
+  'operators bind as in mathematics'() {
+    for (const [source, value] of [['2 + 3 * 4', 14], ['(2 + 3) * 4', 20], ['2 - 3 - 4', -5], ['12 / 3 / 2', 2], ['-2 ^ 2', -4], ['2 ^ 3 ^ 2', 512], ['2 ^ -1', 0.5], ['1e-3 * 1e3', 1], ['.5 + 1.', 1.5], ['2 * -3', -6], ['1 + 1 == 2 and not 2 < 1', true], ['1 > 2 or 3 >= 3', true], ['1 != 1', false], ['not 1 == 2 and 1 == 1', true]])
+      same(at(source), value, source);
+  },
+  'a word beside == is a text unless it is a column'() {
+    same(at('library == odeum', 0), true, 'first row');
+    same(at('library == odeum', 2), false, 'third row');
+    same(at('solver != heun', 1), false, '!=');
+    same(at("library == 'odeum'"), true, 'quoted');
+    same(at('library == library', 2), true, 'a column');
+    same(at("library + '/' + solver", 2), 'gsl/rk4', 'texts are joined');
+  },
+  'functions'() {
+    same(at('if(steps > 15, many, 0)'.replace('many', "'many'"), 1), 'many', 'if');
+    same(at('max(3, 5)'), 5, 'max of two numbers');
+    same(at('abs(-2) + sqrt(9) + log10(1000) + log2(8) + floor(2.7) + round(2.5)'), 2 + 3 + 3 + 3 + 2 + 3, 'numbers');
+    same([at('known(error)', 0), at('known(error)', 1), at('finite(error)', 1)], [true, false, false], 'known');
+    same(at("starts(library, 'od')"), true, 'starts');
+    same([0.1, 0.3, 1.2, 5, -0.1, -0.3, -5, 0].map((size) => functions.shade(size, 0.2, 1, 4)), ['', 't1', 't2', 't3', '', 't-1', 't-3', ''], 'shade');
+    same([0, 1e-9, 1e-5, 1, NaN].map((x) => functions.grade(x, 'good', 1e-9, 'middle', 1e-2, 'bad')), ['good', 'good', 'middle', 'bad', ''], 'grade');
+    same([1 / 60, 1 / 240, 0.0125, 1, 0.03].map(functions.seconds), ['1/60 s', '1/240 s', '1/80 s', '1 s', '0.03 s'], 'seconds');
+  },
+  'aggregates of a cell, of a table, and how many'() {
+    const all = [0, 1, 2];
+    same(at('max(error)', 0, all), 4e-3, 'max leaves out what is not known');
+    near(at('mean(error)', 0, all), 2.5e-3, 'mean');
+    same([at('sum(steps)', 0, all), at('min(steps)', 0, all), at('median(steps)', 0, all), at('first(steps)', 0, all), at('last(steps)', 0, all)], [70, 10, 20, 10, 40], 'numbers');
+    same([at('count()', 0, all), at('distinct(solver)', 0, all), at('list(solver)', 0, all)], [3, 2, 'rk4, heun'], 'of texts');
+    same([at('any(error > 1)', 0, all), at('all(steps > 5)', 0, all)], [false, true], 'any and all');
+    same(at('max(limit of limits where status == differs)'), 3, 'of another table');
+    same(at('max(limit of limits)'), Infinity, 'infinity is known');
+    same([at('count(limits)'), at('count(limits where status == differs)'), at('distinct(solver of limits)')], [4, 1, 3], 'how many');
+    same(at('max(limit of limits where status == none)'), NaN, 'of no row');
+    same([...new Template('{max(limit of limits where limit < max(error of runs))}').tables()].sort(), ['limits', 'runs'], 'the tables that are read');
+  },
+  'what is wrong is said, with the text'() {
+    for (const [source, sentence] of [['1 +', 'ends too early'], ['(1', ') was expected'], ['1 2', 'more than one expression'], ['nothing(1)', 'there is no function nothing'], ['errors + 1', 'there is no column errors in runs: library, solver, error, steps, ok'], ['max(limit of none)', 'there are no rows none'], ['max(missing of limits)', 'there is no column missing in limits'], ['steps ; 1', '";" was not expected'], ['* 2', '* was not expected'], ['steps == ', 'ends too early'], ['constructor(1)', 'there is no']])
+      hold(errorOf(() => at(source)).includes(sentence), `${source}: ${errorOf(() => at(source))}`);
+    hold(errorOf(() => shown('{steps | .3q}')).includes('there is no format .3q'), 'a format that there is not');
+    hold(errorOf(() => specOf('rows: a\nnonsense')).includes('"nonsense" is no key: value'), 'a block');
+    hold(errorOf(() => specOf('  indented')).includes('stands under no key'), 'a list without a key');
+  },
+  'formats'() {
+    for (const [value, format, text] of [[0.5, '.3f', '0.500'], [-0.5, '.1f', '−0.5'], [-0.0001, '.2f', '0.00'], [12345.678, 'd', '12,346'], [1.5e-7, '.1e', '1.5e-7'], [0.123, '.0%', '12 %'], [0.01, '+.1%', '+1.0 %'], [-0.12, '+.1%', '−12.0 %'], [3, '+.2g', '+3'], [0.012345, '.3g', '0.0123'], [850, 'time', '850 ns'], [999.9, 'time', '1 µs'], [12340, 'time', '12.3 µs'], [4.56e6, 'time', '4.56 ms'], [2e9, 'time', '2 s'], [NaN, 'time', '–'], [NaN, '.2f', '–'], [Infinity, '.2f', '∞'], [-Infinity, 'd', '−∞'], ['text', '.2f', 'text'], [undefined, '', '']])
+      same(formatted(value, format), text, `${value} as ${format}`);
+    for (const [value, text] of [[0, '0'], [0.0125, '0.0125'], [3.14e-12, '3.14e-12'], [123456, '1.23e5'], [NaN, '–'], [null, '–'], [1000, '1000']]) same(page('number')(value), text, 'number');
+    same([page('plural')(1, 'case'), page('plural')(0, 'case'), page('plural')(1234, 'row')], ['1 case', '0 cases', '1,234 rows'], 'plural');
+    same(shown('{library}/{solver}, {steps | d} steps', 2), 'gsl/rk4, 40 steps', 'a template');
+    same(shown('steps | .1f', 1), '20.0', 'an expression alone');
+    same(page('csv')(['a', 'b'], [['x,"y"', NaN], ['', -Infinity]]), 'a,b\n"x,""y""",nan\n,-inf\n', 'CSV');
+  },
+  'a block is a list of keys'() {
+    same(specOf('rows: runs where ok == ok\ncolumns:\n  a = steps | d\n  solver\n\nsort: steps'), { rows: 'runs where ok == ok', columns: ['a = steps | d', 'solver'], sort: 'steps' }, 'keys');
+    same(columnOf('the steps = steps | d').heading, 'the steps', 'a heading');
+    same(columnOf('{library} | d').heading, 'library', 'a heading of its own');
+    same(columnOf('x == y').heading, 'x == y', '== is no heading');
+  },
+  'triangles are made of rows'() {
+    const [triangle] = page('trianglesOf')([{ x1: 0, y1: 1, x2: 2, y2: 3, x3: 4, y3: 5, u1: 6, u2: 7, u3: 8 }], 'u');
+    same(triangle, { x: [0, 2, 4], y: [1, 3, 5], values: [6, 7, 8] }, 'a triangle');
+  },
+  async 'rows arrive as they were handed over'() {
+    const send = (name, json) => page('self').odeumData.push([name, deflateSync(JSON.stringify(json)).toString('base64')]);
+    const entry = (name, columns, parts) => ({ name, file: `${name}.csv`, study: 's', columns, parts, rows: parts.reduce((all, part) => all + part.rows, 0) });
+    takeFacts({ cases: [{ id: 'a', tags: [] }, { id: 'b', tags: [] }], solvers: [{ library: 'odeum', method: 'rk4', family: 'explicit_rk' }], libraries: [], studies: [], documents: [],
+      tables: [entry('split', ['case', 'x'], [{ data: 'split-0', rows: 2, case: 'a' }, { data: 'split-1', rows: 1, case: 'b' }]), entry('none', ['x'], []), entry('drift', ['case', 'library', 'solver', 'status', 'detail', 'step', 'time', 'invariant', 'relative_error', 'value'], [{ data: 'drift', rows: 16 }])] });
+    send('split-0', { case: { words: ['a'], of: [0, 0] }, x: [1, null] });
+    send('split-1', { case: { words: ['b'], of: [0] }, x: ['-inf'] });
+    const rows = await rowsOf('split');
+    same(rows.column('case'), ['a', 'a', 'b'], 'texts');
+    same(rows.column('x').map(String), ['1', 'NaN', '-Infinity'], 'numbers that are none');
+    same((await rowsOf('split', 'b')).objects().map((row) => row.case), ['b'], 'of one case');
+    same((await rowsOf('none')).objects(), [], 'a table without rows');
+    same((await rowsOf('absent')).length, 0, 'a table that was not measured');
+    hold((await rowsOf('split')).has('x') && !(await rowsOf('split')).has('y'), 'columns');
+    // How an error grows: the last decade of time against the decade before.
+    const series = (id, power, status = 'ok') => [1, 10, 100, 1000].map((time) => ({ case: id, library: 'odeum', solver: 'rk4', status, detail: '', step: 0.1, time, invariant: 'energy', relative_error: 1e-5 * time ** power, value: 1 }));
+    const made = [...series('linear', 1), ...series('square', 2), ...series('bounded', 0), ...series('exact', 0).map((row) => ({ ...row, relative_error: 0 }))];
+    send('drift', Object.fromEntries(Object.keys(made[0]).map((key) => [key, typeof made[0][key] === 'string' ? { words: made.map((row) => row[key]), of: made.map((_, i) => i) } : made.map((row) => row[key])])));
+    vm.runInContext(read('src/odeum/studies/drift/view.js'), context);
+    const found = (await rowsOf('drift_series')).objects();
+    same(found.map((row) => row.case), ['linear', 'square', 'bounded', 'exact'], 'a row a series');
+    [1, 2, 0, 0].forEach((power, i) => near(found[i].power, power, `${found[i].case}: the power`));
+    same(found.map((row) => row.mark), ['−2↗', '1⇑', '−5', '0'], 'marks: a power of ten and how it grows');
+  },
+  'every expression of every page can be read'() {
+    const studies = join(root, 'src/odeum/studies');
+    let expressions = 0, pages = 0;
+    const folders = readdirSync(studies, { withFileTypes: true }).filter((entry) => entry.isDirectory()).map((entry) => join(studies, entry.name));
+    for (const folder of folders) if (existsSync(join(folder, 'view.js')) && !folder.endsWith('/drift')) vm.runInContext(readFileSync(join(folder, 'view.js'), 'utf8'), context);
+    const check = (source, where) => { const wrong = errorOf(() => new Template(source)); hold(wrong === 'no error', `${where}: ${wrong}`); ++expressions; };
+    for (const folder of folders) for (const file of readdirSync(folder).filter((name) => name.endsWith('.md') && name !== 'columns.md')) {
+      const where = join(folder, file).slice(studies.length + 1);
+      ++pages;
+      let rest = '';
+      for (const [k, part] of readFileSync(join(folder, file), 'utf8').split(/^```/m).entries()) {
+        if (k % 2 === 0) { rest += part; continue; }
+        const [kind] = part.split('\n', 1), spec = specOf(part.slice(kind.length + 1));
+        // Blocks of the page's own need its markdown reader or a browser; here are those of rows.
+        if (!['table', 'matrix', 'chart'].includes(kind.trim())) continue;
+        const [, condition] = /^[a-z_0-9]+\s+where\s+(.*)$/.exec(spec.rows) || [];
+        if (condition) { hold(errorOf(() => parse(condition)) === 'no error', `${where}: ${errorOf(() => parse(condition))}`); ++expressions; }
+        for (const key of ['columns', 'shade', 'tips', 'before']) for (const line of Array.isArray(spec[key]) ? spec[key] : []) check(columnOf(line).cell, where);
+        const axes = kind.trim() === 'chart' ? ['by', 'facet', 'tip'] : ['sort', 'group', 'one', 'row', 'column', 'order', 'heading', 'cell', 'shade', 'tip', 'keep'];
+        for (const key of axes) if (typeof spec[key] === 'string' && spec[key]) check(spec[key], where);
+        for (const key of ['x', 'y']) if (spec[key]) { const wrong = errorOf(() => page('axisOf')(spec[key])); hold(wrong === 'no error', `${where}: ${wrong}`); }
+      }
+      for (const [, code, source] of rest.matchAll(/(`[^`]*`)|\{([^{}]+)\}/g)) if (code === undefined) check(`{${source.replace(/^\?/, '')}}`, where);
+    }
+    console.log(`${expressions} expressions on ${pages} pages`);
+    hold(pages >= 5 && expressions > 100, 'pages of the studies');
+    hold(Object.keys(blocks).length >= 3, 'blocks');
+  },
+};
+
+for (const [name, check] of Object.entries(checks)) {
+  try {
+    await check();
+    console.log(`ok: ${name}`);
+  } catch (error) {
+    console.error(`${name}: ${error.message}`);
+    process.exitCode = 1;
+  }
+}
