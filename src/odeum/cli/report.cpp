@@ -124,10 +124,11 @@ void run(const Options& options) {
   for (const std::string& glob : options.cases) command += " --case '" + glob + "'";
   for (const std::string& glob : options.solvers) command += " --solver '" + glob + "'";
   if (store) report.manifest("results_of_earlier_runs", store->taken());
-  report.write(
+  remark_on_page(report.write(
       {.command_line = command,
        .quick = options.quick,
-       .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+       .seconds =
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}));
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));

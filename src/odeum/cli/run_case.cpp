@@ -181,7 +181,7 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   texts.facts.emplace_back("Setting", options.settings.step
                                           ? fmt::format("step {}", *options.settings.step)
                                           : "tolerance " + text_of_tolerance(runs.front().request));
-  trajectories::write_case_page(folder, c, runs, texts);
+  remark_on_page(trajectories::write_case_page(folder, c, runs, texts));
   std::string text;
   for (const char* file : {"solution.csv", "trajectory.csv", "steps.csv", "index.html"})
     text += fmt::format("file    {}\n", (folder.path() / file).string());

@@ -168,7 +168,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
   if (folder) {
     trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
     for (const std::string& line : model) texts.facts.emplace_back("", line);
-    trajectories::write_scene_page(*folder, scene, *whole, runs, texts);
+    remark_on_page(trajectories::write_scene_page(*folder, scene, *whole, runs, texts));
     print("files      {}\n", (folder->path() / "index.html").string());
   }
   return any_ok ? success : solver_failed;

@@ -96,6 +96,13 @@ void print(const std::string& text) {
 
 void remark(const std::string& text) { fmt::print(stderr, "{}\n", text); }
 
+void remark_on_page(bool written) {
+  if (written) return;
+  remark(
+      "there is no page: share/odeum, which holds its code and texts, stands neither beside the "
+      "program nor beside its folder");
+}
+
 void check_case_globs(const std::vector<std::string>& globs) {
   check_globs("case", globs, case_ids());
 }

@@ -44,6 +44,8 @@ class Stopped : public std::runtime_error {
 void print(const std::string& text);
 /// Prints a remark for people to stderr.
 void remark(const std::string& text);
+/// That a folder has data and no page, where `written` is false (report::Report::write).
+void remark_on_page(bool written);
 template <class First, class... More>
 void print(fmt::format_string<First, More...> format, First&& first, More&&... more) {
   print(fmt::format(format, std::forward<First>(first), std::forward<More>(more)...));

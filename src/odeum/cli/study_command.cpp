@@ -44,7 +44,8 @@ void show(const study::Study& study, const study::Options& options,
   for (const auto& other : study::make_studies())
     report.study(other->folder() == study.folder() ? study.facts() : other->facts());
   study.show(report);
-  report.write({.command_line = "odeum " + study.declaration().name, .quick = options.quick}, true);
+  remark_on_page(report.write(
+      {.command_line = "odeum " + study.declaration().name, .quick = options.quick}, true));
 }
 
 void run_study(study::Study& study, study::Options options, const StudyOptions& common) {

@@ -238,7 +238,7 @@ std::string Report::manifest_text(const RunFacts& run) const {
   return text_of(manifest, 2) + "\n";
 }
 
-void Report::write(const RunFacts& run, bool keep_earlier) {
+bool Report::write(const RunFacts& run, bool keep_earlier) {
   const std::string page = page_json(run, keep_earlier);
   folder_.write("data/facts.js", data_script("facts", page));
   folder_.write("page.json", page + "\n");
@@ -254,7 +254,9 @@ void Report::write(const RunFacts& run, bool keep_earlier) {
         table.value("rows", 0) > 0 && file.find('.') != std::string::npos)
       files.push_back(file);
   files.insert(files.end(), {"manifest.json", "page.json"});
+  if (!shared_folder()) return false;
   write_viewer(folder_, files);
+  return true;
 }
 
 }  // namespace odeum::report

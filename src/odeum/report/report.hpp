@@ -87,8 +87,9 @@ class Report {
   void manifest(const std::string& key, const nlohmann::ordered_json& value);
 
   /// Writes what was handed in; with `keep_earlier` beside what an earlier page.json in the folder
-  /// names of other studies, cases and solvers. Throws FileError.
-  void write(const RunFacts& run, bool keep_earlier = false);
+  /// names of other studies, cases and solvers. False where the page's own code is not beside the
+  /// program (report/shared_files.hpp), so that there are data and no page. Throws FileError.
+  bool write(const RunFacts& run, bool keep_earlier = false);
 
  private:
   static constexpr std::size_t most_rows_together = 5000;

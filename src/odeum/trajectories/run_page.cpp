@@ -101,7 +101,7 @@ nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts
           {"facts", facts}};
 }
 
-void write_case_page(const record::OutputFolder& folder, const Case& c,
+bool write_case_page(const record::OutputFolder& folder, const Case& c,
                      const std::vector<CaseRun>& runs, const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
   const ExactStates exact = exact_states(c, runs);
@@ -130,10 +130,10 @@ void write_case_page(const record::OutputFolder& folder, const Case& c,
   json["energy"] = static_cast<bool>(c.energy);
   json["exact_everywhere"] = exact.everywhere;
   page.fact("runs", json);
-  page.write({.command_line = "odeum run " + c.id});
+  return page.write({.command_line = "odeum run " + c.id});
 }
 
-void write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
+bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
                       const scene::SceneProblem& problem, const std::vector<SceneRun>& runs,
                       const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
@@ -170,7 +170,7 @@ void write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
     if (plot->y_range) json["plot"]["range"] = *plot->y_range;
   }
   page.fact("runs", json);
-  page.write({.command_line = "odeum run " + scene.name});
+  return page.write({.command_line = "odeum run " + scene.name});
 }
 
 }  // namespace odeum::trajectories

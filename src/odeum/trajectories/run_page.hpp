@@ -34,12 +34,12 @@ struct RunTexts {
 nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts);
 
 /// Writes the tables of the runs of a case (trajectory.csv, steps.csv, solution.csv, runs.csv) and
-/// their page. Throws FileError.
-void write_case_page(const record::OutputFolder& folder, const Case& c,
+/// their page; false where there is no page, see Report::write. Throws FileError.
+bool write_case_page(const record::OutputFolder& folder, const Case& c,
                      const std::vector<CaseRun>& runs, const RunTexts& texts);
 
 /// The page of the runs of a scene, whose files are written already; runs.csv is written here.
-void write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
+bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,
                       const scene::SceneProblem& problem, const std::vector<SceneRun>& runs,
                       const RunTexts& texts);
 
