@@ -58,6 +58,6 @@ blocks.chart = async (host, spec, context) => {
 // Draws in `host` once it comes near the window: a page may have hundreds of charts.
 const whenSeen = (host, height, draw) => {
   host.style.minHeight = `${height}px`;
-  const observer = new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting)) { observer.disconnect(); host.style.minHeight = ''; draw(); } }, { rootMargin: '800px' });
+  const observer = new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting)) { observer.disconnect(); host.style.minHeight = ''; draw(); } }, { rootMargin: '400px' });
   observer.observe(host);
 };

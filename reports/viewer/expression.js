@@ -181,7 +181,7 @@ const formatted = (value, format) => {
 class Template {
   constructor(text) {
     const single = !text.includes('{');
-    this.parts = (single ? ['', text, ''] : text.split(/\{([^{}]*)\}/)).map((part, k) => {
+    this.parts = (single ? ['', text, ''] : text.replace(/\s+/g, ' ').split(/\{([^{}]*)\}/)).map((part, k) => {
       if (k % 2 === 0) return part;
       const [, expression, format] = /^(.*?)(?:\|\s*([^|]*))?$/.exec(part);
       return { tree: parse(expression), format: (format || '').trim() };

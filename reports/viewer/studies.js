@@ -7,7 +7,8 @@ const loadView = (study) => {
   if (!scriptsRead.has(study.name)) scriptsRead.set(study.name, loadScript(study.script));
   return scriptsRead.get(study.name);
 };
-const pagesOf = () => facts.studies.flatMap((study) => study.pages.map((page) => ({ ...page, study })));
+// A study's own page first, then its others by name.
+const pagesOf = () => facts.studies.flatMap((study) => [...study.pages].sort((a, b) => (b.id === study.name) - (a.id === study.name)).map((page) => ({ ...page, study })));
 const titleOf = (text) => /^# (.*)$/m.exec(text)?.[1] || '';
 const measuredIn = (study) => facts.tables.some((table) => table.study === study.name && table.rows);
 
@@ -17,7 +18,7 @@ const originOf = (study) => {
   const problem = study.problem ? [html('p', { class: 'missing' }, `${study.problem}.`)] : [];
   if (!measuredIn(study)) return [...problem, html('p', {}, 'Not measured in this run: ', command, ' measures it, and this page shows it after a reload.')];
   if (!study.measured) return [...problem, html('p', {}, 'Not measured in this run: these are results of an earlier one, which the folder held.')];
-  return study.selection ? [...problem, html('p', {}, `To keep a report short, it runs a selection: ${study.selection}. `, command, ' runs every pair, and this page shows those after a reload.')] : problem;
+  return study.selection ? [...problem, html('p', {}, `${facts.run.command.startsWith('odeum report') ? 'To keep a report short, it runs' : 'This run was of'} a selection: ${study.selection}. `, command, ' runs every pair, and this page shows those after a reload.')] : problem;
 };
 
 const showStudy = async (host, choice) => {
@@ -31,7 +32,7 @@ const showStudy = async (host, choice) => {
 
 const showStudies = (host) => {
   const line = (page) => html('li', {}, html('a', { href: addressOf('study', { page: page.id }) }, titleOf(page.text)), ` ${page.id === page.study.name ? page.study.help : ''}`, measuredIn(page.study) ? '' : html('span', { class: 'dim' }, ' (not measured in this report)'));
-  host.append(html('p', { class: 'lead' }, 'What was measured, question by question.'), html('ul', { class: 'pages' }, pagesOf().map(line)),
+  host.append(html('p', { class: 'lead' }, 'What was measured, question by question.'), html('ul', { class: 'pages' }, pagesOf().filter((page) => page.id !== 'overview').map(line)),
     html('h2', {}, 'To read'), html('ul', { class: 'pages' }, facts.documents.map((name) => html('li', {}, html('a', { href: addressOf('document', { name }) }, name.replaceAll('-', ' '))))));
 };
 

@@ -84,7 +84,7 @@ const stableText = (c, solver, limit, z) => {
 
 // Times of a case that were disturbed, by the limits that the study has for a repetition.
 const disturbedText = (timed) => {
-  const row = timed.find((t) => t.repetitions > 0);
+  const row = timed.find((t) => t.repetitions > 0 && Number.isFinite(t.drift));
   if (!row || (Math.abs(row.drift) <= 0.05 && row.processor_share >= 0.95)) return '';
   const percent = (part) => `${Math.round(100 * part)} %`;
   const speed = `speed changed by ${percent(Math.abs(row.drift))}`;

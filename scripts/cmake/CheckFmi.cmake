@@ -34,7 +34,7 @@ if(count LESS 20)
   message(FATAL_ERROR "the report has ${count} points of precision for the FMU")
 endif()
 file(READ ${FOLDER}/report/page.json text)
-if(NOT text MATCHES "\"id\":\"oscillator3\"" OR NOT text MATCHES "\"name\":\"precision\"[^{]*\"parts\":.{\"data\":\"precision\"[^}]*}.,\"cases\":.\"oscillator3\"")
+if(NOT text MATCHES "\"id\":\"oscillator3\"" OR NOT text MATCHES "\"name\":\"precision\",\"file\"[^{]*\"parts\":.{\"data\":\"precision\"[^}]*}.,\"cases\":.\"oscillator3\"")
   message(FATAL_ERROR "page.json has no points of the FMU to draw")
 endif()
 # What is refused; reasons are tested in tests/adapter/fmi_test.cpp.

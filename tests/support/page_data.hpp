@@ -42,7 +42,8 @@ inline nlohmann::json json_of(const std::filesystem::path& file) {
 
 /// The entry of page.json for a table; null where there is none.
 inline nlohmann::json table_in(const std::filesystem::path& folder, const std::string& name) {
-  for (const auto& table : json_of(folder / "page.json")["tables"])
+  const nlohmann::json page = json_of(folder / "page.json");
+  for (const auto& table : page["tables"])
     if (table["name"] == name) return table;
   return nullptr;
 }
@@ -51,7 +52,8 @@ inline nlohmann::json table_in(const std::filesystem::path& folder, const std::s
 inline std::vector<nlohmann::json> column_in(const std::filesystem::path& folder,
                                              const std::string& name, const std::string& column) {
   std::vector<nlohmann::json> values;
-  for (const auto& part : table_in(folder, name).at("parts")) {
+  const nlohmann::json parts = table_in(folder, name).at("parts");
+  for (const auto& part : parts) {
     const auto all =
         unpacked(text_of(folder / "data" / (part["data"].get<std::string>() + ".js"))).at(column);
     if (all.is_array())

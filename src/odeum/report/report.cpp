@@ -249,7 +249,8 @@ bool Report::write(const RunFacts& run, bool keep_earlier) {
       folder_.write("viewer/view-" + study.name + ".js", view);
   folder_.write("manifest.json", manifest_text(run));
   std::vector<std::string> files;
-  for (const auto& table : ordered_json::parse(page)["tables"])
+  const ordered_json tables = ordered_json::parse(page)["tables"];
+  for (const auto& table : tables)
     if (const std::string file = table.value("file", "");
         table.value("rows", 0) > 0 && file.find('.') != std::string::npos)
       files.push_back(file);

@@ -37,7 +37,7 @@
 
   const cellOf = (counts, title) => {
     const all = total(counts), good = (counts.confirmed || 0) + (counts.higher || 0);
-    return all ? { text: `${good}/${all}`, node: [barOf(counts), html('b', {}, String(good)), `/${all}`], value: good / all, title: `${title}: ${wordsOf(counts)}` } : { text: '·', value: NaN, class: 'zero', title: `${title}: does not apply` };
+    return all ? { text: `${good}/${all}`, node: [barOf(counts), html('b', {}, String(good)), `/${all}`], value: good / all, title: `${title}: ${wordsOf(counts)}` } : { text: '·', value: NaN, class: 'zero', title: `${title}: ${counts.not_applicable ? 'does not apply' : 'not tried'}` };
   };
   const caseLink = (c, text, part) => html('a', { href: addressOf('case', { id: c.id, part }) }, text || c.id);
   const listed = (links) => links.flatMap((link, k) => (k ? [', ', link] : [link]));
@@ -48,7 +48,7 @@
     const groups = solverGroups(), tally = d3.rollup(rows.indices(null), (some) => Object.fromEntries(d3.rollup(some, (list) => list.length, (i) => verdictOf[i])), (i) => ids[i], (i) => functions.solver_group(libraries[i], solvers[i]));
     const countsOf = (id, name) => tally.get(id)?.get(name) || {};
     const measured = facts.cases.filter((c) => tally.has(c.id)), cloths = measured.filter((c) => c.tags.includes('cloth'));
-    const all = (name) => Object.fromEntries(judged.map((verdict) => [verdict, sum(measured.map((c) => countsOf(c.id, name)[verdict] || 0))]));
+    const all = (name) => Object.fromEntries(Object.keys(verdicts).map((verdict) => [verdict, sum(measured.map((c) => countsOf(c.id, name)[verdict] || 0))]));
     const own = groups.filter((group) => group.own).length;
     const kinds = html('tr', {}, html('th', {}), own ? html('th', { colspan: own }, 'Odeum, by family') : null, own < groups.length ? html('th', { colspan: groups.length - own }, 'peers, by library') : null);
     const lines = [{ class: 'all', cells: [{ text: 'all cases' }, ...groups.map((group) => cellOf(all(group.name), group.title))] },

@@ -52,7 +52,7 @@
     checkKeys(spec, 'speed', []);
     const ids = new Set(facts.tableOf.get('precision')?.cases || []), cases = facts.cases.filter((c) => (context.caseId ? c.id === context.caseId : ids.has(c.id)));
     const figures = html('div', { class: context.caseId ? 'single' : 'speeds' }), height = context.caseId ? 460 : 340;
-    host.append(figures, legendOfSpeed(facts.libraryNames));
+    host.append(...(context.caseId ? [figures, legendOfSpeed(facts.libraryNames)] : [legendOfSpeed(facts.libraryNames), figures]));
     for (const c of cases) {
       const picture = html('div', { class: 'picture' });
       const caption = context.caseId ? null : html('figcaption', {}, html('a', { href: addressOf('case', { id: c.id, part: 'precision' }) }, c.id), ` ${c.title}, t = ${number(c.end, 6)}`);

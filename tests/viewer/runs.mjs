@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, scene, path, types, field, fine)
+// as a reader would, from the disk, and fails on the first thing that does not hold.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { Browser } from '../../scripts/viewer/browser.mjs';
+
+const [chromium, folder] = process.argv.slice(2);
+const hold = (condition, text) => { if (!condition) throw new Error(text); };
+const browser = await Browser.open(chromium);
+const open = async (name) => {
+  await browser.go(`file://${folder}/${name}/index.html`);
+  await browser.until(`document.documentElement.dataset.drawn || document.documentElement.dataset.error`);
+  hold(await browser.run(`document.documentElement.dataset.error || ''`) === '', await browser.run(`document.documentElement.dataset.error`));
+};
+const all = (selector, of = 'e.textContent') => browser.run(`[...document.querySelectorAll(${JSON.stringify(selector)})].map((e) => ${of})`);
+const titles = () => all('.figures figcaption strong');
+const same = (found, expected, text) => hold(JSON.stringify(found) === JSON.stringify(expected), `${text}: ${JSON.stringify(found)}`);
+
+const checks = {
+  async 'a case: solvers beside the exact solution'() {
+    await open('case');
+    same(await titles(), ['y over time', 'u over time', 'State plane: u against y', 'Largest error over time', 'Energy, less that at the start'], 'figures');
+    same(await all('tbody tr th'), ['odeum/explicit_euler', 'odeum/midpoint'], 'a row a solver');
+    // In each figure but the error's the exact solution too.
+    const names = await all('.figures figure', `[...e.querySelectorAll('.legend li')].map((l) => l.textContent)`);
+    names.forEach((each, i) => { for (const name of ['odeum/explicit_euler', 'odeum/midpoint', ...(i === 3 ? [] : ['exact'])]) hold(each.includes(name), `figure ${i}: ${each}`); });
+    hold((await all('.figures path.curve')).length >= 14, 'lines');
+    hold((await all('nav.main a')).length === 0, 'views of a report, which this is not');
+  },
+  async 'a body in a plane: its path'() {
+    await open('path');
+    const shown = await titles();
+    same(shown.filter((title) => title.startsWith('Path')), ['Path: y against x'], 'the path');
+    hold(shown.includes('Steps taken over time'), `an adaptive run has its steps: ${shown}`);
+  },
+  async 'a scene: the plot of its file, energy, replays in step'() {
+    await open('scene');
+    hold((await titles()).length === 3, String(await titles()));
+    same(await all('iframe', `e.getAttribute('src')`), ['odeum_explicit_euler/replay.html', 'odeum_midpoint/replay.html'], 'replays');
+    hold((await all('input[aria-label="time of all replays"]')).length === 1, 'one time for all');
+  },
+  async 'types of an equation: regions, directions, the curve between them'() {
+    await open('types');
+    const picture = await all('svg.plot rect.type', `[e.getAttribute('class'), Number(e.getAttribute('y'))]`);
+    hold(picture.some(([name]) => name === 'type elliptic') && picture.some(([name]) => name === 'type hyperbolic'), 'both types');
+    // y > 0, elliptic, is above.
+    const mean = (name) => { const some = picture.filter(([each]) => each === name); return some.reduce((sum, [, y]) => sum + y, 0) / some.length; };
+    hold(mean('type elliptic') < mean('type hyperbolic'), 'the plane is upside down');
+    same((await all('svg circle.parabolic')).length, 25, 'points of the curve');
+    const strokes = (await all('path.directions', `e.getAttribute('d')`))[0];
+    hold(strokes.split('M').length > 300 && !strokes.includes('NaN'), 'directions');
+    same((await all('.legend li')).sort(), ['characteristic direction', 'elliptic', 'hyperbolic', 'parabolic'], 'the legend');
+    hold((await all('h1'))[0] === 'y*u_xx + u_yy = 0', 'the equation');
+  },
+  async 'a field: a triangle each, which tells its value'() {
+    await open('field');
+    same(await titles(), ['Solution u', 'Error at the nodes'], 'figures');
+    const triangles = await all('.figures figure:first-child .triangles path', `[e.getAttribute('fill'), e.textContent]`);
+    same(triangles.length, 512, 'triangles');
+    const values = triangles.map(([, text]) => Number(/: (\S+)$/.exec(text)[1]));
+    hold(values.every((value) => value >= 0 && value < 0.08) && Math.max(...values) > 0.07, 'values of -div grad u = 1 on the unit square');
+    const colours = new Map(triangles.map(([fill], i) => [values[i], fill]));
+    hold(new Set(colours.values()).size > 20 && colours.get(Math.min(...values)) !== colours.get(Math.max(...values)), 'colours');
+    hold((await all('.figures figure:first-child .scale rect')).length === 32, 'the scale');
+  },
+  async 'a mesh too fine to be drawn: words'() {
+    await open('fine');
+    hold((await all('.facts dd')).some((text) => text.includes('too many to draw')), 'it says so');
+    hold((await all('svg.plot')).length === 0, 'nothing is drawn');
+  },
+  async 'a picture is saved as a file that stands alone'() {
+    await open('types');
+    const text = await browser.run(`new Promise((resolve) => { const make = URL.createObjectURL; URL.createObjectURL = (blob) => { blob.text().then(resolve); return make.call(URL, blob); }; document.querySelector('button.download').click(); })`);
+    hold(text.startsWith('<svg') && text.includes('xmlns="http://www.w3.org/2000/svg"') && !text.includes('var(--') && /fill: ?rgb/.test(text), text.slice(0, 300));
+  },
+  async 'a telephone shows each without scrolling sideways, in both schemes'() {
+    for (const dark of [false, true]) for (const name of ['case', 'path', 'scene', 'types', 'field', 'fine']) {
+      await browser.size(390, 844, dark);
+      await open(name);
+      hold(await browser.run('document.documentElement.scrollWidth') <= 390, `${name}: wider than the screen`);
+    }
+    await browser.size(1280, 900);
+  },
+  async 'without scripts the page names its files'() {
+    const index = readFileSync(join(folder, 'case/index.html'), 'utf8');
+    for (const name of ['trajectory.csv', 'runs.csv', 'manifest.json']) hold(index.includes(`<a href="${name}">`), name);
+    hold(!index.includes('<a href="schemes">'), 'rows for the page alone are no file');
+  },
+};
+
+await browser.size(1280, 900);
+for (const [name, check] of Object.entries(checks)) {
+  try {
+    await check();
+    hold(!browser.complaints.length, browser.complaints.join('; '));
+    console.log(`ok: ${name}`);
+  } catch (error) {
+    console.error(`${name}: ${error.message}`);
+    process.exitCode = 1;
+    break;
+  }
+}
+await browser.close();
