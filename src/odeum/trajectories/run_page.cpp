@@ -45,7 +45,7 @@ RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status 
           .detail = detail,
           .setting_kind = fixed ? "step" : "tol",
           .setting = fixed ? (request.stops.back() - t0) / static_cast<double>(request.steps)
-                           : request.tolerance,
+                           : request.tolerance.relative,
           .counters = counters};
 }
 
