@@ -38,6 +38,8 @@ const follow = async () => {
     host.replaceChildren(html('p', { class: 'missing', role: 'alert' }, `This view could not be shown: ${error.message}.`));
   }
   if (mine !== turn) return;
+  // What scrolls can be reached by keys.
+  for (const box of main.querySelectorAll('.wide:not([tabindex]), pre:not([tabindex])')) box.tabIndex = 0;
   document.documentElement.dataset.drawn = view;
   const part = address.choice.part && document.getElementById(address.choice.part);
   if (part) part.scrollIntoView(); else window.scrollTo(0, 0);

@@ -25,6 +25,23 @@ const drawField = (host, triangles, label) => {
     svg('text', { x: size.right + 18 + bar, y: size.top + 10 }, number(high)), svg('text', { x: size.right + 18 + bar, y: size.bottom }, number(low))));
 };
 
+// The block `field`: pictures of fields on triangles.
+//   rows: with x1, y1, … y3 of the triangles' nodes
+//   values:        a list: heading = NAME, a picture each of the columns NAME1 to NAME3
+//   by: template   pictures of its own for each text
+blocks.field = async (host, spec, context) => {
+  checkKeys(spec, 'field', ['values', 'by']);
+  const { rows, indices, bound: [by] } = await prepare(spec, context, [spec.by ? new Template(spec.by) : null]);
+  if (!indices.length) return emptyText(host, spec);
+  const all = rows.objects(), figures = html('div', { class: 'figures' });
+  host.append(figures);
+  for (const [name, members] of grouped(indices, by ? by.text : () => '')) for (const { heading, cell } of spec.values.map(columnOf)) {
+    const title = name ? `${name}: ${heading}` : heading;
+    drawField(figureOf(figures, title), trianglesOf(members.map((i) => all[i]), cell.trim()), title);
+  }
+  return null;
+};
+
 const fieldFigures = async (host) => {
   const triangles = await rowsOf('triangles'), rows = triangles.objects();
   if (!rows.length) return;

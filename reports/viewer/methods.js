@@ -8,7 +8,7 @@ const methodList = (filter) => {
     const name = `${solver.library}: ${solver.family.replaceAll('_', ' ')}`;
     groups.set(name, [...(groups.get(name) || []), html('li', {}, html('a', { href: addressOf('methods', { solver: id }) }, solver.method))]);
   }
-  return groups.size ? [...groups].map(([name, list]) => html('div', {}, html('h3', {}, name), html('ul', { class: 'names' }, list))) : html('p', { class: 'missing' }, 'No method has such a name.');
+  return groups.size ? [...groups].map(([name, list]) => html('div', {}, html('h2', {}, name), html('ul', { class: 'names' }, list))) : html('p', { class: 'missing' }, 'No method has such a name.');
 };
 
 // One line a problem: its order there, the smallest error, the time, and how failed runs ended.
@@ -47,7 +47,7 @@ const showMethods = async (host, choice) => {
   host.replaceChildren(shown, html('details', { open: !solver }, html('summary', {}, `All ${plural(facts.solvers.length, 'method')}`), search, list));
   if (!solver) return;
   const body = html('tbody', {});
-  shown.replaceChildren(html('h3', {}, choice.solver), ...methodFacts(choice.solver, solver),
+  shown.replaceChildren(html('h2', {}, choice.solver), ...methodFacts(choice.solver, solver),
     html('div', { class: 'wide' }, html('table', { class: 'numbers words', 'data-numbers': 'method' }, html('thead', {}, html('tr', {}, ['problem', 'order', 'least error', 'time to 1e-6', 'runs that did not end, and why'].map((name) => html('th', {}, name)))), body)));
   const measured = measuredCases(), untried = facts.cases.length - measured.length;
   for (const c of measured) body.append(methodRow(c, await loadCase(c.id), choice.solver));

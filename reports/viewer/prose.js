@@ -52,8 +52,12 @@ const showProse = async (host, text, context = {}) => {
     if (!pending.length) return;
     const part = html('div', { class: 'prose' });
     part.innerHTML = markdown.render(pending.join('\n\n'));
-    for (const link of part.querySelectorAll('a[href]')) link.setAttribute('href', addressInReport(link.getAttribute('href')));
-    for (const table of part.querySelectorAll('table')) { table.classList.add('words'); table.replaceWith(html('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'table' }, table.cloneNode(true))); }
+    for (const link of part.querySelectorAll('a[href]')) {
+      const address = addressInReport(link.getAttribute('href'));
+      if (address === null) link.replaceWith(...link.childNodes); else link.setAttribute('href', address);
+    }
+    for (const head of part.querySelectorAll('th')) if (!head.textContent) head.replaceWith(html('td', {}));
+    for (const table of part.querySelectorAll('table')) { table.classList.add('words'); table.replaceWith(html('div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' }, table.cloneNode(true))); }
     host.append(part);
     pending = [];
   };
@@ -81,9 +85,11 @@ const showProse = async (host, text, context = {}) => {
   await Promise.all(waiting);
 };
 
-// A document's link to another document, or to a file of the repository, as it is reached from a report.
+// A document's link as it is reached from a report: to another document (a folder's documents are part of the one
+// of its name), to a file of the report, or to the web; null where the report does not hold what it names.
 const addressInReport = (href) => {
-  const name = /^(?:.*\/)?([a-z-]+)\.md(#.*)?$/.exec(href);
-  if (name && facts.documents.includes(name[1])) return addressOf('document', { name: name[1] });
-  return href;
+  const [, folder, name] = /^(?:\.\.?\/)*(?:([a-z-]+)\/)?([a-z-]+)\.md(?:#.*)?$/.exec(href) || [];
+  for (const document of [name, folder]) if (facts.documents.includes(document)) return addressOf('document', { name: document });
+  const held = href.startsWith('#') || href.startsWith('https://') || facts.tables.some((table) => table.file === href) || ['manifest.json', 'page.json'].includes(href);
+  return held ? href : null;
 };

@@ -47,7 +47,7 @@ const tableOf = (headings, lines, style = 'numbers', above = null) => {
   refresh();
   const search = lines.length > 15 ? html('label', { class: 'field filter' }, 'Filter ', html('input', { type: 'search', 'aria-label': 'filter the rows', oninput: (event) => { state.word = event.target.value; refresh(); } }), html('small', {}, ` ${plural(lines.length, 'row')}`)) : null;
   // A box that scrolls can be reached by keys.
-  const box = html('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'table' }, html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body));
+  const box = html('div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' }, html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body));
   new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting) && drawn < shown.length) append(4 * firstRows); }, { rootMargin: '400px' }).observe(more);
   return html('div', { class: 'table-host' }, search, box, more);
 };
@@ -116,7 +116,7 @@ blocks.matrix = async (host, spec, context) => {
   let columns = [...grouped(indices, columnOf_.text)];
   if (order) columns = d3.sort(columns, ([, members]) => order.value(members[0], members));
   else if (spec.column === 'case') { const at = new Map(facts.cases.map((c, k) => [c.id, k])); columns = d3.sort(columns, ([id]) => at.get(id) ?? Infinity); }
-  const headings = [{ text: spec.row ? '' : 'solver', class: 'corner' }, ...before.map((c) => ({ text: c.heading, class: 'claim' })),
+  const headings = [{ text: spec.row ? 'row' : 'solver', class: 'corner' }, ...before.map((c) => ({ text: c.heading, class: 'claim' })),
     ...columns.map(([name, members]) => (spec.column === 'case' ? { node: html('span', { class: 'turned' }, linkOf('case', name)), class: 'turned' } : { text: heading ? heading.text(members[0], members) : name }))];
   const lineOf = ([name, members]) => {
     const cells = grouped(members, columnOf_.text);

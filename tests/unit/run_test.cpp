@@ -65,7 +65,6 @@ TEST_F(RunCommand, ComparesSolversOnOnePage) {
             (std::vector<nlohmann::json>{"explicit_euler", "symplectic_euler", "midpoint"}));
   EXPECT_EQ(column("runs", "steps"), std::vector<nlohmann::json>(3, 1000));
   EXPECT_EQ(column("trajectory", "error").size(), 4 * 101U);
-  EXPECT_EQ(table_in(folder_.path(), "schemes")["rows"], 101) << "that of explicit Euler is known";
   const std::string csv = file("trajectory.csv");
   EXPECT_TRUE(csv.starts_with("schema,case,library,solver,time,y,u,energy,error\n"));
   EXPECT_EQ(count(csv, "\n1,damped_oscillator_undamped,odeum,midpoint,"), 101U);
@@ -154,6 +153,19 @@ TEST_F(RunCommand, ComputesATruthForOtherParametersAndTimes) {
   const Result lost = run("lorenz_kehlet_logg --until 60 --solver rk4 --step 0.001");
   EXPECT_NE(lost.output.find("no truth at t = 60"), std::string::npos) << lost.output;
   EXPECT_NE(lost.output.find("chaos"), std::string::npos) << lost.output;
+}
+
+TEST_F(RunCommand, TellsThePageTheClosedFormOfAScheme) {
+  ASSERT_EQ(run("dahlquist_real --solver explicit_euler --step 0.01 --every 0.1" + out()).code, 0);
+  const auto time = column("schemes", "time"), y = column("schemes", "y");
+  ASSERT_GE(y.size(), 10U);
+  const double lambda = std::log(y[1].get<double>() / y[0].get<double>()) /
+                        (time[1].get<double>() - time[0].get<double>());
+  // (1 + h lambda)^n: the same factor from each output to the next.
+  for (std::size_t i = 1; i < 10; ++i)
+    EXPECT_NEAR(y[i].get<double>() / y[i - 1].get<double>(),
+                std::exp(lambda * (time[i].get<double>() - time[i - 1].get<double>())), 1e-6);
+  EXPECT_EQ(table_in(folder_.path(), "runs")["rows"], 1);
 }
 
 // Of a body in a plane the page draws the path: four components of an equation of second order.

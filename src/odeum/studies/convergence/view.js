@@ -50,7 +50,7 @@
     const measured = facts.cases.filter((c) => tally.has(c.id)), cloths = measured.filter((c) => c.tags.includes('cloth'));
     const all = (name) => Object.fromEntries(Object.keys(verdicts).map((verdict) => [verdict, sum(measured.map((c) => countsOf(c.id, name)[verdict] || 0))]));
     const own = groups.filter((group) => group.own).length;
-    const kinds = html('tr', {}, html('th', {}), own ? html('th', { colspan: own }, 'Odeum, by family') : null, own < groups.length ? html('th', { colspan: groups.length - own }, 'peers, by library') : null);
+    const kinds = html('tr', {}, html('td', {}), own ? html('th', { colspan: own }, 'Odeum, by family') : null, own < groups.length ? html('th', { colspan: groups.length - own }, 'peers, by library') : null);
     const lines = [{ class: 'all', cells: [{ text: 'all cases' }, ...groups.map((group) => cellOf(all(group.name), group.title))] },
       ...measured.map((c) => ({ cells: [{ text: `${c.id} ${c.title}`, node: [caseLink(c), html('span', {}, c.title)] }, ...groups.map((group) => cellOf(countsOf(c.id, group.name), group.title))] }))];
     host.append(tableOf([{ text: 'case' }, ...groups.map((group) => ({ text: group.title, title: plural(group.ids.length, 'solver') }))], lines, 'overview', kinds));
