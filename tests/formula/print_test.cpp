@@ -66,7 +66,7 @@ TEST(PrintedCases, FollowTheirParameters) {
   text.view().rhs(&text, 0, y, expected);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(f[i], expected[i], 1e-15);
-    EXPECT_NEAR(c.y0[i], static_cast<double>(text.problem().y0[i]), 1e-16);
+    EXPECT_NEAR(c.y0[i], static_cast<double>(text.problem().y0[i]), 1e-15);
   }
   EXPECT_THROW(tests::find_case("kepler_e06").with_values({1.5}), std::invalid_argument);
 }
