@@ -65,6 +65,42 @@ TEST(Guard, GuardedProblemReadsZeroOnceTheBudgetIsSpent) {
   for (const double d : dydt) EXPECT_EQ(d, 0);
 }
 
+/// y' = y by its Taylor series, as q'' = q, and with a split that needs three products.
+struct Exponential {
+  static constexpr std::size_t dimension = 2;
+  static constexpr bool velocity_dependent = true;
+  void rhs(double, const double* y, double* f) const { f[0] = y[0], f[1] = y[1]; }
+  void jacobian(double, const double*, double* j) const { j[0] = j[3] = 1, j[1] = j[2] = 0; }
+  void taylor(double, const double* y, int order, double* c) const {
+    for (int k = 1; k <= order; ++k)
+      for (int i = 0; i < 2; ++i) c[2 * k + i] = (k == 1 ? y[i] : c[2 * k - 2 + i]) / k;
+  }
+  void acceleration(double, const double* q, const double*, double* a) const { a[0] = q[0]; }
+  std::uint64_t damp(double, const double*, double, double*, double) const { return 3; }
+};
+
+TEST(Guard, ACapabilityCostsWhatItsEntrySays) {
+  const Exponential problem;
+  for (const bool watched : {true, false}) {
+    Guard guard(2, Budget{.evaluations = 9, .watched = watched});
+    const Guarded<Exponential> guarded(problem, guard);
+    double y[] = {1, 2}, out[8] = {7, 7, 7, 7, 7, 7, 7, 7};
+    EXPECT_EQ(guarded.taylor(0.0, y, 3, out), 0);
+    EXPECT_EQ(out[7], 2.0 / 6);
+    EXPECT_EQ(guard.rhs_evaluations(), watched ? 3U : 0U);
+    EXPECT_EQ(guarded.acceleration(0.0, y, y + 1, out), 0);
+    EXPECT_EQ(guard.rhs_evaluations(), watched ? 4U : 0U);
+    guarded.jacobian(0.0, y, out);
+    EXPECT_EQ(guard.jacobian_evaluations(), 1U);
+    EXPECT_EQ(guarded.damp(0.0, y, 0.1, y + 1, 1e-9), 3U);
+    // Four evaluations and three products are spent: the third coefficient is one too many.
+    EXPECT_EQ(guarded.taylor(0.0, y, 3, out), watched ? 1 : 0);
+    EXPECT_EQ(guarded.tripped(), watched);
+    EXPECT_EQ(out[0], 1);
+    EXPECT_EQ(out[2], watched ? 0 : 1);
+  }
+}
+
 TEST(Guard, AllowsAsManyEvaluationsAsTheBudgetAndNoMore) {
   Guard guard(1, Budget{.evaluations = 3});
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(guard.admit()) << i;

@@ -100,6 +100,24 @@ TEST(Shared, ItsViewIsTheProblems) {
   EXPECT_EQ(view.time_derivative, nullptr);
 }
 
+// A guarded problem offers what its problem offers, and nothing else.
+static_assert(!WithJacobian<Guarded<Plain>> && !NonAutonomous<Guarded<Plain>>);
+static_assert(WithJacobian<Guarded<Forced>> && NonAutonomous<Guarded<Forced>>);
+static_assert(Separable<Guarded<Forced>> && !WithDamping<Guarded<Forced>>);
+static_assert(WithTaylorSeries<Guarded<SharedOde>> && !SecondOrder<Guarded<SharedOde>>);
+static_assert(SecondOrder<Guarded<SharedSecondOrder>> && !Separable<Guarded<SharedSecondOrder>>);
+
+TEST(Shared, OffersAreThoseOfTheProblem) {
+  const Forced forced;
+  const SharedSeparable problem(view_of(forced), nullptr);
+  Guard guard(2, {});
+  const Guarded<SharedSeparable> guarded(problem, guard);
+  EXPECT_TRUE(offers_jacobian(guarded) && offers_time_derivative(guarded));
+  EXPECT_TRUE(offers_acceleration(guarded));
+  EXPECT_FALSE(offers_taylor(guarded) || offers_damp(guarded) || offers_shifted_solver(guarded));
+  EXPECT_FALSE(offers_jacobian_times(guarded) || offers_linear_matrix(guarded));
+}
+
 template <class P>
 std::string unfit(P problem, const std::string& id) {
   Case c;
