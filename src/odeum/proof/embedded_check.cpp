@@ -11,8 +11,6 @@
 namespace odeum::proof {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TestProblem<FunctionProblem> quadrature() {
   TestProblem<FunctionProblem> g;
   g.id = "quadrature";

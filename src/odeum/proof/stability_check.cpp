@@ -14,7 +14,6 @@ namespace odeum::proof {
 namespace {
 
 constexpr int points = 64;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 FunctionProblem dahlquist(std::complex<double> z) {
   FunctionProblem p;

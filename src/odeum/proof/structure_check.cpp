@@ -12,7 +12,6 @@ namespace odeum::proof {
 namespace {
 
 using Vec4 = std::array<double, 4>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // q'' = -grad U, U = (q1^2 + q2^2)/2 + q1^2 q2 - q2^3/3 (Henon, Heiles 1964).
 FunctionMechanics<false> henon_heiles() {

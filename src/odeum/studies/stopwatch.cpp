@@ -15,11 +15,12 @@
 
 #include "odeum/core/machine.hpp"
 #include "odeum/isolated/isolated_times.hpp"
+#include "odeum/record/row.hpp"
 
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using record::nan;
 using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) {

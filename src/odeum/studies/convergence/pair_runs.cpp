@@ -12,7 +12,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using record::nan;
 constexpr double half_unit = std::numeric_limits<double>::epsilon() / 2;
 
 template <class Row>

@@ -183,7 +183,7 @@ std::string cloth_html(const Lookup& lookup, const std::vector<TimeRow>& times, 
   return html;
 }
 
-constexpr const char* text =
+constexpr const char* text_of_plots =
     "<p>Errors are absolute, root mean squares over components and stops; those beyond a hundred "
     "times the initial state are not drawn. Axes are the same throughout a case. Thin lines show "
     "the slopes of the claimed orders; dashed curves are runs to a tolerance, solid ones runs at a "
@@ -202,10 +202,11 @@ void add_plots(report::Page& page, const ConvergenceResult& result) {
     for (const Panel& panel : panels)
       if (!axes.error.empty()) figures += error_panel(lookup, c, axes, panel);
     if (figures.empty()) figures = "<p>Nothing to draw: no run of this case gave an error.</p>\n";
-    page.case_part(i, {.id = "plots",
-                       .title = "Error against step and cost",
-                       .place = 10,
-                       .html = text + ("<div class=\"panels\">\n" + figures) + "</div>\n"});
+    page.case_part(i,
+                   {.id = "plots",
+                    .title = "Error against step and cost",
+                    .place = 10,
+                    .html = text_of_plots + ("<div class=\"panels\">\n" + figures) + "</div>\n"});
     if (c.has_tag("cloth"))
       page.case_part(i, {.id = "time",
                          .title = "The cloth over time",

@@ -33,14 +33,14 @@ Ends ends_of(const std::vector<const DriftRow*>& rows, const std::string& quanti
 }
 
 // Blue: as good as exact; orange: nothing left.
-std::string colour_of(double error) {
+std::string colour_of_horizon(double error) {
   if (error <= 1e-9) return "t-2";
   if (error <= 1e-5) return "t-1";
   return error <= 1e-2 ? "" : error <= 0.5 ? "t1" : error <= 1 ? "t2" : "t3";
 }
 
 Cell number_cell(double error, const char* format) {
-  return {.text = fmt::format(fmt::runtime(format), error), .style = colour_of(std::abs(error))};
+  return {.text = fmt::format(fmt::runtime(format), error), .style = colour_of_horizon(std::abs(error))};
 }
 
 std::vector<Cell> oscillator_cells(const std::vector<const DriftRow*>& rows) {

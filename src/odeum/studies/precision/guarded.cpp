@@ -15,7 +15,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using record::nan;
 std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double seconds) {
   std::vector<Request> requests;
   Request request;

@@ -11,7 +11,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using record::nan;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool timed(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }

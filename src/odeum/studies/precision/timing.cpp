@@ -15,7 +15,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using record::nan;
 constexpr std::uint64_t most_repetitions = 15;
 constexpr double longest_repeated_ns = 2e7;
 

@@ -14,7 +14,7 @@ constexpr int width = 400;  // pixels: twice what is shown
 constexpr double levels[] = {0.25, 0.5, 0.75, 1.0000001, 1.25, 2};
 constexpr std::size_t edge_level = 3;  // index of the boundary
 // Beyond it growths are alike to every level; poles would else bend the lines beside them.
-constexpr float largest = 4;
+constexpr float largest_growth = 4;
 
 enum Pixel : std::uint8_t { shade = 0, outside = 4, boundary = 5, line = 6, no_result = 7 };
 const std::vector<report::Colour> palette{{0x21, 0x66, 0xac, 255},
@@ -47,7 +47,7 @@ class Raster {
   Class at(int x, int y) const { return classes_[static_cast<std::size_t>(y * width + x)]; }
   float growth(int column, int row) const {
     return std::min(region_.growth[static_cast<std::size_t>(row * region_.columns + column)],
-                    largest);
+                    largest_growth);
   }
   // Bilinear between the points of the grid; the first row of pixels is the upper edge.
   Class class_at(int x, int y) const {
