@@ -3,7 +3,6 @@
 #include "odeum/cases/inlined_for.hpp"
 #include "problems/hires.hpp"
 
-// The problem's header is plain C++17.
 namespace odeum::cases::inlined {
 using hires = Hires;
 }

@@ -3,7 +3,6 @@
 #include "odeum/cases/inlined_for.hpp"
 #include "problems/van_der_pol.hpp"
 
-// The problem's header is plain C++17.
 namespace odeum::cases::inlined {
 using van_der_pol = VanDerPol;
 }

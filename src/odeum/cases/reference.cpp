@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "odeum_reference.hpp"  // generated: the text of each file in cases/reference
-
 namespace odeum::cases {
 namespace {
 

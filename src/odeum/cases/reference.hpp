@@ -2,10 +2,14 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "odeum/solvers/case.hpp"
 
 namespace odeum::cases {
+
+/// The text of cases/reference/<name>.csv; throws std::runtime_error where there is none.
+std::string_view reference_text(const std::string& name);
 
 /// The truth held in cases/reference/<name>.csv (built into the program), known at its tabulated
 /// times only. `floor` is its absolute error as stated by its index: from its digits, or from

@@ -4,14 +4,18 @@
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/solvers/shared_contest.hpp"
-#include "odeum_adapters.hpp"  // generated: odeum::enroll_adapters, every library that is built in
+#include "odeum_adapters_enroll.hpp"  // generated: enroll.hpp of every library that is built in
 
 namespace odeum::cases {
 
 std::vector<Entrant> enroll(const ErasedContest& contest) {
   std::vector<Entrant> entrants = enroll_own(contest);
-  with_shared_type(contest.view,
-                   [&]<Shared P>() { enroll_adapters(shared_contest<P>(contest), entrants); });
+  with_shared_type(contest.view, [&]<Shared P>() {
+    [[maybe_unused]] const Contest<P> shared = shared_contest<P>(contest);
+#define ODEUM_ITEM(library) adapters::library::enroll(shared, entrants);
+#include "lists/adapters_enroll.inc"  // generated: those libraries
+#undef ODEUM_ITEM
+  });
   for (const RuntimeLibrary& library : runtime_libraries())
     if (library.enroll) library.enroll(contest, entrants);
   for (Entrant& entrant : entrants) {

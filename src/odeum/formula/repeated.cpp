@@ -45,9 +45,9 @@ struct Form {
   std::string key;
 };
 
-class Reader {
+class FormReader {
  public:
-  Reader(const Graph& graph, const std::vector<std::uint32_t>& uses, std::uint32_t split)
+  FormReader(const Graph& graph, const std::vector<std::uint32_t>& uses, std::uint32_t split)
       : graph_(graph), uses_(uses), split_(split) {}
   std::unordered_map<Id, std::uint32_t> shared;  ///< as which state a node counts
 
@@ -132,7 +132,7 @@ std::vector<Id> shared_functions(const Graph& graph, const std::vector<Id>& root
 RepeatedRoots find_repeated(const Graph& graph, const std::vector<Id>& roots, std::size_t least,
                             std::uint32_t split, const std::vector<Id>& shared) {
   const std::vector<std::uint32_t> uses = uses_of(graph, roots);
-  Reader reader(graph, uses, split);
+  FormReader reader(graph, uses, split);
   for (std::uint32_t k = 0; k < shared.size(); ++k) reader.shared[shared[k]] = first_shared + k;
   std::unordered_map<std::string, std::size_t> number;
   std::vector<Repeated> groups;

@@ -9,7 +9,7 @@
 namespace odeum::judge {
 namespace {
 
-constexpr double perturbation = 1e-8;  // far above rounding, far below nonlinear effects
+constexpr double size_of_perturbation = 1e-8;  // far above rounding, far below nonlinear effects
 constexpr std::uint64_t most_steps = 8192;
 
 class ClassicalRungeKutta {
@@ -79,7 +79,7 @@ double perturbation_gain(const Case& c) {
   double squares = 0;
   constexpr unsigned runs = 3;
   for (unsigned seed = 1; seed <= runs; ++seed) {
-    const Outcome moved = run(c, request, perturbation, seed);
+    const Outcome moved = run(c, request, size_of_perturbation, seed);
     for (std::size_t stop = 0; stop < c.stops.size(); ++stop)
       for (const std::size_t i : measured) {
         const std::size_t at = stop * c.y0.size() + i;
@@ -87,7 +87,7 @@ double perturbation_gain(const Case& c) {
       }
   }
   const auto errors = static_cast<double>(runs * c.stops.size() * measured.size());
-  return std::sqrt(squares / errors / static_cast<double>(request.steps)) / perturbation;
+  return std::sqrt(squares / errors / static_cast<double>(request.steps)) / size_of_perturbation;
 }
 
 }  // namespace odeum::judge

@@ -5,6 +5,13 @@
 
 namespace odeum {
 
+Case::Case() = default;
+Case::Case(const Case&) = default;
+Case::Case(Case&&) noexcept = default;
+Case& Case::operator=(const Case&) = default;
+Case& Case::operator=(Case&&) noexcept = default;
+Case::~Case() = default;
+
 std::vector<std::string> component_names(const Case& c) {
   if (!c.components.empty()) return c.components;
   const bool second_order = c.problem.view.second_order();

@@ -61,6 +61,14 @@ struct StudySettings {
 
 /// A problem with all that is needed to run solvers on it and to measure their errors.
 struct Case {
+  // Defined in case.cpp: each is as long as this list, and every file with a case would compile it.
+  Case();
+  Case(const Case&);
+  Case(Case&&) noexcept;
+  Case& operator=(const Case&);
+  Case& operator=(Case&&) noexcept;
+  ~Case();
+
   std::string id;
   std::string title;
   std::string equation;

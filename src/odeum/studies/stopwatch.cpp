@@ -17,6 +17,7 @@
 #include "odeum/core/numbers.hpp"
 #include "odeum/core/thread_time.hpp"
 #include "odeum/isolated/isolated_times.hpp"
+#include "odeum/record/row.hpp"
 
 namespace odeum::study {
 namespace {

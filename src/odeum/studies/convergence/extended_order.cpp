@@ -12,7 +12,7 @@ namespace odeum::study {
 namespace {
 
 using Real = ExtendedProblem::real;
-constexpr double half_unit = std::numeric_limits<Real>::epsilon() / 2;
+constexpr double extended_half_unit = std::numeric_limits<Real>::epsilon() / 2;
 
 /// The error as in Judge, in extended precision: the root mean square over components and stops.
 judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t steps) {
@@ -38,7 +38,7 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
           .error =
               static_cast<double>(std::sqrt(squares / numbers / static_cast<Real>(c.stops.size()))),
           .steps = n,
-          .rounding_unit = half_unit * static_cast<double>(largest),
+          .rounding_unit = extended_half_unit * static_cast<double>(largest),
           .floor = problem.floor,
           .scale = static_cast<double>(largest),
           .components = static_cast<double>(numbers)};
@@ -49,7 +49,7 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
 std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t rounding_steps) {
   const Case& c = *pair.c;
   if (!c.extended || !c.extended->truth || !pair.entrant->extended ||
-      half_unit >= std::numeric_limits<double>::epsilon() / 2)
+      extended_half_unit >= std::numeric_limits<double>::epsilon() / 2)
     return std::nullopt;
   // Seven numbers of steps, from before the rounding of double to a third beyond it.
   std::vector<judge::ErrorPoint> points;

@@ -42,14 +42,14 @@ Rays rays_of(const Case& c) {
 }
 
 /// A unit of work.
-struct Task {
+struct RayTask {
   const Rays* rays;
   const Case* plane;  ///< of y' = z y
   SolverInfo info;
   std::string unfit;
 };
 
-StableStep answer(const Task& task) {
+StableStep answer(const RayTask& task) {
   auto row = named_row<StableStep>(*task.rays->c, task.info);
   if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   if (!task.rays->reason.empty()) return not_applicable(row, task.rays->reason);
@@ -89,10 +89,10 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
     if (c.plane == "lambda") plane = &c;
   if (!plane) throw std::logic_error("no case has the plane of lambda");
   const Probe probe = plane->probe();
-  std::vector<Task> tasks;
+  std::vector<RayTask> tasks;
   for (const Rays& each : rays)
     for (const Pair& pair : select_pairs({each.c}, options.solvers)) {
-      Task task{&each, plane, pair.entrant->info, pair.entrant->unfit};
+      RayTask task{&each, plane, pair.entrant->info, pair.entrant->unfit};
       const bool runs_there =
           std::any_of(probe.entrants.begin(), probe.entrants.end(), [&](const Entrant& entrant) {
             return entrant.unfit.empty() && entrant.info.id() == task.info.id();
@@ -103,8 +103,8 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
       tasks.push_back(std::move(task));
     }
   return runner.run(
-      "steps", tasks, [](const Task& task) { return task.rays->c->id + " " + task.info.id(); },
-      [](const Task& task) {
+      "steps", tasks, [](const RayTask& task) { return task.rays->c->id + " " + task.info.id(); },
+      [](const RayTask& task) {
         return StabilityResult{{}, {}, {answer(task)}};
       });
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "odeum/cases/reference.hpp"
+#include "odeum/cases/scene_case.hpp"
+
+// lists/*.inc are generated: the stem and the text of each file in cases/reference and
+// cases/scenes.
+namespace odeum::cases {
+
+std::string_view reference_text(const std::string& name) {
+  static const std::map<std::string_view, std::string_view> all{
+#include "lists/references.inc"
+  };
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::runtime_error("no reference " + name);
+  return found->second;
+}
+
+const std::vector<SceneText>& all_scenes() {
+  static const std::vector<SceneText> all{
+#include "lists/scenes.inc"
+  };
+  return all;
+}
+
+}  // namespace odeum::cases
