@@ -27,7 +27,10 @@ class CsvRow {
   CsvRow() : text_(std::to_string(csv_schema)) {}
   CsvRow& text(std::string_view value) { return add(std::string(value)); }
   CsvRow& number(double value) { return add(value); }
-  CsvRow& count(std::integral auto value) { return add(static_cast<std::int64_t>(value)); }
+  CsvRow& count(std::signed_integral auto value) { return add(static_cast<std::int64_t>(value)); }
+  CsvRow& count(std::unsigned_integral auto value) {
+    return add(static_cast<std::uint64_t>(value));
+  }
   /// The line, without its end.
   const std::string& line() const { return text_; }
   const std::vector<Cell>& cells() const { return cells_; }
