@@ -15,8 +15,8 @@ namespace odeum {
 /// that are not finite.
 class EvaluationCount {
  public:
-  template <class Real, class Call>
-  int evaluate(double, Real*, std::size_t, std::size_t, Call&& call, int count = 1) const {
+  template <class Real, class Size, class Call>
+  int evaluate(double, Real*, Size&&, bool, Call&& call, int count = 1) const {
     evaluations_ += static_cast<std::uint64_t>(count);
     call();
     return 0;

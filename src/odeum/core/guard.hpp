@@ -35,24 +35,28 @@ class Guard {
     return false;
   }
 
-  /// An evaluation by `call`, which fills `values`, with what is to be done before and after it;
-  /// one that is not admitted gives zeros. It counts as `count` evaluations. Returns 0, or 1 where
-  /// the budget is spent.
-  template <class Call>
-  int evaluate(double t, double* values, std::size_t n, std::size_t first, Call&& call,
-               int count = 1) {
+  /// An evaluation by `call`, which fills size() `values`, with what is to be done before and after
+  /// it; one that is not admitted gives zeros. It counts as `count` evaluations. `second_half`: the
+  /// values are the second half of the right-hand side. Returns 0, or 1 where the budget is spent.
+  /// It is inlined by force, and a timed run does not ask for the size: otherwise the steps of
+  /// small problems take up to 14 % longer.
+  template <class Size, class Call>
+  [[gnu::always_inline]] int evaluate(double t, double* values, Size&& size, bool second_half,
+                                      Call&& call, int count = 1) {
     if (!budget_.watched) {
       call();
       return 0;
     }
-    for (int k = 0; k < count; ++k)
-      if (!admit()) {
-        for (std::size_t i = 0; i < n; ++i) values[i] = 0;
-        return 1;
-      }
-    call();
-    inspect(t, values, n, first);
-    return 0;
+    bool admitted = admit();
+    for (int k = 1; k < count; ++k) admitted = admitted && admit();
+    if (admitted) {
+      call();
+      const std::size_t n = size();
+      inspect(t, values, n, second_half ? n : 0);
+      return 0;
+    }
+    for (std::size_t i = 0; i < size(); ++i) values[i] = 0;
+    return 1;
   }
 
   void count_jacobian() { ++jacobian_evaluations_; }

@@ -55,8 +55,9 @@ class Guarded : public detail::VelocityDependence<P> {
     else
       return P::dimension;
   }
-  int rhs(real t, const real* y, real* dydt) const {
-    return watch_.evaluate(t, dydt, size(), 0, [&] { problem_.rhs(t, y, dydt); });
+  [[gnu::always_inline]] int rhs(real t, const real* y, real* dydt) const {
+    return watch_.evaluate(
+        t, dydt, [this] { return size(); }, false, [&] { problem_.rhs(t, y, dydt); });
   }
 #define ODEUM_GUARDED(concept_name, function, charge_name, ...)                            \
   template <class Q = P, class... Arguments>                                               \
@@ -108,7 +109,8 @@ class Guarded : public detail::VelocityDependence<P> {
   template <class Call, class... Arguments>
   int charged(detail::charge::acceleration, const Call& call, real t, Arguments... all) const {
     real* const a = std::get<sizeof...(Arguments) - 1>(std::tuple<Arguments...>(all...));
-    return watch_.evaluate(t, a, size() / 2, size() / 2, call);
+    return watch_.evaluate(
+        t, a, [this] { return size() / 2; }, true, call);
   }
   /// The coefficients that the problem does not set are zero.
   template <class Call>
@@ -117,7 +119,9 @@ class Guarded : public detail::VelocityDependence<P> {
     const std::size_t n = size();
     std::copy(y, y + n, c);
     std::fill(c + n, c + n * static_cast<std::size_t>(order + 1), real(0));
-    return watch_.evaluate(t, c + n, order > 0 ? n : 0, 0, call, order);
+    if (order == 0) return charged(detail::charge::nothing(), call);
+    return watch_.evaluate(
+        t, c + n, [&] { return n; }, false, call, order);
   }
   template <class Call>
   std::unique_ptr<ShiftedSolver> charged(detail::charge::solver, const Call& call) const {

@@ -20,8 +20,8 @@ constexpr std::uint64_t explicit_budget = 20'000, implicit_budget = 1'000'000;
 /// The watch of a run whose evaluations are recorded.
 struct Recorder {
   std::vector<double>* times;
-  template <class Call>
-  int evaluate(double t, double*, std::size_t, std::size_t, Call&& call, int = 1) const {
+  template <class Size, class Call>
+  int evaluate(double t, double*, Size&&, bool, Call&& call, int = 1) const {
     times->push_back(t);
     call();
     return 0;
