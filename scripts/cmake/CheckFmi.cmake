@@ -39,7 +39,7 @@ foreach(page IN ITEMS precision.html cases/oscillator3.html)
     message(FATAL_ERROR "${page} has no diagram of the FMU")
   endif()
 endforeach()
-# What is refused; reasons are tested in tests/adapter/fmi_test.cpp.
+# What is refused; reasons are tested in tests/adapters/fmi_test.cpp.
 expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is no file")
 expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
 expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")
