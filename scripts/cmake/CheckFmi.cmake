@@ -37,7 +37,7 @@ file(READ ${FOLDER}/report/page.json text)
 if(NOT text MATCHES "\"id\":\"oscillator3\"" OR NOT text MATCHES "\"name\":\"precision\",\"file\"[^{]*\"parts\":.{\"data\":\"precision\"[^}]*}.,\"cases\":.\"oscillator3\"")
   message(FATAL_ERROR "page.json has no points of the FMU to draw")
 endif()
-# What is refused; reasons are tested in tests/adapter/fmi_test.cpp.
+# What is refused; reasons are tested in tests/adapters/fmi_test.cpp.
 expect(2 "run ${at}/nothing.fmu" "nothing.fmu: is no file")
 expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v, mu, a, fault")
 expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")

@@ -4,7 +4,7 @@
 //     tests/fuzz/gmsh_reader_fuzz.cpp src/odeum/fem/{gmsh_reader,triangle_mesh}.cpp \
 //     src/odeum/input/*.cpp -lyaml-cpp -lfmt -o gmsh_reader_fuzz
 //   ./gmsh_reader_fuzz -max_total_time=60
-// The normal suite has a short deterministic run, tests/unit/gmsh_test.cpp.
+// The normal suite has a short deterministic run, tests/fem/gmsh_test.cpp.
 #include "fuzz/read_any_mesh.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

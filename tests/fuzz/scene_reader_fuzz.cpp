@@ -4,7 +4,7 @@
 //     tests/fuzz/scene_reader_fuzz.cpp src/odeum/scene/reader*.cpp src/odeum/input/*.cpp \
 //     src/odeum/core/glob.cpp -lyaml-cpp -lfmt -o scene_reader_fuzz
 //   ./scene_reader_fuzz -max_total_time=60 cases/scenes
-// The normal suite has a short deterministic run, tests/unit/scene_fuzz_test.cpp.
+// The normal suite has a short deterministic run, tests/scene/scene_fuzz_test.cpp.
 #include "fuzz/read_any.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

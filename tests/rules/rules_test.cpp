@@ -9,6 +9,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "source_tree.hpp"
 #include "support/temporary_folder.hpp"
@@ -67,6 +68,46 @@ std::vector<std::string> matches_in(const std::string& file, const std::regex& p
 
 bool is_own_method(const std::string& name) {
   return fs::exists(root / "src/odeum/methods" / (name + ".hpp"));
+}
+
+/// The words of a list in cases/inlined/lists.cmake.
+std::set<std::string> inlined_list(const std::string& name) {
+  const std::string text = text_of(root / "cases/inlined/lists.cmake");
+  const std::size_t begin = text.find("set(" + name + "\n"),
+                    one_line = text.find("set(" + name + " ");
+  const std::size_t at = std::min(begin, one_line);
+  if (at == std::string::npos) return {};
+  std::istringstream words(
+      text.substr(at + name.size() + 4, text.find(')', at) - at - name.size() - 4));
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+// CMake reads no C++: the lists say again what these files say.
+TEST(Inlined, ListsAreComplete) {
+  std::set<std::string> methods, with_odeint;
+  for (const auto& file : fs::directory_iterator(root / "src/odeum/methods"))
+    if (text_of(file.path()).find("inlined = Inlined::") != std::string::npos)
+      methods.insert(file.path().stem().string());
+  EXPECT_EQ(inlined_list("ODEUM_INLINED_METHODS"), methods);
+  const std::string rosenbrock4 = text_of(root / "cases/inlined/rosenbrock4.cpp"),
+                    runs = text_of(root / "cases/inlined/rosenbrock4_runs.cpp");
+  const std::regex problem("#include \"(problems/[a-z0-9_]+\\.hpp)\""),
+      stiff_only("has_nonstiff_cases<\\w+> = false");
+  for (const auto& file : fs::directory_iterator(root / "cases/inlined")) {
+    if (file.path().extension() != ".hpp") continue;
+    const std::string name = file.path().stem().string(), text = text_of(file.path());
+    EXPECT_NE(text.find("using " + name + " = "), std::string::npos) << name;
+    if (!std::regex_search(text, stiff_only)) with_odeint.insert(name);
+    for (const std::string& header : matches_in("cases/inlined/" + name + ".hpp", problem)) {
+      if (text_of(root / "cases" / header).find("for odeint's rosenbrock4") == std::string::npos)
+        continue;
+      EXPECT_NE(rosenbrock4.find('"' + header + '"'), std::string::npos) << header;
+      EXPECT_NE(runs.find('"' + header + '"'), std::string::npos) << header;
+    }
+  }
+  EXPECT_EQ(inlined_list("ODEUM_INLINED_ODEINT"), with_odeint);
+  EXPECT_GE(methods.size(), 10U);
+  EXPECT_GE(with_odeint.size(), 3U);
 }
 
 // A result of a solver on a case depends on own methods that the judge or its study measures with;

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "adapter/sundials_problems.hpp"
+#include "adapters/sundials_problems.hpp"
 #include "odeum/solvers/case.hpp"
 #include "sundials/arkode.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "adapter/bullet_stage.hpp"
+#include "adapters/bullet_stage.hpp"
 
 namespace odeum::bullet_tests {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // C++17, see tests/CMakeLists.txt.
-#include "adapter/odeint_alone.hpp"
+#include "adapters/odeint_alone.hpp"
 
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <thread>
 
-#include "adapter/peer_stage.hpp"
+#include "adapters/peer_stage.hpp"
 
 namespace odeum::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "adapter/sundials_problems.hpp"
+#include "adapters/sundials_problems.hpp"
 
 namespace odeum::sundials_tests {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <thread>
 
-#include "adapter/peer_stage.hpp"
+#include "adapters/peer_stage.hpp"
 
 namespace odeum::test {
 namespace {

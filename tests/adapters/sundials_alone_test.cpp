@@ -2,7 +2,7 @@
 #include <arkode/arkode_arkstep.h>
 #include <cvode/cvode.h>
 
-#include "adapter/alone.hpp"
+#include "adapters/alone.hpp"
 #include "support/sundials_parts.hpp"
 
 namespace odeum::test {

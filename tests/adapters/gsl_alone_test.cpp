@@ -2,7 +2,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "adapter/alone.hpp"
+#include "adapters/alone.hpp"
 
 namespace odeum::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "adapter/bullet_stage.hpp"
+#include "adapters/bullet_stage.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 

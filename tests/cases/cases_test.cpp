@@ -55,10 +55,14 @@ Difference difference(std::size_t n, double reach, Function&& f) {
 }
 
 class EveryCase : public testing::TestWithParam<const Case*> {};
+// Those that have the capability: a test that is instantiated runs.
+class LinearCase : public EveryCase {};
+class CaseWithTaylorSeries : public EveryCase {};
+class CaseWithJacobian : public EveryCase {};
+class SecondOrderCase : public EveryCase {};
 
-TEST_P(EveryCase, LinearMatrixIsThatOfTheRightHandSide) {
+TEST_P(LinearCase, MatrixIsThatOfTheRightHandSide) {
   const OdeView& p = GetParam()->problem.view;
-  if (!p.linear_matrix) GTEST_SKIP() << "is not linear with constant coefficients";
   const std::size_t n = p.dimension;
   std::vector<double> a(n * n), y(n), zero(n), f(n), b(n);
   for (std::size_t i = 0; i < n; ++i) y[i] = std::sin(1.0 + static_cast<double>(i));
@@ -76,9 +80,8 @@ TEST_P(EveryCase, LinearMatrixIsThatOfTheRightHandSide) {
 }
 
 // The series satisfies the equation: its derivative by h is the right-hand side there.
-TEST_P(EveryCase, TaylorSeriesSolvesTheEquation) {
+TEST_P(CaseWithTaylorSeries, SolvesTheEquation) {
   const OdeView& p = GetParam()->problem.view;
-  if (!p.taylor) GTEST_SKIP() << "offers no Taylor series";
   const std::size_t n = p.dimension;
   const std::vector<double>& y0 = GetParam()->y0;
   constexpr std::size_t order = 24;
@@ -100,9 +103,8 @@ TEST_P(EveryCase, TaylorSeriesSolvesTheEquation) {
     EXPECT_NEAR(rate[i], f[i], 1e-13 * size) << i;
 }
 
-TEST_P(EveryCase, JacobianIsTheDerivative) {
+TEST_P(CaseWithJacobian, IsTheDerivative) {
   const OdeView& p = GetParam()->problem.view;
-  if (!p.jacobian) GTEST_SKIP() << "has none";
   const std::size_t n = p.dimension;
   for (const auto& [t, y] : along(*GetParam())) {
     std::vector<double> j(n * n);
@@ -147,9 +149,8 @@ TEST_P(EveryCase, TimeDerivativeIsTheDerivative) {
   }
 }
 
-TEST_P(EveryCase, AccelerationIsTheSecondHalfOfTheRightHandSide) {
+TEST_P(SecondOrderCase, AccelerationIsTheSecondHalfOfTheRightHandSide) {
   const OdeView& p = GetParam()->problem.view;
-  if (!p.second_order()) GTEST_SKIP() << "of first order";
   const std::size_t half = p.degrees_of_freedom;
   ASSERT_EQ(2 * half, p.dimension);
   for (const auto& [t, y] : along(*GetParam())) {
@@ -206,13 +207,25 @@ TEST_P(EveryCase, StopsLieOnItsStepsAndAreKnown) {
   EXPECT_EQ(c.settings.coarsest_steps % c.settings.steps_multiple, 0U);
 }
 
-std::vector<const Case*> every_case() {
+template <class Has>
+auto cases_that(Has&& has) {
   std::vector<const Case*> cases;
-  for (const Case& c : all_cases()) cases.push_back(&c);
-  return cases;
+  for (const Case& c : all_cases())
+    if (has(c.problem.view)) cases.push_back(&c);
+  return testing::ValuesIn(cases);
 }
-INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, testing::ValuesIn(every_case()),
-                         [](const auto& at) { return at.param->id; });
+std::string id_of(const testing::TestParamInfo<const Case*>& at) { return at.param->id; }
+
+INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, cases_that([](const OdeView&) { return true; }), id_of);
+INSTANTIATE_TEST_SUITE_P(Cases, LinearCase,
+                         cases_that([](const OdeView& p) { return p.linear_matrix != nullptr; }),
+                         id_of);
+INSTANTIATE_TEST_SUITE_P(Cases, CaseWithTaylorSeries,
+                         cases_that([](const OdeView& p) { return p.taylor != nullptr; }), id_of);
+INSTANTIATE_TEST_SUITE_P(Cases, CaseWithJacobian,
+                         cases_that([](const OdeView& p) { return p.jacobian != nullptr; }), id_of);
+INSTANTIATE_TEST_SUITE_P(Cases, SecondOrderCase,
+                         cases_that([](const OdeView& p) { return p.second_order(); }), id_of);
 
 }  // namespace
 }  // namespace odeum

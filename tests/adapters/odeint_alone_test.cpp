@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "adapter/odeint_alone.hpp"
-#include "adapter/alone.hpp"
+#include "adapters/odeint_alone.hpp"
+#include "adapters/alone.hpp"
 
 namespace odeum::test {
 namespace {
