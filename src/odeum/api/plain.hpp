@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "odeum/core/guarded.hpp"
+#include "odeum/core/tolerance.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 
@@ -37,6 +39,12 @@ class Guarded<Plain<P>> {
         moved_(make_state(problem)),
         f_moved_(make_state(problem)) {}
 
+  /// Differences weigh the components by the thresholds of that tolerance, which has to outlive
+  /// this, where it has one for each.
+  void weigh_by(const Tolerance& tolerance) {
+    if (tolerance.thresholds.size() == size()) weights_ = tolerance.thresholds.data();
+  }
+
   std::size_t size() const { return size_of(problem_); }
   std::uint64_t evaluations() const { return evaluations_; }
   /// Without a statement of the problem df/dt is formed by differences, not taken for zero.
@@ -58,17 +66,12 @@ class Guarded<Plain<P>> {
     if constexpr (WithJacobian<P>) {
       problem_.jacobian(t, y, j);
     } else {
-      const std::size_t n = size();
-      const double root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-      rhs(t, y, f_.data());
-      for (std::size_t i = 0; i < n; ++i) moved_[i] = y[i];
-      for (std::size_t k = 0; k < n; ++k) {
-        moved_[k] = y[k] + root_epsilon * std::max(std::abs(y[k]), 1e-5);
-        const double delta = moved_[k] - y[k];
-        rhs(t, moved_.data(), f_moved_.data());
-        moved_[k] = y[k];
-        for (std::size_t i = 0; i < n; ++i) j[i * n + k] = (f_moved_[i] - f_[i]) / delta;
-      }
+      const auto counted_rhs = [this](double time, const double* at, double* value) {
+        rhs(time, at, value);
+        return true;
+      };
+      difference_jacobian(counted_rhs, size(), t, y, j, {f_.data(), moved_.data(), f_moved_.data()},
+                          weights_);
     }
   }
   /// By central differences where the problem has none: a Rosenbrock method would lose its order
@@ -122,6 +125,7 @@ class Guarded<Plain<P>> {
  private:
   const P& problem_;
   mutable State<P> f_, moved_, f_moved_;
+  const double* weights_ = nullptr;
   mutable std::uint64_t evaluations_ = 0;
 };
 

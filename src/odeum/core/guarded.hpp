@@ -30,11 +30,11 @@ class Guarded {
     }
   }
   void jacobian(double t, const double* y, double* j) const requires WithJacobian<P> {
+    guard_.count_jacobian();
     if constexpr (Shared<P>) {
-      // Each evaluation of the differences is counted.
+      // Each evaluation of the differences is counted too.
       if (!problem_.offers_jacobian()) return difference_jacobian(*this, t, y, j);
     }
-    guard_.count_jacobian();
     problem_.jacobian(t, y, j);
   }
   const Sparsity* sparsity() const requires WithSparsity<P> { return problem_.sparsity(); }
