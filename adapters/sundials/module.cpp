@@ -52,6 +52,7 @@ const Module cvode_module{
     .newton_point = cvode_newton_point,
     .set_convergence_coefficient = CVodeSetNonlinConvCoef,
     .set_max_iterations = CVodeSetMaxNonlinIters,
+    .jacobians = CVodeGetNumJacEvals,
 };
 
 const Module erkstep_module{
@@ -77,6 +78,7 @@ const Module erkstep_module{
     .newton_point = nullptr,
     .set_convergence_coefficient = nullptr,
     .set_max_iterations = nullptr,
+    .jacobians = nullptr,
 };
 
 const Module arkstep_module{
@@ -102,6 +104,7 @@ const Module arkstep_module{
     .newton_point = arkstep_newton_point,
     .set_convergence_coefficient = ARKStepSetNonlinConvCoef,
     .set_max_iterations = ARKStepSetMaxNonlinIters,
+    .jacobians = ARKStepGetNumJacEvals,
 };
 
 // CVODE and ARKODE share the flags down to -11; the others that can occur here (no mass matrix, no

@@ -53,6 +53,7 @@ struct Module {
   int (*newton_point)(void*, NewtonPoint&);
   int (*set_convergence_coefficient)(void*, double);
   int (*set_max_iterations)(void*, int);
+  int (*jacobians)(void*, long*);  ///< formed so far, by the library's own differences too
 };
 
 extern const Module cvode_module, erkstep_module, arkstep_module;

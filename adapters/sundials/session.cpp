@@ -163,6 +163,13 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
       outcome.counters.rejected_steps = static_cast<std::uint64_t>(error_failures + solve_failures);
     }
     session.problem().guard().conclude(request, outcome);
+    // The library differences by itself where the problem has no Jacobian: its evaluations of the
+    // right-hand side passed the guard, its Jacobians did not.
+    long jacobians = 0;
+    if (method.module->jacobians && session.integrator() &&
+        method.module->jacobians(session.integrator(), &jacobians) == 0)
+      outcome.counters.jacobian_evaluations =
+          std::max(outcome.counters.jacobian_evaluations, static_cast<std::uint64_t>(jacobians));
   } catch (const Failure& failure) {  // the session could not be created
     outcome.status = status_of(failure.flag);
     outcome.detail = fmt::format("{} when {}", name_of(*method.module, failure.flag), failure.what);

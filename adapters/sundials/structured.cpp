@@ -46,6 +46,7 @@ int sparse_jacobian(double t, N_Vector y, N_Vector, SUNMatrix sparse, void* data
                     N_Vector, N_Vector) {
   auto& session = *static_cast<Session*>(data);
   StructuredJacobian& jacobian = jacobian_of(session);
+  if (!session.view().jacobian_entries) session.problem().guard().count_jacobian();
   jacobian.entries(t, NV_DATA_S(y), jacobian.values.data());
   if (session.problem().guard().tripped()) return -1;
   std::copy(jacobian.start.begin(), jacobian.start.end(), SUNSparseMatrix_IndexPointers(sparse));

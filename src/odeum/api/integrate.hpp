@@ -164,7 +164,8 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, const T
   detail::require(tolerance.sound_for(y.size()),
                   "a tolerance has to be positive and finite, an absolute one a number or a vector "
                   "of the state's size");
-  const Plain<P> seen(problem);
+  Plain<P> seen(problem);
+  seen.weigh_by(tolerance);
   auto steps = trial_steps_of<M>(seen, t0, y, t1, tolerance);
   using Trial = decltype(steps.trial);
   AdaptiveWalk walk(seen, t0, y, steps.first_step, steps.trial);

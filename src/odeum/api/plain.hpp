@@ -7,7 +7,9 @@
 #include <memory>
 
 #include "odeum/core/guarded.hpp"
+#include "odeum/core/tolerance.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 
@@ -50,6 +52,12 @@ class Plain : public Guarded<P, EvaluationCount> {
         moved_(make_state(problem)),
         f_moved_(make_state(problem)) {}
 
+  /// Differences weigh the components by the thresholds of that tolerance, which has to outlive
+  /// this, where it has one for each.
+  void weigh_by(const Tolerance& tolerance) {
+    if (tolerance.thresholds.size() == this->size()) weights_ = tolerance.thresholds.data();
+  }
+
   std::uint64_t evaluations() const { return this->watch().evaluations(); }
   /// Without a statement of the problem df/dt is formed by differences, not taken for zero.
   bool autonomous() const {
@@ -62,17 +70,12 @@ class Plain : public Guarded<P, EvaluationCount> {
     if constexpr (WithJacobian<P>) {
       Base::jacobian(t, y, j);
     } else {
-      const std::size_t n = this->size();
-      const double root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
-      this->rhs(t, y, f_.data());
-      for (std::size_t i = 0; i < n; ++i) moved_[i] = y[i];
-      for (std::size_t k = 0; k < n; ++k) {
-        moved_[k] = y[k] + root_epsilon * std::max(std::abs(y[k]), 1e-5);
-        const double delta = moved_[k] - y[k];
-        this->rhs(t, moved_.data(), f_moved_.data());
-        moved_[k] = y[k];
-        for (std::size_t i = 0; i < n; ++i) j[i * n + k] = (f_moved_[i] - f_[i]) / delta;
-      }
+      const auto counted_rhs = [this](double time, const double* at, double* value) {
+        this->rhs(time, at, value);
+        return true;
+      };
+      difference_jacobian(counted_rhs, this->size(), t, y, j,
+                          {f_.data(), moved_.data(), f_moved_.data()}, weights_);
     }
   }
   /// By central differences where the problem has none: a Rosenbrock method would lose its order
@@ -96,6 +99,7 @@ class Plain : public Guarded<P, EvaluationCount> {
 
  private:
   mutable State<P> f_, moved_, f_moved_;
+  const double* weights_ = nullptr;
 };
 
 }  // namespace odeum

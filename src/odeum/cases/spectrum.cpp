@@ -33,7 +33,9 @@ Vector product(const Case& c, const Moment& at, const Vector& v) {
     view.jacobian_times(view.problem, at.t, at.y.data(), v.data(), found.data());
     return found;
   }
-  const double h = std::cbrt(std::numeric_limits<double>::epsilon()) * std::max(1.0, norm(at.y));
+  // As in DifferenceIncrements, the state's size is the unit.
+  const double size = norm(at.y);
+  const double h = std::cbrt(std::numeric_limits<double>::epsilon()) * (size > 0 ? size : 1);
   Vector above(at.y), below(at.y), up(v.size()), down(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) above[i] += h * v[i], below[i] -= h * v[i];
   view.rhs(view.problem, at.t, above.data(), up.data());

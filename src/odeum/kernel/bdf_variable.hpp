@@ -6,7 +6,7 @@
 
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/difference_history.hpp"
-#include "odeum/kernel/quick_power.hpp"
+#include "odeum/kernel/kept_jacobian.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/ndf_coefficients.hpp"
@@ -23,13 +23,16 @@ class BdfStepper {
   static constexpr int max_order = ndf::max_order, max_iterations = 4;
 
   BdfStepper(const P& problem, double t0, const State<P>& y0, double h, const Tolerance& tolerance)
-      : problem_(problem), level_(tolerance, y0), system_(problem), h_(h), difference_(problem) {
+      : problem_(problem),
+        level_(tolerance, y0),
+        system_(problem),
+        h_(h),
+        newton_(max_iterations, newton_tolerance(tolerance.relative)),
+        difference_(problem) {
     for (State<P>* state : {&y_, &psi_, &d_, &f_, &scale_}) *state = make_state(problem);
     difference_[0] = y0;
     problem.rhs(t0, y0.data(), difference_[1].data());
     for (double& component : difference_[1]) component *= h;
-    newton_tolerance_ = std::max(10 * std::numeric_limits<double>::epsilon() / tolerance.relative,
-                                 std::min(0.03, std::sqrt(tolerance.relative)));
   }
 
   /// Solves for the state at t_new = t + h by order k; newton_failed where that does not converge.
@@ -51,12 +54,12 @@ class BdfStepper {
     return converge(t_new, h_ / alpha) ? Status::ok : Status::newton_failed;
   }
   /// Newton iterations of the last solve(), and its scaled error.
-  int iterations() const { return iterations_; }
+  int iterations() const { return newton_.iterations(); }
   double error(int k) const { return std::abs(ndf::error_constant(k)) * norm(d_); }
 
   /// Makes the step by order k that was solved for.
   void advance(int k) {
-    jacobian_fresh_ = false;
+    jacobian_.moved(false);
     difference_.advance(static_cast<std::size_t>(k), d_);
   }
   /// After a step by order k: what order k - 1 (> 0) or k + 1 would have as its scaled error.
@@ -81,47 +84,35 @@ class BdfStepper {
   }
 
  private:
+  static double newton_tolerance(double relative) {
+    return std::max(10 * std::numeric_limits<double>::epsilon() / relative,
+                    std::min(0.03, std::sqrt(relative)));
+  }
+
   /// Newton on d = y - predicted: d = c f(t, y) - psi, psi the weighted differences.
   bool converge(double t_new, double c) {
-    while (true) {
-      if (!linearised_ && !jacobian_fresh_) {
-        system_.linearise(t_new, y_);
-        linearised_ = jacobian_fresh_ = true;
-        factored_for_ = 0;
+    const auto factorise = [&](double gamma_h) {
+      const bool regular = system_.factorise(gamma_h);
+      if (!regular) jacobian_.moved(true);  // the next attempt predicts another state
+      return regular;
+    };
+    const auto correct = [&] {
+      problem_.rhs(t_new, y_.data(), f_.data());
+      for (std::size_t n = 0; n < y_.size(); ++n) f_[n] = c * f_[n] - psi_[n] - d_[n];
+      if (!system_.solve(f_.data())) return newton_.no_solution;
+      for (std::size_t n = 0; n < y_.size(); ++n) {
+        y_[n] += f_[n];
+        d_[n] += f_[n];
       }
-      if (c != factored_for_) {
-        factored_for_ = 0;
-        if (!system_.factorise(c)) {
-          linearised_ = jacobian_fresh_ = false;  // the next attempt predicts another state
-          return false;
-        }
-        factored_for_ = c;
-      }
-      guess();
-      double last = 0;
-      for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
-        problem_.rhs(t_new, y_.data(), f_.data());
-        for (std::size_t n = 0; n < y_.size(); ++n) f_[n] = c * f_[n] - psi_[n] - d_[n];
-        if (!system_.solve(f_.data())) return false;
-        for (std::size_t n = 0; n < y_.size(); ++n) {
-          y_[n] += f_[n];
-          d_[n] += f_[n];
-        }
-        const double size = norm(f_);
-        if (!std::isfinite(size)) break;
-        if (size == 0) return true;
-        if (iterations_ > 1) {
-          const double rate = size / last;
-          if (rate >= 1 ||
-              power(rate, max_iterations - iterations_) / (1 - rate) * size > newton_tolerance_)
-            if (rate >= 1 || iterations_ < max_iterations) break;
-          if (rate / (1 - rate) * size <= newton_tolerance_) return true;
-        }
-        last = size;
-      }
-      if (jacobian_fresh_) return false;
-      linearised_ = false;  // try again from the prediction with a new Jacobian
-    }
+      return norm(f_);
+    };
+    return jacobian_.solve(
+        c, [&] { system_.linearise(t_new, y_); }, factorise,
+        [&] {
+          guess();
+          newton_.begin();
+          return newton_(correct);
+        });
   }
 
   /// The prediction y - d. Components whose sign differs from the state's start from the state
@@ -140,9 +131,11 @@ class BdfStepper {
   const P& problem_;
   ErrorScale<State<P>> level_;
   ShiftedSystem<P> system_;
-  double h_, newton_tolerance_ = 0, factored_for_ = 0;
-  int iterations_ = 0;
-  bool linearised_ = false, jacobian_fresh_ = false;
+  double h_;
+  // As in ode15s, but a first correction never suffices unless it is zero.
+  SimplifiedNewton<NewtonSettings{.foresees = true, .first_remainder = NewtonSettings::never}>
+      newton_;
+  KeptJacobian jacobian_;
   State<P> y_, psi_, d_, f_, scale_;
   DifferenceHistory<max_order, P> difference_;
 };

@@ -5,7 +5,7 @@
 
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
-#include "odeum/kernel/newton.hpp"
+#include "odeum/kernel/simplified_newton.hpp"
 #include "odeum/kernel/stage_system.hpp"
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/tableau/collocation.hpp"
@@ -19,50 +19,42 @@ class FullyImplicitRungeKutta {
   explicit FullyImplicitRungeKutta(const P& problem) : system_(problem) {}
 
   Status step(double t, double h, State<P>& y) {
-    constexpr int max_iterations = 50;
-    constexpr double slow_kept = 0.05, slow_fresh = 0.2;
-    bool fresh = false;
+    newton_.begin();
     for (State<P>& z : system_.z)
       for (double& component : z) component = 0;
-    if (h != factored_for_ && !renew(t, h, y, fresh)) return Status::newton_failed;
+    if (h != factored_for_ && !renew(t, h, y)) return Status::newton_failed;
     system_.transform_guess();
-    double last = 0;
-    int since_renewal = 0;
-    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    const auto correct = [&] {
       double size = 0, largest = max_norm(y);
       system_.iterate(t, h, y, [&](std::size_t i, const State<P>& correction) {
         const double norm = max_norm(correction);
         if (!(norm <= size)) size = norm;  // NaN stays
         largest = std::max(largest, max_norm(system_.z[i]));
       });
-      if (!std::isfinite(size)) break;
-      const double rate = since_renewal > 0 ? size / last : 0;
-      const double unit = iteration_tolerance * std::max(largest, smallest_state);
-      if (at_rounding(size / unit, rate, since_renewal > 0)) {
-        finish(y);
-        return Status::ok;
-      }
-      last = size;
-      ++since_renewal;
-      if (rate > (fresh ? slow_fresh : slow_kept)) {
-        // The Jacobian at the mean of the stages' present values.
-        State<P> where = y;
-        if (rate < 1)
-          for (std::size_t n = 0; n < y.size(); ++n) where[n] += system_.z[T.stages / 2][n];
-        if (!renew(t + h / 2, h, where, fresh)) break;
-        since_renewal = 0;
-      }
+      newton_.measure_in(iteration_tolerance * std::max(largest, smallest_state));
+      return size;
+    };
+    // The Jacobian at the mean of the stages' present values.
+    const auto renew_within = [&] {
+      State<P> where = y;
+      if (newton_.contraction() < 1)
+        for (std::size_t n = 0; n < y.size(); ++n) where[n] += system_.z[T.stages / 2][n];
+      return renew(t + h / 2, h, where);
+    };
+    if (newton_(correct, newton_.as_judged, renew_within) != NewtonVerdict::done) {
+      factored_for_ = 0;
+      return Status::newton_failed;
     }
-    factored_for_ = 0;
-    return Status::newton_failed;
+    finish(y);
+    return Status::ok;
   }
 
  private:
   /// The last stage is the new state.
   static constexpr bool stiffly_accurate = T.a[T.stages - 1] == T.b;
 
-  bool renew(double t, double h, const State<P>& y, bool& fresh) {
-    fresh = true;
+  bool renew(double t, double h, const State<P>& y) {
+    newton_.renewed();
     system_.linearise(t, y);
     factored_for_ = system_.factorise(h) ? h : 0;
     return factored_for_ == h;
@@ -82,6 +74,10 @@ class FullyImplicitRungeKutta {
   }
 
   StageSystem<T, P> system_;
+  // The step is not retried: a large contraction asks for a Jacobian at the stages' values.
+  SimplifiedNewton<NewtonSettings{
+      .divergent = NewtonSettings::never, .slow_kept = 0.05, .slow_fresh = 0.2}>
+      newton_{50};
   double factored_for_ = 0;
 };
 

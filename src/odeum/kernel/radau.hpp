@@ -2,11 +2,10 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "odeum/kernel/collocation_guess.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
-#include "odeum/kernel/quick_power.hpp"
+#include "odeum/kernel/kept_jacobian.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 
 namespace odeum {
@@ -33,7 +32,7 @@ class RadauStepper {
         inverse_scale_(f0_),
         moved_f_(f0_),
         guess_(problem, StageSystem<T, P>::nodes),
-        newton_fraction_(newton_fraction) {}
+        newton_(max_iterations, newton_fraction) {}
 
   /// y_new and the scaled error of a step of h from (t, y).
   Status step(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
@@ -43,18 +42,23 @@ class RadauStepper {
         inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n]));
       moved_ = false;
     }
-    if (jacobian_wanted_) renew_jacobian(t, y);
-    while (true) {
-      if (h != factored_for_) {
-        factored_for_ = 0;
-        if (!system_.factorise(h)) return give_up();
-        factored_for_ = h;
-      }
+    const auto attempt = [&] {
       guess_(h, y, system_.z);
       system_.transform_guess();
-      if (converge(t, h, y)) break;
-      if (jacobian_fresh_) return give_up();
-      renew_jacobian(t, y);
+      newton_.begin();
+      return newton_([&] {
+        double sum = 0;
+        system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
+          sum += scaled_squares(correction, inverse_scale_);
+        });
+        return std::sqrt(sum / static_cast<double>(stages * y.size()));
+      });
+    };
+    if (!jacobian_.solve(
+            h, [&] { system_.linearise(t, y); }, [&](double by) { return system_.factorise(by); },
+            attempt)) {
+      newton_.forget_remainder();
+      return Status::newton_failed;
     }
     for (std::size_t n = 0; n < y.size(); ++n) y_new[n] = y[n] + system_.z[stages - 1][n];
     norm = estimate(h, f0_);
@@ -71,57 +75,18 @@ class RadauStepper {
     guess_.remember(h, system_.z);
     moved_ = true;
     first_ = rejected_ = false;
-    jacobian_fresh_ = false;
-    jacobian_wanted_ = rate_ > keep_jacobian_below;
+    jacobian_.moved(newton_.contraction() > keep_jacobian_below);
   }
   void reject() {
     rejected_ = true;
-    if (!jacobian_fresh_) jacobian_wanted_ = true;
+    jacobian_.renew_unless_fresh();
   }
   /// Newton iterations of the last step, for the step control.
-  int iterations() const { return iterations_; }
+  int iterations() const { return newton_.iterations(); }
   static constexpr int max_iterations = 7 + (static_cast<int>(stages) - 3) * 5 / 2;
 
  private:
   static constexpr double keep_jacobian_below = 1e-3;
-
-  void renew_jacobian(double t, const State<P>& y) {
-    system_.linearise(t, y);
-    factored_for_ = 0;
-    jacobian_fresh_ = true;
-    jacobian_wanted_ = false;
-  }
-  Status give_up() {
-    contraction_ = 1;
-    return Status::newton_failed;
-  }
-
-  bool converge(double t, double h, const State<P>& y) {
-    double last = 0, last_rate = 0;
-    contraction_ = quick_power(std::max(contraction_, std::numeric_limits<double>::epsilon()), 0.8);
-    rate_ = 0;
-    for (iterations_ = 1; iterations_ <= max_iterations; ++iterations_) {
-      double sum = 0;
-      system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
-        sum += scaled_squares(correction, inverse_scale_);
-      });
-      const double size = std::sqrt(sum / static_cast<double>(stages * y.size()));
-      if (!std::isfinite(size)) return false;
-      if (iterations_ > 1) {
-        const double rate = size / last;
-        rate_ = iterations_ == 2 ? rate : std::sqrt(rate * last_rate);
-        last_rate = rate;
-        if (rate_ >= 0.99) return false;
-        contraction_ = rate_ / (1 - rate_);
-        const double predicted =
-            contraction_ * size * power(rate_, max_iterations - 1 - iterations_);
-        if (iterations_ < max_iterations && predicted > newton_fraction_) return false;
-      }
-      last = std::max(size, std::numeric_limits<double>::min());
-      if (contraction_ * size <= newton_fraction_) return true;
-    }
-    return false;
-  }
 
   /// error_ <- (I - gamma0 h J)^-1 (gamma0 h f + sum e_i z_i), and its norm.
   double estimate(double h, const State<P>& f) {
@@ -141,10 +106,12 @@ class RadauStepper {
   StageSystem<T, P> system_;
   State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
   CollocationGuess<stages, P> guess_;
-  double newton_fraction_, factored_for_ = 0, contraction_ = 1, rate_ = 0;
-  int iterations_ = 0;
+  // As in RADAU5.
+  SimplifiedNewton<NewtonSettings{
+      .divergent = 0.99, .foresees = true, .smooth = true, .remembers = true}>
+      newton_;
+  KeptJacobian jacobian_;
   bool moved_ = true, first_ = true, rejected_ = false;
-  bool jacobian_wanted_ = true, jacobian_fresh_ = false;
 };
 
 }  // namespace odeum

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "odeum/linear/sparse_system.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 namespace {
@@ -50,16 +49,11 @@ JacobianEntries differenced_entries(const Sparsity& pattern,
   return [n, rhs = std::move(rhs), colours = by_colour(pattern), f = std::vector<double>(n),
           moved = std::vector<double>(n),
           f_moved = std::vector<double>(n)](double t, const double* y, double* values) mutable {
-    // Balances truncation against rounding: the square root of the machine's precision, and more
-    // of small components, beside which f may be large (Hairer, Wanner, Solving ODEs II, IV.8).
-    const auto step = [](double x) {
-      const double size = std::max(std::abs(x), 1e-5);
-      return std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(size, std::sqrt(size));
-    };
     rhs(t, y, f.data());
+    const DifferenceIncrements increment(n, y, f.data());
     std::copy(y, y + n, moved.begin());
     for (const std::vector<Entry>& entries : colours) {
-      for (const Entry& e : entries) moved[e.column] = y[e.column] + step(y[e.column]);
+      for (const Entry& e : entries) moved[e.column] = y[e.column] + increment(e.column);
       rhs(t, moved.data(), f_moved.data());
       for (const Entry& e : entries)
         values[e.at] = (f_moved[e.row] - f[e.row]) / (moved[e.column] - y[e.column]);

@@ -51,7 +51,8 @@ class SparseSystem {
 /// A problem's solver of one real system.
 std::unique_ptr<ShiftedSolver> make_sparse_solver(const Sparsity& pattern, JacobianEntries entries);
 
-/// The problem's own entries, or differences. The problem must outlive the function.
+/// The problem's own entries, or differences, which count as a Jacobian of a guarded problem too.
+/// The problem must outlive the function.
 template <WithSparsity P>
 JacobianEntries entries_of(const P& problem) {
   if constexpr (WithJacobianEntries<P>) {
@@ -60,9 +61,13 @@ JacobianEntries entries_of(const P& problem) {
         problem.jacobian_entries(t, y, values);
       };
   }
-  return differenced_entries(*problem.sparsity(), [&problem](double t, const double* y, double* f) {
-    problem.rhs(t, y, f);
-  });
+  return [&problem, entries = differenced_entries(*problem.sparsity(),
+                                                  [&problem](double t, const double* y, double* f) {
+                                                    problem.rhs(t, y, f);
+                                                  })](double t, const double* y, double* values) {
+    if constexpr (requires { problem.guard(); }) problem.guard().count_jacobian();
+    entries(t, y, values);
+  };
 }
 
 /// Null where the problem states no sparsity.

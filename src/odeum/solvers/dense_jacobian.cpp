@@ -2,8 +2,8 @@
 #include "odeum/solvers/dense_jacobian.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum {
 
@@ -30,20 +30,11 @@ int DenseJacobian::from_products(double t, const double* y, double* j) {
 
 int DenseJacobian::from_differences(double t, const double* y, double* j) {
   const std::size_t n = problem_.view().dimension;
-  double *const f = work_.data(), *const moved = f + n, *const f_moved = moved + n;
-  if (problem_.rhs(t, y, f) != 0) return 1;
-  std::copy(y, y + n, moved);
-  for (std::size_t k = 0; k < n; ++k) {
-    // Balances truncation against rounding: the square root of the machine's precision.
-    const double wanted =
-        std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(1.0, std::abs(y[k]));
-    moved[k] = y[k] + wanted;
-    const double step = moved[k] - y[k];
-    if (problem_.rhs(t, moved, f_moved) != 0) return 1;
-    moved[k] = y[k];
-    for (std::size_t i = 0; i < n; ++i) j[i * n + k] = (f_moved[i] - f[i]) / step;
-  }
-  return 0;
+  const auto rhs = [this](double time, const double* at, double* f) {
+    return problem_.rhs(time, at, f) == 0;
+  };
+  double* const f = work_.data();
+  return difference_jacobian(rhs, n, t, y, j, {f, f + n, f + 2 * n}) ? 0 : 1;
 }
 
 }  // namespace odeum

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "odeum/kernel/iteration.hpp"
+#include "odeum/kernel/quick_power.hpp"
+
+namespace odeum {
+
+/// In what the Newton iterations of the kernels differ. The contraction is the size of a correction
+/// over that of the one before it; the remainder is what later corrections add, over the last one.
+struct NewtonSettings {
+  static constexpr double never = std::numeric_limits<double>::infinity();
+  double divergent = 1;  ///< the contraction from which the iteration fails
+  /// The contraction above which a new Jacobian is formed within the iteration: sooner for one of
+  /// an earlier solve, since the next steps profit too.
+  double slow_kept = never, slow_fresh = never;
+  bool foresees = false;  ///< fail once the iterations left cannot suffice at this contraction
+  bool smooth = false;    ///< the contraction is the geometric mean of the last two
+  /// The remainder while no contraction is known, and its upper bound.
+  double first_remainder = 1, most_remainder = never;
+  bool remembers = false;  ///< begin with the last solve's remainder to the power of 0.8
+};
+
+enum class NewtonVerdict { done, go_on, slow, again, diverges, unsolvable };
+
+/// Simplified Newton iteration, that of every kernel: the Jacobian is kept while it converges fast
+/// (Hairer, Wanner, Solving ODEs II, IV.8).
+template <NewtonSettings s>
+class SimplifiedNewton {
+ public:
+  using Verdict = NewtonVerdict;
+  static constexpr double no_solution = -1;
+
+  /// `most`: iterations; `tolerance`: bound on what later corrections would add, 0: to rounding.
+  /// `weight` and the `unit` of sizes are for at_rounding.
+  explicit SimplifiedNewton(int most, double tolerance = 0, double weight = 1)
+      : most_(most), tolerance_(tolerance), weight_(weight) {}
+
+  /// Returns done, diverges or unsolvable. `correct()` forms a correction and returns its size, or
+  /// no_solution of its linear system. `take(verdict)` adds it and returns the verdict, or `again`
+  /// where it prepared another one instead. `renew()` forms a Jacobian at the present state; false:
+  /// singular.
+  template <class Correct, class Take, class Renew>
+  Verdict operator()(Correct&& correct, Take&& take, Renew&& renew) {
+    for (iterations_ = 1; iterations_ <= most_; ++iterations_) {
+      const double size = correct();
+      if (size < 0) return Verdict::unsolvable;
+      const Verdict verdict = take(judge(size));
+      if (verdict == Verdict::done || verdict == Verdict::diverges) return verdict;
+      if (verdict == Verdict::again) continue;
+      last_ = std::max(size, std::numeric_limits<double>::min());
+      ++corrections_;
+      if (verdict == Verdict::slow && !renew()) break;
+    }
+    return Verdict::diverges;
+  }
+  /// The same where `correct` adds its correction.
+  template <class Correct>
+  Verdict operator()(Correct&& correct) {
+    return (*this)(correct, as_judged, [] { return true; });
+  }
+  static Verdict as_judged(Verdict verdict) { return verdict; }
+
+  /// To be called before a solve.
+  void begin() {
+    renewed();
+    fresh_ = false;
+    if (s.remembers)
+      remainder_ = quick_power(std::max(remainder_, std::numeric_limits<double>::epsilon()), 0.8);
+  }
+  /// To be called after each renewal of the Jacobian within a solve.
+  void renewed() {
+    fresh_ = true;
+    corrections_ = 0;
+    contraction_ = 0;
+    if (!s.remembers) forget_remainder();
+  }
+  void forget_remainder() { remainder_ = s.first_remainder; }
+  void measure_in(double unit) { unit_ = unit; }
+  void iterate_to(double tolerance, int most) {
+    tolerance_ = tolerance;
+    most_ = most;
+  }
+  bool to_rounding() const { return tolerance_ == 0; }
+
+  bool fresh() const { return fresh_; }                ///< the Jacobian is of this solve
+  int corrections() const { return corrections_; }     ///< taken since the last renewal
+  int iterations() const { return iterations_; }       ///< of the last solve
+  double contraction() const { return contraction_; }  ///< 0: not known
+
+ private:
+  Verdict judge(double size) {
+    contraction_ = std::isfinite(size) ? 0 : NewtonSettings::never;
+    if (contraction_ > 0) return Verdict::diverges;
+    const bool known = corrections_ > 0;
+    double remainder = remainder_;
+    if (known) {
+      const double ratio = size / last_;
+      contraction_ = s.smooth && corrections_ > 1 ? std::sqrt(ratio * last_ratio_) : ratio;
+      last_ratio_ = ratio;
+      remainder = contraction_ < 1 ? contraction_ / (1 - contraction_) : NewtonSettings::never;
+    }
+    if (to_rounding() ? at_rounding(size / unit_, contraction_, known, weight_)
+                      : size == 0 || std::min(remainder, s.most_remainder) * size <= tolerance_)
+      return remainder_ = remainder, Verdict::done;
+    if (contraction_ >= s.divergent) return Verdict::diverges;
+    remainder_ = remainder;
+    const int left = most_ - 1 - iterations_;
+    if (known && s.foresees && left >= 0 &&
+        remainder * size * power(contraction_, left) > tolerance_)
+      return Verdict::diverges;
+    return contraction_ > (fresh_ ? s.slow_fresh : s.slow_kept) ? Verdict::slow : Verdict::go_on;
+  }
+
+  int most_;
+  double tolerance_, weight_, unit_ = 1, remainder_ = s.first_remainder, last_ = 0, last_ratio_ = 0,
+                              contraction_ = 0;
+  int iterations_ = 0, corrections_ = 0;
+  bool fresh_ = false;
+};
+
+}  // namespace odeum
