@@ -206,7 +206,7 @@ TEST(SundialsNewton, DifferenceQuotientsServeProblemsWithoutAJacobian) {
   const Outcome b = find(without, id).solve(fixed(50, {2}));
   ASSERT_EQ(b.status, Status::ok) << b.detail;
   EXPECT_EQ(a.counters.jacobian_evaluations, 50u);
-  EXPECT_EQ(b.counters.jacobian_evaluations, 0u);
+  EXPECT_EQ(b.counters.jacobian_evaluations, 50u);
   EXPECT_GT(b.counters.rhs_evaluations, a.counters.rhs_evaluations);
   // Both iterate to 1e-14 in each of 7 * 50 stages.
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(a.states[i], b.states[i], 1e-11);

@@ -60,9 +60,9 @@ TEST(DifferencedEntries, TakeOneEvaluationMoreThanColours) {
   banded.jacobian_entries(0, y.data(), exact.data());
   entries_of(guarded)(0, y.data(), values.data());
   EXPECT_EQ(guard.rhs_evaluations(), 4U);
-  EXPECT_EQ(guard.jacobian_evaluations(), 0U);
-  // y_0 = 0 is moved by 5e-11, in which the rounding of f, 200 times 2e-16, is 1e-3.
-  for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(values[k], exact[k], 5e-3) << k;
+  EXPECT_EQ(guard.jacobian_evaluations(), 1U);
+  // y_0 = 0 is moved by 1.5e-11, in which the rounding of f, 200 times 2e-16, is 3e-3.
+  for (std::size_t k = 0; k < exact.size(); ++k) EXPECT_NEAR(values[k], exact[k], 1e-2) << k;
 }
 
 TEST(Sparse, DenseFormAndProductFollowFromTheEntries) {
