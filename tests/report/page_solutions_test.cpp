@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "odeum/trajectories/solutions.hpp"
 #include "odeum/studies/runner.hpp"
+#include "odeum/trajectories/solutions.hpp"
 
 namespace odeum::trajectories {
 namespace {
