@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <set>
 
 #include "odeum/studies/convergence/convergence.hpp"
 
 namespace odeum::study {
 namespace {
+
+const OrderClass* class_of(const judge::OrderFit& fit) {
+  const auto classes = order_classes();
+  const auto found = std::ranges::find(classes, fit.why, &OrderClass::why);
+  return found == classes.end() ? nullptr : &*found;
+}
 
 TEST(OrderClass, EveryReasonOfRealRunsHasAClass) {
   Options options;

@@ -2,11 +2,12 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/iteration.hpp"
 #include "odeum/kernel/last_correction.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
-#include "odeum/kernel/simplified_newton.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -14,7 +15,8 @@ namespace odeum {
 
 /// Newton's method for y = base + gamma_h f(t, y): the equation of every diagonally implicit stage
 /// and of every implicit multistep formula. The factors are kept between calls, for other stages
-/// and steps, as long as gamma_h is the same and the iteration converges fast.
+/// and steps, as long as gamma_h is the same and the iteration converges fast; slow convergence
+/// triggers a new Jacobian (Hairer, Wanner, Solving ODEs II, IV.8).
 template <Ode P>
 class NewtonIteration {
  public:
@@ -26,76 +28,98 @@ class NewtonIteration {
         guess_(correction_),
         last_(correction_),
         increment_(correction_),
-        newton_(50, 0, weight) {}
+        weight_(weight) {}
 
   /// From now on iterate to `fraction` of a tolerance, and fail early where convergence is too
   /// slow, since the step will be retried shorter. Without it the iteration goes on to rounding.
   void solve_to(const Tolerance& tolerance, double fraction) {
     accuracy_ = {tolerance.with_relative(tolerance.relative * fraction), correction_};
-    newton_.iterate_to(1, 10);
+    max_iterations_ = 10;
   }
 
   /// On entry y is the guess, on return the solution. newton_failed where the iteration does not
   /// converge or the matrix is singular. `otherwise`: the guess from which it starts again.
   Status solve(double t, double gamma_h, const State<P>& base, State<P>& y,
                const State<P>& otherwise) {
-    newton_.begin();
+    bool fresh = false;
     last_.forget_share();
-    if (gamma_h != factored_for_ && !renew(t, gamma_h, y)) return Status::newton_failed;
+    if (gamma_h != factored_for_ && !renew(t, gamma_h, y, fresh)) return Status::newton_failed;
     guess_ = otherwise;
     for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
-    const auto correct = [&] {
+    double last = 0;
+    int since_renewal = 0;
+    for (int iteration = 0; iteration < max_iterations_; ++iteration) {
       problem_.rhs(t, y.data(), correction_.data());
       for (std::size_t i = 0; i < y.size(); ++i)
         correction_[i] = gamma_h * correction_[i] - increment_[i];
-      if (!system_.solve(correction_.data(), correction_accuracy)) return newton_.no_solution;
-      return measure(base, y);
-    };
-    using enum NewtonVerdict;
-    const auto take = [&](NewtonVerdict verdict) {
-      if (verdict != done && (verdict == diverges || last_.share() != 1))
-        return back_off(t, gamma_h, base, y) ? again : diverges;
+      if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
+      const double size = measure(base, y);
+      const bool rate_known = since_renewal > 0;
+      const double rate = rate_known ? size / last : 0;
+      const bool done =
+          to_rounding() ? at_rounding(size, rate, rate_known, weight_)
+                        : size <= 1 || (rate_known && rate < 1 && size * rate / (1 - rate) <= 1);
+      if (!done && !(rate < 1 && last_.share() == 1 && std::isfinite(size))) {
+        const double finite_rate = std::isfinite(size) ? rate : infinity;
+        if (!back_off(t, gamma_h, base, y, fresh, since_renewal, finite_rate)) return fail();
+        continue;
+      }
       last_.take(correction_, y, increment_);
-      return verdict;
-    };
-    if (newton_(correct, take, [&] { return renew(t, gamma_h, y); }) == done) return Status::ok;
-    factored_for_ = 0;
-    return Status::newton_failed;
+      if (done) return Status::ok;
+      last = size;
+      ++since_renewal;
+      if (rate > (fresh ? slow_fresh : slow_kept)) {
+        if (!renew(t, gamma_h, y, fresh)) return Status::newton_failed;
+        since_renewal = 0;
+      }
+    }
+    return fail();
   }
 
   /// y - base of the last solution, to its own precision.
   const State<P>& increment() const { return increment_; }
 
  private:
-  bool renew(double t, double gamma_h, const State<P>& y) {
-    newton_.renewed();
+  // A contraction above this triggers a new Jacobian: earlier for a reused one, since the next
+  // steps profit too.
+  static constexpr double slow_kept = 0.05, slow_fresh = 0.1;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  bool renew(double t, double gamma_h, const State<P>& y, bool& fresh) {
+    fresh = true;
     last_.forget_share();
     system_.linearise(t, y);
     factored_for_ = system_.factorise(gamma_h) ? gamma_h : 0;
     return factored_for_ == gamma_h;
   }
-  /// Where the next correction is no smaller than the last (contraction >= 1; infinite: it is not
-  /// finite), or the last was taken in part. A reused Jacobian is renewed at the other guess, an
-  /// older one of this solve at y; a correction by the Jacobian at its own start is halved until
-  /// the next is smaller, from where the iteration goes on with a new Jacobian (Deuflhard, Newton
-  /// Methods for Nonlinear Problems, 3.3). False: give up; a step that can be retried shorter does
-  /// so at once.
-  bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y) {
-    const double rate = newton_.contraction();
-    const bool fresh = newton_.fresh(), finite = rate != NewtonSettings::never;
-    if (fresh && (!to_rounding() || (newton_.corrections() == 0 && !finite))) return false;
-    if (fresh && newton_.corrections() == 1 && !(rate <= 1 - last_.share() / 4)) {
+  /// Where the next correction is no smaller than the last (rate >= 1; infinite: it is not finite),
+  /// or the last was taken in part. A reused Jacobian is renewed at the other guess, an older one
+  /// of this solve at y; a correction by the Jacobian at its own start is halved until the next is
+  /// smaller, from where the iteration goes on with a new Jacobian (Deuflhard, Newton Methods for
+  /// Nonlinear Problems, 3.3). False: give up; a step that can be retried shorter does so at once.
+  bool back_off(double t, double gamma_h, const State<P>& base, State<P>& y, bool& fresh,
+                int& since_renewal, double rate) {
+    if (fresh && (!to_rounding() || (since_renewal == 0 && rate == infinity))) return false;
+    if (fresh && since_renewal == 1 && !(rate <= 1 - last_.share() / 4)) {
       last_.take_share(last_.share() / 2, y, increment_);
       return true;
     }
-    if (fresh && !finite) last_.take_share(0, y, increment_);
-    if (!fresh) {
-      y = guess_;
-      for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
-    }
-    return renew(t, gamma_h, y);
+    if (!fresh)
+      restart(base, y);
+    else if (rate == infinity)
+      last_.take_share(0, y, increment_);
+    since_renewal = 0;
+    return renew(t, gamma_h, y, fresh);
   }
-  bool to_rounding() const { return newton_.to_rounding(); }
+  void restart(const State<P>& base, State<P>& y) {
+    y = guess_;
+    for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
+  }
+  Status fail() {
+    factored_for_ = 0;
+    return Status::newton_failed;
+  }
+  bool to_rounding() const { return accuracy_.relative() == 0; }
   /// Size of the correction; one is small enough.
   double measure(const State<P>& base, const State<P>& y) const {
     if (to_rounding()) {
@@ -118,9 +142,8 @@ class NewtonIteration {
   State<P> increment_;       ///< gamma_h f: rounded by itself, not as the state that it is added to
   double factored_for_ = 0;  ///< gamma_h of the factors; 0: none
   ErrorScale<State<P>> accuracy_;
-  // A correction within the tolerance ends the iteration, however slowly it converges.
-  SimplifiedNewton<NewtonSettings{.slow_kept = 0.05, .slow_fresh = 0.1, .most_remainder = 1}>
-      newton_;
+  double weight_;
+  int max_iterations_ = 50;
 };
 
 }  // namespace odeum
