@@ -56,7 +56,7 @@ const functions = {
   // The text of the first limit that a value is not above: grade(x, 'good', 1e-9, '', 1e-2, 'bad').
   grade: (value, ...rest) => (Number.isNaN(value) ? '' : rest[2 * d3.range(1, rest.length, 2).filter((k) => value > rest[k]).length]),
   // "1/60 s" for a step that is a whole part of a second, else "0.0125 s".
-  seconds: (step) => (step < 1 && Math.abs(1 / step - Math.round(1 / step)) < 1e-9 / step && 1 / step < 1e5 ? `1/${Math.round(1 / step)} s` : `${number(step)} s`),
+  seconds: (step) => (step < 1 && Math.abs(1 / step - Math.round(1 / step)) < 1e-6 / step && 1 / step < 1e5 ? `1/${Math.round(1 / step)} s` : `${number(step)} s`),
   number: (value, digits) => number(value, digits),
 };
 
