@@ -67,6 +67,9 @@ TEST(Documents, LinksLeadSomewhere) {
     const std::string text = text_of(document);
     for (const std::string& target : all_matches(text, link)) {
       if (target.find("://") != std::string::npos) continue;
+      // The text of a page links to other views of the report, which the test report_page opens.
+      const bool of_page = document.string().find("/src/odeum/") != std::string::npos;
+      if (of_page && (target.starts_with("#") || target == "findings.md")) continue;
       ++links;
       const std::size_t hash = std::min(target.find('#'), target.size());
       const fs::path file = hash ? document.parent_path() / target.substr(0, hash) : document;

@@ -137,15 +137,14 @@ TEST(Rules, NoStudyNamesASolverButForAReason) {
       {"src/odeum/studies/spectrum.cpp", "measures with it, and compares it with nothing"},
       {"src/odeum/studies/evolution/measure.cpp", "each has its limit on both equations beside it"},
       {"src/odeum/studies/evolution/modes.cpp", "each has a closed form of what is predicted"},
-      {"src/odeum/studies/evolution/study.cpp", "draws one of those for each equation"},
-      {"src/odeum/cli/report_scenes.cpp", "each replay has a sentence on what it shows"}};
+      {"src/odeum/trajectories/report_replays.cpp", "each replay has a sentence on what it shows"}};
   const std::regex id("\"((?:odeum|gsl|odeint|cvode|arkode|bullet)/[a-z][a-z0-9_]*)\"");
   std::set<std::string> unused;
   for (const auto& [file, reason] : reasons) unused.insert(file);
   std::size_t read = 0;
-  for (const std::string& file :
-       sources_of(root, {"src/odeum/solvers", "src/odeum/judge", "src/odeum/scene",
-                         "src/odeum/report", "src/odeum/studies", "src/odeum/cli"})) {
+  for (const std::string& file : sources_of(
+           root, {"src/odeum/solvers", "src/odeum/judge", "src/odeum/scene", "src/odeum/report",
+                  "src/odeum/studies", "src/odeum/trajectories", "src/odeum/cli"})) {
     ++read;
     for (const std::string& solver : matches_in(file, id)) {
       // The solvers of linear systems of a study, and of scenes without steps, are theirs alone.

@@ -65,7 +65,7 @@ JacobianEntries entries_of(const P& problem) {
                                                   [&problem](double t, const double* y, double* f) {
                                                     problem.rhs(t, y, f);
                                                   })](double t, const double* y, double* values) {
-    if constexpr (requires { problem.guard(); }) problem.guard().count_jacobian();
+    if constexpr (requires { problem.watch().count_jacobian(); }) problem.watch().count_jacobian();
     entries(t, y, values);
   };
 }
