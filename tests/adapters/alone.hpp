@@ -54,7 +54,7 @@ inline Outcome solve_adaptively(const Case& c, const Entrant& entrant, double to
 /// concentrations or not depending on the last digits of a run (reports/findings/sundials.md), so
 /// that initial states changed by 1e-10 must be solved as well.
 inline bool solves(const Program& program, const Case& c, double tolerance) {
-  for (int change = 0; change < 5; ++change) {
+  for (int change = 0; change < 20; ++change) {
     std::vector<double> y = c.y0;
     for (double& component : y) component *= 1 + 1e-10 * change;
     if (!program(c, tolerance, y) || !(error_at_end(c, y.data()) < 0.1)) return false;

@@ -92,14 +92,19 @@ TEST(Inlined, ListsAreComplete) {
   const std::string rosenbrock4 = text_of(root / "cases/inlined/rosenbrock4.cpp"),
                     runs = text_of(root / "cases/inlined/rosenbrock4_runs.cpp");
   const std::regex problem("#include \"(problems/[a-z0-9_]+\\.hpp)\""),
-      stiff_only("has_nonstiff_cases<\\w+> = false");
+      stiff_only("has_nonstiff_cases<\\w+> = false"),
+      nonstiff_only("has_stiff_cases<\\w+> = false");
   for (const auto& file : fs::directory_iterator(root / "cases/inlined")) {
     if (file.path().extension() != ".hpp") continue;
     const std::string name = file.path().stem().string(), text = text_of(file.path());
     EXPECT_NE(text.find("using " + name + " = "), std::string::npos) << name;
     if (!std::regex_search(text, stiff_only)) with_odeint.insert(name);
+    if (std::regex_search(text, nonstiff_only)) continue;
     for (const std::string& header : matches_in("cases/inlined/" + name + ".hpp", problem)) {
-      if (text_of(root / "cases" / header).find("for odeint's rosenbrock4") == std::string::npos)
+      // A header that stands in the tree says so; those that are printed from texts are plain
+      // C++17.
+      if (fs::exists(root / "cases" / header) &&
+          text_of(root / "cases" / header).find("for odeint's rosenbrock4") == std::string::npos)
         continue;
       EXPECT_NE(rosenbrock4.find('"' + header + '"'), std::string::npos) << header;
       EXPECT_NE(runs.find('"' + header + '"'), std::string::npos) << header;

@@ -81,13 +81,18 @@ class ConjugateGradients {
 
   template <class Work>
   void each_block(Work&& work) {
-    const auto share = [&](std::size_t first, std::size_t end) {
-      for (std::size_t k = first; k < end; ++k) work(k * block, std::min(n_, (k + 1) * block));
-    };
     if (team_)
-      team_->run(parts_.size(), share);
+      team_->run(parts_.size(), [&](std::size_t first, std::size_t end) {
+        run_blocks(work, n_, first, end);
+      });
     else
-      share(0, parts_.size());
+      run_blocks(work, n_, 0, parts_.size());
+  }
+  // Never inlined: one compiled function for one thread and for many, so that both round alike.
+  template <class Work>
+  [[gnu::noinline]] static void run_blocks(Work& work, std::size_t n, std::size_t first,
+                                           std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) work(k * block, std::min(n, (k + 1) * block));
   }
   /// The sum of those of the blocks, in their order.
   double dot(const double* a, const double* b) {
