@@ -145,6 +145,8 @@ class Guarded<Bare<P>, Guard&> : public P {
 
 namespace detail {
 struct ViewAndGuard {
+  ViewAndGuard(const OdeView& view, const Budget& budget)
+      : problem{view, nullptr}, guarding(view.dimension, budget) {}
   SharedOde problem;
   Guard guarding;
 };
@@ -155,7 +157,7 @@ struct ViewAndGuard {
 class GuardedView : private detail::ViewAndGuard, public Guarded<SharedOde> {
  public:
   GuardedView(const OdeView& view, const Budget& budget)
-      : ViewAndGuard{{view, nullptr}, {view.dimension, budget}},
+      : ViewAndGuard(view, budget),
         Guarded<SharedOde>(ViewAndGuard::problem, ViewAndGuard::guarding) {}
   GuardedView(const GuardedView&) = delete;
   GuardedView& operator=(const GuardedView&) = delete;

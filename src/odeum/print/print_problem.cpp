@@ -58,8 +58,9 @@ class ProblemPrinter {
     if (offers.series && analysis_.series)
       for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
     for (const Kept& kept : problem_.invariants) need({kept.value});
-    for (auto at = definitions.rbegin(); at != definitions.rend(); ++at)
-      if (needed.contains(at->id)) needed.insert(at->of.begin(), at->of.end());
+    for (std::size_t k = definitions.size(); k-- > 0;)
+      if (needed.contains(definitions[k].id))
+        needed.insert(definitions[k].of.begin(), definitions[k].of.end());
     for (const Definition& each : definitions) {
       const Node& node = problem_.graph[each.id];
       if (each.op == Op::constant)
