@@ -82,9 +82,8 @@ class ConjugateGradients {
   template <class Work>
   void each_block(Work&& work) {
     if (team_)
-      team_->run(parts_.size(), [&](std::size_t first, std::size_t end) {
-        run_blocks(work, n_, first, end);
-      });
+      team_->run(parts_.size(),
+                 [&](std::size_t first, std::size_t end) { run_blocks(work, n_, first, end); });
     else
       run_blocks(work, n_, 0, parts_.size());
   }
