@@ -90,7 +90,7 @@ class CasesPrinter : CaseKeys {
                                                    {"second_order", &offers_.second_order},
                                                    {"series", &offers_.series}};
     for (const std::string& name : texts(value, "offers")) {
-      const auto at = std::find_if(std::begin(known), std::end(known),
+      const auto* const at = std::find_if(std::begin(known), std::end(known),
                                    [&](const auto& each) { return each.first == name; });
       if (at == std::end(known))
         fail(value->place, "offers: got {}, expected jacobian, second_order or series", name);
