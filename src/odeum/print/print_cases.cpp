@@ -91,7 +91,7 @@ class CasesPrinter : CaseKeys {
                                                    {"series", &offers_.series}};
     for (const std::string& name : texts(value, "offers")) {
       const auto* const at = std::find_if(std::begin(known), std::end(known),
-                                   [&](const auto& each) { return each.first == name; });
+                                          [&](const auto& each) { return each.first == name; });
       if (at == std::end(known))
         fail(value->place, "offers: got {}, expected jacobian, second_order or series", name);
       *at->second = true;
