@@ -45,7 +45,7 @@ const tableOf = (headings, lines, style = 'numbers', above = null) => {
   const turn = (k) => { state.down = state.by === k && !state.down; state.by = k; heads.forEach((head, i) => head.setAttribute('aria-sort', i === k ? (state.down ? 'descending' : 'ascending') : 'none')); refresh(); };
   const heads = headings.map((heading, k) => html('th', { class: heading.class, title: heading.title, scope: 'col', 'aria-sort': 'none' }, heading.node?.cloneNode(true) || html('button', { type: 'button', class: 'sort', onclick: () => turn(k) }, heading.text)));
   refresh();
-  const search = lines.length > 15 ? html('label', { class: 'field filter' }, 'Filter ', html('input', { type: 'search', 'aria-label': 'filter the rows', oninput: (event) => { state.word = event.target.value; refresh(); } }), html('small', {}, ` ${plural(lines.length, 'row')}`)) : null;
+  const search = lines.length > 10 ? html('label', { class: 'field filter' }, 'Filter ', html('input', { type: 'search', 'aria-label': 'filter the rows', oninput: (event) => { state.word = event.target.value; refresh(); } }), html('small', {}, ` ${plural(lines.length, 'row')}`)) : null;
   // A box that scrolls can be reached by keys.
   const box = html('div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' }, html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body));
   new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting) && drawn < shown.length) append(4 * firstRows); }, { rootMargin: '400px' }).observe(more);
