@@ -88,7 +88,7 @@ TEST(DifferenceJacobian, WeighsComponentsByTheThresholdsOfATolerance) {
   const auto error = [&](const Tolerance& tolerance) {
     Plain<Mixed> seen(problem);
     seen.weigh_by(tolerance);
-    std::array<double, 4> j;
+    std::array<double, 4> j{};
     seen.jacobian(0, y.data(), j.data());
     return std::abs(j[3] + 2 * 3e7 * y[1]);
   };
@@ -155,7 +155,7 @@ TEST(DifferenceJacobian, CostsEvaluationsButNoStepsInAnyUnit) {
                     b = entrant_of(differenced, id)->solve(request);
       ASSERT_EQ(a.status, Status::ok) << id << ' ' << unit << a.detail;
       ASSERT_EQ(b.status, Status::ok) << id << ' ' << unit << b.detail;
-      const double steps = static_cast<double>(a.counters.steps);
+      const auto steps = static_cast<double>(a.counters.steps);
       EXPECT_NEAR(static_cast<double>(b.counters.steps), steps, 0.05 * steps) << id << ' ' << unit;
       EXPECT_GE(b.counters.rhs_evaluations, 4 * b.counters.jacobian_evaluations) << id;
       for (std::size_t i = 0; i < 3; ++i)
@@ -196,7 +196,7 @@ void expect_equal_steps_by_the_library(M method) {
                  b = integrate(Reactions<false>{unit}, method, without, 0, 40, tolerance);
     ASSERT_TRUE(a.ok());
     ASSERT_TRUE(b.ok()) << unit << ": ended at t = " << b.t;
-    const double steps = static_cast<double>(a.steps);
+    const auto steps = static_cast<double>(a.steps);
     EXPECT_NEAR(static_cast<double>(b.steps), steps, 0.05 * steps) << unit;
   }
 }

@@ -278,7 +278,7 @@ TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
       std::count_if(data.convergence.rows.begin(), data.convergence.rows.end(), unfit);
   const auto limits =
       std::count_if(data.stability.limits.begin(), data.stability.limits.end(), unfit);
-  const json skipped = m["skipped"];
+  const json& skipped = m["skipped"];
   ASSERT_EQ(skipped["not_applicable"].size(), 2U) << "reasons";
   for (const json& each : skipped["not_applicable"])
     EXPECT_EQ(each["rows"], each["reason"] == "needs a second-order problem" ? limits : rows);

@@ -126,7 +126,7 @@ class UntilEvent {
       t = std::min(std::max(t, a + least / 2), b - least / 2);
       status = step.at(t, step.inner());
       if (status != Status::ok) break;
-      const double g = static_cast<double>(g_(t, std::as_const(step.inner())));
+      const auto g = static_cast<double>(g_(t, std::as_const(step.inner())));
       if (g == 0 || (g > 0) == (g1 > 0)) {
         b = t, g1 = g;
         if (side == 1) g0 /= 2;
