@@ -151,7 +151,7 @@ const checks = {
     await browser.go(`${address}#case?id=free_fall&part=convergence`);
     await drawn();
     await browser.until(`document.querySelector('.table-host input[type=search]')`);
-    const found = await browser.run(`(() => { const t = [...document.querySelectorAll('.table-host')].find((e) => e.querySelector('input[type=search]')); if (!t) return null; t.dataset.test = 'sorted'; return t.querySelectorAll('thead button.sort').length; })()`);
+    const found = await browser.run(`(() => { const t = [...document.querySelectorAll('.table-host')].find((e) => e.querySelector('input[type=search]') && /verdict/.test(e.querySelector('thead').textContent)); if (!t) return null; t.dataset.test = 'sorted'; return t.querySelectorAll('thead button.sort').length; })()`);
     hold(found > 2, 'no table with headings to click on');
     await click('[data-test="sorted"] thead button.sort');
     const names = await browser.run(`[...document.querySelectorAll('[data-test="sorted"] tbody tr th')].map((e) => e.textContent)`);
