@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report's data: scripts in data/ that hand over compressed JSON (src/odeum/report/columns.hpp), since a page
 // that is opened from a disk may load scripts and nothing else. `facts` is the content of page.json.
-const arrived = new Map(), awaited = new Map(), wanted = new Map();
+const arrived = new Map(), wanted = new Map();
 const inflate = async (text) => {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
   return JSON.parse(await new Response(stream).text());
 };
-const receive = ([name, text]) => {
-  arrived.set(name, inflate(text));
-  if (awaited.has(name)) awaited.get(name)(arrived.get(name));
-};
+const receive = ([name, text]) => { arrived.set(name, inflate(text)); };
 (self.odeumData || []).forEach(receive);
 self.odeumData = { push: receive };
 
 const loadScript = (address) => new Promise((resolve, reject) => {
   document.head.append(html('script', { src: address, onload: resolve, onerror: () => reject(new Error(`${address} is not there`)) }));
 });
-// The data of a file in data/; rejected where it is not there.
+// The data of a file in data/; rejected where it is not there, or hands over nothing of its name.
 const load = (name) => {
   if (arrived.has(name)) return arrived.get(name);
-  if (!wanted.has(name)) wanted.set(name, new Promise((resolve, reject) => {
-    awaited.set(name, resolve);
-    loadScript(`data/${name}.js`).catch(reject);
+  if (!wanted.has(name)) wanted.set(name, loadScript(`data/${name}.js`).then(() => {
+    if (!arrived.has(name)) throw new Error(`data/${name}.js holds no data of that name`);
+    return arrived.get(name);
   }));
   return wanted.get(name);
 };

@@ -24,11 +24,13 @@ const tokenise = (text) => {
 
 const sum = (list) => list.reduce((a, b) => a + b, 0);
 const sorted = (list) => [...list].sort((a, b) => a - b);
-// Of a list of values. Numbers that are not known are left out of min, max, mean, median and sum.
+// Of a list of values. Numbers that are not known are left out of min, max, mean, median and sum; of no number that is
+// known, the first four are not known.
+const extreme = (list, of) => (known(list).length ? known(list).reduce((a, b) => of(a, b)) : NaN);
 const aggregates = {
   count: (list) => list.length,
-  min: (list) => (list.length ? known(list).reduce((a, b) => Math.min(a, b), Infinity) : NaN),
-  max: (list) => (list.length ? known(list).reduce((a, b) => Math.max(a, b), -Infinity) : NaN),
+  min: (list) => extreme(list, Math.min),
+  max: (list) => extreme(list, Math.max),
   sum: (list) => sum(known(list)),
   mean: (list) => sum(known(list)) / known(list).length,
   median: (list) => sorted(known(list))[Math.floor(known(list).length / 2)] ?? NaN,

@@ -14,18 +14,24 @@ const addRows = (name, make) => {
   tablesRead.set(name, { then: (resolve, reject) => (made = made || rows()).then(resolve, reject) });
 };
 
+// The order of two cells in a sorted column: numbers, texts, then what is not known; the kinds stand in this order
+// both ways. JavaScript's < between a number and a text is false both ways, which would be no order at all.
+const kindOf = (key) => (Number.isNaN(key) || key === '' ? 2 : typeof key === 'number' ? 0 : 1);
+const compareKeys = (a, b, down) => {
+  const kinds = kindOf(a) - kindOf(b);
+  if (kinds || kindOf(a) === 2) return kinds;
+  const [x, y] = kindOf(a) === 1 ? [String(a), String(b)] : [a, b];
+  return (x < y ? -1 : x > y ? 1 : 0) * (down ? -1 : 1);
+};
+
 // A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under `headings`
 // [{text, title, class, span}]. The first cell of a line is its header.
 const tableOf = (headings, lines, style = 'numbers', above = null) => {
   const body = html('tbody', {}), state = { by: -1, down: false, word: '' };
   const cellOf = (cell, first) => html(first ? 'th' : 'td', { class: cell.class, title: cell.title, colspan: cell.span, scope: first ? 'row' : undefined }, cell.node || cell.text);
   const rowOf = (line) => html('tr', { class: line.class }, line.cells.map((cell, k) => cellOf(cell, k === 0)));
-  const compare = (a, b) => {
-    const [x, y] = [a, b].map((line) => line.cells[state.by]?.value ?? line.cells[state.by]?.text ?? '');
-    const missing = [x, y].map((v) => Number.isNaN(v) || v === '');
-    if (missing[0] !== missing[1]) return missing[0] ? 1 : -1;
-    return (x < y ? -1 : x > y ? 1 : 0) * (state.down ? -1 : 1);
-  };
+  const keyOf = (line) => line.cells[state.by]?.value ?? line.cells[state.by]?.text ?? '';
+  const compare = (a, b) => compareKeys(keyOf(a), keyOf(b), state.down);
   let shown = [], drawn = 0;
   const more = html('p', { class: 'more' }, html('button', { type: 'button', onclick: () => append(10 * firstRows) }, 'more rows'));
   const append = (count) => {

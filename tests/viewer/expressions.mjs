@@ -75,6 +75,8 @@ const checks = {
     same(at('max(limit of limits)'), Infinity, 'infinity is known');
     same([at('count(limits)'), at('count(limits where status == differs)'), at('distinct(solver of limits)')], [4, 1, 3], 'how many');
     same(at('max(limit of limits where status == none)'), NaN, 'of no row');
+    // Infinity, which a fold over nothing gives, would be shown as a result.
+    same([at('max(error)', 1, [1]), at('min(error)', 1, [1]), shown('max(error) | .1e', 1, [1])], [NaN, NaN, '–'], 'of rows that are all unknown');
     same([...new Template('{max(limit of limits where limit < max(error of runs))}').tables()].sort(), ['limits', 'runs'], 'the tables that are read');
   },
   'what is wrong is said, with the text'() {
@@ -115,6 +117,25 @@ const checks = {
     same((await rowsOf('none')).objects(), [], 'a table without rows');
     same((await rowsOf('absent')).length, 0, 'a table that was not measured');
     hold(rows.has('x') && !rows.has('y'), 'columns');
+  },
+  async 'a file without data is an error, and waits for nothing'() {
+    // Scripts of a page that load at once; `data/late.js` hands over its data.
+    const load = page('load');
+    context.document = { createElement: () => ({ addEventListener(name, work) { this[name] = work; }, setAttribute(name, value) { this[name] = value; }, append() {} }),
+      head: { append: (script) => { if (script.src === 'data/late.js') send('late', [7]); setTimeout(script.src === 'data/absent.js' ? script.error : script.load); } } };
+    const outcome = (name) => Promise.race([load(name).then(String, (error) => error.message), new Promise((resolve) => { setTimeout(resolve, 2000, 'it waits'); })]);
+    same([await outcome('late'), await outcome('empty'), await outcome('absent')], ['7', 'data/empty.js holds no data of that name', 'data/absent.js is not there'], 'what load answers');
+  },
+  'a column of numbers and texts has one order, wherever it starts'() {
+    const keys = [0.9, 'unstable', NaN, 0.1, '', 'any', Infinity, -2, 'unstable', 3], compareKeys = page('compareKeys');
+    for (const a of keys) for (const b of keys) for (const c of keys) for (const down of [false, true]) {
+      hold(Math.sign(compareKeys(a, b, down)) === -Math.sign(compareKeys(b, a, down)), `${a} and ${b}`);
+      if (compareKeys(a, b, down) <= 0 && compareKeys(b, c, down) <= 0) hold(compareKeys(a, c, down) <= 0, `${a}, ${b}, ${c}: not transitive`);
+    }
+    for (let turn = 0; turn < keys.length; ++turn) {
+      const turned = [...keys.slice(turn), ...keys.slice(0, turn)];
+      same(turned.sort((a, b) => compareKeys(a, b, false)).map(String).slice(0, 8), ['-2', '0.1', '0.9', '3', 'Infinity', 'any', 'unstable', 'unstable'], 'up');
+    }
   },
   // The last decade of time against the decade before.
   async 'how an error grows is the power of a pure power'() {
