@@ -1,109 +1,293 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The first view: for a problem and an error, who is fastest in each library, by how much, and why.
-const askedErrors = ['1e-3', '1e-6', '1e-9'];
+'use strict';
+(() => {
+  const {
+    facts, sameError, idOf, html, addressOf, settingText, duration, colourOf, times, whyNotReached,
+    shapeOf, number, plural, rangeOf, plot, leadOf, fitOf, disturbedText, fastestEigenvalue,
+    limitNumber, limitOf, stableText, writeAddress, choices, loadCase,
+  } = odeum;
 
-// The fastest of each library, with the run that it stands for.
-const fastestOf = (id, error, timed) => facts.fastest
-  .filter((row) => row.case === id && sameError(row.error, error))
-  .map((row) => ({ ...row, run: timed.find((t) => idOf(t) === idOf(row) && t.setting_kind === row.setting_kind && Math.abs(t.setting / row.setting - 1) < 1e-6) }))
-  .sort((a, b) => a.wall_ns_min - b.wall_ns_min);
+  const askedErrors = ['1e-3', '1e-6', '1e-9'];
 
-// The fastest own run that does not rest on a closed form.
-const fastestGeneral = (timed, error) => timed
-  .filter((row) => row.library === 'odeum' && row.error <= error && row.repetitions > 0 && facts.solverOf.get(idOf(row))?.family !== 'exponential')
-  .reduce((best, row) => (!best || row.wall_ns_min < best.wall_ns_min ? row : best), null);
+  // The fastest of each library, with the run that it stands for.
+  const fastestOf = (id, error, timed) =>
+    facts.fastest
+      .filter((row) => row.case === id && sameError(row.error, error))
+      .map((row) => ({
+        ...row,
+        run: timed.find(
+          (t) =>
+            idOf(t) === idOf(row) && t.setting_kind === row.setting_kind &&
+            Math.abs(t.setting / row.setting - 1) < 1e-6,
+        ),
+      }))
+      .sort((a, b) => a.wall_ns_min - b.wall_ns_min);
 
-const barRow = (row, longest, note) => html('tr', {},
-  html('th', { scope: 'row' }, html('a', { href: addressOf('compare', { case: row.case, x: 'time', add: '1', show: `${idOf(row)}:${row.setting_kind === 'tol' ? 'adaptive' : 'fixed'}` }), title: settingText(row) }, idOf(row)),
-    html('small', {}, note || settingText(row))),
-  html('td', { class: 'time' }, duration(row.wall_ns_min)),
-  html('td', { class: 'length' }, html('i', { style: { width: `${Math.max(0.5, (100 * row.wall_ns_min) / longest)}%`, background: colourOf(row.library) } })),
-  html('td', { class: 'ratio' }, row.ratio === 1 ? '' : `× ${times(row.ratio)}`));
+  // The fastest own run that does not rest on a closed form.
+  const fastestGeneral = (timed, error) =>
+    timed
+      .filter(
+        (row) =>
+          row.library === 'odeum' && row.error <= error && row.repetitions > 0 &&
+          facts.solverOf.get(idOf(row))?.family !== 'exponential',
+      )
+      .reduce((best, row) => (!best || row.wall_ns_min < best.wall_ns_min ? row : best), null);
 
-const bars = (id, error, best, timed, general) => {
-  const rows = best.map((row) => ({ ...row, ratio: row.wall_ns_min / best[0].wall_ns_min }));
-  if (general) rows.push({ ...general, case: id, ratio: general.wall_ns_min / best[0].wall_ns_min, general: true });
-  rows.sort((a, b) => a.wall_ns_min - b.wall_ns_min);
-  const longest = Math.max(...rows.map((row) => row.wall_ns_min), 1);
-  const missing = facts.libraryNames.filter((library) => !best.some((row) => row.library === library));
-  return html('table', { class: 'bars' },
-    html('caption', {}, 'The fastest of each library: time of a whole solve, set-up included, least of several'),
-    html('tbody', {}, rows.map((row) => barRow(row, longest, row.general ? `${settingText(row)}; the fastest own one that does not use a closed form` : '')),
-      missing.map((library) => {
-        const why = whyNotReached(timed.filter((row) => row.library === library), error);
-        return html('tr', { class: why.tried ? 'failed-row' : 'untried' }, html('th', { scope: 'row' }, library), html('td', { colspan: 3 }, why.text));
-      })));
-};
+  const barRow = (row, longest, note) =>
+    html(
+      'tr', {},
+      html(
+        'th', { scope: 'row' },
+        html(
+          'a',
+          {
+            href: addressOf('compare', {
+              case: row.case, x: 'time', add: '1',
+              show: `${idOf(row)}:${row.setting_kind === 'tol' ? 'adaptive' : 'fixed'}`,
+            }),
+            title: settingText(row),
+          },
+          idOf(row),
+        ),
+        html('small', {}, note || settingText(row)),
+      ),
+      html('td', { class: 'time' }, duration(row.wall_ns_min)),
+      html(
+        'td', { class: 'length' },
+        html('i', {
+          style: {
+            width: `${Math.max(0.5, (100 * row.wall_ns_min) / longest)}%`,
+            background: colourOf(row.library),
+          },
+        }),
+      ),
+      html('td', { class: 'ratio' }, row.ratio === 1 ? '' : `× ${times(row.ratio)}`),
+    );
 
-const bestCurve = (row, timed) => {
-  const runs = timed.filter((t) => idOf(t) === idOf(row) && t.setting_kind === row.setting_kind && t.repetitions > 0 && t.error > 0);
-  return { name: idOf(row), colour: colourOf(row.library), shape: shapeOf(facts.solverOf.get(idOf(row))), loose: runs.length < 2, dashed: row.setting_kind === 'step',
-    points: runs.map((run) => ({ x: run.wall_ns_min, y: run.error, run })) };
-};
-const tellTimed = (run) => [idOf(run), `${settingText(run)}: error ${number(run.error)}`, `${duration(run.wall_ns_min)} (median ${duration(run.wall_ns_median)}), ${plural(run.rhs_evaluations, 'evaluation')}`, `${plural(run.steps, 'step')}; ${run.measured}`];
+  const bars = (id, error, best, timed, general) => {
+    const rows = best.map((row) => ({ ...row, ratio: row.wall_ns_min / best[0].wall_ns_min }));
+    if (general)
+      rows.push({
+        ...general, case: id, ratio: general.wall_ns_min / best[0].wall_ns_min, general: true,
+      });
+    rows.sort((a, b) => a.wall_ns_min - b.wall_ns_min);
+    const longest = Math.max(...rows.map((row) => row.wall_ns_min), 1);
+    const missing = facts.libraryNames.filter(
+      (library) => !best.some((row) => row.library === library),
+    );
+    return html(
+      'table', { class: 'bars' },
+      html(
+        'caption', {},
+        'The fastest of each library: time of a whole solve, set-up included, least of several',
+      ),
+      html(
+        'tbody', {},
+        rows.map((row) =>
+          barRow(
+            row, longest,
+            row.general
+              ? `${settingText(row)}; the fastest own one that does not use a closed form`
+              : '',
+          ),
+        ),
+        missing.map((library) => {
+          const why = whyNotReached(
+            timed.filter((row) => row.library === library), error,
+          );
+          return html(
+            'tr', { class: why.tried ? 'failed-row' : 'untried' },
+            html('th', { scope: 'row' }, library), html('td', { colspan: 3 }, why.text),
+          );
+        }),
+      ),
+    );
+  };
 
-const answerPicture = (host, c, error, best, timed) => {
-  const drawn = timed.filter((row) => row.repetitions > 0 && row.error > 0 && row.error <= 10 * c.scale);
-  const x = rangeOf(drawn.map((row) => row.wall_ns_min), 1.5), y = rangeOf([...drawn.map((row) => row.error), error], 3);
-  if (!x) return host.replaceChildren(html('p', { class: 'missing' }, 'Nothing was timed.'));
-  return plot(host, { height: 380, description: `Error against time on ${c.title}; the table beside it has the fastest`,
-    x: { ...x, label: 'time of a solve', text: duration }, y: { ...y, label: 'largest error' },
-    cloud: drawn.map((run) => ({ x: run.wall_ns_min, y: run.error, run })),
-    curves: best.map((row) => bestCurve(row, timed)), tell: tellTimed,
-    levels: [{ y: error, text: `asked: ${number(error)}` }, { y: c.timed_floor, text: "the truth's own error", shaded: true }],
-    pick: (run) => { location.hash = addressOf('compare', { case: c.id, x: 'time', add: '1', show: `${idOf(run)}:${run.setting_kind === 'tol' ? 'adaptive' : 'fixed'}` }); } });
-};
+  const bestCurve = (row, timed) => {
+    const runs = timed.filter(
+      (t) =>
+        idOf(t) === idOf(row) && t.setting_kind === row.setting_kind && t.repetitions > 0 &&
+        t.error > 0,
+    );
+    return {
+      name: idOf(row), colour: colourOf(row.library), shape: shapeOf(facts.solverOf.get(idOf(row))),
+      loose: runs.length < 2, dashed: row.setting_kind === 'step',
+      points: runs.map((run) => ({ x: run.wall_ns_min, y: run.error, run })),
+    };
+  };
+  const tellTimed = (run) => [
+    idOf(run), `${settingText(run)}: error ${number(run.error)}`,
+    `${duration(run.wall_ns_min)} (median ${duration(run.wall_ns_median)}), ` +
+      `${plural(run.rhs_evaluations, 'evaluation')}`,
+    `${plural(run.steps, 'step')}; ${run.measured}`,
+  ];
 
-const answerWords = (c, error, best, timed, general) => {
-  const [first] = best, solver = facts.solverOf.get(idOf(first)) || { family: '', order: NaN };
-  const rival = best.find((row) => row.library !== first.library);
-  const sentences = [html('p', { class: 'answer' }, html('strong', {}, idOf(first)), ` reaches ${number(error)} in `, html('strong', {}, duration(first.wall_ns_min)), rival ? `, ${leadOf(first, rival, solver.family === 'exponential')}` : '; no other library reaches it.')];
-  sentences.push(html('p', {}, html('b', {}, 'Why: '), fitOf(c, solver), general ? ` Without the closed form ${idOf(general)} takes ${duration(general.wall_ns_min)}.` : ''));
-  const finer = askedErrors.map(Number).find((e) => e < error * 0.5), more = finer && fastestOf(c.id, finer, timed)[0];
-  if (more) sentences.push(html('p', {}, html('b', {}, 'Three digits more: '), sameWork(first, more)));
-  return sentences;
-};
-const sameWork = (now, more) => (more.wall_ns_min < 1.05 * now.wall_ns_min ? 'free: the same run has them.'
-  : `${times(more.wall_ns_min / now.wall_ns_min)} times the time, with ${idOf(more) === idOf(now) ? 'the same method' : idOf(more)}.`);
+  const answerPicture = (host, c, error, best, timed) => {
+    const drawn = timed.filter(
+      (row) => row.repetitions > 0 && row.error > 0 && row.error <= 10 * c.scale,
+    );
+    const x = rangeOf(
+        drawn.map((row) => row.wall_ns_min), 1.5,
+      ),
+      y = rangeOf([...drawn.map((row) => row.error), error], 3);
+    if (!x) return host.replaceChildren(html('p', { class: 'missing' }, 'Nothing was timed.'));
+    return plot(host, {
+      height: 380,
+      description: `Error against time on ${c.title}; the table beside it has the fastest`,
+      x: { ...x, label: 'time of a solve', text: duration }, y: { ...y, label: 'largest error' },
+      cloud: drawn.map((run) => ({ x: run.wall_ns_min, y: run.error, run })),
+      curves: best.map((row) => bestCurve(row, timed)), tell: tellTimed,
+      levels: [
+        { y: error, text: `asked: ${number(error)}` },
+        { y: c.timed_floor, text: "the truth's own error", shaded: true },
+      ],
+      pick: (run) => {
+        location.hash = addressOf('compare', {
+          case: c.id, x: 'time', add: '1',
+          show: `${idOf(run)}:${run.setting_kind === 'tol' ? 'adaptive' : 'fixed'}`,
+        });
+      },
+    });
+  };
 
-const reproduce = (c, row) => (row.setting_kind === 'tol' ? `odeum run ${c.id} --solver ${idOf(row)} --tol ${number(row.setting)} --until ${c.end}`
-  : `odeum run ${c.id} --solver ${idOf(row)} --step ${roundedUp(row.setting)} --until ${c.end}`);
-// A step that is not below the one that was run: `odeum run` takes the next smaller divisor.
-const roundedUp = (step) => Number((step * (1 + 2e-8)).toPrecision(9));
+  const answerWords = (c, error, best, timed, general) => {
+    const [first] = best,
+      solver = facts.solverOf.get(idOf(first)) || { family: '', order: NaN };
+    const rival = best.find((row) => row.library !== first.library);
+    const sentences = [
+      html(
+        'p', { class: 'answer' }, html('strong', {}, idOf(first)), ` reaches ${number(error)} in `,
+        html('strong', {}, duration(first.wall_ns_min)),
+        rival
+          ? `, ${leadOf(first, rival, solver.family === 'exponential')}`
+          : '; no other library reaches it.',
+      ),
+    ];
+    sentences.push(
+      html(
+        'p', {}, html('b', {}, 'Why: '), fitOf(c, solver),
+        general
+          ? ` Without the closed form ${idOf(general)} takes ${duration(general.wall_ns_min)}.`
+          : '',
+      ),
+    );
+    const finer = askedErrors.map(Number).find((e) => e < error * 0.5),
+      more = finer && fastestOf(c.id, finer, timed)[0];
+    if (more)
+      sentences.push(html('p', {}, html('b', {}, 'Three digits more: '), sameWork(first, more)));
+    return sentences;
+  };
+  const sameWork = (now, more) =>
+    more.wall_ns_min < 1.05 * now.wall_ns_min
+      ? 'free: the same run has them.'
+      : `${times(more.wall_ns_min / now.wall_ns_min)} times the time, with ` +
+        `${idOf(more) === idOf(now) ? 'the same method' : idOf(more)}.`;
 
-const answerBody = (c, error, { timed }) => {
-  const best = fastestOf(c.id, error, timed);
-  const exact = best[0] && facts.solverOf.get(idOf(best[0]))?.family === 'exponential';
-  const general = exact ? fastestGeneral(timed, error) : null;
-  const picture = html('div', { class: 'picture' }), stable = html('p', { class: 'stable' });
-  const words = best.length ? answerWords(c, error, best, timed, general) : [html('p', { class: 'answer' }, timed.length ? `No solver reaches ${number(error)} within what a report pays for a solve.` : 'Not timed in this report.')];
-  const body = html('div', { class: 'columns wide-left' },
-    html('div', {}, html('p', { class: 'equation' }, html('a', { href: addressOf('case', { id: c.id }) }, c.title), ': ', html('code', {}, c.equation)),
-      words, stable, bars(c.id, error, best, timed, general), disturbedText(timed) ? html('p', { class: 'disturbed' }, '⚠ ', disturbedText(timed)) : null,
-      best[0] ? html('p', { class: 'command' }, html('b', {}, 'Reproduce: '), html('code', {}, reproduce(c, best[0]))) : null,
-      html('p', {}, html('a', { href: addressOf('compare', { case: c.id, x: 'time' }) }, 'Compare these'), ' · ', html('a', { href: addressOf('case', { id: c.id, part: 'precision' }) }, 'all numbers'), ' · ', html('a', { href: 'precision.csv' }, 'precision.csv'))),
-    picture);
-  requestAnimationFrame(() => answerPicture(picture, c, error, best, timed));
-  if (best[0]) stability(c, general || best[0]).then((text) => stable.replaceChildren(...(text ? [html('b', {}, 'Stable: '), text] : [])));
-  return body;
-};
-const stability = async (c, row) => {
-  const solver = facts.solverOf.get(idOf(row)), z = fastestEigenvalue(c, limitNumber(idOf(row), 'real') === undefined);
-  if (!solver || !z) return '';
-  const limit = await limitOf(idOf(row), z);
-  const text = stableText(c, solver, limit, z);
-  return text && `${idOf(row)} ${text}${row.setting_kind === 'tol' && Number.isFinite(limit?.value) ? ' To a tolerance it keeps below that by itself.' : ''}`;
-};
+  const reproduce = (c, row) =>
+    row.setting_kind === 'tol'
+      ? `odeum run ${c.id} --solver ${idOf(row)} --tol ${number(row.setting)} --until ${c.end}`
+      : `odeum run ${c.id} --solver ${idOf(row)} --step ${roundedUp(row.setting)} --until ${c.end}`;
+  // A step that is not below the one that was run: `odeum run` takes the next smaller divisor.
+  const roundedUp = (step) => Number((step * (1 + 2e-8)).toPrecision(9));
 
-const showAnswers = (host, choice) => {
-  const asked = facts.questions.filter((q) => facts.caseOf.has(q.case));
-  if (!asked.length) return host.replaceChildren(html('p', { class: 'missing' }, 'This report has none of the problems of this page.'));
-  const question = asked.find((q) => q.case === choice.case) || asked[0];
-  const error = askedErrors.includes(choice.error) ? choice.error : '1e-6';
-  const turn = (change) => { const next = { case: question.case, error, ...change }; writeAddress('answers', next); showAnswers(host, next); };
-  const body = html('div', { class: 'answer-body', 'aria-live': 'polite' });
-  host.replaceChildren(html('div', { class: 'controls' },
-    choices('problem', asked.map((q) => [q.case, q.title, facts.caseOf.get(q.case).equation]), question.case, (id) => turn({ case: id })),
-    html('span', { class: 'error-choice' }, 'error ', choices('error', askedErrors.map((e) => [e, e]), error, (e) => turn({ error: e })))), body);
-  return loadCase(question.case).then((data) => body.replaceChildren(answerBody(facts.caseOf.get(question.case), Number(error), data)));
-};
+  const answerBody = (c, error, { timed }) => {
+    const best = fastestOf(c.id, error, timed);
+    const exact = best[0] && facts.solverOf.get(idOf(best[0]))?.family === 'exponential';
+    const general = exact ? fastestGeneral(timed, error) : null;
+    const picture = html('div', { class: 'picture' }),
+      stable = html('p', { class: 'stable' });
+    const words = best.length
+      ? answerWords(c, error, best, timed, general)
+      : [
+          html(
+            'p', { class: 'answer' },
+            timed.length
+              ? `No solver reaches ${number(error)} within what a report pays for a solve.`
+              : 'Not timed in this report.',
+          ),
+        ];
+    const body = html(
+      'div', { class: 'columns wide-left' },
+      html(
+        'div', {},
+        html(
+          'p', { class: 'equation' }, html('a', { href: addressOf('case', { id: c.id }) }, c.title),
+          ': ', html('code', {}, c.equation),
+        ),
+        words,
+        stable,
+        bars(c.id, error, best, timed, general),
+        disturbedText(timed) ? html('p', { class: 'disturbed' }, '⚠ ', disturbedText(timed)) : null,
+        best[0]
+          ? html(
+              'p', { class: 'command' }, html('b', {}, 'Reproduce: '),
+              html('code', {}, reproduce(c, best[0])),
+            )
+          : null,
+        html(
+          'p', {},
+          html('a', { href: addressOf('compare', { case: c.id, x: 'time' }) }, 'Compare these'),
+          ' · ',
+          html('a', { href: addressOf('case', { id: c.id, part: 'precision' }) }, 'all numbers'),
+          ' · ', html('a', { href: 'precision.csv' }, 'precision.csv'),
+        ),
+      ),
+      picture,
+    );
+    requestAnimationFrame(() => answerPicture(picture, c, error, best, timed));
+    if (best[0])
+      stability(c, general || best[0]).then((text) =>
+        stable.replaceChildren(...(text ? [html('b', {}, 'Stable: '), text] : [])),
+      );
+    return body;
+  };
+  const stability = async (c, row) => {
+    const solver = facts.solverOf.get(idOf(row)),
+      z = fastestEigenvalue(c, limitNumber(idOf(row), 'real') === undefined);
+    if (!solver || !z) return '';
+    const limit = await limitOf(idOf(row), z);
+    const text = stableText(c, solver, limit, z);
+    if (!text) return '';
+    const kept = row.setting_kind === 'tol' && Number.isFinite(limit?.value);
+    return `${idOf(row)} ${text}${kept ? ' To a tolerance it keeps below that by itself.' : ''}`;
+  };
+
+  const showAnswers = (host, choice) => {
+    const asked = facts.questions.filter((q) => facts.caseOf.has(q.case));
+    if (!asked.length)
+      return host.replaceChildren(
+        html('p', { class: 'missing' }, 'This report has none of the problems of this page.'),
+      );
+    const question = asked.find((q) => q.case === choice.case) || asked[0];
+    const error = askedErrors.includes(choice.error) ? choice.error : '1e-6';
+    const turn = (change) => {
+      const next = { case: question.case, error, ...change };
+      writeAddress('answers', next);
+      showAnswers(host, next);
+    };
+    const body = html('div', { class: 'answer-body', 'aria-live': 'polite' });
+    host.replaceChildren(
+      html(
+        'div', { class: 'controls' },
+        choices(
+          'problem', asked.map((q) => [q.case, q.title, facts.caseOf.get(q.case).equation]),
+          question.case, (id) => turn({ case: id }),
+        ),
+        html(
+          'span', { class: 'error-choice' }, 'error ',
+          choices(
+            'error', askedErrors.map((e) => [e, e]), error, (e) => turn({ error: e }),
+          ),
+        ),
+      ),
+      body,
+    );
+    return loadCase(question.case).then((data) =>
+      body.replaceChildren(answerBody(facts.caseOf.get(question.case), Number(error), data)),
+    );
+  };
+
+  Object.assign(odeum, { roundedUp, showAnswers });
+})();

@@ -1,147 +1,375 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The page of one problem, as odeum run, classify and poisson write it with --out (src/odeum/trajectories/run_page.hpp):
-// of runs what ran, how it ended, the solutions over time and in the state plane, errors, energy, steps, and replays
-// in step; see also fields.js.
-const mostComponents = 6;
+// The page of one problem, as odeum run, classify and poisson write it with --out
+// (src/odeum/trajectories/run_page.hpp): of runs what ran, how it ended, the solutions over time
+// and in the state plane, errors, energy, steps, and replays in step; see also fields.js.
+'use strict';
+(() => {
+  const {
+    html, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, settingText, facts,
+    blocks, prepare, emptyText,
+  } = odeum;
 
-// A figure with a title and a picture, which can be saved.
-const figureOf = (host, title) => {
-  const picture = html('div', { class: 'picture' }), name = title.toLowerCase().replace(/[^a-z0-9]+/g, '_');
-  host.append(html('figure', { 'data-figure': name }, html('figcaption', {}, html('strong', {}, title), ' ', html('button', { type: 'button', class: 'download', onclick: () => saveSvg(picture, `${name}.svg`) }, 'save as SVG')), picture));
-  return picture;
-};
-// A figure of curves {name, key, points, exact, dashed}: the exact solution wide and pale, solvers in colours of
-// their own. `bare` curves are drawn as marks.
-const runFigure = (host, title, axes, curves, spec = {}) => {
-  const drawn = curves.map((curve) => ({ ...curve, points: curve.points.filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y) && (!axes.y.log || p.y > 0)) })).filter((curve) => curve.points.length);
-  const points = drawn.flatMap((curve) => curve.points);
-  const x = spanOf(points.map((p) => p.x)), y = axes.y.log ? rangeOf(points.map((p) => p.y), 1.5) : axes.y.range ? { low: axes.y.range[0], high: axes.y.range[1] } : spanOf(points.map((p) => p.y));
-  if (!x || !y) return;
-  const picture = figureOf(host, title);
-  plot(picture, { height: 300, description: title, x: { ...x, label: axes.x.label }, y: { ...y, label: axes.y.label, log: axes.y.log }, nameless: true, tell: (run, curve) => [curve.name, `${axes.x.label || 'x'}: ${number(run.x, 6)}`, `${axes.y.label || 'y'}: ${number(run.y, 6)}`],
-    curves: drawn.map((curve) => ({ ...curve, points: curve.points.map((p) => ({ ...p, run: p })), colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`, shape: curve.exact ? 0 : curve.key % 8, wide: curve.exact && !curve.loose, bare: !curve.loose && (curve.exact || curve.points.length > 30), stairs: spec.stairs })) });
-  host.lastChild.append(legendOf(drawn.map((curve) => ({ name: curve.name, colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`, shape: curve.exact ? 0 : curve.key % 8, dashed: curve.dashed, bare: !curve.loose }))));
-};
+  const mostComponents = 6;
 
-// The picture as a file that stands alone: colours that the style sheet gives are written into it.
-const saveSvg = (picture, name) => {
-  const shown = picture.querySelector('svg'), copy = shown.cloneNode(true);
-  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  const from = [shown, ...shown.querySelectorAll('*')], to = [copy, ...copy.querySelectorAll('*')];
-  from.forEach((element, i) => {
-    const style = getComputedStyle(element);
-    for (const key of ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'fill-opacity', 'opacity', 'text-anchor', 'font-size', 'font-family', 'visibility']) to[i].style.setProperty(key, style.getPropertyValue(key));
-  });
-  save(name, new XMLSerializer().serializeToString(copy), 'image/svg+xml');
-};
-
-// Rows by solver, in the order of the runs; the exact solution's, if any, first.
-const bySolver = (rows, runs) => {
-  const all = rows.objects(), groups = [];
-  const exact = all.filter((row) => row.library === 'truth');
-  if (exact.length > 1) groups.push({ name: 'exact', key: -1, exact: true, rows: exact });
-  runs.forEach((run, key) => { const own = all.filter((row) => row.library === run.library && row.solver === run.solver); if (own.length) groups.push({ name: idOf(run), key, rows: own }); });
-  return groups;
-};
-
-const caseFigures = async (host, about, runs) => {
-  const [trajectory, steps, schemes] = await Promise.all(['trajectory', 'steps', 'schemes'].map((name) => rowsOf(name)));
-  const groups = bySolver(trajectory, runs).map((group) => ({ ...group, loose: group.exact && !about.exact_everywhere }));
-  const closed = bySolver(schemes, runs).map((group) => ({ ...group, name: `${group.name}, its own closed form`, dashed: true }));
-  const names = about.components, n = names.length, plotted = (x, y) => [...groups, ...closed].map((group) => ({ ...group, points: group.rows.map((row) => ({ x: x(row), y: y(row) })) }));
-  const of = (name) => (row) => row[name], time = of('time');
-  if (n > 1 && n <= 4 && runs.length === 1 && !about.second_order)
-    runFigure(host, 'Components over time', { x: { label: 'time' }, y: { label: '' } }, names.map((name, key) => ({ name, key, points: (groups.find((group) => !group.exact)?.rows || []).map((row) => ({ x: row.time, y: row[name] })) })));
-  for (const i of about.measured.slice(0, mostComponents)) runFigure(host, `${names[i]} over time`, { x: { label: 'time' }, y: { label: names[i] } }, plotted(time, of(names[i])));
-  const plane = (i, j, title) => runFigure(host, `${title}: ${names[j]} against ${names[i]}`, { x: { label: names[i] }, y: { label: names[j] } }, plotted(of(names[i]), of(names[j])));
-  if (about.second_order) for (let i = 0; i < Math.min(n / 2, 2); ++i) plane(i, n / 2 + i, 'State plane');
-  else if (n > 1) plane(0, 1, 'State plane');
-  if (about.second_order && n >= 4) plane(0, 1, 'Path');
-  runFigure(host, 'Largest error over time', { x: { label: 'time' }, y: { label: 'error', log: true } }, groups.filter((group) => !group.exact).map((group) => ({ ...group, loose: !about.exact_everywhere, points: group.rows.map((row) => ({ x: row.time, y: row.error })) })));
-  if (about.energy) { const start = groups.find((group) => !group.exact)?.rows[0]?.energy; runFigure(host, 'Energy, less that at the start', { x: { label: 'time' }, y: { label: 'energy' } }, groups.map((group) => ({ ...group, points: group.rows.map((row) => ({ x: row.time, y: row.energy - start })) }))); }
-  runFigure(host, 'Steps taken over time', { x: { label: 'time' }, y: { label: 'step', log: true } }, bySolver(steps, runs).map((group) => ({ ...group, points: group.rows.flatMap((row) => [{ x: row.time - row.step, y: row.step }, { x: row.time, y: row.step }]) })));
-};
-
-const sceneFigures = async (host, about, runs) => {
-  const [plotted, energies] = await Promise.all(['plotted', 'energies'].map((name) => rowsOf(name)));
-  if (about.plot) {
-    const { particle, coordinate, range } = about.plot, groups = bySolver(plotted, runs), curves = (x, y) => groups.map((group) => ({ ...group, points: group.rows.map((row) => ({ x: row[x], y: row[y] })) }));
-    runFigure(host, `${coordinate} of particle ${particle} over time`, { x: { label: 'time (s)' }, y: { label: `${coordinate} (m)`, range } }, curves('time', 'position'));
-    runFigure(host, `State plane of ${coordinate} of particle ${particle}`, { x: { label: `${coordinate} (m)` }, y: { label: `v${coordinate} (m/s)` } }, curves('position', 'velocity'));
-  }
-  const groups = bySolver(energies, runs), start = groups[0]?.rows[0]?.total;
-  runFigure(host, 'Energy, less that at the start', { x: { label: 'time (s)' }, y: { label: 'energy (J)' } }, groups.map((group) => ({ ...group, points: group.rows.map((row) => ({ x: row.time, y: row.total - start })) })));
-};
-
-const pageFigures = { case: caseFigures, scene: sceneFigures, types: typeFigures, field: fieldFigures };
-const runTable = (about, runs) => {
-  const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
-  return tableOf(['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({ text })), runs.map((run) => ({
-    cells: [{ text: idOf(run) }, { text: `${run.status}${run.detail ? `: ${run.detail}` : ''}`, class: run.detail ? 'reason' : undefined }, { text: settingText(run) }, ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({ text: value.toLocaleString('en'), value })), { text: number(run.result, 4), value: run.result }] })));
-};
-const showRuns = async (host) => {
-  const about = facts.runs, runs = (await rowsOf('runs')).objects();
-  document.title = `${about.title} – Odeum`;
-  host.append(html('h1', {}, about.title), about.lead ? html('p', { class: 'lead' }, html('code', {}, about.lead)) : '',
-    html('dl', { class: 'facts' }, about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)])));
-  if (runs.length) host.append(runTable(about, runs));
-  const figures = html('div', { class: 'figures' });
-  host.append(figures);
-  await pageFigures[about.kind](figures, about, runs);
-  const replays = runs.filter((run) => run.replay).map((run) => ({ name: idOf(run), address: run.replay }));
-  if (replays.length) replaysInStep(host, replays);
-};
-
-// Replays in frames, moved together by one set of controls and with one camera: {name, address}.
-const replaysInStep = (host, replays) => {
-  const frames = replays.map(({ name, address }) => html('iframe', { src: address, title: `replay of ${name}` }));
-  const state = { duration: 0, time: 0, playing: false, before: null, camera: null, ready: new Set() };
-  const tell = (message, except) => { for (const frame of frames) if (frame.contentWindow && frame.contentWindow !== except) frame.contentWindow.postMessage(message, '*'); };
-  const range = html('input', { type: 'range', min: 0, value: 0, step: 'any', 'aria-label': 'time of all replays', oninput: () => { state.time = Number(range.value); show(); } }), now = html('output', {});
-  const boxes = [['trails', 'trails', true], ['springs', 'springs', true], ['surface', 'cloth', true], ['arrows', 'velocities', false]].map(([name, text, checked]) => ({ name, box: html('input', { type: 'checkbox', checked, onchange: () => show() }), text }));
-  const play = html('button', { type: 'button', onclick: () => { state.playing = !state.playing; play.textContent = state.playing ? 'Pause' : 'Play'; } }, 'Play');
-  const rate = html('select', { 'aria-label': 'speed' }, [['0.1', '1/10'], ['0.5', '1/2'], ['1', '1'], ['2', '2']].map(([value, text]) => html('option', { value, selected: value === '1' }, text)));
-  const show = () => {
-    range.value = state.time;
-    now.textContent = `t = ${state.time.toFixed(3)} s`;
-    tell({ odeum: 'time', time: state.time, ...Object.fromEntries(boxes.map(({ name, box }) => [name, box.checked])) });
+  // A figure with a title and a picture, which can be saved.
+  const figureOf = (host, title) => {
+    const picture = html('div', { class: 'picture' }),
+      name = title.toLowerCase().replace(/[^a-z0-9]+/g, '_');
+    host.append(
+      html(
+        'figure', { 'data-figure': name },
+        html(
+          'figcaption', {}, html('strong', {}, title), ' ',
+          html(
+            'button',
+            { type: 'button', class: 'download', onclick: () => saveSvg(picture, `${name}.svg`) },
+            'save as SVG',
+          ),
+        ),
+        picture,
+      ),
+    );
+    return picture;
   };
-  const hear = (event) => {
-    const from = frames.findIndex((frame) => frame.contentWindow === event.source);
-    if (!host.isConnected) return removeEventListener('message', hear);
-    if (from < 0 || !event.data) return null;
-    if (event.data.odeum === 'ready') {
-      state.ready.add(from);
-      state.duration = Math.max(state.duration, event.data.duration);
-      range.max = state.duration;
-      document.documentElement.dataset.ready = state.ready.size;
-      if (state.camera) tell({ odeum: 'camera', camera: state.camera });
-      show();
-    }
-    // At first the view of the first replay, later that of the one that was turned.
-    if (event.data.odeum === 'camera' && (state.camera || from === 0)) { state.camera = event.data.camera; tell({ odeum: 'camera', camera: state.camera }, event.source); }
-    return null;
+  // A figure of curves {name, key, points, exact, dashed}: the exact solution wide and pale,
+  // solvers in colours of their own. `bare` curves are drawn as marks.
+  const runFigure = (host, title, axes, curves, spec = {}) => {
+    const drawn = curves
+      .map((curve) => ({
+        ...curve,
+        points: curve.points.filter(
+          (p) => Number.isFinite(p.x) && Number.isFinite(p.y) && (!axes.y.log || p.y > 0),
+        ),
+      }))
+      .filter((curve) => curve.points.length);
+    const points = drawn.flatMap((curve) => curve.points);
+    const x = spanOf(points.map((p) => p.x)),
+      y = axes.y.log
+        ? rangeOf(
+            points.map((p) => p.y), 1.5,
+          )
+        : axes.y.range
+          ? { low: axes.y.range[0], high: axes.y.range[1] }
+          : spanOf(points.map((p) => p.y));
+    if (!x || !y) return;
+    const picture = figureOf(host, title);
+    plot(picture, {
+      height: 300, description: title, x: { ...x, label: axes.x.label },
+      y: { ...y, label: axes.y.label, log: axes.y.log }, nameless: true,
+      tell: (run, curve) => [
+        curve.name, `${axes.x.label || 'x'}: ${number(run.x, 6)}`,
+        `${axes.y.label || 'y'}: ${number(run.y, 6)}`,
+      ],
+      curves: drawn.map((curve) => ({
+        ...curve, points: curve.points.map((p) => ({ ...p, run: p })),
+        colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`,
+        shape: curve.exact ? 0 : curve.key % 8, wide: curve.exact && !curve.loose,
+        bare: !curve.loose && (curve.exact || curve.points.length > 30), stairs: spec.stairs,
+      })),
+    });
+    host.lastChild.append(
+      legendOf(
+        drawn.map((curve) => ({
+          name: curve.name, colour: curve.exact ? 'var(--dim)' : `var(--s${curve.key % 8})`,
+          shape: curve.exact ? 0 : curve.key % 8, dashed: curve.dashed, bare: !curve.loose,
+        })),
+      ),
+    );
   };
-  addEventListener('message', hear);
-  const tick = (time) => {
-    if (!host.isConnected) return;
-    if (state.playing && state.before !== null) {
-      state.time += Math.min((time - state.before) / 1000, 0.1) * Number(rate.value);
-      if (state.time > state.duration) state.time = 0;
-      show();
+
+  // The picture as a file that stands alone: colours that the style sheet gives are written into
+  // it.
+  const saveSvg = (picture, name) => {
+    const shown = picture.querySelector('svg'),
+      copy = shown.cloneNode(true);
+    copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+    const from = [shown, ...shown.querySelectorAll('*')],
+      to = [copy, ...copy.querySelectorAll('*')];
+    from.forEach((element, i) => {
+      const style = getComputedStyle(element);
+      for (const key of [
+        'fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'fill-opacity',
+        'opacity', 'text-anchor', 'font-size', 'font-family', 'visibility',
+      ])
+        to[i].style.setProperty(key, style.getPropertyValue(key));
+    });
+    save(name, new XMLSerializer().serializeToString(copy), 'image/svg+xml');
+  };
+
+  // Rows by solver, in the order of the runs; the exact solution's, if any, first.
+  const bySolver = (rows, runs) => {
+    const all = rows.objects(),
+      groups = [];
+    const exact = all.filter((row) => row.library === 'truth');
+    if (exact.length > 1) groups.push({ name: 'exact', key: -1, exact: true, rows: exact });
+    runs.forEach((run, key) => {
+      const own = all.filter((row) => row.library === run.library && row.solver === run.solver);
+      if (own.length) groups.push({ name: idOf(run), key, rows: own });
+    });
+    return groups;
+  };
+
+  const caseFigures = async (host, about, runs) => {
+    const [trajectory, steps, schemes] = await Promise.all(
+      ['trajectory', 'steps', 'schemes'].map((name) => rowsOf(name)),
+    );
+    const groups = bySolver(trajectory, runs).map((group) => ({
+      ...group, loose: group.exact && !about.exact_everywhere,
+    }));
+    const closed = bySolver(schemes, runs).map((group) => ({
+      ...group, name: `${group.name}, its own closed form`, dashed: true,
+    }));
+    const names = about.components,
+      n = names.length,
+      plotted = (x, y) =>
+        [...groups, ...closed].map((group) => ({
+          ...group, points: group.rows.map((row) => ({ x: x(row), y: y(row) })),
+        }));
+    const of = (name) => (row) => row[name],
+      time = of('time');
+    if (n > 1 && n <= 4 && runs.length === 1 && !about.second_order)
+      runFigure(
+        host, 'Components over time', { x: { label: 'time' }, y: { label: '' } },
+        names.map((name, key) => ({
+          name, key,
+          points: (groups.find((group) => !group.exact)?.rows || []).map((row) => ({
+            x: row.time, y: row[name],
+          })),
+        })),
+      );
+    for (const i of about.measured.slice(0, mostComponents))
+      runFigure(
+        host, `${names[i]} over time`, { x: { label: 'time' }, y: { label: names[i] } },
+        plotted(time, of(names[i])),
+      );
+    const plane = (i, j, title) =>
+      runFigure(
+        host, `${title}: ${names[j]} against ${names[i]}`,
+        { x: { label: names[i] }, y: { label: names[j] } }, plotted(of(names[i]), of(names[j])),
+      );
+    if (about.second_order)
+      for (let i = 0; i < Math.min(n / 2, 2); ++i) plane(i, n / 2 + i, 'State plane');
+    else if (n > 1) plane(0, 1, 'State plane');
+    if (about.second_order && n >= 4) plane(0, 1, 'Path');
+    runFigure(
+      host, 'Largest error over time', { x: { label: 'time' }, y: { label: 'error', log: true } },
+      groups
+        .filter((group) => !group.exact)
+        .map((group) => ({
+          ...group, loose: !about.exact_everywhere,
+          points: group.rows.map((row) => ({ x: row.time, y: row.error })),
+        })),
+    );
+    if (about.energy) {
+      const start = groups.find((group) => !group.exact)?.rows[0]?.energy;
+      runFigure(
+        host, 'Energy, less that at the start', { x: { label: 'time' }, y: { label: 'energy' } },
+        groups.map((group) => ({
+          ...group, points: group.rows.map((row) => ({ x: row.time, y: row.energy - start })),
+        })),
+      );
     }
-    state.before = time;
+    runFigure(
+      host, 'Steps taken over time', { x: { label: 'time' }, y: { label: 'step', log: true } },
+      bySolver(steps, runs).map((group) => ({
+        ...group,
+        points: group.rows.flatMap((row) => [
+          { x: row.time - row.step, y: row.step }, { x: row.time, y: row.step },
+        ]),
+      })),
+    );
+  };
+
+  const sceneFigures = async (host, about, runs) => {
+    const [plotted, energies] = await Promise.all(
+      ['plotted', 'energies'].map((name) => rowsOf(name)),
+    );
+    if (about.plot) {
+      const { particle, coordinate, range } = about.plot,
+        groups = bySolver(plotted, runs),
+        curves = (x, y) =>
+          groups.map((group) => ({
+            ...group, points: group.rows.map((row) => ({ x: row[x], y: row[y] })),
+          }));
+      runFigure(
+        host, `${coordinate} of particle ${particle} over time`,
+        { x: { label: 'time (s)' }, y: { label: `${coordinate} (m)`, range } },
+        curves('time', 'position'),
+      );
+      runFigure(
+        host, `State plane of ${coordinate} of particle ${particle}`,
+        { x: { label: `${coordinate} (m)` }, y: { label: `v${coordinate} (m/s)` } },
+        curves('position', 'velocity'),
+      );
+    }
+    const groups = bySolver(energies, runs),
+      start = groups[0]?.rows[0]?.total;
+    runFigure(
+      host, 'Energy, less that at the start',
+      { x: { label: 'time (s)' }, y: { label: 'energy (J)' } },
+      groups.map((group) => ({
+        ...group, points: group.rows.map((row) => ({ x: row.time, y: row.total - start })),
+      })),
+    );
+  };
+
+  // By the kind of a page; fields.js has more.
+  const pageFigures = { case: caseFigures, scene: sceneFigures };
+  const runTable = (about, runs) => {
+    const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
+    return tableOf(
+      ['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({
+        text,
+      })),
+      runs.map((run) => ({
+        cells: [
+          { text: idOf(run) },
+          {
+            text: `${run.status}${run.detail ? `: ${run.detail}` : ''}`,
+            class: run.detail ? 'reason' : undefined,
+          },
+          { text: settingText(run) },
+          ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({
+            text: value.toLocaleString('en'), value,
+          })),
+          { text: number(run.result, 4), value: run.result },
+        ],
+      })),
+    );
+  };
+  const showRuns = async (host) => {
+    const about = facts.runs,
+      runs = (await rowsOf('runs')).objects();
+    document.title = `${about.title} – Odeum`;
+    host.append(
+      html('h1', {}, about.title),
+      about.lead ? html('p', { class: 'lead' }, html('code', {}, about.lead)) : '',
+      html(
+        'dl', { class: 'facts' },
+        about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)]),
+      ),
+    );
+    if (runs.length) host.append(runTable(about, runs));
+    const figures = html('div', { class: 'figures' });
+    host.append(figures);
+    await pageFigures[about.kind](figures, about, runs);
+    const replays = runs
+      .filter((run) => run.replay)
+      .map((run) => ({ name: idOf(run), address: run.replay }));
+    if (replays.length) replaysInStep(host, replays);
+  };
+
+  // Replays in frames, moved together by one set of controls and with one camera: {name, address}.
+  const replaysInStep = (host, replays) => {
+    const frames = replays.map(({ name, address }) =>
+      html('iframe', { src: address, title: `replay of ${name}` }),
+    );
+    const state = {
+      duration: 0, time: 0, playing: false, before: null, camera: null, ready: new Set(),
+    };
+    const tell = (message, except) => {
+      for (const frame of frames)
+        if (frame.contentWindow && frame.contentWindow !== except)
+          frame.contentWindow.postMessage(message, '*');
+    };
+    const range = html('input', {
+        type: 'range', min: 0, value: 0, step: 'any', 'aria-label': 'time of all replays',
+        oninput: () => {
+          state.time = Number(range.value);
+          show();
+        },
+      }),
+      now = html('output', {});
+    const boxes = [
+      ['trails', 'trails', true], ['springs', 'springs', true], ['surface', 'cloth', true],
+      ['arrows', 'velocities', false],
+    ].map(([name, text, checked]) => ({
+      name, box: html('input', { type: 'checkbox', checked, onchange: () => show() }), text,
+    }));
+    const play = html(
+      'button',
+      {
+        type: 'button',
+        onclick: () => {
+          state.playing = !state.playing;
+          play.textContent = state.playing ? 'Pause' : 'Play';
+        },
+      },
+      'Play',
+    );
+    const rate = html(
+      'select', { 'aria-label': 'speed' },
+      [
+        ['0.1', '1/10'], ['0.5', '1/2'], ['1', '1'], ['2', '2'],
+      ].map(([value, text]) => html('option', { value, selected: value === '1' }, text)),
+    );
+    const show = () => {
+      range.value = state.time;
+      now.textContent = `t = ${state.time.toFixed(3)} s`;
+      tell({
+        odeum: 'time', time: state.time,
+        ...Object.fromEntries(boxes.map(({ name, box }) => [name, box.checked])),
+      });
+    };
+    const hear = (event) => {
+      const from = frames.findIndex((frame) => frame.contentWindow === event.source);
+      if (!host.isConnected) return removeEventListener('message', hear);
+      if (from < 0 || !event.data) return null;
+      if (event.data.odeum === 'ready') {
+        state.ready.add(from);
+        state.duration = Math.max(state.duration, event.data.duration);
+        range.max = state.duration;
+        document.documentElement.dataset.ready = state.ready.size;
+        if (state.camera) tell({ odeum: 'camera', camera: state.camera });
+        show();
+      }
+      // At first the view of the first replay, later that of the one that was turned.
+      if (event.data.odeum === 'camera' && (state.camera || from === 0)) {
+        state.camera = event.data.camera;
+        tell({ odeum: 'camera', camera: state.camera }, event.source);
+      }
+      return null;
+    };
+    addEventListener('message', hear);
+    const tick = (time) => {
+      if (!host.isConnected) return;
+      if (state.playing && state.before !== null) {
+        state.time += Math.min((time - state.before) / 1000, 0.1) * Number(rate.value);
+        if (state.time > state.duration) state.time = 0;
+        show();
+      }
+      state.before = time;
+      requestAnimationFrame(tick);
+    };
+    host.append(
+      html('h2', {}, 'Replays in step'),
+      html(
+        'div', { class: 'controls together' }, play, range, now,
+        html('label', { class: 'field' }, 'speed ', rate),
+        boxes.map(({ box, text }) => html('label', {}, box, ` ${text}`)),
+      ),
+      html(
+        'div', { class: 'replays' },
+        replays.map(({ name, address }, i) =>
+          html(
+            'figure', {},
+            html('figcaption', {}, html('a', { href: address }, html('code', {}, name))), frames[i],
+          ),
+        ),
+      ),
+    );
     requestAnimationFrame(tick);
   };
-  host.append(html('h2', {}, 'Replays in step'), html('div', { class: 'controls together' }, play, range, now, html('label', { class: 'field' }, 'speed ', rate), boxes.map(({ box, text }) => html('label', {}, box, ` ${text}`))),
-    html('div', { class: 'replays' }, replays.map(({ name, address }, i) => html('figure', {}, html('figcaption', {}, html('a', { href: address }, html('code', {}, name))), frames[i]))));
-  requestAnimationFrame(tick);
-};
-//   rows: a table with the columns library, solver and replay (the address of a page)
-blocks.replays = async (host, spec, context) => {
-  const { rows, indices } = await prepare(spec, context, []);
-  if (!indices.length) return emptyText(host, spec);
-  const all = rows.objects();
-  replaysInStep(host, indices.map((i) => ({ name: idOf(all[i]), address: all[i].replay })));
-  return null;
-};
+  //   rows: a table with the columns library, solver and replay (the address of a page)
+  blocks.replays = async (host, spec, context) => {
+    const { rows, indices } = await prepare(spec, context, []);
+    if (!indices.length) return emptyText(host, spec);
+    const all = rows.objects();
+    replaysInStep(
+      host, indices.map((i) => ({ name: idOf(all[i]), address: all[i].replay })),
+    );
+    return null;
+  };
+
+  Object.assign(odeum, { figureOf, pageFigures, showRuns });
+})();

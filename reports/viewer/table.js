@@ -1,159 +1,349 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables over rows: sorted by a click on a heading, filtered by a word, of any length (rows are added as one scrolls).
-const firstRows = 60;
+// Tables over rows: sorted by a click on a heading, filtered by a word, of any length (rows are
+// added as one scrolls).
+'use strict';
+(() => {
+  const {
+    Rows, tablesRead, html, plural, blocks, checkKeys, columnOf, byHeading, Template, prepare,
+    grouped, linkOf, facts, functions,
+  } = odeum;
 
-// Rows that a study's view.js makes of others, under a name of their own: addRows('ends', async () => [{case, …}, …]).
-// They are made when they are first asked for.
-const addRows = (name, make) => {
-  let made = null;
-  const rows = async () => {
-    const list = await make(), names = Object.keys(list[0] || {}), table = new Rows(name, [], list.length, names);
-    for (const each of names) table.columns.set(each, list.map((row) => row[each]));
-    return table;
+  const firstRows = 60;
+
+  // Rows that a study's view.js makes of others, under a name of their own: addRows('ends', async
+  // () => [{case, …}, …]). They are made when they are first asked for.
+  const addRows = (name, make) => {
+    let made = null;
+    const rows = async () => {
+      const list = await make(),
+        names = Object.keys(list[0] || {}),
+        table = new Rows(name, [], list.length, names);
+      for (const each of names)
+        table.columns.set(
+          each, list.map((row) => row[each]),
+        );
+      return table;
+    };
+    tablesRead.set(name, {
+      then: (resolve, reject) => (made = made || rows()).then(resolve, reject),
+    });
   };
-  tablesRead.set(name, { then: (resolve, reject) => (made = made || rows()).then(resolve, reject) });
-};
 
-// The order of two cells in a sorted column: numbers, texts, then what is not known; the kinds stand in this order
-// both ways. JavaScript's < between a number and a text is false both ways, which would be no order at all.
-const kindOf = (key) => (Number.isNaN(key) || key === '' ? 2 : typeof key === 'number' ? 0 : 1);
-const compareKeys = (a, b, down) => {
-  const kinds = kindOf(a) - kindOf(b);
-  if (kinds || kindOf(a) === 2) return kinds;
-  const [x, y] = kindOf(a) === 1 ? [String(a), String(b)] : [a, b];
-  return (x < y ? -1 : x > y ? 1 : 0) * (down ? -1 : 1);
-};
-
-// A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under `headings`
-// [{text, title, class, span}]. The first cell of a line is its header.
-const tableOf = (headings, lines, style = 'numbers', above = null) => {
-  const body = html('tbody', {}), state = { by: -1, down: false, word: '' };
-  const cellOf = (cell, first) => html(first ? 'th' : 'td', { class: cell.class, title: cell.title, colspan: cell.span, scope: first ? 'row' : undefined }, cell.node || cell.text);
-  const rowOf = (line) => html('tr', { class: line.class }, line.cells.map((cell, k) => cellOf(cell, k === 0)));
-  const keyOf = (line) => line.cells[state.by]?.value ?? line.cells[state.by]?.text ?? '';
-  const compare = (a, b) => compareKeys(keyOf(a), keyOf(b), state.down);
-  let shown = [], drawn = 0;
-  const more = html('p', { class: 'more' }, html('button', { type: 'button', onclick: () => append(10 * firstRows) }, 'more rows'));
-  const append = (count) => {
-    body.append(...shown.slice(drawn, drawn + count).map(rowOf));
-    drawn = Math.min(shown.length, drawn + count);
-    more.hidden = drawn >= shown.length;
-    more.firstChild.textContent = `more rows (${(shown.length - drawn).toLocaleString('en')})`;
+  // The order of two cells in a sorted column: numbers, texts, then what is not known; the kinds
+  // stand in this order both ways. JavaScript's < between a number and a text is false both ways,
+  // which would be no order at all.
+  const kindOf = (key) => (Number.isNaN(key) || key === '' ? 2 : typeof key === 'number' ? 0 : 1);
+  const compareKeys = (a, b, down) => {
+    const kinds = kindOf(a) - kindOf(b);
+    if (kinds || kindOf(a) === 2) return kinds;
+    const [x, y] = kindOf(a) === 1 ? [String(a), String(b)] : [a, b];
+    return (x < y ? -1 : x > y ? 1 : 0) * (down ? -1 : 1);
   };
-  const refresh = () => {
-    const words = state.word.toLowerCase().split(/\s+/).filter(Boolean);
-    shown = words.length ? lines.filter((line) => { const text = line.cells.map((cell) => cell.text).join(' ').toLowerCase(); return words.every((word) => text.includes(word)); }) : lines;
-    if (state.by >= 0) shown = [...shown].sort(compare);
-    body.replaceChildren();
-    drawn = 0;
-    append(firstRows);
+
+  // A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under
+  // `headings` [{text, title, class, span}]. The first cell of a line is its header.
+  const tableOf = (headings, lines, style = 'numbers', above = null) => {
+    const body = html('tbody', {}),
+      state = { by: -1, down: false, word: '' };
+    const cellOf = (cell, first) =>
+      html(
+        first ? 'th' : 'td',
+        {
+          class: cell.class, title: cell.title, colspan: cell.span,
+          scope: first ? 'row' : undefined,
+        },
+        cell.node || cell.text,
+      );
+    const rowOf = (line) =>
+      html(
+        'tr', { class: line.class }, line.cells.map((cell, k) => cellOf(cell, k === 0)),
+      );
+    const keyOf = (line) => line.cells[state.by]?.value ?? line.cells[state.by]?.text ?? '';
+    const compare = (a, b) => compareKeys(keyOf(a), keyOf(b), state.down);
+    let shown = [],
+      drawn = 0;
+    const more = html(
+      'p', { class: 'more' },
+      html('button', { type: 'button', onclick: () => append(10 * firstRows) }, 'more rows'),
+    );
+    const append = (count) => {
+      body.append(...shown.slice(drawn, drawn + count).map(rowOf));
+      drawn = Math.min(shown.length, drawn + count);
+      more.hidden = drawn >= shown.length;
+      more.firstChild.textContent = `more rows (${(shown.length - drawn).toLocaleString('en')})`;
+    };
+    const refresh = () => {
+      const words = state.word.toLowerCase().split(/\s+/).filter(Boolean);
+      shown = words.length
+        ? lines.filter((line) => {
+            const text = line.cells
+              .map((cell) => cell.text)
+              .join(' ')
+              .toLowerCase();
+            return words.every((word) => text.includes(word));
+          })
+        : lines;
+      if (state.by >= 0) shown = [...shown].sort(compare);
+      body.replaceChildren();
+      drawn = 0;
+      append(firstRows);
+    };
+    const turn = (k) => {
+      state.down = state.by === k && !state.down;
+      state.by = k;
+      heads.forEach((head, i) =>
+        head.setAttribute(
+          'aria-sort', i === k ? (state.down ? 'descending' : 'ascending') : 'none',
+        ),
+      );
+      refresh();
+    };
+    const heads = headings.map((heading, k) =>
+      html(
+        'th', { class: heading.class, title: heading.title, scope: 'col', 'aria-sort': 'none' },
+        heading.node?.cloneNode(true) ||
+          html('button', { type: 'button', class: 'sort', onclick: () => turn(k) }, heading.text),
+      ),
+    );
+    refresh();
+    const search =
+      lines.length > 10
+        ? html(
+            'label', { class: 'field filter' }, 'Filter ',
+            html('input', {
+              type: 'search', 'aria-label': 'filter the rows',
+              oninput: (event) => {
+                state.word = event.target.value;
+                refresh();
+              },
+            }),
+            html('small', {}, ` ${plural(lines.length, 'row')}`),
+          )
+        : null;
+    // A box that scrolls can be reached by keys.
+    const box = html(
+      'div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' },
+      html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body),
+    );
+    new IntersectionObserver(
+      (seen) => {
+        if (seen.some((each) => each.isIntersecting) && drawn < shown.length) append(4 * firstRows);
+      },
+      { rootMargin: '400px' },
+    ).observe(more);
+    return html('div', { class: 'table-host' }, search, box, more);
   };
-  const turn = (k) => { state.down = state.by === k && !state.down; state.by = k; heads.forEach((head, i) => head.setAttribute('aria-sort', i === k ? (state.down ? 'descending' : 'ascending') : 'none')); refresh(); };
-  const heads = headings.map((heading, k) => html('th', { class: heading.class, title: heading.title, scope: 'col', 'aria-sort': 'none' }, heading.node?.cloneNode(true) || html('button', { type: 'button', class: 'sort', onclick: () => turn(k) }, heading.text)));
-  refresh();
-  const search = lines.length > 10 ? html('label', { class: 'field filter' }, 'Filter ', html('input', { type: 'search', 'aria-label': 'filter the rows', oninput: (event) => { state.word = event.target.value; refresh(); } }), html('small', {}, ` ${plural(lines.length, 'row')}`)) : null;
-  // A box that scrolls can be reached by keys.
-  const box = html('div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' }, html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body));
-  new IntersectionObserver((seen) => { if (seen.some((each) => each.isIntersecting) && drawn < shown.length) append(4 * firstRows); }, { rootMargin: '400px' }).observe(more);
-  return html('div', { class: 'table-host' }, search, box, more);
-};
 
-const emptyText = (host, spec) => { if (spec.empty !== '') host.append(html('p', { class: 'missing' }, spec.empty || 'No rows.')); };
-
-// A cell of list(…) alone: more than three names are counted, and open on demand.
-const isList = (template) => template.alone && template.trees[0].call === 'list';
-const folded = (text, noun) => { const count = text.split(', ').length; return count > 3 ? html('details', {}, html('summary', {}, `${count.toLocaleString('en')} ${noun}`), text) : text; };
-
-//   columns:      heading = template, a line each
-//   sort: -value  of an expression; without it, the order of the file
-//   group: name   a table for each text of an expression, closed but for the first
-//   one: text     only the first row of each text of this template; aggregates are over all rows of it
-//   shade:        heading = expression that gives a class (shade(…), if(…))
-//   tips:         heading = template, shown when pointed at
-//   class:        of the table in the style sheet
-blocks.table = async (host, spec, context) => {
-  checkKeys(spec, 'table', ['columns', 'sort', 'group', 'one', 'shade', 'tips', 'class']);
-  if (!Array.isArray(spec.columns)) throw new Error('columns: is a list, a line each');
-  const columns = spec.columns.map(columnOf), shades = byHeading(spec.shade), tips = byHeading(spec.tips);
-  const templates = [...columns.map((c) => c.template), ...columns.map((c) => shades.get(c.heading)), ...columns.map((c) => tips.get(c.heading)),
-    ...['sort', 'group', 'one'].map((key) => (spec[key] ? new Template(spec[key]) : null))];
-  const { indices, bound } = await prepare(spec, context, templates);
-  if (!indices.length) return emptyText(host, spec);
-  const n = columns.length, [sort, group, one] = bound.slice(3 * n);
-  let lines = one ? [...grouped(indices, one.text).values()] : indices.map((i) => [i]);
-  if (sort) lines = d3.sort(lines, ([i, ...rest]) => sort.value(i, [i, ...rest]));
-  const lineOf = (members) => ({ first: members[0], cells: columns.map((column, k) => {
-    const i = members[0], text = bound[k].text(i, members), node = isList(column.template) ? folded(text, column.heading) : linkOf(column.cell.trim(), text);
-    return { text, node: node === text ? null : node, value: bound[k].value(i, members), class: bound[n + k]?.text(i, members) || (text.length > 40 ? 'reason' : undefined), title: bound[2 * n + k]?.text(i, members) };
-  }) });
-  const tableFor = (some) => tableOf(columns.map((c) => ({ text: c.heading })), some.map(lineOf), spec.class || 'numbers words');
-  if (!group) return host.append(tableFor(lines));
-  [...grouped(lines, (line) => group.text(line[0], line))].forEach(([name, some], k) => host.append(lazyDetails([html('strong', {}, name), ` ${plural(some.length, 'row')}`], () => tableFor(some), k === 0)));
-  return null;
-};
-
-// A <details> whose content is made when it is opened.
-const lazyDetails = (summary, make, open) => {
-  const details = html('details', { open }, html('summary', {}, summary));
-  const fillIn = () => { if (details.open && details.children.length === 1) details.append(...[make()].flat()); };
-  details.addEventListener('toggle', fillIn);
-  fillIn();
-  return details;
-};
-
-//   row: template      of a line's header; default {library}/{solver}
-//   column: template   of a column; columns stand in the order in which they come first, cases in that of the report
-//   order: expression  by which columns are sorted
-//   heading: template  of a column's head, of its first row
-//   before:            heading = template, columns before the others, of a line's first row
-//   cell, shade, tip   as columns, shade and tips of a table; aggregates are over the rows of one cell
-//   keep: expression   lines for which it is false are left out; aggregates are over the rows of the line
-//   missing: text      of a cell without rows; default ·
-//   group: template    a table each; default library where lines are solvers
-//   class: …           of the table
-blocks.matrix = async (host, spec, context) => {
-  checkKeys(spec, 'matrix', ['row', 'column', 'order', 'heading', 'before', 'cell', 'shade', 'tip', 'keep', 'missing', 'group', 'class']);
-  const row = spec.row || '{library}/{solver}', group = spec.group || (spec.row ? '' : 'library');
-  const before = (spec.before || []).map(columnOf);
-  const templates = [row, spec.column, spec.order, spec.heading, spec.cell, spec.shade, spec.tip, spec.keep, group].map((text) => (text ? new Template(text) : null));
-  const { indices, bound } = await prepare(spec, context, [...templates, ...before.map((c) => c.template)]);
-  if (!indices.length) return emptyText(host, spec);
-  const [rowOf, columnOf_, order, heading, cell, shade, tip, keep, groupOf] = bound;
-  let columns = [...grouped(indices, columnOf_.text)];
-  if (order) columns = d3.sort(columns, ([, members]) => order.value(members[0], members));
-  else if (spec.column === 'case') { const at = new Map(facts.cases.map((c, k) => [c.id, k])); columns = d3.sort(columns, ([id]) => at.get(id) ?? Infinity); }
-  const headings = [{ text: spec.row ? 'row' : 'solver', class: 'corner' }, ...before.map((c) => ({ text: c.heading, class: 'claim' })),
-    ...columns.map(([name, members]) => (spec.column === 'case' ? { node: html('span', { class: 'turned' }, linkOf('case', name)), class: 'turned' } : { text: heading ? heading.text(members[0], members) : name }))];
-  const lineOf = ([name, members]) => {
-    const cells = grouped(members, columnOf_.text);
-    return { cells: [{ text: name, node: linkOf(row, name) }, ...before.map((c, k) => ({ text: bound[9 + k].text(members[0], members), value: bound[9 + k].value(members[0], members), class: 'claimed' })),
-      ...columns.map(([key]) => {
-        const some = cells.get(key);
-        if (!some) return { text: spec.missing ?? '·', class: 'not_applicable', value: NaN };
-        return { text: cell.text(some[0], some), value: cell.value(some[0], some), class: shade?.text(some[0], some), title: tip?.text(some[0], some) };
-      })] };
+  const emptyText = (host, spec) => {
+    if (spec.empty !== '') host.append(html('p', { class: 'missing' }, spec.empty || 'No rows.'));
   };
-  const tableFor = (members) => {
-    const lines = [...grouped(members, rowOf.text)].filter(([, some]) => !keep || keep.value(some[0], some));
-    return tableOf(headings, lines.map(lineOf), spec.class || 'numbers drifts');
-  };
-  if (!groupOf) return host.append(tableFor(indices));
-  const kept = [...grouped(indices, groupOf.text)].map(([name, members]) => [name, members, [...grouped(members, rowOf.text).values()].filter((some) => !keep || keep.value(some[0], some)).length]).filter(([, , count]) => count);
-  kept.forEach(([name, members, count], k) => host.append(lazyDetails([html('strong', {}, name), ` ${versionOf(name)} `, html('span', { class: 'dim' }, plural(count, spec.row ? 'row' : 'solver'))], () => tableFor(members), k === 0)));
-  return null;
-};
-const versionOf = (library) => facts.libraries.find((each) => each.solvers.includes(library))?.version || '';
 
-// Solvers in groups: own ones by family, families of one or two together, peers by library.
-// [{name, title, own, ids}]
-const solverGroups = () => {
-  if (facts.solverGroups) return facts.solverGroups;
-  const [own, peers] = [true, false].map((is) => facts.solvers.filter((s) => (s.library === 'odeum') === is));
-  const families = d3.sort(d3.groups(own, (s) => s.family), ([, list]) => -list.length), large = families.filter(([, list]) => list.length > 2);
-  const other = families.filter(([, list]) => list.length <= 2).flatMap(([, list]) => list);
-  const group = (isOwn) => ([name, list]) => { const title = isOwn ? name.replaceAll('_', ' ').replace(/ rk$/, ' RK') : name; return { name: isOwn ? `odeum: ${title}` : title, title, own: isOwn, ids: list.map((s) => `${s.library}/${s.method}`) }; };
-  facts.solverGroups = [...[...large, ...(other.length ? [['other', other]] : [])].map(group(true)), ...d3.groups(peers, (s) => s.library).map(group(false))];
-  facts.groupOf = new Map(facts.solverGroups.flatMap((each) => each.ids.map((id) => [id, each.name])));
-  return facts.solverGroups;
-};
-functions.solver_group = (library, solver) => solverGroups() && (facts.groupOf.get(`${library}/${solver}`) ?? library);
+  // A cell of list(…) alone: more than three names are counted, and open on demand.
+  const isList = (template) => template.alone && template.trees[0].call === 'list';
+  const folded = (text, noun) => {
+    const count = text.split(', ').length;
+    return count > 3
+      ? html('details', {}, html('summary', {}, `${count.toLocaleString('en')} ${noun}`), text)
+      : text;
+  };
+
+  //   columns:      heading = template, a line each
+  //   sort: -value  of an expression; without it, the order of the file
+  //   group: name   a table for each text of an expression, closed but for the first
+  //   one: text     only the first row of each text of this template; aggregates are over all of
+  //                 its rows
+  //   shade:        heading = expression that gives a class (shade(…), if(…))
+  //   tips:         heading = template, shown when pointed at
+  //   class:        of the table in the style sheet
+  blocks.table = async (host, spec, context) => {
+    checkKeys(spec, 'table', ['columns', 'sort', 'group', 'one', 'shade', 'tips', 'class']);
+    if (!Array.isArray(spec.columns)) throw new Error('columns: is a list, a line each');
+    const columns = spec.columns.map(columnOf),
+      shades = byHeading(spec.shade),
+      tips = byHeading(spec.tips);
+    const templates = [
+      ...columns.map((c) => c.template), ...columns.map((c) => shades.get(c.heading)),
+      ...columns.map((c) => tips.get(c.heading)),
+      ...['sort', 'group', 'one'].map((key) => (spec[key] ? new Template(spec[key]) : null)),
+    ];
+    const { indices, bound } = await prepare(spec, context, templates);
+    if (!indices.length) return emptyText(host, spec);
+    const n = columns.length,
+      [sort, group, one] = bound.slice(3 * n);
+    let lines = one ? [...grouped(indices, one.text).values()] : indices.map((i) => [i]);
+    if (sort) lines = d3.sort(lines, ([i, ...rest]) => sort.value(i, [i, ...rest]));
+    const lineOf = (members) => ({
+      first: members[0],
+      cells: columns.map((column, k) => {
+        const i = members[0],
+          text = bound[k].text(i, members),
+          node = isList(column.template)
+            ? folded(text, column.heading)
+            : linkOf(column.cell.trim(), text);
+        return {
+          text, node: node === text ? null : node, value: bound[k].value(i, members),
+          class: bound[n + k]?.text(i, members) || (text.length > 40 ? 'reason' : undefined),
+          title: bound[2 * n + k]?.text(i, members),
+        };
+      }),
+    });
+    const tableFor = (some) =>
+      tableOf(
+        columns.map((c) => ({ text: c.heading })), some.map(lineOf), spec.class || 'numbers words',
+      );
+    if (!group) return host.append(tableFor(lines));
+    [...grouped(lines, (line) => group.text(line[0], line))].forEach(([name, some], k) =>
+      host.append(
+        lazyDetails(
+          [html('strong', {}, name), ` ${plural(some.length, 'row')}`],
+          () => tableFor(some), k === 0,
+        ),
+      ),
+    );
+    return null;
+  };
+
+  // A <details> whose content is made when it is opened.
+  const lazyDetails = (summary, make, open) => {
+    const details = html('details', { open }, html('summary', {}, summary));
+    const fillIn = () => {
+      if (details.open && details.children.length === 1) details.append(...[make()].flat());
+    };
+    details.addEventListener('toggle', fillIn);
+    fillIn();
+    return details;
+  };
+
+  //   row: template      of a line's header; default {library}/{solver}
+  //   column: template   of a column; columns stand in the order in which they come first, cases in
+  //                      that of the report
+  //   order: expression  by which columns are sorted
+  //   heading: template  of a column's head, of its first row
+  //   before:            heading = template, columns before the others, of a line's first row
+  //   cell, shade, tip   as columns, shade and tips of a table; aggregates are over the rows of
+  //                      one cell
+  //   keep: expression   lines for which it is false are left out; aggregates are over the rows of
+  //                      the line
+  //   missing: text      of a cell without rows; default ·
+  //   group: template    a table each; default library where lines are solvers
+  //   class: …           of the table
+  blocks.matrix = async (host, spec, context) => {
+    checkKeys(spec, 'matrix', [
+      'row', 'column', 'order', 'heading', 'before', 'cell', 'shade', 'tip', 'keep', 'missing',
+      'group', 'class',
+    ]);
+    const row = spec.row || '{library}/{solver}',
+      group = spec.group || (spec.row ? '' : 'library');
+    const before = (spec.before || []).map(columnOf);
+    const templates = [
+      row, spec.column, spec.order, spec.heading, spec.cell, spec.shade, spec.tip, spec.keep, group,
+    ].map((text) => (text ? new Template(text) : null));
+    const { indices, bound } = await prepare(spec, context, [
+      ...templates, ...before.map((c) => c.template),
+    ]);
+    if (!indices.length) return emptyText(host, spec);
+    const [rowOf, columnOf_, order, heading, cell, shade, tip, keep, groupOf] = bound;
+    let columns = [...grouped(indices, columnOf_.text)];
+    if (order) columns = d3.sort(columns, ([, members]) => order.value(members[0], members));
+    else if (spec.column === 'case') {
+      const at = new Map(facts.cases.map((c, k) => [c.id, k]));
+      columns = d3.sort(columns, ([id]) => at.get(id) ?? Infinity);
+    }
+    const headings = [
+      { text: spec.row ? 'row' : 'solver', class: 'corner' },
+      ...before.map((c) => ({ text: c.heading, class: 'claim' })),
+      ...columns.map(([name, members]) =>
+        spec.column === 'case'
+          ? { node: html('span', { class: 'turned' }, linkOf('case', name)), class: 'turned' }
+          : { text: heading ? heading.text(members[0], members) : name },
+      ),
+    ];
+    const lineOf = ([name, members]) => {
+      const cells = grouped(members, columnOf_.text);
+      return {
+        cells: [
+          { text: name, node: linkOf(row, name) },
+          ...before.map((c, k) => ({
+            text: bound[9 + k].text(members[0], members),
+            value: bound[9 + k].value(members[0], members), class: 'claimed',
+          })),
+          ...columns.map(([key]) => {
+            const some = cells.get(key);
+            if (!some) return { text: spec.missing ?? '·', class: 'not_applicable', value: NaN };
+            return {
+              text: cell.text(some[0], some), value: cell.value(some[0], some),
+              class: shade?.text(some[0], some), title: tip?.text(some[0], some),
+            };
+          }),
+        ],
+      };
+    };
+    const tableFor = (members) => {
+      const lines = [...grouped(members, rowOf.text)].filter(
+        ([, some]) => !keep || keep.value(some[0], some),
+      );
+      return tableOf(headings, lines.map(lineOf), spec.class || 'numbers drifts');
+    };
+    if (!groupOf) return host.append(tableFor(indices));
+    const kept = [...grouped(indices, groupOf.text)]
+      .map(([name, members]) => [
+        name, members,
+        [...grouped(members, rowOf.text).values()].filter(
+          (some) => !keep || keep.value(some[0], some),
+        ).length,
+      ])
+      .filter(([, , count]) => count);
+    kept.forEach(([name, members, count], k) =>
+      host.append(
+        lazyDetails(
+          [
+            html('strong', {}, name), ` ${versionOf(name)} `,
+            html('span', { class: 'dim' }, plural(count, spec.row ? 'row' : 'solver')),
+          ],
+          () => tableFor(members),
+          k === 0,
+        ),
+      ),
+    );
+    return null;
+  };
+  const versionOf = (library) =>
+    facts.libraries.find((each) => each.solvers.includes(library))?.version || '';
+
+  // Solvers in groups: own ones by family, families of one or two together, peers by library.
+  // [{name, title, own, ids}]
+  const solverGroups = () => {
+    if (facts.solverGroups) return facts.solverGroups;
+    const [own, peers] = [true, false].map((is) =>
+      facts.solvers.filter((s) => (s.library === 'odeum') === is),
+    );
+    const families = d3.sort(
+        d3.groups(own, (s) => s.family), ([, list]) => -list.length,
+      ),
+      large = families.filter(([, list]) => list.length > 2);
+    const other = families.filter(([, list]) => list.length <= 2).flatMap(([, list]) => list);
+    const group =
+      (isOwn) =>
+      ([name, list]) => {
+        const title = isOwn ? name.replaceAll('_', ' ').replace(/ rk$/, ' RK') : name;
+        return {
+          name: isOwn ? `odeum: ${title}` : title, title, own: isOwn,
+          ids: list.map((s) => `${s.library}/${s.method}`),
+        };
+      };
+    facts.solverGroups = [
+      ...[...large, ...(other.length ? [['other', other]] : [])].map(group(true)),
+      ...d3.groups(peers, (s) => s.library).map(group(false)),
+    ];
+    facts.groupOf = new Map(
+      facts.solverGroups.flatMap((each) => each.ids.map((id) => [id, each.name])),
+    );
+    return facts.solverGroups;
+  };
+  functions.solver_group = (library, solver) =>
+    solverGroups() && (facts.groupOf.get(`${library}/${solver}`) ?? library);
+
+  Object.assign(odeum, {
+    addRows, compareKeys, tableOf, emptyText, lazyDetails, versionOf, solverGroups,
+  });
+})();

@@ -1,136 +1,229 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The rules by which measured facts become sentences: all of them are here.
-const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
-const settingText = (row) => (row.setting_kind === 'tol' || row.mode === 'adaptive'
-  ? `tolerance ${number(row.setting ?? row.tolerance)}` : `step ${number(row.setting ?? row.step)}`);
+'use strict';
+(() => {
+  const { number, shorten, times, idOf, duration, facts } = odeum;
 
-// What a status means to a reader.
-const endings = {
-  over_budget: 'costs more than the study pays for',
-  newton_failed: "fails: Newton's iteration does not converge",
-  non_finite: 'grows without bound: unstable at this step',
-  step_too_small: 'chooses a step that becomes too small',
-  refused: 'refuses the run',
-  not_applicable: 'does not fit',
-};
-const mostOf = (rows, key) => {
-  const counts = new Map();
-  for (const row of rows) counts.set(key(row), (counts.get(key(row)) || 0) + 1);
-  return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
-};
+  const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
+  const settingText = (row) =>
+    row.setting_kind === 'tol' || row.mode === 'adaptive'
+      ? `tolerance ${number(row.setting ?? row.tolerance)}`
+      : `step ${number(row.setting ?? row.step)}`;
 
-// Why no run of a library reaches an error: what it reaches, and how the rest ended. `tried`: whether
-// that says something about the library, and not about the report.
-const whyNotReached = (rows, error) => {
-  if (!rows.length) return { text: 'not tried', tried: false };
-  const fitting = rows.filter((row) => row.status !== 'not_applicable');
-  if (!fitting.length) return { text: `does not fit: ${mostOf(rows, (row) => row.detail)}`, tried: false };
-  const solved = fitting.filter((row) => Number.isFinite(row.error));
-  // The reason that counts is that of the solver which came nearest.
-  const best = solved.length ? solved.reduce((a, b) => (b.error < a.error ? b : a)) : null;
-  const ended = fitting.filter((row) => row.status !== 'ok' && (!best || row.solver === best.solver));
-  const rest = ended.length ? mostOf(ended, (row) => row.status) : '';
-  const first = ended.find((row) => row.status === rest), detail = first ? `${endings[rest] || rest} (${shorten(first.detail, 80)})` : '';
-  if (!best) return { text: `no run ended: ${detail}`, tried: rest !== 'over_budget' };
-  return { text: `reaches ${number(best.error, 2)} at best (${best.solver})${best.error <= error ? ', not timed' : detail ? `; at a finer setting it ${detail}` : '; no finer setting was tried'}`, tried: Boolean(rest) && rest !== 'over_budget' };
-};
+  // What a status means to a reader.
+  const endings = {
+    over_budget: 'costs more than the study pays for',
+    newton_failed: "fails: Newton's iteration does not converge",
+    non_finite: 'grows without bound: unstable at this step',
+    step_too_small: 'chooses a step that becomes too small', refused: 'refuses the run',
+    not_applicable: 'does not fit',
+  };
+  const mostOf = (rows, key) => {
+    const counts = new Map();
+    for (const row of rows) counts.set(key(row), (counts.get(key(row)) || 0) + 1);
+    return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0];
+  };
 
-// What makes the method fit the problem: by its family, order and the tags of the case.
-const fitOf = (c, solver) => {
-  const has = (tag) => c.tags.includes(tag);
-  const order = Number.isFinite(solver.order) && solver.order ? solver.order : null;
-  if (solver.family === 'exponential')
-    return 'The equation is linear with constant coefficients: this method computes its closed form, exact at any step. It does nothing for a nonlinear problem.';
-  if (has('cloth'))
-    return `${order ? `Order ${order}` : 'A variable order'}, explicit: the step that accuracy asks for is already shorter than the step that stability allows, so that an implicit method has nothing to win here.`;
-  if (solver.family === 'nystroem')
-    return `The problem is q'' = a(q): a Nyström method uses that and spends its stages on positions alone, here at order ${order}.`;
-  if (solver.family === 'symplectic')
-    return `The problem is q'' = a(q): kicks and drifts of order ${order} take one acceleration each, and no linear system.`;
-  if (solver.family === 'linearly_implicit')
-    return `The problem is stiff: an explicit method must follow its fastest decay. A linearly implicit method is stable without that, and solves linear systems only, without Newton's iteration.`;
-  if (solver.family === 'implicit_rk')
-    return 'The problem is stiff: an explicit method must follow its fastest decay; an implicit one is stable at the steps that accuracy asks for.';
-  if (solver.family === 'extrapolation') return 'The solution is smooth: extrapolation raises the order as far as the tolerance asks for.';
-  if (solver.family === 'taylor') return 'The equation gives its derivatives to any order: a Taylor series takes few, long steps.';
-  if (order && order >= 6) return `The solution is smooth and the problem not stiff: at order ${order} the error falls as h^${order}, so that few, long steps suffice.`;
-  if (order) return `Order ${order} is enough for this error: more stages a step would cost more than they save.`;
-  return '';
-};
+  // Why no run of a library reaches an error: what it reaches, and how the rest ended. `tried`:
+  // whether that says something about the library, and not about the report.
+  const whyNotReached = (rows, error) => {
+    if (!rows.length) return { text: 'not tried', tried: false };
+    const fitting = rows.filter((row) => row.status !== 'not_applicable');
+    if (!fitting.length)
+      return { text: `does not fit: ${mostOf(rows, (row) => row.detail)}`, tried: false };
+    const solved = fitting.filter((row) => Number.isFinite(row.error));
+    // The reason that counts is that of the solver which came nearest.
+    const best = solved.length ? solved.reduce((a, b) => (b.error < a.error ? b : a)) : null;
+    const ended = fitting.filter(
+      (row) => row.status !== 'ok' && (!best || row.solver === best.solver),
+    );
+    const rest = ended.length ? mostOf(ended, (row) => row.status) : '';
+    const first = ended.find((row) => row.status === rest),
+      detail = first ? `${endings[rest] || rest} (${shorten(first.detail, 80)})` : '';
+    if (!best) return { text: `no run ended: ${detail}`, tried: rest !== 'over_budget' };
+    const then = detail ? `; at a finer setting it ${detail}` : '; no finer setting was tried';
+    return {
+      text: `reaches ${number(best.error, 2)} at best (${best.solver})` +
+        (best.error <= error ? ', not timed' : then),
+      tried: Boolean(rest) && rest !== 'over_budget',
+    };
+  };
 
-// By how much the best of one library leads the best of another, and by what: fewer evaluations, or less
-// work around them.
-const leadOf = (best, second, closed) => {
-  const ratio = second.wall_ns_min / best.wall_ns_min;
-  let text = `${times(ratio)} times as fast as the best of another library, ${idOf(second)} (${duration(second.wall_ns_min)})`;
-  if (ratio < 1.1) text = `level with ${idOf(second)} (${duration(second.wall_ns_min)}), to within what times on this machine tell`;
-  const a = best.run?.rhs_evaluations, b = second.run?.rhs_evaluations;
-  if (!a || !b || ratio < 1.1 || closed) return `${text}.`;
-  const share = b / a;
-  return `${text}: ${a.toLocaleString('en')} evaluations of f against ${b.toLocaleString('en')}${share > 0.8 * ratio ? ', which explains it' : share < 1.1 ? '; the rest is less work around each' : ', and less work around each'}.`;
-};
+  // What makes the method fit the problem: by its family, order and the tags of the case.
+  const fitOf = (c, solver) => {
+    const has = (tag) => c.tags.includes(tag);
+    const order = Number.isFinite(solver.order) && solver.order ? solver.order : null;
+    if (solver.family === 'exponential')
+      return 'The equation is linear with constant coefficients: this method computes its ' +
+        'closed form, exact at any step. It does nothing for a nonlinear problem.';
+    if (has('cloth'))
+      return `${order ? `Order ${order}` : 'A variable order'}, explicit: the step that ` +
+        `accuracy asks for is already shorter than the step that stability allows, so that an ` +
+        `implicit method has nothing to win here.`;
+    if (solver.family === 'nystroem')
+      return `The problem is q'' = a(q): a Nyström method uses that and spends its stages on ` +
+        `positions alone, here at order ${order}.`;
+    if (solver.family === 'symplectic')
+      return `The problem is q'' = a(q): kicks and drifts of order ${order} take one ` +
+        `acceleration each, and no linear system.`;
+    if (solver.family === 'linearly_implicit')
+      return `The problem is stiff: an explicit method must follow its fastest decay. A ` +
+        `linearly implicit method is stable without that, and solves linear systems only, ` +
+        `without Newton's iteration.`;
+    if (solver.family === 'implicit_rk')
+      return 'The problem is stiff: an explicit method must follow its fastest decay; an ' +
+        'implicit one is stable at the steps that accuracy asks for.';
+    if (solver.family === 'extrapolation')
+      return 'The solution is smooth: extrapolation raises the order as far as the tolerance ' +
+        'asks for.';
+    if (solver.family === 'taylor')
+      return 'The equation gives its derivatives to any order: a Taylor series takes few, long ' +
+        'steps.';
+    if (order && order >= 6)
+      return `The solution is smooth and the problem not stiff: at order ${order} the error ` +
+        `falls as h^${order}, so that few, long steps suffice.`;
+    if (order)
+      return `Order ${order} is enough for this error: more stages a step would cost more than ` +
+        `they save.`;
+    return '';
+  };
 
-// Which step a solver is stable to on a case; `limit` is h |lambda| (regions.js).
-const stableText = (c, solver, limit, z) => {
-  if (solver.family === 'exponential') return 'at any step: it is exact.';
-  if (!limit) return '';
-  const size = Math.hypot(z[0], z[1]);
-  const eigenvalue = `eigenvalue ${number(z[0], 2)}${z[1] ? ` ± ${number(z[1], 2)}i` : ''} at t = ${number(c.eigenvalues_time)}`;
-  if (!Number.isFinite(limit.value)) return `at any step (${eigenvalue}).`;
-  if (limit.value === 0) return `at no step, strictly (${eigenvalue}): errors grow, slowly at small steps.`;
-  const far = limit.beyond ? ', as far as the region was measured' : '';
-  return `to h = ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}${far}, which is ${number(limit.value)} / |λ| (${eigenvalue}).`;
-};
+  // By how much the best of one library leads the best of another, and by what: fewer evaluations,
+  // or less work around them.
+  const leadOf = (best, second, closed) => {
+    const ratio = second.wall_ns_min / best.wall_ns_min;
+    let text = `${times(ratio)} times as fast as the best of another library, ${idOf(second)} ` +
+      `(${duration(second.wall_ns_min)})`;
+    if (ratio < 1.1)
+      text = `level with ${idOf(second)} (${duration(second.wall_ns_min)}), to within what ` +
+        `times on this machine tell`;
+    const a = best.run?.rhs_evaluations,
+      b = second.run?.rhs_evaluations;
+    if (!a || !b || ratio < 1.1 || closed) return `${text}.`;
+    return `${text}: ${a.toLocaleString('en')} evaluations of f against ${b.toLocaleString('en')}.`;
+  };
 
-// Times of a case that were disturbed, by the limits that the study has for a repetition.
-const disturbedText = (timed) => {
-  const row = timed.find((t) => t.repetitions > 0 && Number.isFinite(t.drift));
-  if (!row || (Math.abs(row.drift) <= 0.05 && row.processor_share >= 0.95)) return '';
-  const percent = (part) => `${Math.round(100 * part)} %`;
-  const speed = `speed changed by ${percent(Math.abs(row.drift))}`;
-  const found = row.processor_share < 0.95 ? `while other programs ran: the timed runs had the processor for ${percent(row.processor_share)} of the time, and its ${speed}` : `on a processor whose ${speed} meanwhile`;
-  return `Measured ${found}. Measure again on a quiet machine before you rely on ratios near 1.`;
-};
+  // Which step a solver is stable to on a case; `limit` is h |lambda| (regions.js).
+  const stableText = (c, solver, limit, z) => {
+    if (solver.family === 'exponential') return 'at any step: it is exact.';
+    if (!limit) return '';
+    const size = Math.hypot(z[0], z[1]);
+    const eigenvalue = `eigenvalue ${number(z[0], 2)}${z[1] ? ` ± ${number(z[1], 2)}i` : ''} at ` +
+      `t = ${number(c.eigenvalues_time)}`;
+    if (!Number.isFinite(limit.value)) return `at any step (${eigenvalue}).`;
+    if (limit.value === 0)
+      return `at no step, strictly (${eigenvalue}): errors grow, slowly at small steps.`;
+    const far = limit.beyond ? ', as far as the region was measured' : '';
+    return `to h = ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}${far}, which is ` +
+      `${number(limit.value)} / |λ| (${eigenvalue}).`;
+  };
 
-// Runs of a curve that are not drawn, by how they ended.
-const notDrawnText = (rows) => {
-  const ended = rows.filter((row) => row.status !== 'ok');
-  if (!ended.length) return '';
-  const classes = new Map();
-  for (const row of ended) classes.set(row.status, [...(classes.get(row.status) || []), row]);
-  return [...classes].map(([status, list]) => `${status === 'not_applicable' ? '' : `${list.length} of ${rows.length} settings: `}${endings[status] || status} (${list[0].detail || status})`).join('; ');
-};
+  // Times of a case that were disturbed, by the limits that the study has for a repetition.
+  const disturbedText = (timed) => {
+    const row = timed.find((t) => t.repetitions > 0 && Number.isFinite(t.drift));
+    if (!row || (Math.abs(row.drift) <= 0.05 && row.processor_share >= 0.95)) return '';
+    const percent = (part) => `${Math.round(100 * part)} %`;
+    const speed = `speed changed by ${percent(Math.abs(row.drift))}`;
+    const found =
+      row.processor_share < 0.95
+        ? `while other programs ran: the timed runs had the processor for ` +
+          `${percent(row.processor_share)} of the time, and its ${speed}`
+        : `on a processor whose ${speed} meanwhile`;
+    return `Measured ${found}. Measure again on a quiet machine before you rely on ratios near 1.`;
+  };
 
-// Why the curves of a run are not in the report.
-const notKeptText = (c, run) => (!facts.solutions[c.id] ? 'This report keeps no solutions of this problem: the command, with --out, draws this one.'
-  : run.status === 'ok' ? 'A longer run, which lies on the exact solution: the command, with --out, draws it and its error.'
-    : 'This run gave no states to draw.');
-// What the curves of a run show.
-const solutionText = ({ set, states, times, errors }, run) => {
-  const last = times.length - 1, known = errors.filter(Number.isFinite), worst = known.length ? Math.max(...known) : NaN;
-  const where = times[errors.indexOf(worst) + 1], whole = times[last] >= set.end * (1 - 1e-9);
-  const size = Math.max(...set.high.map((high, i) => high - set.low[i]));
-  const how = !known.length ? 'The exact solution is not known at these times'
-    : worst > 0.5 * size ? `Wrong: off by ${number(worst, 2)} at t = ${number(where)}, as much as the solution itself moves`
-      : worst > 2e-3 * size ? `Visibly off: by at most ${number(worst, 2)}, at t = ${number(where)}` : `On the exact solution to the eye: off by at most ${number(worst, 2)}, at t = ${number(where)}`;
-  return `${how}.${whole ? '' : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`}${run.mode === 'adaptive' && run.library !== 'odeum' ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a little from that of the run in the chart.' : ''} Exact: ${set.exact.source}${set.exact.everywhere ? '' : ', known at the marks only'}.`;
-};
+  // Runs of a curve that are not drawn, by how they ended.
+  const notDrawnText = (rows) => {
+    const ended = rows.filter((row) => row.status !== 'ok');
+    if (!ended.length) return '';
+    const classes = new Map();
+    for (const row of ended) classes.set(row.status, [...(classes.get(row.status) || []), row]);
+    const textOf = ([status, list]) =>
+      (status === 'not_applicable' ? '' : `${list.length} of ${rows.length} settings: `) +
+      `${endings[status] || status} (${list[0].detail || status})`;
+    return [...classes].map(textOf).join('; ');
+  };
 
-// How the runs of a method on a problem ended where they did not, by class, with what it would take.
-const failureText = (runs) => {
-  const ended = runs.filter((run) => run.status !== 'ok');
-  if (!ended.length) return 'every run ended';
-  if (ended[0].status === 'not_applicable' && ended.length === runs.length) return `does not fit: ${ended[0].detail}`;
-  const setting = (run) => (run.mode === 'fixed' || run.setting_kind === 'step' ? `h = ${number(run.step ?? run.setting)}` : `tolerance ${number(run.tolerance ?? run.setting)}`);
-  const size = (run) => (run.mode === 'fixed' ? run.step : run.setting_kind === 'step' ? run.setting : NaN);
-  const texts = [];
-  for (const status of [...new Set(ended.map((run) => run.status))].filter((s) => s !== 'not_applicable')) {
-    const list = ended.filter((run) => run.status === status), fixed = list.filter((run) => size(run) > 0);
-    const least = fixed.reduce((a, b) => (!a || size(b) < size(a) ? b : a), null), most = fixed.reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
-    const good = least && runs.filter((run) => run.status === 'ok' && size(run) < size(least)).reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
-    if (status === 'non_finite' && least) texts.push(good ? `unstable from ${setting(least)}, finite at ${setting(good)}` : `unstable at every step that was run to its end, down to ${setting(least)}`);
-    else if (status === 'over_budget') texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
-    else texts.push(`${endings[status] || status} at ${setting(least || list[0])}: ${shorten(list[0].detail, 110)}`);
-  }
-  return texts.join('; ');
-};
+  // Why the curves of a run are not in the report.
+  const notKeptText = (c, run) =>
+    !facts.solutions[c.id]
+      ? 'This report keeps no solutions of this problem: the command, with --out, draws this one.'
+      : run.status === 'ok'
+        ? 'A longer run, which lies on the exact solution: the command, with --out, draws it ' +
+          'and its error.'
+        : 'This run gave no states to draw.';
+  // What the curves of a run show.
+  const solutionText = ({ set, states, times, errors }, run) => {
+    const last = times.length - 1,
+      known = errors.filter(Number.isFinite),
+      worst = known.length ? Math.max(...known) : NaN;
+    const where = times[errors.indexOf(worst) + 1],
+      whole = times[last] >= set.end * (1 - 1e-9);
+    const size = Math.max(...set.high.map((high, i) => high - set.low[i]));
+    const how = !known.length
+      ? 'The exact solution is not known at these times'
+      : worst > 0.5 * size
+        ? `Wrong: off by ${number(worst, 2)} at t = ${number(where)}, as much as the solution ` +
+          `itself moves`
+        : worst > 2e-3 * size
+          ? `Visibly off: by at most ${number(worst, 2)}, at t = ${number(where)}`
+          : `On the exact solution to the eye: off by at most ${number(worst, 2)}, at t = ` +
+            `${number(where)}`;
+    const end = whole
+      ? ''
+      : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`;
+    const drawn = run.mode === 'adaptive' && run.library !== 'odeum'
+      ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a ' +
+        'little from that of the run in the chart.'
+      : '';
+    const marks = set.exact.everywhere ? '' : ', known at the marks only';
+    return `${how}.${end}${drawn} Exact: ${set.exact.source}${marks}.`;
+  };
+
+  // How the runs of a method on a problem ended where they did not, by class, with what it would
+  // take.
+  const failureText = (runs) => {
+    const ended = runs.filter((run) => run.status !== 'ok');
+    if (!ended.length) return 'every run ended';
+    if (ended[0].status === 'not_applicable' && ended.length === runs.length)
+      return `does not fit: ${ended[0].detail}`;
+    const setting = (run) =>
+      run.mode === 'fixed' || run.setting_kind === 'step'
+        ? `h = ${number(run.step ?? run.setting)}`
+        : `tolerance ${number(run.tolerance ?? run.setting)}`;
+    const size = (run) =>
+      run.mode === 'fixed' ? run.step : run.setting_kind === 'step' ? run.setting : NaN;
+    const texts = [];
+    for (const status of [...new Set(ended.map((run) => run.status))].filter(
+      (s) => s !== 'not_applicable',
+    )) {
+      const list = ended.filter((run) => run.status === status),
+        fixed = list.filter((run) => size(run) > 0);
+      const least = fixed.reduce((a, b) => (!a || size(b) < size(a) ? b : a), null),
+        most = fixed.reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+      const good =
+        least && runs
+          .filter((run) => run.status === 'ok' && size(run) < size(least))
+          .reduce((a, b) => (!a || size(b) > size(a) ? b : a), null);
+      if (status === 'non_finite' && least)
+        texts.push(
+          good
+            ? `unstable from ${setting(least)}, finite at ${setting(good)}`
+            : `unstable at every step that was run to its end, down to ${setting(least)}`,
+        );
+      else if (status === 'over_budget')
+        texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
+      else
+        texts.push(
+          `${endings[status] || status} at ${setting(least || list[0])}: ` +
+            `${shorten(list[0].detail, 110)}`,
+        );
+    }
+    return texts.join('; ');
+  };
+
+  Object.assign(odeum, {
+    sameError, settingText, whyNotReached, fitOf, leadOf, stableText, disturbedText, notDrawnText,
+    notKeptText, solutionText, failureText,
+  });
+})();

@@ -13,12 +13,14 @@ const same = (found, expected, text) => hold(Object.is(found, expected) || JSON.
 const near = (found, expected, text) => hold(Math.abs(found - expected) <= 1e-9 * Math.max(1, Math.abs(expected)), `${text}: ${found}, expected ${expected}`);
 const errorOf = (work) => { try { work(); } catch (error) { return error.message; } return 'no error'; };
 
-// The scripts of the page share one scope.
+// The scripts of the page, in their order.
 const context = vm.createContext({ atob, Blob, Response, DecompressionStream, Uint8Array, URLSearchParams, location: { hash: '' }, console });
 context.self = context;
+context.markdownit = () => ({});
 vm.runInContext(readFileSync(process.argv[2], 'utf8'), context);
-for (const name of ['dom', 'data', 'expression', 'chart', 'blocks', 'table', 'charts', 'address', 'words', 'fields']) vm.runInContext(read(`reports/viewer/${name}.js`), context);
-const page = (source) => vm.runInContext(source, context);
+const before = new Set(Object.keys(context)), scripts = [...read('reports/viewer/index.html').matchAll(/src="viewer\/([a-z]+)\.js" defer/g)].map(([, name]) => name).filter((name) => name !== 'app');
+for (const name of scripts) vm.runInContext(read(`reports/viewer/${name}.js`), context, { filename: `${name}.js` });
+const page = (name) => context.odeum[name];
 const [Template, parse, formatted, Rows, takeFacts, rowsOf, specOf, columnOf, functions, blocks] = ['Template', 'parse', 'formatted', 'Rows', 'takeFacts', 'rowsOf', 'specOf', 'columnOf', 'functions', 'blocks'].map(page);
 
 const tableOf = (name, columns) => {
@@ -33,7 +35,7 @@ const at = (source, i = 0, group = [i]) => new Template(`{${source}}`).bind(runs
 const shown = (template, i = 0, group = [i]) => new Template(template).bind(runs, tables).text(i, group);
 
 // Tables as a report hands them over.
-const send = (name, json) => page('self').odeumData.push([name, deflateSync(JSON.stringify(json)).toString('base64')]);
+const send = (name, json) => page('receive')([name, deflateSync(JSON.stringify(json)).toString('base64')]);
 const entryOf = (name, columns, parts) => ({ name, file: `${name}.csv`, study: 's', columns, parts, rows: parts.reduce((all, part) => all + part.rows, 0) });
 const give = (name, list) => {
   const keys = Object.keys(list[0]), number = (value) => (Number.isNaN(value) ? null : Number.isFinite(value) ? value : value > 0 ? 'inf' : '-inf');
@@ -100,6 +102,21 @@ const checks = {
     same(columnOf('the steps = steps | d').heading, 'the steps', 'a heading');
     same(columnOf('{library} | d').heading, 'library', 'a heading of its own');
     same(columnOf('x == y').heading, 'x == y', '== is no heading');
+  },
+  'scripts add one name, say what they hold, and are read without scrolling'() {
+    const viewer = readdirSync(join(root, 'reports/viewer')).filter((name) => name.endsWith('.js')), studies = join(root, 'src/odeum/studies');
+    same([...scripts, 'app'].sort(), viewer.map((name) => name.slice(0, -3)).sort(), 'scripts of index.html');
+    same(Object.keys(context).filter((name) => !before.has(name) && name !== 'document'), ['odeum'], 'names that the page adds');
+    const views = readdirSync(studies).filter((name) => existsSync(join(studies, name, 'view.js'))).map((name) => `src/odeum/studies/${name}/view.js`);
+    const replay = readdirSync(join(root, 'reports/viewer/replay')).filter((name) => name.endsWith('.js')).map((name) => `reports/viewer/replay/${name}`);
+    for (const file of [...viewer.map((name) => `reports/viewer/${name}`), ...views, ...replay]) {
+      const text = read(file), lines = text.split('\n');
+      hold(/^\/\/ SPDX-License-Identifier: BSD-3-Clause\n\/\/ \S/.test(text), `${file}: no comment at its head`);
+      lines.forEach((line, i) => hold([...line].length <= 100, `${file}:${i + 1}: longer than 100 columns`));
+      // A replay's scripts are parts of one function in replay.html.
+      if (!replay.includes(file)) hold(/^(\/\/.*\n)+'use strict';\n\(\(\) => \{\n[^]*\n\}\)\(\);\n$/.test(text), `${file}: names outside of its function`);
+    }
+    hold(views.length > 3 && replay.length > 5, 'the files were not found');
   },
   'triangles are made of rows'() {
     const [triangle] = page('trianglesOf')([{ x1: 0, y1: 1, x2: 2, y2: 3, x3: 4, y3: 5, u1: 6, u2: 7, u3: 8 }], 'u');
@@ -172,6 +189,13 @@ const checks = {
   'a machine is disturbed where it drifts or is shared'() {
     vm.runInContext(read('src/odeum/studies/precision/view.js'), context);
     same([[0.01, 0.99], [-0.12, 0.99], [0.01, 0.6], [0.06, 1]].map(([drift, share]) => functions.disturbed(drift, share)), [false, true, true, true], 'conditions');
+  },
+  'the remark on disturbed times names other programs where they had the processor only'() {
+    const remark = (drift, share) => page('disturbedText')([{repetitions: 0}, {repetitions: 3, drift, processor_share: share}]);
+    hold(remark(0.05, 0.95) === '', 'a remark within the limits');
+    const changed = remark(-0.07, 1), shared = remark(0.01, 0.6);
+    hold(/whose speed changed by 7 %/.test(changed) && !/other programs/.test(changed), changed);
+    hold(/other programs ran: .* 60 % .* changed by 1 %/.test(shared), shared);
   },
   'every expression of every page can be read'() {
     const studies = join(root, 'src/odeum/studies');

@@ -88,15 +88,6 @@ const checks = {
     hold(await browser.run('location.hash') === hash, 'the address changed');
     hold((await text('.chips')).includes('odeum/rk4') && !(await text('.chips')).includes('gsl/rk4'), `the choice is lost: ${await text('.chips')}`);
   },
-  async 'the remark on disturbed times names other programs where they had the processor only'() {
-    const source = readFileSync(new URL('../../reports/viewer/words.js', import.meta.url), 'utf8');
-    const disturbedText = new Function(`${source}; return disturbedText;`)();
-    const remark = (drift, share) => disturbedText([{repetitions: 0}, {repetitions: 3, drift, processor_share: share}]);
-    hold(remark(0.05, 0.95) === '', 'a remark within the limits');
-    const changed = remark(-0.07, 1), shared = remark(0.01, 0.6);
-    hold(/whose speed changed by 7 %/.test(changed) && !/other programs/.test(changed), changed);
-    hold(/other programs ran: .* 60 % .* changed by 1 %/.test(shared), shared);
-  },
   async 'from the first screen two solvers take four clicks and one word typed'() {
     await browser.go(address);
     await drawn();
@@ -137,6 +128,16 @@ const checks = {
     console.log(`${addresses.length} pages; the slowest, in ms: ${slowest.map(([hash, ms]) => `${hash} ${Math.round(ms)}`).join(', ')}`);
     // No test depends on a time on a shared machine: this finds a page that hangs.
     for (const [hash, ms] of slowest) hold(ms < 30000, `${hash}: ${ms} ms`);
+  },
+  async 'the page adds one name to those of the browser, beside the two of its libraries'() {
+    for (const hash of ['#answers', '#study?page=convergence', '#study?page=stability', '#study?page=precision', '#study?page=drift']) {
+      await browser.go(address + hash);
+      await drawn();
+      const added = await browser.run(`(() => { const f = document.body.appendChild(document.createElement('iframe')), own = new Set(Object.getOwnPropertyNames(f.contentWindow)); f.remove(); return Object.getOwnPropertyNames(window).filter((name) => !own.has(name) && !/^[0-9]+$/.test(name)); })()`);
+      hold(String(added.sort()) === 'd3,markdownit,odeum', `${hash}: ${added}`);
+      // A const or class of a script is no property of the window, but would be found by its name.
+      hold(await browser.run(`[typeof facts, typeof html, typeof Rows, typeof blocks].every((kind) => kind === 'undefined')`), `${hash}: names of scripts are global`);
+    }
   },
   async 'numbers inside prose are those of the rows'() {
     await browser.go(`${address}#study?page=verdicts`);

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page's time, and the controls that change it.
-let time = 0, playing = !matchMedia('(prefers-reduced-motion: reduce)').matches, before = null, dirty = true;
-const scrub = byId('scrub'), playButton = byId('play');
+let time = 0,
+  playing = !matchMedia('(prefers-reduced-motion: reduce)').matches,
+  before = null,
+  dirty = true;
+const scrub = byId('scrub'),
+  playButton = byId('play');
 scrub.max = duration;
-const showPlaying = () => { playButton.textContent = playing ? 'Pause' : 'Play'; };
-const go = (t) => { time = Math.min(Math.max(t, 0), duration); dirty = true; };
+const showPlaying = () => {
+  playButton.textContent = playing ? 'Pause' : 'Play';
+};
+const go = (t) => {
+  time = Math.min(Math.max(t, 0), duration);
+  dirty = true;
+};
 const resize = () => {
   const ratio = window.devicePixelRatio || 1;
   for (const one of [canvas, plot, coordinatePlot]) {
@@ -23,10 +32,10 @@ const show = () => {
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   placeCamera();
   gl.enable(gl.POLYGON_OFFSET_FILL);
-  gl.polygonOffset(1, 1);  // lines on a cloth stay in front of it
+  gl.polygonOffset(1, 1); // lines on a cloth stay in front of it
   draw(flat, gl.TRIANGLES, still.faces, still.faceColours);
   if (byId('surface').checked) drawCloths(now);
-  gl.depthMask(false);  // springs that lie in the plane of a grid stay in front of it
+  gl.depthMask(false); // springs that lie in the plane of a grid stay in front of it
   draw(flat, gl.LINES, still.lines, still.lineColours);
   gl.depthMask(true);
   if (byId('springs').checked) drawSprings(now);
@@ -61,19 +70,27 @@ const tick = (now) => {
     dirty = true;
   }
   before = now;
-  if (dirty) { dirty = false; show(); }
+  if (dirty) {
+    dirty = false;
+    show();
+  }
   requestAnimationFrame(tick);
 };
 
 // Looks at what moves at the present time, from as far as it takes.
 const fit = () => {
-  const now = moment(time), from = [Infinity, Infinity, Infinity], to = [-Infinity, -Infinity, -Infinity];
+  const now = moment(time),
+    from = [Infinity, Infinity, Infinity],
+    to = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < now.n; ++i) {
     const id = idOf(now.k, i);
     if (id < scene.listed && fixed[id]) continue;
     for (let d = 0; d < 3; ++d) {
       const x = now.state[3 * i + d];
-      if (Number.isFinite(x)) { from[d] = Math.min(from[d], x); to[d] = Math.max(to[d], x); }
+      if (Number.isFinite(x)) {
+        from[d] = Math.min(from[d], x);
+        to[d] = Math.max(to[d], x);
+      }
     }
   }
   if (!(from[0] <= to[0])) return;
@@ -83,21 +100,36 @@ const fit = () => {
   sameCamera();
 };
 byId('fit').onclick = fit;
-byId('trail-length').onchange = () => { dirty = true; };
+byId('trail-length').onchange = () => {
+  dirty = true;
+};
 
-playButton.onclick = () => { playing = !playing; showPlaying(); };
-scrub.oninput = () => { playing = false; showPlaying(); go(Number(scrub.value)); };
-for (const id of ['trails', 'springs', 'surface', 'arrows']) byId(id).onchange = () => { dirty = true; };
+playButton.onclick = () => {
+  playing = !playing;
+  showPlaying();
+};
+scrub.oninput = () => {
+  playing = false;
+  showPlaying();
+  go(Number(scrub.value));
+};
+for (const id of ['trails', 'springs', 'surface', 'arrows'])
+  byId(id).onchange = () => {
+    dirty = true;
+  };
 for (const one of [plot, coordinatePlot])
   one.onclick = (event) => {
-    const left = 64, right = 8;
-    go(duration * (event.offsetX - left) / (one.clientWidth - left - right));
+    const left = 64,
+      right = 8;
+    go((duration * (event.offsetX - left)) / (one.clientWidth - left - right));
   };
 canvas.onpointermove = (event) => {
   if (!event.buttons) return;
   if (event.shiftKey || event.buttons === 4) {
-    const { right, top } = axes(), scale = camera.distance / canvas.clientHeight;
-    for (let d = 0; d < 3; ++d) camera.target[d] += scale * (event.movementY * top[d] - event.movementX * right[d]);
+    const { right, top } = axes(),
+      scale = camera.distance / canvas.clientHeight;
+    for (let d = 0; d < 3; ++d)
+      camera.target[d] += scale * (event.movementY * top[d] - event.movementX * right[d]);
   } else {
     camera.yaw -= 0.008 * event.movementX;
     camera.pitch = Math.min(Math.max(camera.pitch + 0.008 * event.movementY, -1.5), 1.5);
@@ -106,15 +138,26 @@ canvas.onpointermove = (event) => {
   sameCamera();
 };
 canvas.onpointerdown = (event) => canvas.setPointerCapture(event.pointerId);
-canvas.addEventListener('wheel', (event) => {
-  event.preventDefault();
-  camera.distance *= Math.exp(0.001 * event.deltaY);
-  dirty = true;
-  sameCamera();
-}, { passive: false });
+canvas.addEventListener(
+  'wheel',
+  (event) => {
+    event.preventDefault();
+    camera.distance *= Math.exp(0.001 * event.deltaY);
+    dirty = true;
+    sameCamera();
+  },
+  { passive: false },
+);
 addEventListener('keydown', (event) => {
-  if (event.target.tagName === 'INPUT' || event.target.tagName === 'SELECT' || event.target.tagName === 'BUTTON') return;
-  if (event.key === ' ') { playButton.onclick(); event.preventDefault(); }
+  if (
+    event.target.tagName === 'INPUT' || event.target.tagName === 'SELECT' ||
+    event.target.tagName === 'BUTTON'
+  )
+    return;
+  if (event.key === ' ') {
+    playButton.onclick();
+    event.preventDefault();
+  }
   if (event.key === 'ArrowRight') go(time + duration / 100);
   if (event.key === 'ArrowLeft') go(time - duration / 100);
 });

@@ -2,15 +2,31 @@
 // Curves over time on a canvas: the whole in a faint colour, the part up to the present time in
 // full colour; names above the field, so that they lie on no curve. `range`: its ends, or null.
 const drawCurves = (plot, curves, unit, range, t) => {
-  const pen = plot.getContext('2d'), w = plot.width, h = plot.height, ratio = w / plot.clientWidth || 1;
-  const left = 64 * ratio, right = 8 * ratio, bottom = 8 * ratio, top = 20 * ratio;
+  const pen = plot.getContext('2d'),
+    w = plot.width,
+    h = plot.height,
+    ratio = w / plot.clientWidth || 1;
+  const left = 64 * ratio,
+    right = 8 * ratio,
+    bottom = 8 * ratio,
+    top = 20 * ratio;
   let [least, most] = range || [Infinity, -Infinity];
   if (!range)
     for (const curve of curves)
-      for (let k = 0; k <= last; ++k) { const e = curve.at(k); if (Number.isFinite(e)) { least = Math.min(least, e); most = Math.max(most, e); } }
-  if (!(most > least)) { const middle = Number.isFinite(least) ? least : 0; least = middle - 1; most = middle + 1; }
-  const x = (time) => left + (w - left - right) * time / duration;
-  const y = (e) => h - bottom - (h - top - bottom) * (e - least) / (most - least);
+      for (let k = 0; k <= last; ++k) {
+        const e = curve.at(k);
+        if (Number.isFinite(e)) {
+          least = Math.min(least, e);
+          most = Math.max(most, e);
+        }
+      }
+  if (!(most > least)) {
+    const middle = Number.isFinite(least) ? least : 0;
+    least = middle - 1;
+    most = middle + 1;
+  }
+  const x = (time) => left + ((w - left - right) * time) / duration;
+  const y = (e) => h - bottom - ((h - top - bottom) * (e - least)) / (most - least);
   pen.clearRect(0, 0, w, h);
   pen.lineWidth = 1.5 * ratio;
   for (const full of [false, true]) {

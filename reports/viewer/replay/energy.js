@@ -7,12 +7,21 @@ const offset = Number.isFinite(leastPotential) ? leastPotential : 0;
 const energies = [
   { name: 'kinetic', colour: '#5aa9ff', at: (k) => scene.kinetic[k] },
   { name: 'potential, from its least', colour: '#ffb454', at: (k) => scene.potential[k] - offset },
-  { name: 'total', colour: '#f2f2f2', at: (k) => scene.kinetic[k] + scene.potential[k] - offset }];
+  { name: 'total', colour: '#f2f2f2', at: (k) => scene.kinetic[k] + scene.potential[k] - offset },
+];
 const drawEnergy = (t) => drawCurves(plot, energies, 'J', null, t);
 
 // The coordinate that the scene asks to see (`plot`).
 const coordinatePlot = byId('coordinate');
 coordinatePlot.hidden = !scene.plot;
-const coordinates = scene.plot ? [{ name: `particle ${scene.plot.particle}, ${'xyz'[scene.plot.coordinate]}`, colour: '#7fd38a',
-  at: (k) => position(k, scene.plot.particle, scene.plot.coordinate) }] : [];
-const drawCoordinate = (t) => { if (scene.plot) drawCurves(coordinatePlot, coordinates, 'm', scene.plot.range || null, t); };
+const coordinates = scene.plot
+  ? [
+      {
+        name: `particle ${scene.plot.particle}, ${'xyz'[scene.plot.coordinate]}`, colour: '#7fd38a',
+        at: (k) => position(k, scene.plot.particle, scene.plot.coordinate),
+      },
+    ]
+  : [];
+const drawCoordinate = (t) => {
+  if (scene.plot) drawCurves(coordinatePlot, coordinates, 'm', scene.plot.range || null, t);
+};

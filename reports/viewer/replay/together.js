@@ -3,7 +3,8 @@
 const embedded = window.parent !== window;
 document.body.classList.toggle('embedded', embedded);
 const sameCamera = () => {
-  if (embedded) parent.postMessage({ odeum: 'camera', camera: { ...camera, target: [...camera.target] } }, '*');
+  if (embedded)
+    parent.postMessage({ odeum: 'camera', camera: { ...camera, target: [...camera.target] } }, '*');
 };
 addEventListener('message', (event) => {
   if (event.source !== window.parent || !embedded || !event.data) return;
@@ -14,10 +15,13 @@ addEventListener('message', (event) => {
       if (id in event.data) byId(id).checked = event.data[id];
     go(event.data.time);
   }
-  if (event.data.odeum === 'camera') { Object.assign(camera, event.data.camera); dirty = true; }
+  if (event.data.odeum === 'camera') {
+    Object.assign(camera, event.data.camera);
+    dirty = true;
+  }
 });
 if (embedded) {
-  resize();  // the controls are gone
+  resize(); // the controls are gone
   parent.postMessage({ odeum: 'ready', duration }, '*');
   sameCamera();
 }

@@ -59,8 +59,7 @@ std::string columns_json(const std::vector<record::Fields>& rows,
 }
 
 std::string data_script(const std::string& name, const std::string& json) {
-  return fmt::format("(self.odeumData=self.odeumData||[]).push([{},\"{}\"]);\n", quoted(name),
-                     base64(record::zlib_of(json)));
+  return fmt::format("odeum.receive([{},\"{}\"]);\n", quoted(name), base64(record::zlib_of(json)));
 }
 
 }  // namespace odeum::report

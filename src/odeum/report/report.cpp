@@ -24,7 +24,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int schema = 1;
+constexpr int schema = 2;  ///< of page.json and data/; 2: data is handed to odeum.receive
 
 // Text of others may be no UTF-8; the file is valid all the same.
 std::string text_of(const ordered_json& json, int indent = -1) {
