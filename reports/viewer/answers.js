@@ -4,16 +4,17 @@
 (() => {
   const {
     facts, sameError, idOf, html, addressOf, settingText, duration, colourOf, times, whyNotReached,
-    shapeOf, number, plural, rangeOf, plot, leadOf, fitOf, disturbedText, fastestEigenvalue,
-    limitNumber, limitOf, stableText, writeAddress, choices, loadCase,
+    shapeOf, number, plural, rangeOf, plot, leadOf, moreText, workText, disturbedText, growsAsFast,
+    fastestEigenvalue, isClosedForm, limitNumber, limitOf, stableText, writeAddress, choices,
+    loadCase,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
 
-  // The fastest of each library, with the run that it stands for.
+  // The fastest method of each library, with the run that it stands for.
   const fastestOf = (id, error, timed) =>
     facts.fastest
-      .filter((row) => row.case === id && sameError(row.error, error))
+      .filter((row) => row.case === id && sameError(row.error, error) && !isClosedForm(row))
       .map((row) => ({
         ...row,
         run: timed.find(
@@ -24,14 +25,10 @@
       }))
       .sort((a, b) => a.wall_ns_min - b.wall_ns_min);
 
-  // The fastest own run that does not rest on a closed form.
-  const fastestGeneral = (timed, error) =>
+  // The fastest run of a closed form, which stands beside the methods and is compared with none.
+  const closedFormOf = (timed, error) =>
     timed
-      .filter(
-        (row) =>
-          row.library === 'odeum' && row.error <= error && row.repetitions > 0 &&
-          facts.solverOf.get(idOf(row))?.family !== 'exponential',
-      )
+      .filter((row) => isClosedForm(row) && row.error <= error && row.repetitions > 0)
       .reduce((best, row) => (!best || row.wall_ns_min < best.wall_ns_min ? row : best), null);
 
   const barRow = (row, longest, note) =>
@@ -65,13 +62,12 @@
       html('td', { class: 'ratio' }, row.ratio === 1 ? '' : `× ${times(row.ratio)}`),
     );
 
-  const bars = (id, error, best, timed, general) => {
+  const closedText = (row) =>
+    `a closed form, compared with none; it needs ${facts.solverOf.get(idOf(row)).needs}`;
+
+  const bars = (c, error, best, timed, closed) => {
     const rows = best.map((row) => ({ ...row, ratio: row.wall_ns_min / best[0].wall_ns_min }));
-    if (general)
-      rows.push({
-        ...general, case: id, ratio: general.wall_ns_min / best[0].wall_ns_min, general: true,
-      });
-    rows.sort((a, b) => a.wall_ns_min - b.wall_ns_min);
+    if (closed) rows.push({ ...closed, ratio: 1, closed: true });
     const longest = Math.max(...rows.map((row) => row.wall_ns_min), 1);
     const missing = facts.libraryNames.filter(
       (library) => !best.some((row) => row.library === library),
@@ -80,21 +76,15 @@
       'table', { class: 'bars' },
       html(
         'caption', {},
-        'The fastest of each library: time of a whole solve, set-up included, least of several',
+        'The fastest of each library: time of a whole solve, set-up included, least of several. ' +
+          `The error is the largest of a component up to t = ${number(c.end)}, absolute, in the ` +
+          'units of the equation.',
       ),
       html(
-        'tbody', {},
-        rows.map((row) =>
-          barRow(
-            row, longest,
-            row.general
-              ? `${settingText(row)}; the fastest own one that does not use a closed form`
-              : '',
-          ),
-        ),
+        'tbody', {}, rows.map((row) => barRow(row, longest, row.closed ? closedText(row) : '')),
         missing.map((library) => {
           const why = whyNotReached(
-            timed.filter((row) => row.library === library), error,
+            timed.filter((row) => row.library === library && !isClosedForm(row)), error,
           );
           return html(
             'tr', { class: why.tried ? 'failed-row' : 'untried' },
@@ -152,38 +142,25 @@
     });
   };
 
-  const answerWords = (c, error, best, timed, general) => {
-    const [first] = best,
-      solver = facts.solverOf.get(idOf(first)) || { family: '', order: NaN };
+  const answerWords = (c, error, best, timed) => {
+    const [first] = best;
     const rival = best.find((row) => row.library !== first.library);
     const sentences = [
       html(
         'p', { class: 'answer' }, html('strong', {}, idOf(first)), ` reaches ${number(error)} in `,
         html('strong', {}, duration(first.wall_ns_min)),
-        rival
-          ? `, ${leadOf(first, rival, solver.family === 'exponential')}`
-          : '; no other library reaches it.',
+        rival ? `, ${leadOf(first, rival)}` : '; no other library reaches it.',
       ),
     ];
-    sentences.push(
-      html(
-        'p', {}, html('b', {}, 'Why: '), fitOf(c, solver),
-        general
-          ? ` Without the closed form ${idOf(general)} takes ${duration(general.wall_ns_min)}.`
-          : '',
-      ),
-    );
+    const work = (row, name) => html('p', {}, html('b', {}, name), workText(row.run));
+    if (first.run) sentences.push(work(first, 'Its run: '));
+    if (rival?.run) sentences.push(work(rival, `That of ${idOf(rival)}: `));
     const finer = askedErrors.map(Number).find((e) => e < error * 0.5),
       more = finer && fastestOf(c.id, finer, timed)[0];
     if (more)
-      sentences.push(html('p', {}, html('b', {}, 'Three digits more: '), sameWork(first, more)));
+      sentences.push(html('p', {}, html('b', {}, 'Three digits more: '), moreText(first, more)));
     return sentences;
   };
-  const sameWork = (now, more) =>
-    more.wall_ns_min < 1.05 * now.wall_ns_min
-      ? 'free: the same run has them.'
-      : `${times(more.wall_ns_min / now.wall_ns_min)} times the time, with ` +
-        `${idOf(more) === idOf(now) ? 'the same method' : idOf(more)}.`;
 
   const reproduce = (c, row) =>
     row.setting_kind === 'tol'
@@ -194,12 +171,11 @@
 
   const answerBody = (c, error, { timed }) => {
     const best = fastestOf(c.id, error, timed);
-    const exact = best[0] && facts.solverOf.get(idOf(best[0]))?.family === 'exponential';
-    const general = exact ? fastestGeneral(timed, error) : null;
+    const closed = closedFormOf(timed, error);
     const picture = html('div', { class: 'picture' }),
       stable = html('p', { class: 'stable' });
     const words = best.length
-      ? answerWords(c, error, best, timed, general)
+      ? answerWords(c, error, best, timed)
       : [
           html(
             'p', { class: 'answer' },
@@ -218,7 +194,7 @@
         ),
         words,
         stable,
-        bars(c.id, error, best, timed, general),
+        bars(c, error, best, timed, closed),
         disturbedText(timed) ? html('p', { class: 'disturbed' }, '⚠ ', disturbedText(timed)) : null,
         best[0]
           ? html(
@@ -238,20 +214,17 @@
     );
     requestAnimationFrame(() => answerPicture(picture, c, error, best, timed));
     if (best[0])
-      stability(c, general || best[0]).then((text) =>
+      stability(c, best[0]).then((text) =>
         stable.replaceChildren(...(text ? [html('b', {}, 'Stable: '), text] : [])),
       );
     return body;
   };
   const stability = async (c, row) => {
-    const solver = facts.solverOf.get(idOf(row)),
-      z = fastestEigenvalue(c, limitNumber(idOf(row), 'real') === undefined);
-    if (!solver || !z) return '';
-    const limit = await limitOf(idOf(row), z);
-    const text = stableText(c, solver, limit, z);
-    if (!text) return '';
-    const kept = row.setting_kind === 'tol' && Number.isFinite(limit?.value);
-    return `${idOf(row)} ${text}${kept ? ' To a tolerance it keeps below that by itself.' : ''}`;
+    const z = fastestEigenvalue(c, limitNumber(idOf(row), 'real') === undefined);
+    // Where the solution itself grows as fast, staying bounded is nothing to ask for.
+    if (!z || growsAsFast(c, z)) return '';
+    const text = stableText(c, await limitOf(idOf(row), z), z, row.run);
+    return text && `${idOf(row)} ${text}`;
   };
 
   const showAnswers = (host, choice) => {

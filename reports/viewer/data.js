@@ -83,6 +83,7 @@
     }
   }
   const idOf = (row) => `${row.library}/${row.solver}`;
+  const isClosedForm = (row) => Boolean(facts.solverOf.get(idOf(row))?.closed_form);
 
   const facts = {
     cases: [], solvers: [], libraries: [], studies: [], tables: [], questions: [], solutions: {},
@@ -178,7 +179,7 @@
   };
 
   Object.assign(odeum, {
-    receive, loadScript, load, Rows, idOf, facts, takeFacts, tablesRead, rowsOf, measuredCases,
-    isMeasured, loadCase, colourOf, shapeOf,
+    receive, loadScript, load, Rows, idOf, isClosedForm, facts, takeFacts, tablesRead, rowsOf,
+    measuredCases, isMeasured, loadCase, colourOf, shapeOf,
   });
 })();

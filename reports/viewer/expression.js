@@ -10,7 +10,7 @@
 //   count(limits where status == differs)            how many
 'use strict';
 (() => {
-  const { sum, number, duration } = odeum;
+  const { facts, sum, number, duration } = odeum;
 
   const tokenise = (text) => {
     const kinds = [
@@ -54,11 +54,33 @@
   };
   const known = (list) => list.filter((value) => !Number.isNaN(value));
   const functions = {
-    if: (condition, yes, no) => (condition ? yes : no), abs: Math.abs, sqrt: Math.sqrt,
-    exp: Math.exp, log10: Math.log10, log2: Math.log2, round: Math.round, floor: Math.floor,
-    min: Math.min, max: Math.max, hypot: Math.hypot,
-    known: (value) => !Number.isNaN(value) && value !== '', finite: Number.isFinite,
-    starts: (text, with_) => String(text).startsWith(with_), text: String,
+    // A number that a study's program gives its texts (Declaration::figures), by study.name.
+    figure: (name) => {
+      const [study, key] = name.split('.');
+      const value = facts.studies.find((each) => each.name === study)?.figures?.[key];
+      if (value === undefined) throw new Error(`there is no figure ${name}`);
+      return value;
+    },
+    // Whether times were taken while the machine drifted, or other programs had the processor.
+    disturbed: (drift, share) => {
+      const most = functions.figure('precision.most_disturbance');
+      return Math.abs(drift) > most || share < 1 - most;
+    },
+    if: (condition, yes, no) => (condition ? yes : no),
+    abs: Math.abs,
+    sqrt: Math.sqrt,
+    exp: Math.exp,
+    log10: Math.log10,
+    log2: Math.log2,
+    round: Math.round,
+    floor: Math.floor,
+    min: Math.min,
+    max: Math.max,
+    hypot: Math.hypot,
+    known: (value) => !Number.isNaN(value) && value !== '',
+    finite: Number.isFinite,
+    starts: (text, with_) => String(text).startsWith(with_),
+    text: String,
     // A class of the style sheet for a signed size against three limits: t1 to t3 above 0, t-1 to
     // t-3 below.
     shade: (size, slight, strong, extreme) => {

@@ -4,7 +4,7 @@
 (() => {
   const {
     facts, matches, html, addressOf, idOf, orderText, duration, times, number, failureText,
-    limitNumber, sameError, measuredCases, plural, loadCase,
+    limitNumber, sameError, measuredCases, plural, loadCase, isClosedForm,
   } = odeum;
 
   const methodList = (filter) => {
@@ -42,11 +42,16 @@
         .filter((row) => row.repetitions > 0 && row.error <= 1e-6)
         .reduce((a, b) => (!a || b.wall_ns_min < a.wall_ns_min ? b : a), null);
     const mine = fastest(timed),
-      first = fastest(data.timed),
+      first = fastest(data.timed.filter((row) => !isClosedForm(row))),
       all = runs.length ? runs : timed;
     const fits = all.some((run) => run.status !== 'not_applicable');
-    const ratio = mine ? mine.wall_ns_min / first.wall_ns_min : NaN;
-    const rank = ratio > 1.005 ? `, × ${times(ratio)} of ${idOf(first)}` : ': the fastest of all';
+    const ratio = mine && first ? mine.wall_ns_min / first.wall_ns_min : NaN;
+    const rank =
+      mine && isClosedForm(mine)
+        ? ', a closed form'
+        : ratio > 1.005
+          ? `, × ${times(ratio)} of ${idOf(first)}`
+          : ': the fastest of all';
     const time = mine ? duration(mine.wall_ns_min) + rank : '';
     return html(
       'tr', { class: !all.length || !fits ? 'untried' : null, 'data-case': c.id },
@@ -71,9 +76,10 @@
     const wins = facts.fastest.filter(
       (row) =>
         idOf(row) === id &&
+        !isClosedForm(row) &&
         !facts.fastest.some(
           (other) =>
-            other.case === row.case && sameError(other.error, row.error) &&
+            other.case === row.case && sameError(other.error, row.error) && !isClosedForm(other) &&
             other.wall_ns_min < row.wall_ns_min,
         ),
     );
@@ -84,9 +90,15 @@
           .map((row) => number(row.error, 1))
           .join(', ')})`,
     );
+    const ranked = solver.closed_form
+      ? 'compared with no method: a closed form, exact at any step'
+      : ahead.length
+        ? `on ${ahead.join('; ')}`
+        : 'on no problem of this report';
+    const order = solver.closed_form ? 'none: exact at any step' : 'varies during a run';
     const lines = [
       ['family', solver.family.replaceAll('_', ' ')],
-      ['order', solver.order === null ? 'varies during a run' : number(solver.order)],
+      ['order', solver.order === null ? order : number(solver.order)],
       [
         'runs',
         [solver.fixed ? 'at a fixed step' : '', solver.adaptive ? 'to a tolerance' : '']
@@ -104,7 +116,7 @@
           )
           .join('; '),
       ],
-      ['fastest of all', ahead.length ? `on ${ahead.join('; ')}` : 'on no problem of this report'],
+      ['fastest of all', ranked],
     ];
     const example = measuredCases()[0] || facts.cases[0];
     return [

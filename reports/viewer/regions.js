@@ -62,6 +62,11 @@
           z[0] <= 1e-6 * Math.hypot(...z) && Math.hypot(...z) > 0 && (!oscillating || z[1] > 0),
       )
       .reduce((a, b) => (!a || Math.hypot(...b) > Math.hypot(...a) ? b : a), null);
+  // Whether an eigenvalue of a case grows at least as fast as `z` is large.
+  const growsAsFast = (c, z) =>
+    c.eigenvalues.some(
+      (w) => w[0] > 1e-6 * Math.hypot(...w) && Math.hypot(...w) >= 0.999 * Math.hypot(...z),
+    );
   // h |lambda| to which a solver is stable along an eigenvalue.
   const limitOf = async (id, z) => {
     const size = Math.hypot(...z),
@@ -110,7 +115,8 @@
         'g', { style: { color: colourOf(region.solver.split('/')[0]) } },
         svg('path', {
           class: 'leader',
-          d: `M${tops[i][0].toFixed(1)} ${tops[i][1].toFixed(1)}L${left - 3} ` +
+          d:
+            `M${tops[i][0].toFixed(1)} ${tops[i][1].toFixed(1)}L${left - 3} ` +
             `${places[i].toFixed(1)}`,
         }),
         svg(
@@ -172,8 +178,8 @@
         'svg',
         {
           class: 'plot live', width, height, viewBox: `0 0 ${width} ${height}`, role: 'img',
-          'aria-label': `Outlines of the regions of stability of ` +
-            `${shown.map((r) => r.solver).join(', ')}`,
+          'aria-label':
+            `Outlines of the regions of stability of ` + `${shown.map((r) => r.solver).join(', ')}`,
         },
         drawAxes(size, x, y, { x: { label: words[0] }, y: { label: words[1] } }),
         plane === 'lambda'
@@ -364,5 +370,7 @@
     return draw(10 ** slider.value);
   };
 
-  Object.assign(odeum, { loadRegions, limitNumber, fastestEigenvalue, limitOf, showRegions });
+  Object.assign(odeum, {
+    loadRegions, limitNumber, fastestEigenvalue, growsAsFast, limitOf, showRegions,
+  });
 })();

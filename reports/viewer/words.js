@@ -2,7 +2,7 @@
 // The rules by which measured facts become sentences: all of them are here.
 'use strict';
 (() => {
-  const { number, shorten, times, idOf, duration, facts } = odeum;
+  const { number, plural, shorten, times, idOf, duration, facts, functions } = odeum;
 
   const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
   const settingText = (row) =>
@@ -14,7 +14,7 @@
   const endings = {
     over_budget: 'costs more than the study pays for',
     newton_failed: "fails: Newton's iteration does not converge",
-    non_finite: 'grows without bound: unstable at this step',
+    non_finite: 'ends in values that are not finite',
     step_too_small: 'chooses a step that becomes too small', refused: 'refuses the run',
     not_applicable: 'does not fit',
   };
@@ -43,92 +43,85 @@
     if (!best) return { text: `no run ended: ${detail}`, tried: rest !== 'over_budget' };
     const then = detail ? `; at a finer setting it ${detail}` : '; no finer setting was tried';
     return {
-      text: `reaches ${number(best.error, 2)} at best (${best.solver})` +
+      text:
+        `reaches ${number(best.error, 2)} at best (${best.solver})` +
         (best.error <= error ? ', not timed' : then),
       tried: Boolean(rest) && rest !== 'over_budget',
     };
   };
 
-  // What makes the method fit the problem: by its family, order and the tags of the case.
-  const fitOf = (c, solver) => {
-    const has = (tag) => c.tags.includes(tag);
-    const order = Number.isFinite(solver.order) && solver.order ? solver.order : null;
-    if (solver.family === 'exponential')
-      return 'The equation is linear with constant coefficients: this method computes its ' +
-        'closed form, exact at any step. It does nothing for a nonlinear problem.';
-    if (has('cloth'))
-      return `${order ? `Order ${order}` : 'A variable order'}, explicit: the step that ` +
-        `accuracy asks for is already shorter than the step that stability allows, so that an ` +
-        `implicit method has nothing to win here.`;
-    if (solver.family === 'nystroem')
-      return `The problem is q'' = a(q): a Nyström method uses that and spends its stages on ` +
-        `positions alone, here at order ${order}.`;
-    if (solver.family === 'symplectic')
-      return `The problem is q'' = a(q): kicks and drifts of order ${order} take one ` +
-        `acceleration each, and no linear system.`;
-    if (solver.family === 'linearly_implicit')
-      return `The problem is stiff: an explicit method must follow its fastest decay. A ` +
-        `linearly implicit method is stable without that, and solves linear systems only, ` +
-        `without Newton's iteration.`;
-    if (solver.family === 'implicit_rk')
-      return 'The problem is stiff: an explicit method must follow its fastest decay; an ' +
-        'implicit one is stable at the steps that accuracy asks for.';
-    if (solver.family === 'extrapolation')
-      return 'The solution is smooth: extrapolation raises the order as far as the tolerance ' +
-        'asks for.';
-    if (solver.family === 'taylor')
-      return 'The equation gives its derivatives to any order: a Taylor series takes few, long ' +
-        'steps.';
-    if (order && order >= 6)
-      return `The solution is smooth and the problem not stiff: at order ${order} the error ` +
-        `falls as h^${order}, so that few, long steps suffice.`;
-    if (order)
-      return `Order ${order} is enough for this error: more stages a step would cost more than ` +
-        `they save.`;
-    return '';
+  // What a timed run did, by its own counts: no reason follows from a family, an order or a tag.
+  const workText = (run) => {
+    const counts = [
+      run.steps ? plural(run.steps, 'step') : '',
+      run.rejected_steps ? `${run.rejected_steps.toLocaleString('en')} rejected` : '',
+      run.rhs_evaluations ? `${plural(run.rhs_evaluations, 'evaluation')} of f` : '',
+      run.jacobian_evaluations ? plural(run.jacobian_evaluations, 'Jacobian') : '',
+    ];
+    const each = run.rhs_evaluations
+      ? `; ${duration(run.wall_ns_min / run.rhs_evaluations)} for each evaluation, all else ` +
+        `included`
+      : '';
+    return (
+      `${settingText(run)}, error ${number(run.error)}: ` +
+      `${counts.filter(Boolean).join(', ') || 'it counts nothing'}${each}.`
+    );
   };
 
-  // By how much the best of one library leads the best of another, and by what: fewer evaluations,
-  // or less work around them.
-  const leadOf = (best, second, closed) => {
-    const ratio = second.wall_ns_min / best.wall_ns_min;
-    let text = `${times(ratio)} times as fast as the best of another library, ${idOf(second)} ` +
-      `(${duration(second.wall_ns_min)})`;
-    if (ratio < 1.1)
-      text = `level with ${idOf(second)} (${duration(second.wall_ns_min)}), to within what ` +
-        `times on this machine tell`;
-    const a = best.run?.rhs_evaluations,
-      b = second.run?.rhs_evaluations;
-    if (!a || !b || ratio < 1.1 || closed) return `${text}.`;
-    return `${text}: ${a.toLocaleString('en')} evaluations of f against ${b.toLocaleString('en')}.`;
+  // By how much the best of one library leads the best of another.
+  const leadOf = (best, second) => {
+    const ratio = second.wall_ns_min / best.wall_ns_min,
+      other = `${idOf(second)} (${duration(second.wall_ns_min)})`;
+    return ratio < 1.1
+      ? `level with ${other}, to within what times on this machine tell.`
+      : `${times(ratio)} times as fast as the best of another library, ${other}.`;
   };
 
-  // Which step a solver is stable to on a case; `limit` is h |lambda| (regions.js).
-  const stableText = (c, solver, limit, z) => {
-    if (solver.family === 'exponential') return 'at any step: it is exact.';
+  // What three digits more cost.
+  const moreText = (now, more) => {
+    const ratio = more.wall_ns_min / now.wall_ns_min,
+      same = idOf(more) === idOf(now);
+    if (same && more.setting === now.setting) return 'none: the same run has them.';
+    return (
+      (ratio < 1.05 ? 'no more time' : `${times(ratio)} times the time`) +
+      `, with ${same ? 'the same method' : idOf(more)}.`
+    );
+  };
+
+  // Which step a solver is stable to on a case, by the limits that were measured, and how long the
+  // steps of a run are; `limit` is h |lambda| (regions.js).
+  const stableText = (c, limit, z, run) => {
     if (!limit) return '';
     const size = Math.hypot(z[0], z[1]);
-    const eigenvalue = `eigenvalue ${number(z[0], 2)}${z[1] ? ` ± ${number(z[1], 2)}i` : ''} at ` +
+    const eigenvalue =
+      `eigenvalue ${number(z[0], 2)}${z[1] ? ` ± ${number(z[1], 2)}i` : ''} at ` +
       `t = ${number(c.eigenvalues_time)}`;
     if (!Number.isFinite(limit.value)) return `at any step (${eigenvalue}).`;
     if (limit.value === 0)
       return `at no step, strictly (${eigenvalue}): errors grow, slowly at small steps.`;
     const far = limit.beyond ? ', as far as the region was measured' : '';
-    return `to h = ${number(limit.value / size)}${c.unit ? ` ${c.unit}` : ''}${far}, which is ` +
-      `${number(limit.value)} / |λ| (${eigenvalue}).`;
+    const unit = c.unit ? ` ${c.unit}` : '',
+      mean = run ? (c.end - c.start) / run.steps : NaN;
+    const taken = Number.isFinite(mean)
+      ? ` The run's steps are ${number(mean)}${unit} on average, ` +
+        `${number((mean * size) / limit.value, 2)} of that.`
+      : '';
+    return (
+      `to h = ${number(limit.value / size)}${unit}${far}, which is ` +
+      `${number(limit.value)} / |λ| (${eigenvalue}).${taken}`
+    );
   };
 
   // Times of a case that were disturbed, by the limits that the study has for a repetition.
   const disturbedText = (timed) => {
     const row = timed.find((t) => t.repetitions > 0 && Number.isFinite(t.drift));
-    if (!row || (Math.abs(row.drift) <= 0.05 && row.processor_share >= 0.95)) return '';
+    if (!row || !functions.disturbed(row.drift, row.processor_share)) return '';
     const percent = (part) => `${Math.round(100 * part)} %`;
     const speed = `speed changed by ${percent(Math.abs(row.drift))}`;
-    const found =
-      row.processor_share < 0.95
-        ? `while other programs ran: the timed runs had the processor for ` +
-          `${percent(row.processor_share)} of the time, and its ${speed}`
-        : `on a processor whose ${speed} meanwhile`;
+    const found = functions.disturbed(0, row.processor_share)
+      ? `while other programs ran: the timed runs had the processor for ` +
+        `${percent(row.processor_share)} of the time, and its ${speed}`
+      : `on a processor whose ${speed} meanwhile`;
     return `Measured ${found}. Measure again on a quiet machine before you rely on ratios near 1.`;
   };
 
@@ -172,10 +165,12 @@
     const end = whole
       ? ''
       : ` The run ends at t = ${number(times[last])}: ${run.detail || run.status}.`;
-    const drawn = run.mode === 'adaptive' && run.library !== 'odeum'
-      ? ' Drawn with output at 100 times, where a library may end its steps: its error differs a ' +
-        'little from that of the run in the chart.'
-      : '';
+    const drawn =
+      run.mode === 'adaptive' && run.library !== 'odeum'
+        ? ' Drawn with output at 100 times, where a library may end its steps: its error ' +
+          'differs a ' +
+          'little from that of the run in the chart.'
+        : '';
     const marks = set.exact.everywhere ? '' : ', known at the marks only';
     return `${how}.${end}${drawn} Exact: ${set.exact.source}${marks}.`;
   };
@@ -208,8 +203,8 @@
       if (status === 'non_finite' && least)
         texts.push(
           good
-            ? `unstable from ${setting(least)}, finite at ${setting(good)}`
-            : `unstable at every step that was run to its end, down to ${setting(least)}`,
+            ? `not finite from ${setting(least)}, finite at ${setting(good)}`
+            : `not finite at every step that was run to its end, down to ${setting(least)}`,
         );
       else if (status === 'over_budget')
         texts.push(`over budget from ${setting(most || list[0])}: ${shorten(list[0].detail, 110)}`);
@@ -223,7 +218,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, whyNotReached, fitOf, leadOf, stableText, disturbedText, notDrawnText,
-    notKeptText, solutionText, failureText,
+    sameError, settingText, whyNotReached, workText, leadOf, moreText, stableText, disturbedText,
+    notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

@@ -187,6 +187,23 @@ TEST(Precision, HasARowForEverySettingAndForWhatDoesNotFit) {
   EXPECT_EQ(result.summary.size(), 11U);
 }
 
+// A closed form is exact at any step: as the fastest own solver it made ratios that compare no
+// methods. Its rows stay.
+TEST(Precision, AClosedFormIsTimedAndComparedWithNone) {
+  const PrecisionResult result =
+      measure_precision({.cases = {"osc_undamped"},
+                         .solvers = {"odeum/exponential_propagator", "odeum/heun"},
+                         .own = {{"seconds", "0.01"}, {"attempts", "1"}}});
+  const auto is_closed_form = [](const auto& row) {
+    return row.solver == "exponential_propagator";
+  };
+  EXPECT_TRUE(std::any_of(result.rows.begin(), result.rows.end(), is_closed_form));
+  EXPECT_FALSE(result.fastest.empty());
+  EXPECT_TRUE(std::none_of(result.fastest.begin(), result.fastest.end(), is_closed_form));
+  for (const PrecisionSummary& each : result.summary)
+    EXPECT_TRUE(each.own.empty() || each.own.starts_with("odeum/heun")) << each.own;
+}
+
 // Wrong where a library's options are left out: Bullet's conjugate gradients limited to four take
 // half the time of its default at coarse steps (reports/peers.md).
 TEST(Precision, TunesTheOptionsOfALibrary) {

@@ -188,6 +188,9 @@ const checks = {
   },
   'a machine is disturbed where it drifts or is shared'() {
     vm.runInContext(read('src/odeum/studies/precision/view.js'), context);
+    const limit = Number(/most_disturbance = ([0-9.]+);/.exec(read('src/odeum/studies/stopwatch.hpp'))[1]);
+    hold(errorOf(() => functions.disturbed(0, 1)).includes('there is no figure'), 'without the limit of the program nothing is judged');
+    page('facts').studies = [{ name: 'precision', figures: { most_disturbance: limit } }];
     same([[0.01, 0.99], [-0.12, 0.99], [0.01, 0.6], [0.06, 1]].map(([drift, share]) => functions.disturbed(drift, share)), [false, true, true, true], 'conditions');
   },
   'the remark on disturbed times names other programs where they had the processor only'() {
@@ -202,6 +205,15 @@ const checks = {
     let expressions = 0, pages = 0;
     const folders = readdirSync(studies, { withFileTypes: true }).filter((entry) => entry.isDirectory()).map((entry) => join(studies, entry.name));
     for (const folder of folders) if (existsSync(join(folder, 'view.js')) && !['drift', 'limits', 'precision', 'reduction'].some((name) => folder.endsWith(`/${name}`))) vm.runInContext(readFileSync(join(folder, 'view.js'), 'utf8'), context);
+    // What figure('study.name') names, the program of the study gives: Declaration::figures.
+    const programs = new Map(folders.map((folder) => [folder.slice(studies.length + 1), readFileSync(join(folder, 'study.cpp'), 'utf8')]));
+    let figures = 0;
+    for (const folder of folders) for (const file of readdirSync(folder).filter((name) => /\.(md|js)$/.test(name)))
+      for (const [, study, name] of readFileSync(join(folder, file), 'utf8').matchAll(/figure\('([a-z]+)\.([a-z_]+)'\)/g)) {
+        hold(programs.get(study)?.includes(`{"${name}", `), `${file} of ${folder}: figure ${study}.${name}`);
+        ++figures;
+      }
+    hold(figures > 10, 'figures of the pages');
     const check = (source, where) => { const wrong = errorOf(() => new Template(source)); hold(wrong === 'no error', `${where}: ${wrong}`); ++expressions; };
     for (const folder of folders) for (const file of readdirSync(folder).filter((name) => name.endsWith('.md') && name !== 'columns.md')) {
       const where = join(folder, file).slice(studies.length + 1);

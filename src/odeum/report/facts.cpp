@@ -28,6 +28,8 @@ std::vector<std::string> Facts::library_names() const {
   return names;
 }
 
+bool is_closed_form(const SolverInfo& solver) { return solver.family == "exponential"; }
+
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries) {
   Facts facts{.cases = {}, .solvers = {}, .libraries = libraries};
   std::set<std::string> known;
@@ -43,6 +45,7 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
                            .truth = c.truth.source,
                            .truth_floor = c.truth.floor,
                            .timed_floor = c.timed_floor(),
+                           .start = c.t0,
                            .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
                            .scale = scale > 0 ? scale : 1,
                            .tags = c.tags,
@@ -66,6 +69,7 @@ ordered_json json_of(const CaseFacts& c) {
           {"tags", c.tags},
           {"floor", number(c.truth_floor)},
           {"timed_floor", number(c.timed_floor)},
+          {"start", number(c.start)},
           {"end", number(c.timed_end)},
           {"scale", number(c.scale)},
           {"unit", mechanical ? "s" : ""},
@@ -82,6 +86,7 @@ ordered_json json_of(const SolverInfo& solver) {
           {"adaptive", solver.adaptive},
           {"controller", plain(solver.controller)},
           {"needs", plain(solver.needs)},
+          {"closed_form", is_closed_form(solver)},
           {"source", plain(solver.source)}};
 }
 

@@ -14,6 +14,7 @@ struct CaseFacts {
   std::string id, title, equation, source, truth;
   double truth_floor = 0;  ///< absolute error below which the truth says nothing
   double timed_floor = 0;  ///< the same where studies of time measure the error
+  double start = 0;        ///< initial time
   double timed_end = 0;    ///< the time t at which these do
   double scale = 1;  ///< largest component of the initial state, in magnitude; 1 where all are 0
   std::vector<std::string> tags;
@@ -31,6 +32,10 @@ struct Facts {
   /// The libraries whose solvers take part, in the order of the solvers.
   std::vector<std::string> library_names() const;
 };
+
+/// Whether a solver evaluates a closed form of the solution, exact at any step: it stands beside
+/// methods, and no ratio of times compares it with one.
+bool is_closed_form(const SolverInfo& solver);
 
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries);
 

@@ -68,6 +68,7 @@ ordered_json json_of(const StudyFacts& study) {
                     {"command", study.command},
                     {"help", study.help},
                     {"place", study.place},
+                    {"figures", study.figures},
                     {"problem", plain(study.problem)},
                     {"selection", plain(study.selection)},
                     {"measured", study.measured},

@@ -30,6 +30,7 @@ struct RunFacts {
 struct StudyFacts {
   std::string name, command, help;
   int place = 500;
+  std::map<std::string, double> figures = {};  ///< numbers that its texts name
   std::string problem = {};    ///< why files of an earlier run could not be used; empty: they could
   std::string selection = {};  ///< what of it was measured, as text; empty: all
   bool measured = true;        ///< by this run, and not only read back

@@ -36,6 +36,7 @@ report::StudyFacts Study::facts() const {
           .command = declaration_.name,
           .help = declaration_.help,
           .place = declaration_.place,
+          .figures = declaration_.figures,
           .problem = problem_,
           .selection = selection,
           .measured = measured()};

@@ -51,6 +51,9 @@ struct Declaration {
   std::string quick_help = {};  ///< of --quick; empty: takes none
   std::string no_resume = {};   ///< why its results are not kept; empty: they are
   std::vector<Option> options = {};
+  /// Numbers of its measurement and limits of its verdicts that its texts name:
+  /// figure('study.name').
+  std::map<std::string, double> figures = {};
   /// The runs of a report; none: it shows the files of earlier runs in its folder.
   std::vector<Options> report = {Options()};
   std::vector<Options> quick_report = {};  ///< of a quick one

@@ -19,7 +19,8 @@ struct LongRun {
 
   explicit LongRun(const Case& each)
       : c(each), kept(kept_quantities(each)), motion(harmonic_motion(each)) {
-    const std::uint64_t steps = c.y0.size() > 12 ? 1'000 : 10'000;
+    const std::uint64_t steps =
+        c.y0.size() > drift_most_unknowns ? drift_steps_of_large : drift_steps;
     step = (c.stops.back() - c.t0) / (2 * static_cast<double>(c.settings.coarsest_steps));
     request.steps = steps;
     // Eight times per decade: power laws are lines over the logarithm of time.

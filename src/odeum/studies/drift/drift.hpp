@@ -51,6 +51,10 @@ struct HorizonRow {
   }
 };
 
+/// Steps of a run; of systems of more unknowns than `drift_most_unknowns`, fewer.
+inline constexpr std::uint64_t drift_steps = 10'000, drift_steps_of_large = 1'000;
+inline constexpr std::size_t drift_most_unknowns = 12;
+
 struct DriftResult {
   std::vector<DriftRow> rows;
   std::vector<HorizonRow> horizons;

@@ -36,7 +36,7 @@ double stability(const std::string& solver, double z) {
 
 /// The fastest mode of a jump, at steps far beyond its time.
 void add_rough(EvolutionResult& result) {
-  constexpr std::size_t steps = 8;
+  constexpr std::size_t steps = rough_steps;
   constexpr double z = 50;
   for (const fem::Mass mass : {fem::Mass::lumped, fem::Mass::consistent}) {
     const Field field(false, 8, mass, true, jump);
@@ -59,7 +59,7 @@ void add_rough(EvolutionResult& result) {
 /// The angle by which one step turns a wave of k half waves each way, against that of the equation:
 /// by elements with lumped mass, leapfrog is too fast and the elements too slow.
 void add_dispersion(EvolutionResult& result) {
-  constexpr std::size_t n = 16;
+  constexpr std::size_t n = wave_divisions;
   for (std::size_t k = 1; k < n; k *= 2) {
     const auto waves = static_cast<double>(k);
     const Field field(true, n, fem::Mass::lumped, false, [=](fem::Point p) {

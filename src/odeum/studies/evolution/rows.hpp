@@ -97,6 +97,9 @@ struct EvolutionLimitRow {
   }
 };
 
+/// Steps after which the fastest mode of a jump is measured, and divisions of the mesh of waves.
+inline constexpr std::size_t rough_steps = 8, wave_divisions = 16;
+
 struct EvolutionResult {
   std::vector<EvolutionRow> runs;
   std::vector<EvolutionOrderRow> orders;

@@ -62,7 +62,8 @@ std::unique_ptr<Study> make_evolution() {
                             "two is taken; default: 128",
                     .least = 16,
                     .most = 512,
-                    .whole = true}}},
+                    .whole = true}},
+       .figures = {{"rough_steps", rough_steps}, {"wave_divisions", wave_divisions}}},
       {.measure = measure_evolution, .table = table});
 }
 

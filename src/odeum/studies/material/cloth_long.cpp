@@ -15,7 +15,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr std::size_t side = 11;
+constexpr std::size_t side = cloth_side;
 constexpr double horizon = 10, between = 0.5;  // s
 constexpr double steps[] = {1.0 / 60, 1.0 / 240};
 constexpr double tolerance = 1e-6;

@@ -29,8 +29,8 @@ std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, 
   return times;
 }
 
-constexpr double watched_for = 8.0 / 30;  // s; a whole number of every frame
-constexpr double damping = 0.05;          // of square_cloth, N s/m
+constexpr double watched_for = timed_cloth_time;
+constexpr double damping = 0.05;  // of square_cloth, N s/m
 
 /// Whether velocity Verlet keeps q'' = -w^2 q - c q' bounded. The acceleration at the predicted
 /// velocity v + h a is used in the next step too, so that its map has three unknowns: q, h v, h^2
@@ -48,7 +48,7 @@ bool verlet_bounded(double h, double w, double c) {
   return std::abs(q) < 1e6;
 }
 
-/// Largest stable step less a tenth. At what springs alone allow w h = 2, at what dampers
+/// Largest stable step less a margin. At what springs alone allow w h = 2, at what dampers
 /// alone allow Verlet c h = 1, by the map above. It has both in one mode at worst.
 double stable_step(double mass, double stiffness, bool damping_limits) {
   const double by_springs = cloth_spring_limit * std::sqrt(mass / stiffness),
@@ -56,7 +56,7 @@ double stable_step(double mass, double stiffness, bool damping_limits) {
   double h = by_springs;
   if (damping_limits)
     while (!verlet_bounded(h, 2 / by_springs, 1 / by_damping)) h *= 0.99;
-  return 0.9 * h;
+  return timed_cloth_margin * h;
 }
 
 struct Reference {
@@ -91,8 +91,6 @@ struct Rival {
   void go() { solved = run(h, static_cast<std::uint64_t>(std::lround(watched_for / h)), y); }
 };
 
-constexpr double relative = 1e-2;  // of the linear systems
-
 std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
                              const std::vector<double>& frames) {
   const double mass = scene.particles[0].mass;
@@ -111,10 +109,11 @@ std::vector<Rival> rivals_on(const scene::Scene& scene, double stiffness,
   rivals.push_back({"verlet_f32", not_measured, step(true),
                     by([&scene] { return velocity_verlet_steps<float>(scene); })});
   rivals.push_back({"imex_f32", not_measured, step(false),
-                    by([&scene] { return imex_verlet_steps(scene, relative); })});
+                    by([&scene] { return imex_verlet_steps(scene, timed_cloth_residual); })});
   for (const double frame : frames)
-    rivals.push_back({"implicit_f64", frame, frame,
-                      by([&scene] { return predicted_implicit_euler_steps(scene, relative); })});
+    rivals.push_back({"implicit_f64", frame, frame, by([&scene] {
+                        return predicted_implicit_euler_steps(scene, timed_cloth_residual);
+                      })});
   return rivals;
 }
 

@@ -270,7 +270,7 @@ MaterialResult measure_material(const Options& options, const Runner& runner) {
   // Own engines are not enrolled as solvers, so that a choice of solvers excludes them.
   if (options.solvers.empty()) {
     result.cost = measure_cloth_cost({11, 32, 64, 128, 256, 512}, 0.1);
-    result.implicit_wins = measure_implicit_wins(32, {10, 100, 1e3, 1e4, 1e5, 1e6},
+    result.implicit_wins = measure_implicit_wins(timed_cloth_side, {10, 100, 1e3, 1e4, 1e5, 1e6},
                                                  {1.0 / 240, 1.0 / 120, 1.0 / 60, 1.0 / 30}, 0.03);
   }
   return result;

@@ -103,6 +103,14 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
                                        const std::vector<double>& truth);
 MaterialResult measure_error_parts(const Options& options, const Runner& runner = Runner());
 
+/// Particles along an edge of the cloths that run long and whose errors are split, and of that on
+/// which explicit and implicit steps are timed.
+inline constexpr std::size_t cloth_side = 11, timed_cloth_side = 32;
+/// How long that runs (s, a whole number of every frame), to what its linear systems are solved,
+/// and its explicit steps over the largest stable one.
+inline constexpr double timed_cloth_time = 8.0 / 30, timed_cloth_residual = 1e-2,
+                        timed_cloth_margin = 0.9;
+
 /// Drape, energy and momentum of cloths over 10 s.
 MaterialResult measure_long_runs(const Options& options, const Runner& runner = Runner());
 

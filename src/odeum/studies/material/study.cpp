@@ -38,7 +38,16 @@ std::unique_ptr<Study> make_material() {
       {.name = "material",
        .help = "effective stiffness and damping of engines, cloth errors and costs",
        .place = 70,
-       .cases_help = ""},
+       .cases_help = "",
+       .figures = {{"stiffness", Specimen().stiffness},
+                   {"damping", Specimen().damping},
+                   {"mass", Specimen().mass},
+                   {"masses", static_cast<double>(hanging_chain().masses)},
+                   {"cloth_side", cloth_side},
+                   {"timed_side", timed_cloth_side},
+                   {"timed_time", timed_cloth_time},
+                   {"timed_residual", timed_cloth_residual},
+                   {"timed_margin", timed_cloth_margin}}},
       {.measure = measure_material, .table = table});
 }
 

@@ -8,7 +8,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double mass = 1, gravity = 9.81, coarsest_stiffness = 200;  // kg, m/s^2, N/m
+constexpr double gravity = 9.81, coarsest_stiffness = 200;  // m/s^2, N/m
 constexpr std::size_t coarsest = 6, finest = 96;
 /// A sheet is at rest where no particle accelerates more than this part of gravity.
 constexpr double at_rest = 1e-5;
@@ -38,12 +38,12 @@ scene::Scene sheet(const Family& family, std::size_t n, Hold hold) {
   scene::Scene scene;
   scene.gravity =
       hold == Hold::two_edges ? scene::Vec3{0, 0, -gravity} : scene::Vec3{0, -gravity, 0};
-  const double spacing = 1 / static_cast<double>(n - 1);
+  const double spacing = sheet_edge / static_cast<double>(n - 1);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       scene.particles.push_back(
           {.position = {static_cast<double>(i) * spacing, static_cast<double>(j) * spacing, 0},
-           .mass = mass / static_cast<double>(n * n),
+           .mass = sheet_mass / static_cast<double>(n * n),
            .fixed = held(hold, i, j, n)});
   const auto join = [&](std::size_t a, std::size_t i, std::size_t j, double length) {
     if (i < n && j < n)  // one below zero wraps round to beyond n
@@ -74,7 +74,7 @@ class Sheet {
     for (const scene::Spring& spring : scene_.springs)
       sums[spring.a] += spring.stiffness, sums[spring.b] += spring.stiffness;
     highest_frequency_ = std::sqrt(2 * *std::max_element(sums.begin(), sums.end()) *
-                                   static_cast<double>(n * n) / mass);
+                                   static_cast<double>(n * n) / sheet_mass);
   }
 
   const std::vector<double>& positions() const { return q_; }

@@ -36,6 +36,8 @@ struct MeshRow {
   }
 };
 
+inline constexpr double sheet_edge = 1, sheet_mass = 1;  ///< m, kg
+
 struct MeshResult {
   std::vector<MeshRow> rows;
   static auto lists(auto& result) { return std::tie(result.rows); }

@@ -32,6 +32,7 @@ std::unique_ptr<Study> make_mesh() {
                     .least = 6,
                     .most = 192,
                     .whole = true}},
+       .figures = {{"edge", sheet_edge}, {"mass", sheet_mass}},
        .report = {{.own = {{"most", "24"}}}}},
       {.measure = measure_mesh, .table = table});
 }

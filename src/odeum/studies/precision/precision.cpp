@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
@@ -87,6 +89,18 @@ std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
   return rows;
 }
 
+/// The rows of methods, without those of closed forms.
+std::vector<PrecisionRow> methods_of(const Case& c, const std::vector<PrecisionRow>& rows) {
+  std::set<std::string> closed_forms;
+  for (const Entrant& entrant : c.entrants)
+    if (report::is_closed_form(entrant.info)) closed_forms.insert(entrant.info.id());
+  std::vector<PrecisionRow> methods;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(methods), [&](const auto& row) {
+    return !closed_forms.contains(row.library + "/" + row.solver);
+  });
+  return methods;
+}
+
 }  // namespace
 
 std::string jacobian_of(const Case& c) {
@@ -106,8 +120,9 @@ PrecisionResult measure_precision(const Options& options, const Runner& runner) 
       if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
         of_case.tolerances.push_back(
             {row.case_id, row.library, row.solver, row.setting, row.error, row.judged.answer});
-    of_case.summary = summarise(of_case.rows, c->timed_floor());
-    of_case.fastest = fastest(of_case.rows, c->timed_floor());
+    const std::vector<PrecisionRow> compared = methods_of(*c, of_case.rows);
+    of_case.summary = summarise(compared, c->timed_floor());
+    of_case.fastest = fastest(compared, c->timed_floor());
     record::append(result, std::move(of_case));
     progress.advance();
   }

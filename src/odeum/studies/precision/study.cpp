@@ -8,6 +8,7 @@
 #include "odeum/report/report.hpp"
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/questions.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
 namespace {
@@ -78,6 +79,7 @@ std::unique_ptr<Study> make_precision() {
                     .least = 1,
                     .most = 100,
                     .whole = true}},
+       .figures = {{"most_disturbance", most_disturbance}},
        .report = report_runs(false),
        .quick_report = report_runs(true)},
       {.measure = measure_precision, .table = table, .show_more = show_questions});

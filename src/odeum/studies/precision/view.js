@@ -11,9 +11,6 @@
   functions.loaded_libraries = () => (facts.run.loaded || []).join(', ');
   functions.case_end = (id) => facts.caseOf.get(id)?.end ?? NaN;
 
-  // The limits that the program has for timing a case again, studies/stopwatch.hpp.
-  const isDisturbed = (drift, share) => Math.abs(drift) > 0.05 || share < 0.95;
-  functions.disturbed = isDisturbed;
   const conditions = new Map();
   functions.conditions = (id) => conditions.get(id) ?? 'nothing was timed';
 
@@ -25,7 +22,7 @@
       if (!conditions.has(ids[i]))
         conditions.set(
           ids[i],
-          `${isDisturbed(drifts[i], shares[i]) ? '⚠ disturbed: ' : ''}drift ` +
+          `${functions.disturbed(drifts[i], shares[i]) ? '⚠ disturbed: ' : ''}drift ` +
             `${formatted(drifts[i], '+.1%')}, processor ${formatted(shares[i], '.0%')}`,
         );
     return blocks.matrix(host, spec, context);

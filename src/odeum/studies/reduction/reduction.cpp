@@ -12,7 +12,7 @@ namespace odeum::study {
 namespace {
 
 constexpr int decades = 8;
-constexpr double horizon = 2;
+constexpr double horizon = reduction_end;
 
 /// y' = lambda (y - cos t) - sin t.
 struct ProtheroRobinson {
@@ -49,7 +49,7 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
   }
   std::vector<judge::ErrorPoint> points;
   std::string last_failure;
-  for (std::uint64_t steps = 8; steps <= 512; steps *= 2) {
+  for (std::uint64_t steps = reduction_fewest; steps <= reduction_most; steps *= 2) {
     if (interrupted) throw Interrupted();
     Request request;
     request.steps = steps;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -26,6 +27,10 @@ struct ReductionRow {
     visit("verdict", row.fit.verdict), visit("reason", row.fit.reason);
   }
 };
+
+/// Its interval, and its runs.
+inline constexpr double reduction_end = 2;
+inline constexpr std::uint64_t reduction_fewest = 8, reduction_most = 512;
 
 struct ReductionResult {
   std::vector<ReductionRow> rows;

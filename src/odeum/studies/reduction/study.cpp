@@ -22,7 +22,10 @@ std::unique_ptr<Study> make_reduction() {
       {.name = "reduction",
        .help = "the order on Prothero and Robinson's problem as it becomes stiff",
        .place = 40,
-       .cases_help = ""},
+       .cases_help = "",
+       .figures = {{"end", reduction_end},
+                   {"fewest_steps", reduction_fewest},
+                   {"most_steps", reduction_most}}},
       {.measure = measure_reduction, .table = table});
 }
 
