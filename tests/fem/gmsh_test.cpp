@@ -62,7 +62,8 @@ TEST(Gmsh, BadMeshesAreRefusedWithTheLine) {
   EXPECT_EQ(error("0 1 0 0 1\n$EndNodes", "0.5 0.5 0 0 1\n$EndNodes"),
             "f:36:1: triangle 4 is degenerate: its nodes lie on a line");
   EXPECT_EQ(error("4 1 3 4", "4 2 3 1"), "f:36:1: triangle 4 is a duplicate of triangle 3");
-  EXPECT_EQ(error("4 1 3 4", "4 1 3 8"), "f:36:7: there is no node 8 among the 4 before");
+  EXPECT_EQ(error("4 1 3 4", "4 1 3 8"),
+            "f:36:7: element refers to node 8, which the file does not define (4 nodes read)");
   EXPECT_EQ(error("2 5 2 2\n3 1 2 3\n4 1 3 4", "2 5 2 1\n3 1 2 3"),
             "f:29:3: the number of elements: got 4, but 3 follow");
   EXPECT_EQ(

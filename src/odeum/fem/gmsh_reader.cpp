@@ -140,7 +140,9 @@ class Reader {
     const auto found = nodes_.find(tag);
     if (found == nodes_.end())
       words_.fail(words_.place(),
-                  fmt::format("there is no node {} among the {} before", tag, nodes_.size()));
+                  fmt::format("element refers to node {}, which the file does not define ({} nodes "
+                              "read)",
+                              tag, nodes_.size()));
     return found->second;
   }
 

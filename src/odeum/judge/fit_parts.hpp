@@ -45,9 +45,9 @@ struct Window {
 Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
                    double settled);
 
-/// Whether the local slopes of a window approach an order from each to the next, but for the
-/// coarsest one, and the last two so fast that, going on, they are `near` to it at steps ten times
-/// finer. Three slopes at least; the one before the window counts where it fits in.
+/// True where the local slopes of a window approach `order` monotonically (the coarsest is ignored)
+/// and, continued at their rate, come within `near` of it at steps ten times finer. Needs three
+/// slopes; the one before the window counts where it fits in.
 bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, double order,
                    double near);
 
@@ -80,10 +80,10 @@ struct ErrorFloor {
   std::string scale;      ///< what the level scales with, in a few words
 };
 
-/// The floor of points [0, end): the longest run of three points or more at the fine end whose
-/// errors fall with less than a quarter of an order, though the claimed one would have them fall by
-/// the square of `stray`, or four points that settle there. None where errors are of the size of
-/// the solution. `first` is `end` where there is none.
+/// Finds the floor of points [0, end): the longest run of at least three finest points whose errors
+/// fall more slowly than a quarter of an order, though the claimed order would have them fall by
+/// the square of `stray`. Four points that stay level also count. None where errors are of the size
+/// of the solution; `first` is then `end`.
 ErrorFloor find_floor(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
                       double stray);
 

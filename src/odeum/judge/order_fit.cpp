@@ -29,9 +29,8 @@ void merge_same_steps(Points& points) {
   points = std::move(merged);
 }
 
-/// A method that is exact on the problem shows rounding at every step, at the coarsest ones above
-/// all; then it may add up in step with the number of steps, or, in recurrences of second
-/// differences, with its square.
+/// True if the method is exact on this problem: its error is rounding from the coarsest step on,
+/// and grows with the number of steps, or with its square in recurrences of second differences.
 bool is_exact(const Points& points) {
   if (points.size() < fewest_points) return false;
   const double coarsest = points.front().steps;

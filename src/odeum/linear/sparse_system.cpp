@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/linear/sparse_system.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/SparseLU>
 #include <stdexcept>
 #include <utility>
@@ -158,7 +160,9 @@ void require_pattern(const Sparsity& pattern) {
       sound = pattern.column[k] >= 0 && pattern.column[k] < n &&
               (k == pattern.start[i] || pattern.column[k] > pattern.column[k - 1]);
   }
-  if (!sound) throw std::invalid_argument("the sparsity is no pattern of rising columns by rows");
+  if (!sound)
+    throw std::invalid_argument(
+        fmt::format("sparsity: each row's columns must rise and lie below {}", n));
 }
 
 /// A band is factorised at two to three multiplications a nanosecond, Eigen's sparse LU takes some

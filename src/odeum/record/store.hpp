@@ -12,8 +12,8 @@ namespace odeum::record {
 
 /// Results that runs of the program have measured, in a folder that they share. A file for each
 /// text of dependencies, which identifies all that its results depend on; in it a line for each
-/// result, with a sum by which damaged and incomplete lines are told. Nothing here ends a run: what
-/// cannot be read is not there, and what cannot be written is said by problem().
+/// result. Each line has a checksum, and damaged lines are skipped. Nothing throws: unreadable
+/// results count as absent, and problem() tells why writing failed.
 class Store {
  public:
   /// Makes the folder, and removes the files that were used least recently until the rest has at

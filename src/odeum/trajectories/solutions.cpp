@@ -175,7 +175,7 @@ std::vector<int> Solutions::levels(const double* y) const {
   std::vector<int> values;
   for (std::size_t k = 0; k < components_.size(); ++k) {
     const double place = (y[components_[k]] - low_[k]) / (high_[k] - low_[k]);
-    // Half a range beyond the exact solution's the picture ends.
+    // The plot extends half the exact solution's range beyond it on each side.
     values.push_back(static_cast<int>(
         std::lround(fine * std::clamp(std::isnan(place) ? 9.0 : place, -0.5, 1.5))));
   }
