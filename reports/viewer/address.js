@@ -35,6 +35,27 @@
       history.replaceState(null, '', addressOf(view, choice));
   };
 
+  // Shows a view anew, and puts the focus where it was: on what has the same name, in a group the
+  // one that is chosen, else on the group or the view.
+  const showAgain = async (host, show) => {
+    const before = document.activeElement,
+      group = before?.closest('[role="radiogroup"], [role="group"]');
+    const within = host.contains(before),
+      named = (e) => `${e.tagName}[aria-label="${CSS.escape(e.getAttribute('aria-label') || '')}"]`;
+    const names = [
+      before?.dataset.key ? `[data-key="${CSS.escape(before.dataset.key)}"]` : '',
+      before?.getAttribute('aria-label') ? named(before) : '',
+      group ? `${named(group)} [aria-checked="true"]` : '', group ? `${named(group)} button` : '',
+    ];
+    await show();
+    if (!within || document.activeElement !== document.body) return;
+    const found = names
+      .filter(Boolean)
+      .map((name) => host.querySelector(name))
+      .find(Boolean);
+    (found || document.getElementById('main')).focus({ preventScroll: true });
+  };
+
   // A row of buttons of which one is chosen; arrows move.
   const choices = (label, items, chosen, choose) =>
     html(
@@ -50,14 +71,7 @@
               const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
               if (!step) return;
               event.preventDefault();
-              const next = items[(i + step + items.length) % items.length][0],
-                group = event.target.parentElement;
-              const { view } = group.closest('[data-view]').dataset,
-                name = group.getAttribute('aria-label');
-              choose(next);
-              document
-                .querySelector(`[data-view="${view}"] [aria-label="${name}"] [aria-checked="true"]`)
-                .focus();
+              choose(items[(i + step + items.length) % items.length][0]);
             },
           },
           text,
@@ -73,5 +87,7 @@
       ),
     );
 
-  Object.assign(odeum, { readAddress, addressOf, firstView, writeAddress, choices, select });
+  Object.assign(odeum, {
+    readAddress, addressOf, firstView, writeAddress, showAgain, choices, select,
+  });
 })();

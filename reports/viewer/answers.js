@@ -6,7 +6,7 @@
     facts, sameError, idOf, html, addressOf, settingText, duration, colourOf, times, whyNotReached,
     shapeOf, number, plural, rangeOf, plot, leadOf, moreText, workText, disturbedText, growsAsFast,
     fastestEigenvalue, isClosedForm, limitNumber, limitOf, stableText, writeAddress, choices,
-    loadCase,
+    loadCase, showAgain,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -238,7 +238,7 @@
     const turn = (change) => {
       const next = { case: question.case, error, ...change };
       writeAddress('answers', next);
-      showAnswers(host, next);
+      return showAgain(host, () => showAnswers(host, next));
     };
     const body = html('div', { class: 'answer-body', 'aria-live': 'polite' });
     host.replaceChildren(

@@ -15,12 +15,14 @@
     },
     compare: {
       text: 'Compare', show: showCompare, title: 'Compare',
-      lead: 'Any solvers of any libraries side by side. Add them by any part of a name, a ' +
+      lead:
+        'Any solvers of any libraries side by side. Add them by any part of a name, a ' +
         'family, a library, or an order.',
     },
     regions: {
       text: 'Stability', show: showRegions, title: 'Stability',
-      lead: 'Where a step of a solver does not grow, and where the eigenvalues of a problem, ' +
+      lead:
+        'Where a step of a solver does not grow, and where the eigenvalues of a problem, ' +
         'times the step, lie.',
     },
     cases: { text: 'Cases', show: showCases, title: 'Cases' },
@@ -38,21 +40,19 @@
   const showNavigation = (view, choice) => {
     const here = views[view].under || view;
     const shown = facts.runs ? [] : Object.entries(views).filter(([, each]) => each.text);
-    document
-      .querySelector('nav.main')
-      .replaceChildren(
-        ...shown.map(([name, each]) =>
-          html(
-            'a',
-            {
-              href: addressOf(name, each.named ? { name: each.named } : {}),
-              'aria-current':
-                name === here && (!each.named || choice.name === each.named) ? 'page' : undefined,
-            },
-            each.text,
-          ),
+    document.querySelector('nav.main').replaceChildren(
+      ...shown.map(([name, each]) =>
+        html(
+          'a',
+          {
+            href: addressOf(name, each.named ? { name: each.named } : {}),
+            'aria-current':
+              name === here && (!each.named || choice.name === each.named) ? 'page' : undefined,
+          },
+          each.text,
         ),
-      );
+      ),
+    );
   };
 
   let turn = 0;
@@ -98,7 +98,16 @@
     takeFacts(await load('facts'));
     facts.fastest = (await rowsOf('fastest')).objects();
     facts.limits = (await rowsOf('stability_limits')).objects();
-    window.addEventListener('hashchange', follow);
+    // A reader by ear or by keys goes on where the new view begins.
+    window.addEventListener('hashchange', () => {
+      document.getElementById('main').focus({ preventScroll: true });
+      return follow();
+    });
+    // Its address would be that of a view.
+    document.querySelector('.skip').addEventListener('click', (event) => {
+      event.preventDefault();
+      document.getElementById('main').focus();
+    });
     let width = window.innerWidth,
       waiting = 0;
     window.addEventListener('resize', () => {

@@ -6,7 +6,8 @@
   const {
     idOf, number, html, addressOf, facts, duration, plural, orderText, commandOf, showSolution,
     save, csv, notDrawnText, rangeOf, plot, vertical, horizontal, tellRun, colourOf, select, runsOf,
-    sensible, measuredCases, loadCase, writeAddress, curveOf, choices, front, readAddress,
+    sensible, measuredCases, loadCase, writeAddress, curveOf, choices, front, readAddress, wide,
+    showAgain,
   } = odeum;
 
   const most = 30; // curves
@@ -124,8 +125,8 @@
           'download as CSV',
         ),
       ),
-      html(
-        'div', { class: 'wide' },
+      wide(
+        'the numbers',
         html(
           'table', { class: 'numbers', 'data-numbers': 'compare' },
           html(
@@ -181,7 +182,7 @@
           'p', { class: 'missing' },
           choice.x === 'time' && cases.every(({ data }) => !data.timed.length)
             ? 'This problem was not timed in this report: choose evaluations, or run odeum ' +
-              'precision into its folder.'
+                'precision into its folder.'
             : 'No run of these solvers gave this number.',
         ),
       );
@@ -194,11 +195,13 @@
     const floor = choice.x === 'time' ? cases[0].c.timed_floor : cases[0].c.floor;
     return plot(host, {
       height: Math.max(380, Math.min(560, Math.round(window.innerHeight * 0.62))),
-      description: `${vertical[choice.y][0]} against ${horizontal[choice.x][0]} of ` +
+      description:
+        `${vertical[choice.y][0]} against ${horizontal[choice.x][0]} of ` +
         `${plural(curves.length, 'curve')}; the numbers are in the table below`,
       x: {
         ...x,
-        label: horizontal[choice.x][0] +
+        label:
+          horizontal[choice.x][0] +
           (choice.x === 'step' && cases[0].c.unit ? `, ${cases[0].c.unit}` : ''),
         text: choice.x === 'time' ? duration : undefined,
       },
@@ -235,24 +238,22 @@
                 },
                 `add ${missing.length === 1 ? 'it' : `these ${missing.length}`}`,
               ),
-              ...found
-                .slice(0, 60)
-                .map((key) =>
-                  html(
-                    'button',
-                    {
-                      type: 'button', 'aria-pressed': String(shown.includes(key)), 'data-key': key,
-                      style: { '--lib': colourOf(key.split('/')[0]) },
-                      onclick: () =>
-                        change(
-                          shown.includes(key)
-                            ? shown.filter((k) => k !== key)
-                            : [...shown, key].slice(-most),
-                        ),
-                    },
-                    key.replace(':adaptive', ' to a tolerance').replace(':fixed', ''),
-                  ),
+              ...found.slice(0, 60).map((key) =>
+                html(
+                  'button',
+                  {
+                    type: 'button', 'aria-pressed': String(shown.includes(key)), 'data-key': key,
+                    style: { '--lib': colourOf(key.split('/')[0]) },
+                    onclick: () =>
+                      change(
+                        shown.includes(key)
+                          ? shown.filter((k) => k !== key)
+                          : [...shown, key].slice(-most),
+                      ),
+                  },
+                  key.replace(':adaptive', ' to a tolerance').replace(':fixed', ''),
                 ),
+              ),
               found.length > 60
                 ? html('span', { class: 'dim' }, `and ${found.length - 60} more`)
                 : '',
@@ -337,7 +338,7 @@
           y: next.y === 'error' ? '' : next.y,
         };
       writeAddress('compare', written);
-      showCompare(host, written);
+      return showAgain(host, () => showCompare(host, written));
     };
     const curves = cases.flatMap((each, i) =>
       choice.show.map((key) => ({

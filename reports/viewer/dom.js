@@ -23,6 +23,10 @@
   const svg = (tag, attributes, ...children) =>
     fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 
+  // A box that scrolls, and can be reached by keys.
+  const wide = (label, ...children) =>
+    html('div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': label }, ...children);
+
   // At most `digits` significant digits: 0.0125, 3.1e-12.
   const number = (value, digits = 3) => {
     if (value === null || Number.isNaN(value)) return '–';
@@ -73,5 +77,5 @@
     return [columns, ...rows].map((row) => row.map(field).join(',')).join('\n') + '\n';
   };
 
-  Object.assign(odeum, { html, svg, number, duration, sum, times, plural, save, csv });
+  Object.assign(odeum, { html, svg, wide, number, duration, sum, times, plural, save, csv });
 })();

@@ -4,7 +4,7 @@
 (() => {
   const {
     facts, matches, html, addressOf, idOf, orderText, duration, times, number, failureText,
-    limitNumber, sameError, measuredCases, plural, loadCase, isClosedForm,
+    limitNumber, sameError, measuredCases, plural, loadCase, isClosedForm, wide,
   } = odeum;
 
   const methodList = (filter) => {
@@ -177,8 +177,8 @@
     const body = html('tbody', {});
     shown.replaceChildren(
       html('h2', {}, choice.solver), ...methodFacts(choice.solver, solver),
-      html(
-        'div', { class: 'wide' },
+      wide(
+        'problems',
         html(
           'table', { class: 'numbers words', 'data-numbers': 'method' },
           html(

@@ -5,7 +5,7 @@
 // heading, with all that stands under it.
 'use strict';
 (() => {
-  const { Template, rowsOf, html, showBlock, facts, addressOf } = odeum;
+  const { Template, rowsOf, html, showBlock, facts, addressOf, wide } = odeum;
 
   const markdown = self.markdownit({ html: false, linkify: false });
 
@@ -85,12 +85,7 @@
         if (!head.textContent) head.replaceWith(html('td', {}));
       for (const table of part.querySelectorAll('table')) {
         table.classList.add('words');
-        table.replaceWith(
-          html(
-            'div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' },
-            table.cloneNode(true),
-          ),
-        );
+        table.replaceWith(wide('table', table.cloneNode(true)));
       }
       host.append(part);
       pending = [];

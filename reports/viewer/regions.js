@@ -4,7 +4,7 @@
 (() => {
   const {
     load, facts, idOf, shorten, spread, svg, colourOf, makeAxis, drawAxes, html, number,
-    writeAddress, plural, choices, select,
+    writeAddress, plural, choices, select, wide, showAgain,
   } = odeum;
 
   let regionsRead = null;
@@ -293,7 +293,7 @@
     const turn = (change) => {
       const next = { plane, case: c?.id, show: names.join(','), ...change };
       writeAddress('regions', next);
-      return showRegions(host, next);
+      return showAgain(host, () => showRegions(host, next));
     };
     const shown = names.map((id) => regions.get(`${id}:${plane}`)),
       picture = html('div', { class: 'picture' }),
@@ -364,7 +364,7 @@
       text,
       html(
         'div', { class: 'columns wide-left' }, picture,
-        html('div', { class: 'wide' }, regionTable(shown)),
+        wide('limits of stability', regionTable(shown)),
       ),
     );
     return draw(10 ** slider.value);

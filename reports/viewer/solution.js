@@ -6,7 +6,7 @@
 (() => {
   const {
     facts, load, idOf, plot, spanOf, colourOf, shapeOf, number, rangeOf, html, save, csv,
-    notKeptText, solutionText, select,
+    notKeptText, solutionText, select, wide,
   } = odeum;
 
   const setsOf = (c) =>
@@ -138,8 +138,8 @@
         ),
         ' The command above with --out writes all digits.',
       ),
-      html(
-        'div', { class: 'wide' },
+      wide(
+        'the numbers of these curves',
         html(
           'table', { class: 'numbers', 'data-numbers': 'solution' },
           html(

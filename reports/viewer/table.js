@@ -5,7 +5,7 @@
 (() => {
   const {
     Rows, tablesRead, html, plural, blocks, checkKeys, columnOf, byHeading, Template, prepare,
-    grouped, linkOf, facts, functions,
+    grouped, linkOf, facts, functions, wide,
   } = odeum;
 
   const firstRows = 60;
@@ -38,6 +38,53 @@
     if (kinds || kindOf(a) === 2) return kinds;
     const [x, y] = kindOf(a) === 1 ? [String(a), String(b)] : [a, b];
     return (x < y ? -1 : x > y ? 1 : 0) * (down ? -1 : 1);
+  };
+
+  // What cells tell when pointed at, for those who do not point: arrows move from cell to cell, a
+  // click or a tap chooses one, and the text stands below the table.
+  const cellsTell = (box, body, headings) => {
+    const told = html('p', { class: 'told', role: 'status' });
+    let at = null;
+    const tell = (cell) => {
+      at?.classList.remove('at');
+      at = cell;
+      cell.classList.add('at');
+      cell.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+      const [head] = cell.parentElement.cells,
+        heading = headings[cell.cellIndex];
+      const names = [head.textContent, heading?.text || heading?.node?.textContent];
+      told.textContent = `${names.filter(Boolean).join(', ')}: ${cell.title}`;
+    };
+    const titled = (cells) => [...cells].find((cell) => cell?.title);
+    const rows = () => [...body.rows];
+    const across = (step) => {
+      const cells = [...body.querySelectorAll('td[title], th[title]')];
+      return cells[cells.indexOf(at) + step];
+    };
+    const along = (step) => {
+      const all = rows(),
+        from = all.indexOf(at.parentElement);
+      const next = step > 0 ? all.slice(from + 1) : all.slice(0, from).reverse();
+      return titled(next.map((row) => row.cells[at.cellIndex]));
+    };
+    box.addEventListener('keydown', (event) => {
+      if (!event.key.startsWith('Arrow') || event.target !== box) return;
+      const step = ['ArrowRight', 'ArrowDown'].includes(event.key) ? 1 : -1;
+      const sideways = ['ArrowRight', 'ArrowLeft'].includes(event.key);
+      const next = !at?.isConnected
+        ? body.querySelector('td[title], th[title]')
+        : sideways
+          ? across(step)
+          : along(step);
+      if (!next) return;
+      event.preventDefault();
+      tell(next);
+    });
+    body.addEventListener('click', (event) => {
+      const cell = event.target.closest('td[title], th[title]');
+      if (cell && !event.target.closest('a, button, summary')) tell(cell);
+    });
+    return told;
   };
 
   // A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under
@@ -120,18 +167,19 @@
             html('small', {}, ` ${plural(lines.length, 'row')}`),
           )
         : null;
-    // A box that scrolls can be reached by keys.
-    const box = html(
-      'div', { class: 'wide', tabindex: 0, role: 'group', 'aria-label': 'table' },
+    const tells = lines.some((line) => line.cells.some((cell) => cell.title));
+    const box = wide(
+      tells ? 'table; arrow keys read what its cells tell' : 'table',
       html('table', { class: style }, html('thead', {}, above, html('tr', {}, heads)), body),
     );
+    const told = tells ? cellsTell(box, body, headings) : null;
     new IntersectionObserver(
       (seen) => {
         if (seen.some((each) => each.isIntersecting) && drawn < shown.length) append(4 * firstRows);
       },
       { rootMargin: '400px' },
     ).observe(more);
-    return html('div', { class: 'table-host' }, search, box, more);
+    return html('div', { class: 'table-host' }, search, box, told, more);
   };
 
   const emptyText = (host, spec) => {

@@ -8,6 +8,7 @@ import { Browser } from '../../scripts/viewer/browser.mjs';
 
 const [chromium, folder, axe] = process.argv.slice(2);
 const hold = (condition, text) => { if (!condition) throw new Error(text); };
+const same = (found, expected, text) => hold(JSON.stringify(found) === JSON.stringify(expected), `${text}: ${JSON.stringify(found)}, expected ${JSON.stringify(expected)}`);
 const near = (a, b, relative, text) => hold(Math.abs(a - b) <= relative * Math.abs(b), `${text}: ${a}, expected ${b}`);
 
 // Rows of a CSV file without line breaks in its fields.
@@ -22,7 +23,7 @@ const browser = await Browser.open(chromium);
 const address = `file://${folder}/index.html`;
 const text = (selector) => browser.run(`document.querySelector(${JSON.stringify(selector)})?.innerText || ''`);
 const click = (selector) => browser.run(`(() => { const e = document.querySelector(${JSON.stringify(selector)}); if (!e) throw new Error('nothing to click: ' + ${JSON.stringify(selector)}); e.click(); })()`);
-const key = async (name) => { for (const type of ['keyDown', 'keyUp']) await browser.send('Input.dispatchKeyEvent', { type, key: name, code: name, windowsVirtualKeyCode: { Tab: 9, ArrowRight: 39, Enter: 13 }[name] }); };
+const key = async (name) => { for (const type of ['keyDown', 'keyUp']) await browser.send('Input.dispatchKeyEvent', { type, key: name, code: name, windowsVirtualKeyCode: { Tab: 9, ArrowRight: 39, Enter: 13 }[name], ...(name === 'Enter' && type === 'keyDown' ? { text: '\r' } : {}) }); };
 const drawn = () => browser.until(`document.documentElement.dataset.drawn`);
 // The content of page.json, and the addresses of everything that the report can show.
 const facts = JSON.parse(readFileSync(join(folder, 'page.json'), 'utf8'));
@@ -230,6 +231,52 @@ const checks = {
     const { nodes } = await browser.send('Accessibility.getFullAXTree');
     const nameless = nodes.filter((node) => !node.ignored && node.properties?.some((p) => p.name === 'focusable' && p.value.value) && node.role.value !== 'RootWebArea' && !node.name?.value);
     hold(nameless.length === 0, `without a name: ${nameless.slice(0, 5).map((node) => node.role.value)}`);
+  },
+  async 'the first stop skips what stands above the view, and stays in it'() {
+    await browser.go(`${address}#cases`);
+    await drawn();
+    await key('Tab');
+    hold((await browser.run(`document.activeElement.className`)) === 'skip', 'the skip link is not the first stop');
+    await key('Enter');
+    same(await browser.run(`[document.activeElement.id, location.hash, document.documentElement.dataset.drawn]`), ['main', '#cases', 'cases'], 'after the skip link');
+  },
+  async 'a choice keeps the focus'() {
+    const chosen = `(() => { const e = document.activeElement; return [e.closest('[role="radiogroup"]')?.getAttribute('aria-label'), e.getAttribute('aria-checked'), e.dataset.value]; })()`;
+    for (const [hash, group] of [['#answers', 'problem'], ['#answers', 'error'], ['#compare?case=damped_oscillator_underdamped&x=step', 'across'], ['#regions', 'plane']]) {
+      await browser.go(address + hash);
+      await drawn();
+      await browser.run(`document.querySelector('[aria-label="${group}"] [aria-checked="true"]').focus()`);
+      const [, , before] = await browser.run(chosen);
+      await key('ArrowRight');
+      await browser.until(`document.querySelector('[aria-label="${group}"] [aria-checked="true"]').dataset.value !== '${before}'`);
+      await browser.until(`document.activeElement !== document.body`);
+      const [name, checked] = await browser.run(chosen);
+      same([name, checked], [group, 'true'], hash);
+    }
+    await browser.go(`${address}#compare?case=damped_oscillator_underdamped&x=step&show=odeum/rk4:fixed,gsl/rk4:fixed`);
+    await drawn();
+    await browser.run(`document.querySelector('[aria-label="remove odeum/rk4:fixed"]').focus()`);
+    await key('Enter');
+    await browser.until(`!location.hash.includes('odeum/rk4') && document.activeElement !== document.body`);
+    hold(await browser.run(`Boolean(document.activeElement.closest('.chips'))`), 'the focus left the chips');
+  },
+  async 'what a cell tells is read by keys and by a tap'() {
+    await browser.go(`${address}#study?page=convergence`);
+    await drawn();
+    await browser.run(`document.querySelector('.wide[aria-label^="table; arrow"]').focus()`);
+    for (let i = 0; i < 2; ++i) await key('ArrowRight');
+    const [told, title, count] = await browser.run(`[document.querySelector('.told').textContent, document.querySelector('td.at').title, document.querySelectorAll('.at').length]`);
+    hold(title.length > 10 && told.includes(title) && /^[a-z]+\/\S+, /.test(told) && count === 1, `${told} does not tell ${title}`);
+    await browser.run(`(() => { const cells = document.querySelectorAll('.table-host td[title]'); cells[cells.length - 1].click(); })()`);
+    hold(await browser.run(`[...document.querySelectorAll('.told')].some((e) => e.textContent.endsWith(document.querySelector('td.at:not(:first-child)').title))`), 'a tap tells nothing');
+  },
+  async 'on paper there is the content alone'() {
+    await browser.go(`${address}#answers`);
+    await drawn();
+    await browser.send('Emulation.setEmulatedMedia', { media: 'print' });
+    const shown = await browser.run(`['nav.main', '.skip', '.controls', '.answer'].map((name) => document.querySelector(name).checkVisibility())`);
+    await browser.send('Emulation.setEmulatedMedia', { media: '' });
+    same(shown, [false, false, false, true], 'navigation, skip link, controls, answer');
   },
   async 'every chart has a description, and its view a table'() {
     for (const view of ['answers', 'compare', 'regions']) {
