@@ -262,5 +262,5 @@
     );
   };
 
-  Object.assign(odeum, { roundedUp, showAnswers });
+  Object.assign(odeum, { roundedUp, showAnswers, askedErrors, fastestOf });
 })();

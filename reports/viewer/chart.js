@@ -218,26 +218,30 @@
     );
   };
 
-  const drawNames = (size, x, y, curves, room) => {
+  const shortName = (name) => name.replace(/^[^/ ]+\//, '');
+  const drawNames = (size, x, y, curves, texts) => {
     const ends = curves
-      .map((curve) => ({ curve, end: d3.greatest(pointsInside(curve, x, y), (p) => p.x) }))
+      .map((curve, k) => ({
+        curve, text: texts[k], end: d3.greatest(pointsInside(curve, x, y), (p) => p.x),
+      }))
       .filter(({ end }) => end);
-    if (!ends.length || room < 40) return [];
+    if (!ends.length) return [];
     const gap = Math.min(14, (size.bottom - size.top) / ends.length);
     const places = spread(
       ends.map(({ end }) => y.at(end.y)), gap, size.top + 4, size.bottom,
     );
-    return ends.map(({ curve, end }, i) =>
+    return ends.map(({ curve, text, end }, i) =>
       svg(
         'g', { style: { color: curve.colour } },
         svg('path', {
           class: 'leader',
-          d: `M${(x.at(end.x) + 5).toFixed(1)} ${y.at(end.y).toFixed(1)}L${size.right + 4} ` +
+          d:
+            `M${(x.at(end.x) + 5).toFixed(1)} ${y.at(end.y).toFixed(1)}L${size.right + 4} ` +
             `${places[i].toFixed(1)}`,
         }),
         svg(
-          'text', { class: 'name', x: size.right + 7, y: places[i] + 4 },
-          shorten(curve.name, Math.floor((room - 8) / 6.4)), svg('title', {}, curve.name),
+          'text', { class: 'name', x: size.right + 7, y: places[i] + 4 }, text,
+          svg('title', {}, curve.name),
         ),
       ),
     );
@@ -332,8 +336,13 @@
     const width = Math.max(240, spec.width || host.clientWidth || 640),
       height = spec.height || 400;
     const named = spec.curves.filter((curve) => curve.name && !curve.nameless);
-    const longest = d3.max(named, (curve) => curve.name.length) || 0;
-    const room = width < 520 || spec.nameless ? 0 : Math.min(longest * 6.4 + 14, width * 0.36);
+    // A name is whole, or without its library, which the colour tells; where that has no room
+    // either, a legend has all of them.
+    const longest = (names) => (d3.max(names, (name) => name.length) || 0) * 6.4 + 14;
+    const texts = [
+      named.map((curve) => curve.name), named.map((curve) => shortName(curve.name)),
+    ].find((names) => longest(names) <= width * 0.36);
+    const room = width < 520 || spec.nameless || !texts ? 0 : longest(texts);
     const size = { left: 58, right: width - room - 12, top: 10, bottom: height - 42 };
     const x = makeAxis(spec.x, size.left, size.right),
       y = makeAxis(spec.y, size.bottom, size.top);
@@ -352,7 +361,7 @@
       drawSlopes(size, x, y, spec.slopes || []),
       svg('path', { class: 'cloud', d: dots }),
       spec.curves.map((curve) => drawCurve(curve, x, y)),
-      spec.nameless ? [] : drawNames(size, x, y, named, room),
+      room ? drawNames(size, x, y, named, texts) : [],
     );
     host.classList.add('plot-host');
     host.replaceChildren(

@@ -4,7 +4,7 @@
 (() => {
   const {
     idOf, facts, sameError, colourOf, shapeOf, number, duration, plural, shorten, roundedUp,
-    settingText,
+    settingText, statusText,
   } = odeum;
 
   const horizontal = {
@@ -122,15 +122,14 @@
         : `${order.verdict}${order.reason ? `: ${order.reason}` : ''}`;
   const tellRun = (run, curve) =>
     [
-      idOf(run),
-      `${settingText(run)}: error ${number(run.error_max)}`,
+      idOf(run), `${settingText(run)}: error ${number(run.error_max)}`,
       [
         run.timed ? duration(run.wall_ns_min) : '', plural(run.rhs_evaluations, 'evaluation'),
         plural(run.steps, 'step'),
       ]
         .filter(Boolean)
         .join(', '),
-      `${run.status}${run.detail ? `: ${shorten(run.detail, 90)}` : ''}`,
+      shorten(statusText(run, facts.caseOf.get(run.case).scale), 110),
       curve ? shorten(orderText(curve.order), 110) : '',
     ].filter(Boolean);
   const commandOf = (run) => {

@@ -7,7 +7,7 @@
     idOf, number, html, addressOf, facts, duration, plural, orderText, commandOf, showSolution,
     save, csv, notDrawnText, rangeOf, plot, vertical, horizontal, tellRun, colourOf, select, runsOf,
     sensible, measuredCases, loadCase, writeAddress, curveOf, choices, front, readAddress, wide,
-    showAgain,
+    showAgain, statusText,
   } = odeum;
 
   const most = 30; // curves
@@ -38,7 +38,7 @@
         'setting',
         run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.tolerance)}`,
       ],
-      ['status', `${run.status}${run.detail ? `: ${run.detail}` : ''}`],
+      ['status', statusText(run, facts.caseOf.get(run.case).scale)],
       [
         'error',
         number(run.error_max, 4) +

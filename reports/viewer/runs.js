@@ -6,7 +6,7 @@
 (() => {
   const {
     html, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, settingText, facts,
-    blocks, prepare, emptyText,
+    blocks, prepare, emptyText, statusText,
   } = odeum;
 
   const mostComponents = 6;
@@ -215,7 +215,7 @@
 
   // By the kind of a page; fields.js has more.
   const pageFigures = { case: caseFigures, scene: sceneFigures };
-  const runTable = (about, runs) => {
+  const runTable = (about, runs, size) => {
     const result = about.kind === 'scene' ? 'change of energy (J)' : 'error at the end';
     return tableOf(
       ['solver', 'status', 'setting', 'steps', 'rejected', 'evaluations', result].map((text) => ({
@@ -225,8 +225,8 @@
         cells: [
           { text: idOf(run) },
           {
-            text: `${run.status}${run.detail ? `: ${run.detail}` : ''}`,
-            class: run.detail ? 'reason' : undefined,
+            text: statusText(run, size),
+            class: statusText(run, size) === 'ok' ? undefined : 'reason',
           },
           { text: settingText(run) },
           ...[run.steps, run.rejected_steps, run.rhs_evaluations].map((value) => ({
@@ -236,6 +236,15 @@
         ],
       })),
     );
+  };
+  // The largest component of the exact solution that is measured; NaN where none is known.
+  const sizeOf = async (about) => {
+    const truth = about.kind === 'case' ? (await rowsOf('trajectory')).objects() : [];
+    const names = (about.measured || []).map((i) => about.components[i]);
+    const sizes = truth
+      .filter((row) => row.library === 'truth')
+      .flatMap((row) => names.map((name) => Math.abs(row[name])));
+    return d3.max(sizes) ?? NaN;
   };
   const showRuns = async (host) => {
     const about = facts.runs,
@@ -249,7 +258,7 @@
         about.facts.map(([name, text]) => [html('dt', {}, name), html('dd', {}, text)]),
       ),
     );
-    if (runs.length) host.append(runTable(about, runs));
+    if (runs.length) host.append(runTable(about, runs, await sizeOf(about)));
     const figures = html('div', { class: 'figures' });
     host.append(figures);
     await pageFigures[about.kind](figures, about, runs);

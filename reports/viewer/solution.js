@@ -13,6 +13,17 @@
     facts.solutions[c.id]
       ? load(facts.solutions[c.id]).then((data) => data.sets)
       : Promise.resolve([]);
+  // Levels of a set as states, from the initial one on.
+  const statesOf = (set, levels) => {
+    const n = set.names.length;
+    const values = [...set.first, ...levels].map(
+      (level, i) => set.low[i % n] + ((set.high[i % n] - set.low[i % n]) * level) / set.fine,
+    );
+    return Array.from({ length: values.length / n }, (_, k) => values.slice(k * n, k * n + n));
+  };
+  const exactOf = (set) => ({
+    times: [set.start, ...set.exact.times], states: statesOf(set, set.exact.values),
+  });
   // The curves of a run, or null where the report did not keep them.
   const solutionOf = (c, sets, run) => {
     const set = sets.find(
@@ -27,17 +38,8 @@
     const found = set.runs[`${idOf(run)}:${key}`];
     if (!found) return null;
     const [parts, curve, errors, energies] = found,
-      apart = Math.ceil(parts / set.outputs),
-      n = set.names.length;
-    const unpack = (levels) =>
-      levels.map(
-        (level, i) => set.low[i % n] + ((set.high[i % n] - set.low[i % n]) * level) / set.fine,
-      );
-    const rows = (levels) => {
-      const values = unpack(levels);
-      return Array.from({ length: values.length / n }, (_, k) => values.slice(k * n, k * n + n));
-    };
-    const states = rows([...set.first, ...set.curves[curve]]);
+      apart = Math.ceil(parts / set.outputs);
+    const states = statesOf(set, set.curves[curve]);
     const size = (parts100) =>
       parts100 === 9999
         ? NaN
@@ -49,11 +51,48 @@
     return {
       set, states,
       times: states.map((_, k) => Math.min(set.end, set.start + (k * apart * length) / parts)),
-      errors: errors.map(size), energies: energies.map(size),
-      exact: {
-        times: [set.start, ...set.exact.times], states: rows([...set.first, ...set.exact.values]),
-      },
+      errors: errors.map(size), energies: energies.map(size), exact: exactOf(set),
     };
+  };
+
+  // The exact solution of a case over time, in components of a size that can be seen beside the
+  // largest, and in the plane of the first two.
+  const showExact = async (host, c) => {
+    const [set] = await setsOf(c);
+    if (!set) return;
+    const { times, states } = exactOf(set),
+      sizes = set.names.map((_, k) => set.high[k] - set.low[k]);
+    const most = d3.max(sizes),
+      seen = d3.range(sizes.length).filter((k) => sizes[k] > 0.02 * most);
+    const style = { bare: set.exact.everywhere, loose: !set.exact.everywhere };
+    const curveOf = (k, i) => ({
+      ...style, name: set.names[k], colour: `var(--s${i})`, shape: i,
+      points: states.map((state, j) => ({ x: times[j], y: state[k], run: j })),
+    });
+    const names = ['exact-time', 'exact-plane'].slice(0, set.names.length);
+    const pictures = names.map((name) => html('div', { class: 'picture', 'data-figure': name }));
+    const shown = seen.slice(0, 4).map(curveOf);
+    if (!shown.length) return;
+    host.replaceChildren(...pictures);
+    plot(pictures[0], {
+      height: 260,
+      description:
+        `The exact solution of ${c.title} over time: ` + `${shown.map((s) => s.name).join(', ')}`,
+      x: { low: set.start, high: set.end, label: 'time' },
+      y: { ...spanOf(shown.flatMap((curve) => curve.points.map((p) => p.y))), label: '' },
+      curves: shown,
+      tell: (j, curve) => [curve.name, `${number(curve.points[j].y)} at t = ${number(times[j])}`],
+    });
+    if (set.names.length < 2) return;
+    const points = states.map((state, j) => ({ x: state[0], y: state[1], run: j }));
+    plot(pictures[1], {
+      height: 260,
+      description: `The exact solution of ${c.title}: ${set.names[1]} against ${set.names[0]}`,
+      x: { ...spanOf(points.map((p) => p.x)), label: set.names[0] },
+      y: { ...spanOf(points.map((p) => p.y)), label: set.names[1] }, nameless: true,
+      curves: [{ ...style, name: 'exact', colour: 'var(--s0)', shape: 0, points }],
+      tell: (j) => [`t = ${number(times[j])}`, `${number(points[j].x)}, ${number(points[j].y)}`],
+    });
   };
 
   const drawSolution = (host, run, shown, x, y) => {
@@ -205,5 +244,5 @@
     return null;
   };
 
-  Object.assign(odeum, { showSolution });
+  Object.assign(odeum, { showSolution, showExact });
 })();

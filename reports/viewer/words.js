@@ -18,6 +18,16 @@
     step_too_small: 'chooses a step that becomes too small', refused: 'refuses the run',
     not_applicable: 'does not fit',
   };
+  // How a run ended; a success whose answer is wrong, or off by more than the solution's `size`, is
+  // not one alone.
+  const statusText = (run, size) => {
+    const text = `${run.status}${run.detail ? `: ${run.detail}` : ''}`;
+    if (run.status !== 'ok') return text;
+    if (run.answer === 'wrong') return `${text}, but a wrong answer: ${run.answer_reason}`;
+    return (run.error_max ?? run.result) > size
+      ? `${text}, but diverged: its error exceeds the solution's size, ${number(size)}`
+      : text;
+  };
   const mostOf = (rows, key) => {
     const counts = new Map();
     for (const row of rows) counts.set(key(row), (counts.get(key(row)) || 0) + 1);
@@ -218,7 +228,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, whyNotReached, workText, leadOf, moreText, stableText, disturbedText,
-    notDrawnText, notKeptText, solutionText, failureText,
+    sameError, settingText, statusText, whyNotReached, workText, leadOf, moreText, stableText,
+    disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

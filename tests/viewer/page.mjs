@@ -278,6 +278,38 @@ const checks = {
     await browser.send('Emulation.setEmulatedMedia', { media: '' });
     same(shown, [false, false, false, true], 'navigation, skip link, controls, answer');
   },
+  async 'a case opens with its solution, its equation and its answers, and ends with counts'() {
+    await browser.go(`${address}#case?id=damped_oscillator_underdamped`);
+    await drawn();
+    await browser.until(`document.querySelector('[data-figure="exact-time"] path.curve')`);
+    const places = await browser.run(`[...document.querySelectorAll('[data-figure="exact-time"] svg.plot, main dl.facts, main .table-host, .panels, h2')].map((e) => (e.tagName === 'H2' ? e.textContent : e.matches('svg') ? 'picture' : e.matches('dl') ? 'facts' : e.matches('.panels') ? 'charts' : 'table'))`);
+    same([places.slice(0, 3), places.filter((name) => !['facts', 'charts', 'table'].includes(name)).at(-1)], [['picture', 'facts', 'table'], 'Verdicts, counted'], `the order of ${places}`);
+    hold((await text('main .table-host')).includes('fastest method'), 'no answers');
+  },
+  async 'names at the ends of curves are whole'() {
+    for (const width of [1280, 900, 700]) {
+      await browser.size(width, 900);
+      for (const hash of ['#answers?case=robertson_40', '#answers?case=cloth11_two_way', '#compare?case=damped_oscillator_underdamped&x=time', '#case?id=robertson_40']) {
+        await browser.go(address + hash);
+        await drawn();
+        await browser.until(`document.querySelector('svg.plot .curve')`);
+        const cut = await browser.run(`[...document.querySelectorAll('svg.plot .name')].filter((e) => e.firstChild.textContent.includes('…') || e.getBoundingClientRect().right > e.ownerSVGElement.getBoundingClientRect().right + 1).map((e) => e.textContent)`);
+        hold(!cut.length, `${hash} at ${width}: ${cut}`);
+      }
+    }
+    await browser.size(1280, 900);
+  },
+  async 'a solver that was stable at no step has its own sign, and what it takes'() {
+    const row = rowsOf('orders.csv').find((each) => each.case === 'robertson_40' && each.solver === 'rk4' && each.library === 'odeum' && each.mode === 'fixed');
+    same([row.verdict, row.no_order], ['failed', 'unstable'], 'rk4 on a stiff reaction');
+    await browser.go(`${address}#study?page=convergence`);
+    await drawn();
+    const [shown, tip, style] = await browser.run(`(() => { const t = document.querySelector('table.matrix'), k = [...t.querySelectorAll('thead th')].findIndex((e) => e.textContent === 'robertson_40'), tr = [...t.tBodies[0].rows].find((e) => e.cells[0].textContent === 'odeum/rk4'); return [tr.cells[k].textContent, tr.cells[k].title, tr.cells[k].className]; })()`);
+    same([shown, style], ['↯', 'unstable'], 'the cell');
+    const [, step] = / takes h < (\S+),/.exec(tip) || [], limit = rowsOf('stability_limits.csv').find((each) => each.solver === 'rk4' && each.library === 'odeum' && each.axis === 'real').limit;
+    const fastest = Math.max(...facts.cases.find((c) => c.id === 'robertson_40').eigenvalues.map(([re]) => -re));
+    near(Number(step), limit / fastest, 0.05, `two digits of the step in: ${tip}`);
+  },
   async 'every chart has a description, and its view a table'() {
     for (const view of ['answers', 'compare', 'regions']) {
       await browser.go(`${address}#${view}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, scene, path, types, field, fine)
+// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, diverged, scene, path, types, field, fine)
 // as a reader would, from the disk, and fails on the first thing that does not hold.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -27,6 +27,12 @@ const checks = {
     names.forEach((each, i) => { for (const name of ['odeum/explicit_euler', 'odeum/midpoint', ...(i === 3 ? [] : ['exact'])]) hold(each.includes(name), `figure ${i}: ${each}`); });
     hold((await all('.figures path.curve')).length >= 14, 'lines');
     hold((await all('nav.main a')).length === 0, 'views of a report, which this is not');
+  },
+  async 'a run that diverged is not ok alone'() {
+    await open('diverged');
+    const shown = await all('tbody tr', `[e.cells[0].textContent, e.cells[1].textContent]`);
+    hold(/^ok, but diverged: its error exceeds the solution's size, 8.9$/.test(shown.find(([name]) => name === 'odeum/explicit_euler')[1]), String(shown));
+    same(shown.find(([name]) => name === 'odeum/rk4')[1], 'ok', 'who did not');
   },
   async 'a body in a plane: its path'() {
     await open('path');

@@ -5,7 +5,8 @@
 (() => {
   const {
     functions, facts, html, sum, blocks, prepare, addressOf, rowsOf, solverGroups, tableOf, plural,
-    number, rangeOf, idOf, whenSeen, plot, legendOf, lazyDetails, versionOf,
+    number, rangeOf, idOf, whenSeen, plot, legendOf, lazyDetails, versionOf, fastestEigenvalue,
+    limitNumber,
   } = odeum;
 
   // The best first; signs tell verdicts apart without colour.
@@ -15,11 +16,29 @@
     lower: ['▼', 'errors fall more slowly than claimed'],
     floors: ['⊥', 'errors stop falling at a level, which the tables name'],
     undetermined: ['?', 'there are too few points, or no settled slope'],
+    unstable: ['↯', 'no step that was tried is stable for the solver: no word on its answers'],
     failed: ['✗', 'no run gave a result'],
     not_applicable: ['·', 'the solver does not fit the case, or there is no claim'],
   };
   const judged = Object.keys(verdicts).filter((verdict) => verdict !== 'not_applicable');
   functions.verdict_sign = (verdict) => verdicts[verdict]?.[0] ?? '';
+  // What a reader sees of a verdict: that no step was stable is no failure of the code.
+  functions.verdict_kind = (verdict, why) =>
+    verdict === 'failed' && why === 'unstable' ? 'unstable' : verdict;
+  // The step below which a solver is stable on a case, by its limit on the real axis and the
+  // fastest eigenvalue along the solution, where that is real.
+  functions.needed_step = (id, library, solver) => {
+    const c = facts.caseOf.get(id),
+      z = c && fastestEigenvalue(c),
+      limit = limitNumber(`${library}/${solver}`, 'real');
+    if (!z || z[1] || !(limit > 0) || !Number.isFinite(limit)) return '';
+    const step = limit / -z[0];
+    return (
+      ` It takes h < ${number(step, 2)}, ${number((c.end - c.start) / step, 2)} steps to ` +
+      `t = ${number(c.end)}: ${number(limit)} / |λ|, λ = ${number(z[0], 2)} at ` +
+      `t = ${number(c.eigenvalues_time)}.`
+    );
+  };
   functions.verdict_place = (verdict) => Object.keys(verdicts).indexOf(verdict);
   functions.class_name = (why) => facts.order_classes?.[why]?.name ?? why;
   functions.class_settles = (why) => facts.order_classes?.[why]?.settles ?? '';
@@ -58,12 +77,10 @@
   blocks.case_verdicts = async (host, spec, context) => {
     const { rows, indices } = await prepare(spec, context, []);
     if (!indices.length) return;
-    const [verdict, why] = ['verdict', 'no_order'].map((name) => {
-      const column = rows.column(name);
-      return d3.rollup(
-        indices, (some) => some.length, (i) => column[i],
-      );
-    });
+    const [verdicts, reasons] = ['verdict', 'no_order'].map((name) => rows.column(name));
+    const count = (key) => d3.rollup(indices, (some) => some.length, key);
+    const verdict = count((i) => functions.verdict_kind(verdicts[i], reasons[i])),
+      why = count((i) => reasons[i]);
     const counts = Object.fromEntries(verdict);
     why.delete('');
     const lines = [
@@ -106,16 +123,16 @@
   // Every case against the groups of solvers.
   blocks.case_overview = async (host) => {
     const rows = await rowsOf('orders'),
-      [ids, libraries, solvers, verdictOf] = ['case', 'library', 'solver', 'verdict'].map((name) =>
-        rows.column(name),
-      );
+      [ids, libraries, solvers, given, why] = [
+        'case', 'library', 'solver', 'verdict', 'no_order',
+      ].map((name) => rows.column(name));
     const groups = solverGroups(),
       tally = d3.rollup(
         rows.indices(null),
         (some) =>
           Object.fromEntries(
             d3.rollup(
-              some, (list) => list.length, (i) => verdictOf[i],
+              some, (list) => list.length, (i) => functions.verdict_kind(given[i], why[i]),
             ),
           ),
         (i) => ids[i],
