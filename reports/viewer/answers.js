@@ -3,10 +3,10 @@
 'use strict';
 (() => {
   const {
-    facts, sameError, idOf, html, addressOf, settingText, duration, colourOf, times, whyNotReached,
-    shapeOf, number, plural, rangeOf, plot, leadOf, moreText, workText, disturbedText, growsAsFast,
-    fastestEigenvalue, isClosedForm, limitNumber, limitOf, stableText, writeAddress, choices,
-    loadCase, showAgain,
+    facts, sameError, isClosedForm, idOf, html, addressOf, settingText, duration, colourOf, times,
+    number, whyNotReached, shapeOf, plural, rangeOf, plot, leadOf, workText, moreText,
+    disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf, writeAddress,
+    showAgain, choices, loadCase,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -262,5 +262,5 @@
     );
   };
 
-  Object.assign(odeum, { roundedUp, showAnswers, askedErrors, fastestOf });
+  Object.assign(odeum, { askedErrors, fastestOf, roundedUp, showAnswers });
 })();

@@ -4,8 +4,8 @@
 'use strict';
 (() => {
   const {
-    pagesOf, measuredIn, html, facts, addressOf, loadView, showProse, number, askedErrors,
-    fastestOf, idOf, duration, linkOf, tableOf, showExact, loadCase,
+    pagesOf, measuredIn, html, facts, addressOf, loadView, showProse, askedErrors, fastestOf, idOf,
+    linkOf, duration, tableOf, number, showExact, loadCase,
   } = odeum;
 
   const showCases = async (host) => {

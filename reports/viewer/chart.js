@@ -9,12 +9,13 @@
 //     bare: without marks, wide: a broad line, loose: marks alone, stairs, faint}], labelled at
 //     their right end; the part between the two x of `window` is drawn thick;
 //   levels: [{y, text, shaded}], a line across, shaded: with what is below it;
+//     filled: with full marks;
 //   diagonal: the line y = x;
 //   bands: [{low, high}]; slopes: [orders], guides; nameless: without names at the ends of curves;
 //   tell(run, curve): lines of text for the tooltip; pick(run, curve): on a click or Enter.
 'use strict';
 (() => {
-  const { number, svg, html } = odeum;
+  const { svg, pointsInside, spread, html, makeAxis, attachPointer } = odeum;
 
   const shapes = [
     'M0-3.6A3.6 3.6 0 1 1 0 3.6 3.6 3.6 0 1 1 0-3.6z', 'M-3.2-3.2H3.2V3.2H-3.2z', 'M0-4.4 4 3H-4z',
@@ -24,56 +25,6 @@
   ];
   const shorten = (text, most) => (text.length <= most ? text : `${text.slice(0, most - 1)}…`);
 
-  // An axis: values to pixels from `from` to `to`, and its ticks.
-  const makeAxis = (spec, from, to) => {
-    const scale = (spec.log ? d3.scaleLog() : d3.scaleLinear())
-      .domain([spec.low, spec.high])
-      .range([from, to]);
-    const decades = spec.log ? Math.log10(spec.high / spec.low) : 0,
-      length = Math.abs(to - from);
-    const holds = (v) =>
-      Number.isFinite(v) && (!spec.log || v > 0) && v >= spec.low - 1e-9 * Math.abs(spec.low) &&
-      v <= spec.high + 1e-9 * Math.abs(spec.high);
-    // Powers of ten alone where more do not fit.
-    const ticks = (spacing) => {
-      if (!spec.log) return scale.ticks(Math.max(2, Math.floor(length / spacing)));
-      const every = Math.max(1, Math.ceil(decades / Math.max(2, Math.floor(length / spacing))));
-      const powers = d3
-        .range(Math.floor(Math.log10(spec.low)), Math.log10(spec.high) + 1)
-        .filter((k) => k % every === 0);
-      return powers
-        .flatMap((k) => (decades < 2 ? [1, 2, 5] : [1]).map((m) => m * 10 ** k))
-        .filter(holds);
-    };
-    const label = (v) => {
-      if (spec.text) return [spec.text(v)];
-      if (!spec.log || decades < 2) return [number(v, 4)];
-      return [
-        '10',
-        svg(
-          'tspan', { dy: -5, 'font-size': 9 }, String(Math.round(Math.log10(v))).replace('-', '−'),
-        ),
-      ];
-    };
-    return {
-      at: scale, value: scale.invert, holds, ticks, label, from, to, log: Boolean(spec.log),
-    };
-  };
-  // The range of positive numbers, widened by a factor; null where there are none.
-  const rangeOf = (values, factor) => {
-    const positive = values.filter((v) => Number.isFinite(v) && v > 0);
-    return positive.length
-      ? { low: d3.min(positive) / factor, high: d3.max(positive) * factor, log: true }
-      : null;
-  };
-  // The same of any numbers, with a margin.
-  const spanOf = (values) => {
-    const finite = values.filter(Number.isFinite),
-      low = d3.min(finite),
-      high = d3.max(finite),
-      room = 0.04 * (high - low) || Math.abs(high) || 1;
-    return finite.length ? { low: low - room, high: high + room } : null;
-  };
   const pathOf = (points, x, y, curve = d3.curveLinear) =>
     points.length
       ? d3
@@ -82,21 +33,6 @@
           .y((p) => Math.round(10 * y.at(p.y)) / 10)
           .curve(curve)(points)
       : '';
-
-  // Places texts one below the other, each as near as possible to where it wants to be.
-  const spread = (wanted, gap, low, high) => {
-    const order = d3.range(wanted.length).sort((a, b) => wanted[a] - wanted[b]),
-      placed = [];
-    order.forEach((i, k) => {
-      placed[k] = Math.max(wanted[i], k ? placed[k - 1] + gap : low);
-    });
-    let limit = high;
-    for (let k = placed.length - 1; k >= 0; --k) {
-      placed[k] = Math.min(placed[k], limit);
-      limit = placed[k] - gap;
-    }
-    return wanted.map((_, i) => placed[order.indexOf(i)]);
-  };
 
   const drawAxes = (size, x, y, spec) => {
     const across = x.ticks(52),
@@ -183,7 +119,6 @@
       ];
     });
 
-  const pointsInside = (curve, x, y) => curve.points.filter((p) => x.holds(p.x) && y.holds(p.y));
   const drawCurve = (curve, x, y) => {
     const inside = pointsInside(curve, x, y),
       within = curve.window
@@ -211,7 +146,8 @@
         ? null
         : inside.map((p) =>
             svg('path', {
-              class: `marker${curve.faint ? ' faint' : ''}`, d: shapes[curve.shape || 0],
+              class: `marker${curve.faint ? ' faint' : ''}${curve.filled ? ' filled' : ''}`,
+              d: shapes[curve.shape || 0],
               transform: `translate(${x.at(p.x).toFixed(1)},${y.at(p.y).toFixed(1)})`,
             }),
           ),
@@ -247,85 +183,19 @@
     );
   };
 
-  // The tooltip: the nearest run to the pointer; arrows and Enter do the same from the keyboard.
-  const attachPointer = (host, picture, spec, x, y) => {
-    if (!spec.tell) return;
-    const tip = html('div', { class: 'tip', role: 'status', hidden: true });
-    const ring = svg('circle', { class: 'ring', r: 7, visibility: 'hidden' });
-    picture.append(ring);
-    host.append(tip);
-    const drawn = [
-      ...spec.curves.flatMap((curve, c) =>
-        pointsInside(curve, x, y).map((point) => ({ point, curve, c, near: 22 })),
-      ),
-      ...(spec.cloud || [])
-        .filter((p) => x.holds(p.x) && y.holds(p.y))
-        .map((point) => ({ point, curve: null, c: -1, near: 8 })),
-    ];
-    let shown = null;
-    const show = (item) => {
-      shown = item;
-      tip.hidden = !item;
-      ring.setAttribute('visibility', item ? 'visible' : 'hidden');
-      if (!item) return;
-      const left = x.at(item.point.x),
-        top = y.at(item.point.y);
-      ring.setAttribute('cx', left);
-      ring.setAttribute('cy', top);
-      tip.replaceChildren(
-        ...spec
-          .tell(item.point.run, item.curve)
-          .map((line, i) => html(i ? 'div' : 'strong', {}, line)),
-      );
-      const most = Math.max(0, host.clientWidth - tip.offsetWidth - 4);
-      tip.style.left = `${Math.min(left + 12, most)}px`;
-      tip.style.top = `${top + 14}px`;
-    };
-    const nearest = (event) => {
-      const box = picture.getBoundingClientRect(),
-        px = event.clientX - box.left,
-        py = event.clientY - box.top,
-        scale = picture.viewBox.baseVal.width / (box.width || 1);
-      const away = (item) =>
-        Math.hypot(x.at(item.point.x) - scale * px, y.at(item.point.y) - scale * py) / item.near;
-      const best = d3.least(drawn, away);
-      return best && away(best) < 1 ? best : null;
-    };
-    picture.addEventListener('pointermove', (event) => show(nearest(event)));
-    picture.addEventListener('pointerleave', () => show(null));
-    picture.addEventListener('blur', () => show(null));
-    picture.addEventListener('click', (event) => {
-      const item = nearest(event);
-      show(item);
-      if (item && spec.pick) spec.pick(item.point.run, item.curve);
-    });
-    picture.addEventListener('keydown', (event) => {
-      const own = drawn.filter((item) => item.curve),
-        i = own.indexOf(shown);
-      const onCurve = (c) => own.find((item) => item.c === c);
-      const next = {
-        ArrowRight: own[Math.min(own.length - 1, i + 1)], ArrowLeft: own[Math.max(0, i - 1)],
-        ArrowDown: shown && onCurve(shown.c + 1), ArrowUp: shown && onCurve(shown.c - 1),
-      }[event.key];
-      if (event.key === 'Enter' && shown && spec.pick) spec.pick(shown.point.run, shown.curve);
-      else if (event.key === 'Escape') show(null);
-      else if (next) show(next);
-      else if (!event.key.startsWith('Arrow')) return;
-      event.preventDefault();
-    });
-  };
-
   // What each colour and shape is, where names at the ends of curves have no room.
   const legendOf = (entries) =>
     html(
       'ul', { class: 'legend' },
-      entries.map(({ name, colour, shape, dashed, bare }) =>
+      entries.map(({ name, colour, shape, dashed, bare, filled }) =>
         html(
           'li', {},
           svg(
             'svg', { viewBox: '-14 -6 28 12', 'aria-hidden': 'true', style: { color: colour } },
             svg('path', { class: `curve${dashed ? ' dashed' : ''}`, d: 'M-13 0H13' }),
-            bare ? null : svg('path', { class: 'marker', d: shapes[shape || 0] }),
+            bare
+              ? null
+              : svg('path', { class: `marker${filled ? ' filled' : ''}`, d: shapes[shape || 0] }),
           ),
           name,
         ),
@@ -371,5 +241,5 @@
     return { x, y };
   };
 
-  Object.assign(odeum, { shorten, makeAxis, rangeOf, spanOf, spread, drawAxes, legendOf, plot });
+  Object.assign(odeum, { shorten, drawAxes, legendOf, plot });
 })();

@@ -3,8 +3,8 @@
 'use strict';
 (() => {
   const {
-    idOf, facts, sameError, colourOf, shapeOf, number, duration, plural, shorten, roundedUp,
-    settingText, statusText,
+    idOf, facts, sameError, colourOf, shapeOf, number, settingText, duration, plural, shorten,
+    statusText, roundedUp,
   } = odeum;
 
   const horizontal = {
@@ -113,6 +113,23 @@
     };
   };
 
+  // Colour means library and shape family: curves that share both are told apart by full and hollow
+  // marks and by the lightness of their colour.
+  const toldApart = (curves) => {
+    const lightness = [
+      (c) => c, (c) => `color-mix(in oklab, ${c} 55%, var(--ink))`,
+      (c) => `color-mix(in oklab, ${c} 65%, var(--paper))`,
+    ];
+    const counts = new Map();
+    return curves.map((curve) => {
+      const key = `${curve.colour} ${curve.shape}`,
+        k = counts.get(key) || 0;
+      counts.set(key, k + 1);
+      const colour = lightness[Math.floor(k / 2) % lightness.length](curve.colour);
+      return { ...curve, colour, filled: k % 2 === 1 };
+    });
+  };
+
   const orderText = (order) =>
     !order
       ? ''
@@ -140,6 +157,7 @@
   };
 
   Object.assign(odeum, {
-    horizontal, vertical, runsOf, sensible, front, curveOf, orderText, tellRun, commandOf,
+    horizontal, vertical, runsOf, sensible, front, curveOf, toldApart, orderText, tellRun,
+    commandOf,
   });
 })();

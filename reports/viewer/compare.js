@@ -4,95 +4,13 @@
 'use strict';
 (() => {
   const {
-    idOf, number, html, addressOf, facts, duration, plural, orderText, commandOf, showSolution,
-    save, csv, notDrawnText, rangeOf, plot, vertical, horizontal, tellRun, colourOf, select, runsOf,
-    sensible, measuredCases, loadCase, writeAddress, curveOf, choices, front, readAddress, wide,
-    showAgain, statusText,
+    html, save, csv, wide, number, notDrawnText, plural, rangeOf, plot, vertical, horizontal,
+    duration, tellRun, facts, runsOf, most, sensible, measuredCases, loadCase, writeAddress,
+    showAgain, toldApart, curveOf, select, choices, colourOf, front, finder, readAddress, nameOfRun,
+    showRun,
   } = odeum;
 
-  const most = 30; // curves
-
-  const matches = (solver, filter) => {
-    const order = /order\s*(\d+)/i.exec(filter.text),
-      rest = filter.text
-        .replace(/order\s*\d*/i, '')
-        .toLowerCase()
-        .split(/\s+/)
-        .filter(Boolean);
-    const text = `${solver.library}/${solver.method} ${solver.family}`.toLowerCase();
-    return (
-      (!order || solver.order === Number(order[1])) && rest.every((word) => text.includes(word)) &&
-      (!filter.library || solver.library === filter.library) &&
-      (!filter.family || solver.family === filter.family) &&
-      (!filter.order || String(solver.order) === filter.order)
-    );
-  };
-
-  const nameOfRun = (run) =>
-    `${idOf(run)}:${run.mode}:${number(run.mode === 'fixed' ? run.step : run.tolerance, 6)}`;
-  const showRun = (panel, run, curve) => {
-    const lines = [
-      ['solver', html('a', { href: addressOf('methods', { solver: idOf(run) }) }, idOf(run))],
-      ['problem', `${facts.caseOf.get(run.case).title} (${run.case})`],
-      [
-        'setting',
-        run.mode === 'fixed' ? `step ${number(run.step, 6)}` : `tolerance ${number(run.tolerance)}`,
-      ],
-      ['status', statusText(run, facts.caseOf.get(run.case).scale)],
-      [
-        'error',
-        number(run.error_max, 4) +
-          (run.error_rms ? `, root mean square ${number(run.error_rms, 4)}` : ''),
-      ],
-      [
-        'energy',
-        Number.isFinite(run.energy_error) ? `relative error ${number(run.energy_error, 3)}` : '',
-      ],
-      [
-        'cost',
-        [
-          run.timed
-            ? `${duration(run.wall_ns_min)}, median ${duration(run.wall_ns_median)} of ` +
-              `${run.repetitions}`
-            : '',
-          plural(run.rhs_evaluations, 'evaluation'),
-          run.jacobian_evaluations ? plural(run.jacobian_evaluations, 'Jacobian') : '',
-          plural(run.steps, 'step'),
-        ]
-          .filter(Boolean)
-          .join(', '),
-      ],
-      ['order', curve ? orderText(curve.order) : ''],
-    ];
-    const command = commandOf(run);
-    const solution = html('div', { class: 'solution' });
-    panel.replaceChildren(
-      html('h3', {}, 'This run'),
-      html(
-        'dl', { class: 'facts' },
-        lines
-          .filter(([, value]) => value)
-          .map(([name, value]) => [html('dt', {}, name), html('dd', {}, value)]),
-      ),
-      html(
-        'p', { class: 'command' }, html('code', {}, command), ' ',
-        html(
-          'button',
-          {
-            type: 'button',
-            onclick: (event) =>
-              navigator.clipboard?.writeText(command).then(() => {
-                event.target.textContent = 'copied';
-              }),
-          },
-          'copy',
-        ),
-      ),
-      solution,
-    );
-    panel.hidden = false;
-    return showSolution(solution, facts.caseOf.get(run.case), run);
-  };
+  // curves
 
   // The numbers behind the chart, as a table and as a file.
   const columnsOfTable = [
@@ -215,78 +133,6 @@
     });
   };
 
-  const finder = (filter, available, shown, change) => {
-    const list = html('div', { class: 'found', role: 'group', 'aria-label': 'solvers that match' });
-    const refresh = () => {
-      const found = available.filter((key) =>
-        matches(
-          facts.solverOf.get(key.split(':')[0]) || { library: '', method: key, family: '' }, filter,
-        ),
-      );
-      const some = filter.text || filter.library || filter.family || filter.order;
-      const missing = found
-        .filter((key) => !shown.includes(key))
-        .slice(0, Math.max(0, most - shown.length));
-      list.replaceChildren(
-        ...(some
-          ? [
-              html(
-                'button',
-                {
-                  type: 'button', class: 'all', disabled: !missing.length,
-                  onclick: () => change([...shown, ...missing]),
-                },
-                `add ${missing.length === 1 ? 'it' : `these ${missing.length}`}`,
-              ),
-              ...found.slice(0, 60).map((key) =>
-                html(
-                  'button',
-                  {
-                    type: 'button', 'aria-pressed': String(shown.includes(key)), 'data-key': key,
-                    style: { '--lib': colourOf(key.split('/')[0]) },
-                    onclick: () =>
-                      change(
-                        shown.includes(key)
-                          ? shown.filter((k) => k !== key)
-                          : [...shown, key].slice(-most),
-                      ),
-                  },
-                  key.replace(':adaptive', ' to a tolerance').replace(':fixed', ''),
-                ),
-              ),
-              found.length > 60
-                ? html('span', { class: 'dim' }, `and ${found.length - 60} more`)
-                : '',
-            ]
-          : []),
-      );
-    };
-    const choose = (name) => (value) => {
-      filter[name] = value;
-      refresh();
-    };
-    const distinct = (name) =>
-      [...new Set(facts.solvers.map((s) => s[name]).filter((v) => v !== null && v !== 0))]
-        .sort((a, b) => (a > b ? 1 : -1))
-        .map((v) => [String(v), String(v).replaceAll('_', ' ')]);
-    refresh();
-    return html(
-      'div', { class: 'finder' },
-      html(
-        'label', { class: 'field' }, 'Add ',
-        html('input', {
-          type: 'search', placeholder: 'rk4, cvode, symplectic, order 5 …', value: filter.text,
-          'aria-label': 'any part of a name',
-          oninput: (event) => choose('text')(event.target.value),
-        }),
-      ),
-      select('library', [['', 'any'], ...distinct('library')], filter.library, choose('library')),
-      select('family', [['', 'any'], ...distinct('family')], filter.family, choose('family')),
-      select('order', [['', 'any'], ...distinct('order')], filter.order, choose('order')),
-      list,
-    );
-  };
-
   const compareFilter = { text: '', library: '', family: '', order: '' };
   const compareChoice = (given, data) => {
     const choice = {
@@ -340,11 +186,13 @@
       writeAddress('compare', written);
       return showAgain(host, () => showCompare(host, written));
     };
-    const curves = cases.flatMap((each, i) =>
-      choice.show.map((key) => ({
-        ...curveOf(each.c, each.data, key, choice.x, choice.y, each.more),
-        ...(i ? { dashed: true } : {}),
-      })),
+    const curves = toldApart(
+      cases.flatMap((each, i) =>
+        choice.show.map((key) => ({
+          ...curveOf(each.c, each.data, key, choice.x, choice.y, each.more),
+          ...(i ? { dashed: true } : {}),
+        })),
+      ),
     );
     const chart = html('div', { class: 'picture' }),
       panel = html('div', { class: 'run-panel', hidden: true, 'aria-live': 'polite' });
@@ -420,5 +268,5 @@
     return null;
   };
 
-  Object.assign(odeum, { matches, showCompare });
+  Object.assign(odeum, { showCompare });
 })();

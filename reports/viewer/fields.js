@@ -81,14 +81,12 @@
         ),
         svg(
           'g', { class: 'scale' },
-          d3
-            .range(bars)
-            .map((k) =>
-              svg('rect', {
-                x: size.right + 14, y: size.bottom - ((k + 1) * tall) / bars, width: bar,
-                height: tall / bars + 0.5, fill: d3.interpolateViridis((k + 0.5) / bars),
-              }),
-            ),
+          d3.range(bars).map((k) =>
+            svg('rect', {
+              x: size.right + 14, y: size.bottom - ((k + 1) * tall) / bars, width: bar,
+              height: tall / bars + 0.5, fill: d3.interpolateViridis((k + 0.5) / bars),
+            }),
+          ),
         ),
         svg('text', { x: size.right + 18 + bar, y: size.top + 10 }, number(high)),
         svg('text', { x: size.right + 18 + bar, y: size.bottom }, number(low)),
@@ -152,9 +150,11 @@
         dy = y.at(row.y + row.dy) - y.at(row.y),
         part = stroke / Math.hypot(dx, dy),
         at = [x.at(row.x), y.at(row.y)];
-      return `M${(at[0] - part * dx).toFixed(1)} ` +
+      return (
+        `M${(at[0] - part * dx).toFixed(1)} ` +
         `${(at[1] - part * dy).toFixed(1)}L${(at[0] + part * dx).toFixed(1)} ` +
-        `${(at[1] + part * dy).toFixed(1)}`;
+        `${(at[1] + part * dy).toFixed(1)}`
+      );
     });
     picture.append(
       pictureOver(

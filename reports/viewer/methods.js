@@ -3,8 +3,8 @@
 'use strict';
 (() => {
   const {
-    facts, matches, html, addressOf, idOf, orderText, duration, times, number, failureText,
-    limitNumber, sameError, measuredCases, plural, loadCase, isClosedForm, wide,
+    facts, matches, html, addressOf, idOf, orderText, isClosedForm, times, duration, number,
+    failureText, limitNumber, sameError, measuredCases, plural, wide, loadCase,
   } = odeum;
 
   const methodList = (filter) => {

@@ -5,7 +5,7 @@
 // heading, with all that stands under it.
 'use strict';
 (() => {
-  const { Template, rowsOf, html, showBlock, facts, addressOf, wide } = odeum;
+  const { Template, rowsOf, html, wide, showBlock, facts, addressOf } = odeum;
 
   const markdown = self.markdownit({ html: false, linkify: false });
 

@@ -5,8 +5,8 @@
 'use strict';
 (() => {
   const {
-    facts, load, idOf, plot, spanOf, colourOf, shapeOf, number, rangeOf, html, save, csv,
-    notKeptText, solutionText, select, wide,
+    facts, load, idOf, html, plot, spanOf, number, colourOf, shapeOf, rangeOf, save, csv, wide,
+    notKeptText, solutionText, select,
   } = odeum;
 
   const setsOf = (c) =>
@@ -244,5 +244,5 @@
     return null;
   };
 
-  Object.assign(odeum, { showSolution, showExact });
+  Object.assign(odeum, { showExact, showSolution });
 })();

@@ -52,8 +52,8 @@
     return [
       ...problem,
       html(
-        'p', {}, `${what} a selection: ${study.selection}. `,
-        command, ' runs every pair, and this page shows those after a reload.',
+        'p', {}, `${what} a selection: ${study.selection}. `, command,
+        ' runs every pair, and this page shows those after a reload.',
       ),
     ];
   };

@@ -2,7 +2,7 @@
 // The rules by which measured facts become sentences: all of them are here.
 'use strict';
 (() => {
-  const { number, plural, shorten, times, idOf, duration, facts, functions } = odeum;
+  const { number, shorten, plural, duration, idOf, times, functions, facts } = odeum;
 
   const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
   const settingText = (row) =>
@@ -124,9 +124,11 @@
 
   // Times of a case that were disturbed, by the limits that the study has for a repetition.
   const disturbedText = (timed) => {
-    const row = timed.find((t) => t.repetitions > 0 && Number.isFinite(t.drift));
+    const known = (t) => Number.isFinite(t.drift) || Number.isFinite(t.processor_share);
+    const row = timed.find((t) => t.repetitions > 0 && known(t));
     if (!row || !functions.disturbed(row.drift, row.processor_share)) return '';
-    const percent = (part) => `${Math.round(100 * part)} %`;
+    const percent = (part) =>
+      Number.isFinite(part) ? `${Math.round(100 * part)} %` : 'an unknown part';
     const speed = `speed changed by ${percent(Math.abs(row.drift))}`;
     const found = functions.disturbed(0, row.processor_share)
       ? `while other programs ran: the timed runs had the processor for ` +

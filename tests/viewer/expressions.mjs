@@ -112,11 +112,17 @@ const checks = {
     for (const file of [...viewer.map((name) => `reports/viewer/${name}`), ...views, ...replay]) {
       const text = read(file), lines = text.split('\n');
       hold(/^\/\/ SPDX-License-Identifier: BSD-3-Clause\n\/\/ \S/.test(text), `${file}: no comment at its head`);
+      if (viewer.includes(file.slice('reports/viewer/'.length))) hold(lines.length <= 301, `${file}: ${lines.length} lines`);
       lines.forEach((line, i) => hold([...line].length <= 100, `${file}:${i + 1}: longer than 100 columns`));
       // A replay's scripts are parts of one function in replay.html.
       if (!replay.includes(file)) hold(/^(\/\/.*\n)+'use strict';\n\(\(\) => \{\n[^]*\n\}\)\(\);\n$/.test(text), `${file}: names outside of its function`);
     }
     hold(views.length > 3 && replay.length > 5, 'the files were not found');
+  },
+  'curves of one library and family are told apart'() {
+    const curves = page('toldApart')([...Array(5).fill({ colour: 'var(--s0)', shape: 1 }), { colour: 'var(--s1)', shape: 1 }]);
+    same(new Set(curves.map(({ colour, filled, shape }) => `${colour} ${filled} ${shape}`)).size, 6, 'looks');
+    same([curves[0].colour, curves[5].colour, curves[5].filled], ['var(--s0)', 'var(--s1)', false], 'the first of a library');
   },
   'triangles are made of rows'() {
     const [triangle] = page('trianglesOf')([{ x1: 0, y1: 1, x2: 2, y2: 3, x3: 4, y3: 5, u1: 6, u2: 7, u3: 8 }], 'u');
@@ -199,6 +205,9 @@ const checks = {
     const changed = remark(-0.07, 1), shared = remark(0.01, 0.6);
     hold(/whose speed changed by 7 %/.test(changed) && !/other programs/.test(changed), changed);
     hold(/other programs ran: .* 60 % .* changed by 1 %/.test(shared), shared);
+    // What was not measured is no number.
+    const unknown = [remark(NaN, 0.6), remark(0.2, NaN)];
+    hold(unknown.every((text) => text && !text.includes('NaN')), unknown.join(' '));
   },
   'every expression of every page can be read'() {
     const studies = join(root, 'src/odeum/studies');

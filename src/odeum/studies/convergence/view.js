@@ -4,9 +4,9 @@
 'use strict';
 (() => {
   const {
-    functions, facts, html, sum, blocks, prepare, addressOf, rowsOf, solverGroups, tableOf, plural,
-    number, rangeOf, idOf, whenSeen, plot, legendOf, lazyDetails, versionOf, fastestEigenvalue,
-    limitNumber,
+    functions, facts, fastestEigenvalue, limitNumber, number, html, sum, blocks, prepare, addressOf,
+    rowsOf, solverGroups, tableOf, plural, rangeOf, idOf, whenSeen, plot, legendOf, lazyDetails,
+    versionOf,
   } = odeum;
 
   // The best first; signs tell verdicts apart without colour.

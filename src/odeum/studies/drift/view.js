@@ -51,7 +51,8 @@
         time: times[last], worst, end: errors[last], first_value: values[from],
         last_value: values[last], power,
         mark: status === 'ok' ? (size + growth).replace('-', '−') : '✗',
-        tip: `${quantities[from]}, step ${number(of('step')[from])}, to t = ` +
+        tip:
+          `${quantities[from]}, step ${number(of('step')[from])}, to t = ` +
           `${number(times[last])}: at most ${number(worst, 2)}, at the end ` +
           number(errors[last]) +
           (worst > rounding && !Number.isNaN(power) ? `; grows as t^${power.toFixed(1)}` : '') +

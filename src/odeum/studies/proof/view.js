@@ -34,7 +34,7 @@
           .map(
             (each) =>
               `${each.test_problem}: h^${each.measured_exponent.toFixed(2)} for ` +
-                `h^${number(each.expected_exponent)}, ratio ${number(each.ratio_to_true_error, 2)}`,
+              `h^${number(each.expected_exponent)}, ratio ${number(each.ratio_to_true_error, 2)}`,
           )
           .join('; '),
       };

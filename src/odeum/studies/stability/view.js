@@ -176,10 +176,7 @@
       [
         ...d3.group(list, (region) => region.missing || 'no growth up to 2 a step in the picture'),
       ].map(([reason, some]) =>
-        html(
-          'p', { class: 'missing' },
-          `${reason}: ${some.map(shortName).join(', ')}`,
-        ),
+        html('p', { class: 'missing' }, `${reason}: ${some.map(shortName).join(', ')}`),
       );
     [...d3.group(regions, (region) => region.solver.split('/')[0])].forEach(
       ([library, some], k) => {
