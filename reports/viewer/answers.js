@@ -126,7 +126,8 @@
     return plot(host, {
       height: 380,
       description: `Error against time on ${c.title}; the table beside it has the fastest`,
-      x: { ...x, label: 'time of a solve', text: duration }, y: { ...y, label: 'largest error' },
+      x: { ...x, label: 'time of a solve', text: duration },
+      y: { ...y, label: 'largest error, absolute' },
       cloud: drawn.map((run) => ({ x: run.wall_ns_min, y: run.error, run })),
       curves: best.map((row) => bestCurve(row, timed)), tell: tellTimed,
       levels: [

@@ -14,7 +14,7 @@
     steps: ['steps', (run) => run.steps], tolerance: ['tolerance', (run) => run.tolerance],
   };
   const vertical = {
-    error: ['largest error', (run) => run.error_max],
+    error: ['largest error, absolute', (run) => run.error_max],
     rms: ['error, root mean square', (run) => run.error_rms],
     energy: ['error of the energy, relative', (run) => run.energy_error],
   };

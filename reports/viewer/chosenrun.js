@@ -42,6 +42,13 @@
           .filter(Boolean)
           .join(', '),
       ],
+      [
+        'counted',
+        (run.timed
+          ? `to t = ${number(facts.caseOf.get(run.case).end)}, in the study of speed`
+          : 'in the study of orders') +
+          ': each has an end and stops of its own, and so its own counts',
+      ],
       ['order', curve ? orderText(curve.order) : ''],
     ];
     const command = commandOf(run);

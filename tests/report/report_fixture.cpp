@@ -204,6 +204,7 @@ MadeUp fabricate(std::size_t cases, std::size_t solvers_at_most) {
                         .equation = "y' = f(t, y)",
                         .source = "this test",
                         .truth = "closed form",
+                        .unit = {},
                         .truth_floor = 0,
                         .timed_floor = 0,
                         .timed_end = 10,

@@ -3,7 +3,6 @@
 
 #include <fmt/chrono.h>
 
-#include <filesystem>
 #include <fstream>
 
 #ifdef __linux__
@@ -33,15 +32,6 @@ std::vector<std::string> loaded_libraries() {
       },
       &files);
 #endif
-  return files;
-}
-
-std::vector<std::string> loaded_libraries(const std::vector<std::string>& names) {
-  const std::vector<std::string> all = loaded_libraries();
-  std::vector<std::string> files;
-  for (const std::string& name : names)
-    for (const std::string& file : all)
-      if (std::filesystem::path(file).filename().string().starts_with(name)) files.push_back(file);
   return files;
 }
 

@@ -12,8 +12,6 @@ std::string cpu_model();
 /// The files of the shared libraries that this program has loaded; none where the system does not
 /// tell.
 std::vector<std::string> loaded_libraries();
-/// Those whose names begin with one of `names`, in that order.
-std::vector<std::string> loaded_libraries(const std::vector<std::string>& names);
 
 /// A time as ISO 8601, UTC, to the second.
 std::string utc_text(std::chrono::system_clock::time_point time);

@@ -75,8 +75,7 @@ class Shared {
   Report* report_;
 };
 
-/// Becomes the process: its files are those of the parent, except that nothing it prints gets into
-/// the data on the standard output.
+/// Prepares the child: it dies with its parent, and its standard output goes to standard error.
 void prepare_child(Report& report, pid_t parent) {
   own_report = &report;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -159,7 +158,7 @@ std::string run_isolated(Report& report, double seconds, bool& over_budget,
     report.say(fmt::format("foreign code threw {}", error.what()));
   } catch (...) {
     report.status = static_cast<int>(Status::refused);
-    report.say("foreign code threw something that is no std::exception");
+    report.say("foreign code threw an object that does not derive from std::exception");
   }
   report.done = true;
   _exit(0);

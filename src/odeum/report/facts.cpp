@@ -43,6 +43,7 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
                            .equation = c.equation,
                            .source = c.source,
                            .truth = c.truth.source,
+                           .unit = c.problem.scene ? "s" : "",
                            .truth_floor = c.truth.floor,
                            .timed_floor = c.timed_floor(),
                            .start = c.t0,
@@ -60,7 +61,6 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
 ordered_json json_of(const CaseFacts& c) {
   ordered_json eigenvalues = ordered_json::array();
   for (const auto& z : c.eigenvalues) eigenvalues.push_back({z.real(), z.imag()});
-  const bool mechanical = std::count(c.tags.begin(), c.tags.end(), "mechanical") > 0;
   return {{"id", plain(c.id)},
           {"title", plain(c.title)},
           {"equation", plain(c.equation)},
@@ -72,7 +72,7 @@ ordered_json json_of(const CaseFacts& c) {
           {"start", number(c.start)},
           {"end", number(c.timed_end)},
           {"scale", number(c.scale)},
-          {"unit", mechanical ? "s" : ""},
+          {"unit", c.unit},
           {"eigenvalues", eigenvalues},
           {"eigenvalues_time", number(c.eigenvalues_time)}};
 }

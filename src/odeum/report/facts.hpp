@@ -12,6 +12,7 @@ namespace odeum::report {
 /// What a page says about a case, apart from any result.
 struct CaseFacts {
   std::string id, title, equation, source, truth;
+  std::string unit;        ///< of time: "s" where a scene, which is in SI units, states the problem
   double truth_floor = 0;  ///< absolute error below which the truth says nothing
   double timed_floor = 0;  ///< the same where studies of time measure the error
   double start = 0;        ///< initial time

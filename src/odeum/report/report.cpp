@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,21 @@ ordered_json json_of(const StudyFacts& study) {
       json["pages"].push_back({{"id", stem == "page" ? study.name : stem}, {"text", text}});
   }
   return json;
+}
+
+/// Of each library that is built in, the first loaded file that bears the name of its adapter.
+std::vector<std::string> loaded_files(const std::vector<LibraryInfo>& libraries) {
+  std::vector<std::string> files;
+  const std::vector<std::string> loaded = loaded_libraries();
+  for (const LibraryInfo& info : libraries) {
+    const auto found = std::find_if(loaded.begin(), loaded.end(), [&](const std::string& file) {
+      std::string name = fs::path(file).filename().string();
+      for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return name.find(info.name) != std::string::npos;
+    });
+    if (info.built && found != loaded.end()) files.push_back(*found);
+  }
+  return files;
 }
 
 std::string key_of(const ordered_json& entry) {
@@ -190,7 +206,7 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
         {"date", utc_text(run.finished)},
         {"compiler", fmt::format("{}, {}, {}", build::compiler, build::type, build::flags)},
         {"processor", cpu_model()},
-        {"loaded", loaded_libraries({"libsundials_cvode.", "libgsl.", "libBulletDynamics"})}}},
+        {"loaded", loaded_files(facts_.libraries)}}},
       {"libraries", report::json_of(facts_.libraries)},
       {"cases", ordered_json::array()},
       {"solvers", ordered_json::array()},

@@ -7,8 +7,8 @@
 namespace odeum {
 
 /// For timed runs: the solvers of a case that are also compiled with its right-hand side inlined
-/// (cases/inlined), by SolverInfo::id(). They watch and count nothing, so that only a request which
-/// a watched run has answered may be put to them. Empty for most cases.
+/// (cases/inlined), by SolverInfo::id(). They neither guard nor count: give them only requests that
+/// a guarded run has completed. Empty for most cases.
 std::vector<Entrant> inlined_solvers(const Case& c);
 
 }  // namespace odeum

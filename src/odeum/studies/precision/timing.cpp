@@ -49,10 +49,9 @@ void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
     trial.row.detail = fmt::format("the timed run ended {:.2g} away from the counted one", apart);
 }
 
-/// A trial that takes so many times another one's time, of its library and with no larger error,
-/// cannot be the fastest: guard and pointer cost up to 4.5 times an inlined right-hand side, and
-/// other programs may double a single time. Processor time without the guard's share is known
-/// better than that.
+/// A trial is dropped if another of its library is no less accurate and faster by this factor:
+/// guard and pointer cost up to 4.5 times an inlined right-hand side, and other programs may double
+/// a single time. Processor time without the guard's share is known better than that.
 constexpr double slow_factor = 10, exact_slow_factor = 1.5, guarded_time_factor = 2;
 
 void mark_slow_solvers(std::vector<TimedSolver>& solvers) {
