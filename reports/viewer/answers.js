@@ -3,10 +3,10 @@
 'use strict';
 (() => {
   const {
-    facts, sameError, isClosedForm, idOf, html, addressOf, settingText, duration, colourOf, times,
-    number, whyNotReached, shapeOf, plural, rangeOf, plot, leadOf, workText, moreText,
-    disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf, writeAddress,
-    showAgain, choices, loadCase,
+    facts, sameError, isClosedForm, idOf, html, addressOf, settingText, timeText, colourOf, times,
+    number, isBetween, whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText,
+    moreText, disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf,
+    writeAddress, showAgain, choices, loadCase,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -49,7 +49,7 @@
         ),
         html('small', {}, note || settingText(row)),
       ),
-      html('td', { class: 'time' }, duration(row.wall_ns_min)),
+      html('td', { class: 'time' }, timeText(row)),
       html(
         'td', { class: 'length' },
         html('i', {
@@ -78,7 +78,10 @@
         'caption', {},
         'The fastest of each library: time of a whole solve, set-up included, least of several. ' +
           `The error is the largest of a component up to t = ${number(c.end)}, absolute, in the ` +
-          'units of the equation.',
+          'units of the equation.' +
+          (rows.some(isBetween)
+            ? ' A time with ~ is interpolated to the error between two runs; the finer is named.'
+            : ''),
       ),
       html(
         'tbody', {}, rows.map((row) => barRow(row, longest, row.closed ? closedText(row) : '')),
@@ -149,7 +152,7 @@
     const sentences = [
       html(
         'p', { class: 'answer' }, html('strong', {}, idOf(first)), ` reaches ${number(error)} in `,
-        html('strong', {}, duration(first.wall_ns_min)),
+        html('strong', {}, timeText(first)),
         rival ? `, ${leadOf(first, rival)}` : '; no other library reaches it.',
       ),
     ];

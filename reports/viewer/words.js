@@ -2,7 +2,7 @@
 // The rules by which measured facts become sentences: all of them are here.
 'use strict';
 (() => {
-  const { number, shorten, plural, duration, idOf, times, functions, facts } = odeum;
+  const { number, shorten, duration, plural, idOf, times, functions, facts } = odeum;
 
   const sameError = (a, b) => Math.abs(Math.log10(a / b)) < 0.01;
   const settingText = (row) =>
@@ -60,6 +60,11 @@
     };
   };
 
+  // The time of a row of fastest.csv, which may lie between two runs: then it is no run's own.
+  const isBetween = (row) =>
+    Boolean(row.run) && Math.abs(row.run.wall_ns_min / row.wall_ns_min - 1) > 0.005;
+  const timeText = (row) => `${isBetween(row) ? '~' : ''}${duration(row.wall_ns_min)}`;
+
   // What a timed run did, by its own counts: no reason follows from a family, an order or a tag.
   const workText = (run) => {
     const counts = [
@@ -81,7 +86,7 @@
   // By how much the best of one library leads the best of another.
   const leadOf = (best, second) => {
     const ratio = second.wall_ns_min / best.wall_ns_min,
-      other = `${idOf(second)} (${duration(second.wall_ns_min)})`;
+      other = `${idOf(second)} (${timeText(second)})`;
     return ratio < 1.1
       ? `level with ${other}, to within what times on this machine tell.`
       : `${times(ratio)} times as fast as the best of another library, ${other}.`;
@@ -230,7 +235,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, statusText, whyNotReached, workText, leadOf, moreText, stableText,
-    disturbedText, notDrawnText, notKeptText, solutionText, failureText,
+    sameError, settingText, statusText, whyNotReached, isBetween, timeText, workText, leadOf,
+    moreText, stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();
