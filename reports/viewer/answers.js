@@ -176,8 +176,7 @@
   const answerBody = (c, error, { timed }) => {
     const best = fastestOf(c.id, error, timed);
     const closed = closedFormOf(timed, error);
-    const picture = html('div', { class: 'picture' }),
-      stable = html('p', { class: 'stable' });
+    const picture = html('div', { class: 'picture' }), stable = html('p', { class: 'stable' });
     const words = best.length
       ? answerWords(c, error, best, timed)
       : [
@@ -254,9 +253,7 @@
         ),
         html(
           'span', { class: 'error-choice' }, 'error ',
-          choices(
-            'error', askedErrors.map((e) => [e, e]), error, (e) => turn({ error: e }),
-          ),
+          choices('error', askedErrors.map((e) => [e, e]), error, (e) => turn({ error: e })),
         ),
       ),
       body,

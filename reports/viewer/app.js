@@ -57,11 +57,9 @@
 
   let turn = 0;
   const follow = async () => {
-    const address = readAddress(),
-      view = views[address.view] ? address.view : firstView(),
+    const address = readAddress(), view = views[address.view] ? address.view : firstView(),
       { title, lead, show } = views[view];
-    const mine = ++turn,
-      main = document.getElementById('main');
+    const mine = ++turn, main = document.getElementById('main');
     delete document.documentElement.dataset.drawn;
     showNavigation(view, address.choice);
     const host = html('div', { 'data-view': view });
@@ -108,8 +106,7 @@
       event.preventDefault();
       document.getElementById('main').focus();
     });
-    let width = window.innerWidth,
-      waiting = 0;
+    let width = window.innerWidth, waiting = 0;
     window.addEventListener('resize', () => {
       clearTimeout(waiting);
       waiting = setTimeout(() => {

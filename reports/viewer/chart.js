@@ -35,8 +35,7 @@
       : '';
 
   const drawAxes = (size, x, y, spec) => {
-    const across = x.ticks(52),
-      up = y.ticks(30);
+    const across = x.ticks(52), up = y.ticks(30);
     return [
       svg('path', {
         class: 'grid',
@@ -106,10 +105,8 @@
   // Lines error ~ x^order through the upper right of the field.
   const drawSlopes = (size, x, y, orders) =>
     orders.map((order) => {
-      const far = x.value(size.right - 8),
-        top = y.value(size.top + 8);
-      const bottom = y.value(size.bottom - 4),
-        near = x.value(size.left + 4);
+      const far = x.value(size.right - 8), top = y.value(size.top + 8);
+      const bottom = y.value(size.bottom - 4), near = x.value(size.left + 4);
       const end = top * (near / far) ** order;
       const point =
         end >= bottom ? { x: near, y: end } : { x: far * (bottom / top) ** (1 / order), y: bottom };
@@ -163,9 +160,7 @@
       .filter(({ end }) => end);
     if (!ends.length) return [];
     const gap = Math.min(14, (size.bottom - size.top) / ends.length);
-    const places = spread(
-      ends.map(({ end }) => y.at(end.y)), gap, size.top + 4, size.bottom,
-    );
+    const places = spread(ends.map(({ end }) => y.at(end.y)), gap, size.top + 4, size.bottom);
     return ends.map(({ curve, text, end }, i) =>
       svg(
         'g', { style: { color: curve.colour } },
@@ -203,8 +198,7 @@
     );
 
   const plot = (host, spec) => {
-    const width = Math.max(240, spec.width || host.clientWidth || 640),
-      height = spec.height || 400;
+    const width = Math.max(240, spec.width || host.clientWidth || 640), height = spec.height || 400;
     const named = spec.curves.filter((curve) => curve.name && !curve.nameless);
     // A name is whole, or without its library, which the colour tells; where that has no room
     // either, a legend has all of them.
@@ -214,8 +208,7 @@
     ].find((names) => longest(names) <= width * 0.36);
     const room = width < 520 || spec.nameless || !texts ? 0 : longest(texts);
     const size = { left: 58, right: width - room - 12, top: 10, bottom: height - 42 };
-    const x = makeAxis(spec.x, size.left, size.right),
-      y = makeAxis(spec.y, size.bottom, size.top);
+    const x = makeAxis(spec.x, size.left, size.right), y = makeAxis(spec.y, size.bottom, size.top);
     const dots = (spec.cloud || [])
       .filter((p) => x.holds(p.x) && y.holds(p.y))
       .map((p) => `M${x.at(p.x).toFixed(1)} ${y.at(p.y).toFixed(1)}h0`)

@@ -60,8 +60,7 @@
       'x', 'y', 'by', 'facet', 'marks', 'join', 'reference', 'diagonal', 'slopes', 'band', 'least',
       'most', 'tip', 'wide', 'height',
     ]);
-    const x = axisOf(spec.x),
-      y = axisOf(spec.y);
+    const x = axisOf(spec.x), y = axisOf(spec.y);
     const templates = [
       x.template, y.template,
       ...['by', 'facet', 'tip'].map((key) => (spec[key] ? new Template(spec[key]) : null)),

@@ -93,8 +93,7 @@
 
   const verdictOf = (data, key) => data.orders.find((row) => `${idOf(row)}:${row.mode}` === key);
   const curveOf = (c, data, key, x, y, more) => {
-    const [id, mode] = key.split(':'),
-      solver = facts.solverOf.get(id),
+    const [id, mode] = key.split(':'), solver = facts.solverOf.get(id),
       runs = runsOf(data, x).get(key) || [];
     const order = verdictOf(data, key);
     const points = runs
@@ -122,8 +121,7 @@
     ];
     const counts = new Map();
     return curves.map((curve) => {
-      const key = `${curve.colour} ${curve.shape}`,
-        k = counts.get(key) || 0;
+      const key = `${curve.colour} ${curve.shape}`, k = counts.get(key) || 0;
       counts.set(key, k + 1);
       const colour = lightness[Math.floor(k / 2) % lightness.length](curve.colour);
       return { ...curve, colour, filled: k % 2 === 1 };

@@ -49,17 +49,14 @@
           'table', { class: 'numbers', 'data-numbers': 'compare' },
           html(
             'thead', {},
-            html(
-              'tr', {}, columnsOfTable.map((name) => html('th', {}, name)),
-            ),
+            html('tr', {}, columnsOfTable.map((name) => html('th', {}, name))),
           ),
           html(
             'tbody', {},
             tableRows(curves).map((row) =>
               html(
                 'tr', {},
-                row.map((cell) =>
-                  html('td', {}, typeof cell === 'number' ? number(cell, 8) : cell),
+                row.map((cell) => html('td', {}, typeof cell === 'number' ? number(cell, 8) : cell),
                 ),
               ),
             ),
@@ -91,9 +88,7 @@
     const x = rangeOf(
         points.map((p) => p.x), 1.3,
       ),
-      y = rangeOf(
-        points.map((p) => p.y), 3,
-      );
+      y = rangeOf(points.map((p) => p.y), 3);
     if (!x)
       return host.replaceChildren(
         html(
@@ -168,8 +163,7 @@
             case: measured[0].id,
           }
         ).case;
-    const c = facts.caseOf.get(id),
-      data = await loadCase(id),
+    const c = facts.caseOf.get(id), data = await loadCase(id),
       choice = compareChoice({ ...given, case: id }, data);
     const cases = [{ c, data, more: '' }];
     if (choice.also && choice.also !== id) {

@@ -6,8 +6,7 @@
 (() => {
   const { html, sum } = odeum;
 
-  const arrived = new Map(),
-    wanted = new Map();
+  const arrived = new Map(), wanted = new Map();
   const inflate = async (text) => {
     const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
@@ -102,8 +101,7 @@
   // The rows of a file of the report by its name without endings, of one case where `id` is given;
   // no rows where it was not measured.
   const rowsOf = (name, id) => {
-    const table = facts.tableOf.get(name),
-      split = table && table.parts.some((part) => part.case);
+    const table = facts.tableOf.get(name), split = table && table.parts.some((part) => part.case);
     const key = split && id ? `${name}:${id}` : name;
     if (!tablesRead.has(key))
       tablesRead.set(
@@ -126,15 +124,12 @@
   // The rows of one case, of a table that has all cases together.
   const onlyOf = (rows, id) => {
     if (!rows.has('case')) return rows;
-    const cases = rows.column('case'),
-      kept = rows.indices((i) => cases[i] === id);
+    const cases = rows.column('case'), kept = rows.indices((i) => cases[i] === id);
     const part = new Rows(rows.name, [], kept.length, rows.names);
     part.column = (name) => {
       if (!part.columns.has(name)) {
         const all = rows.column(name);
-        part.columns.set(
-          name, kept.map((i) => all[i]),
-        );
+        part.columns.set(name, kept.map((i) => all[i]));
       }
       return part.columns.get(name);
     };

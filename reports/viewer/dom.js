@@ -41,15 +41,12 @@
   };
   // Nanoseconds: "850 ns", "12.3 µs".
   const duration = (ns) => {
-    for (const [unit, size] of [
-      ['ns', 1], ['µs', 1e3], ['ms', 1e6],
-    ])
+    for (const [unit, size] of [['ns', 1], ['µs', 1e3], ['ms', 1e6]])
       if (ns < 999.5 * size) return `${Number((ns / size).toPrecision(3))} ${unit}`;
     return `${Number((ns / 1e9).toPrecision(3))} s`;
   };
   const sum = (list) => list.reduce((a, b) => a + b, 0);
-  const times = (ratio) =>
-    ratio < 9.95 ? ratio.toFixed(1) : Math.round(ratio).toLocaleString('en');
+  const times = (ratio) => ratio < 9.95 ? ratio.toFixed(1) : Math.round(ratio).toLocaleString('en');
   const plural = (count, noun) => `${count.toLocaleString('en')} ${noun}${count === 1 ? '' : 's'}`;
 
   // Offers a text as a file.

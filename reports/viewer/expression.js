@@ -233,8 +233,7 @@
         ['==', '!='].includes(tree.op) && part.name && !(rows && rows.has(part.name))
           ? () => part.name
           : bind(part, rows, tables);
-      const left = side(tree.left),
-        right = tree.right ? side(tree.right) : null,
+      const left = side(tree.left), right = tree.right ? side(tree.right) : null,
         apply = operations[tree.op];
       return right
         ? (i, group) => apply(left(i, group), right(i, group))

@@ -44,9 +44,7 @@
   // all, which stand beside; from dark to light, so that it reads without colours too. A triangle
   // tells its middle and its value.
   const drawField = (host, triangles, label) => {
-    const values = triangles.flatMap((t) => t.values),
-      low = d3.min(values),
-      high = d3.max(values),
+    const values = triangles.flatMap((t) => t.values), low = d3.min(values), high = d3.max(values),
       bar = 14,
       bars = 32;
     const plane = planeOf(
@@ -104,17 +102,14 @@
       rows, indices, bound: [by],
     } = await prepare(spec, context, [spec.by ? new Template(spec.by) : null]);
     if (!indices.length) return emptyText(host, spec);
-    const all = rows.objects(),
-      figures = html('div', { class: 'figures' });
+    const all = rows.objects(), figures = html('div', { class: 'figures' });
     host.append(figures);
     for (const [name, members] of grouped(indices, by ? by.text : () => ''))
       for (const { heading, cell } of spec.values.map(columnOf)) {
         const title = name ? `${name}: ${heading}` : heading;
         drawField(
           figureOf(figures, title),
-          trianglesOf(
-            members.map((i) => all[i]), cell.trim(),
-          ),
+          trianglesOf(members.map((i) => all[i]), cell.trim()),
           title,
         );
       }
@@ -122,12 +117,9 @@
   };
 
   const fieldFigures = async (host) => {
-    const triangles = await rowsOf('triangles'),
-      rows = triangles.objects();
+    const triangles = await rowsOf('triangles'), rows = triangles.objects();
     if (!rows.length) return;
-    for (const [name, title] of [
-      ['u', 'Solution u'], ['error', 'Error at the nodes'],
-    ])
+    for (const [name, title] of [['u', 'Solution u'], ['error', 'Error at the nodes']])
       if (triangles.has(`${name}1`))
         drawField(figureOf(host, title), trianglesOf(rows, name), title);
   };
@@ -146,8 +138,7 @@
       stroke = (0.4 * (size.right - size.left)) / 24;
     const strokes = directions.map((row) => {
       // In the picture's own proportions.
-      const dx = x.at(row.x + row.dx) - x.at(row.x),
-        dy = y.at(row.y + row.dy) - y.at(row.y),
+      const dx = x.at(row.x + row.dx) - x.at(row.x), dy = y.at(row.y + row.dy) - y.at(row.y),
         part = stroke / Math.hypot(dx, dy),
         at = [x.at(row.x), y.at(row.y)];
       return (

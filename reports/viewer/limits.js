@@ -31,16 +31,14 @@
   const reach = (region, dx, dy) => {
     const [left, right, bottom, top] = region.box;
     // The axes of the picture are edges of loops: a hair inside of them.
-    const x0 = 0,
-      y0 = region.plane === 'oscillator' ? dy : 0,
+    const x0 = 0, y0 = region.plane === 'oscillator' ? dy : 0,
       sy = region.plane === 'oscillator' ? 0 : dy;
     const sx = region.plane === 'oscillator' ? 1 : dx;
     const step = (right - left) / 2000;
     let last = 0;
     // Within a cell of the grid around 0, where every growth is near 1, the outline tells nothing.
     for (let s = 1.5 * region.cell; ; s += step) {
-      const px = x0 + s * sx,
-        py = Math.max(bottom + 1e-6, y0 + s * sy);
+      const px = x0 + s * sx, py = Math.max(bottom + 1e-6, y0 + s * sy);
       if (px < left + step || px > right - step || py > top - step)
         return { value: last, beyond: true };
       if (!isInside(region, px, py)) return { value: last, beyond: false };
@@ -73,9 +71,7 @@
 
   // h |lambda| to which a solver is stable along an eigenvalue.
   const limitOf = async (id, z) => {
-    const size = Math.hypot(...z),
-      re = z[0] / size,
-      im = z[1] / size;
+    const size = Math.hypot(...z), re = z[0] / size, im = z[1] / size;
     if (im === 0 && limitNumber(id, 'real') !== undefined)
       return { value: limitNumber(id, 'real') };
     if (Math.abs(re) < 1e-9)

@@ -25,8 +25,7 @@
       'row', 'column', 'order', 'heading', 'before', 'cell', 'shade', 'tip', 'keep', 'missing',
       'group', 'class',
     ]);
-    const row = spec.row || '{library}/{solver}',
-      group = spec.group || (spec.row ? '' : 'library');
+    const row = spec.row || '{library}/{solver}', group = spec.group || (spec.row ? '' : 'library');
     const before = (spec.before || []).map(columnOf);
     const templates = [
       row, spec.column, spec.order, spec.heading, spec.cell, spec.shade, spec.tip, spec.keep, group,

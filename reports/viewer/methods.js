@@ -27,8 +27,7 @@
 
   // One line a problem: its order there, the smallest error, the time, and how failed runs ended.
   const methodRow = (c, data, id) => {
-    const own = (rows) => rows.filter((row) => idOf(row) === id),
-      runs = own(data.runs),
+    const own = (rows) => rows.filter((row) => idOf(row) === id), runs = own(data.runs),
       timed = own(data.timed),
       orders = own(data.orders);
     const best = [...runs.map((run) => run.error_max), ...timed.map((run) => run.error)]
@@ -41,8 +40,7 @@
       rows
         .filter((row) => row.repetitions > 0 && row.error <= 1e-6)
         .reduce((a, b) => (!a || b.wall_ns_min < a.wall_ns_min ? b : a), null);
-    const mine = fastest(timed),
-      first = fastest(data.timed.filter((row) => !isClosedForm(row))),
+    const mine = fastest(timed), first = fastest(data.timed.filter((row) => !isClosedForm(row))),
       all = runs.length ? runs : timed;
     const fits = all.some((run) => run.status !== 'not_applicable');
     const ratio = mine && first ? mine.wall_ns_min / first.wall_ns_min : NaN;
@@ -56,9 +54,7 @@
     return html(
       'tr', { class: !all.length || !fits ? 'untried' : null, 'data-case': c.id },
       html('th', { scope: 'row' }, html('a', { href: addressOf('case', { id: c.id }) }, c.title)),
-      html(
-        'td', {}, order.map((text) => html('div', {}, text)),
-      ),
+      html('td', {}, order.map((text) => html('div', {}, text))),
       html('td', {}, Number.isFinite(best) ? number(best, 2) : ''),
       html('td', {}, time),
       html('td', {}, !all.length ? 'not tried' : failureText(all)),
@@ -194,8 +190,7 @@
         ),
       ),
     );
-    const measured = measuredCases(),
-      untried = facts.cases.length - measured.length;
+    const measured = measuredCases(), untried = facts.cases.length - measured.length;
     for (const c of measured) body.append(methodRow(c, await loadCase(c.id), choice.solver));
     if (untried)
       body.append(

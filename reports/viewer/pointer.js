@@ -26,8 +26,7 @@
       tip.hidden = !item;
       ring.setAttribute('visibility', item ? 'visible' : 'hidden');
       if (!item) return;
-      const left = x.at(item.point.x),
-        top = y.at(item.point.y);
+      const left = x.at(item.point.x), top = y.at(item.point.y);
       ring.setAttribute('cx', left);
       ring.setAttribute('cy', top);
       tip.replaceChildren(
@@ -40,8 +39,7 @@
       tip.style.top = `${top + 14}px`;
     };
     const nearest = (event) => {
-      const box = picture.getBoundingClientRect(),
-        px = event.clientX - box.left,
+      const box = picture.getBoundingClientRect(), px = event.clientX - box.left,
         py = event.clientY - box.top,
         scale = picture.viewBox.baseVal.width / (box.width || 1);
       const away = (item) =>
@@ -58,8 +56,7 @@
       if (item && spec.pick) spec.pick(item.point.run, item.curve);
     });
     picture.addEventListener('keydown', (event) => {
-      const own = drawn.filter((item) => item.curve),
-        i = own.indexOf(shown);
+      const own = drawn.filter((item) => item.curve), i = own.indexOf(shown);
       const onCurve = (c) => own.find((item) => item.c === c);
       const next = {
         ArrowRight: own[Math.min(own.length - 1, i + 1)], ArrowLeft: own[Math.max(0, i - 1)],

@@ -15,8 +15,7 @@
   ]);
   const piecesOf = (text) => {
     const pieces = [];
-    let lines = [],
-      fence = null;
+    let lines = [], fence = null;
     const close = () => {
       if (lines.length) pieces.push({ text: lines.join('\n') });
       lines = [];
@@ -70,8 +69,7 @@
 
   // Fills `host` with a text. `context`: {caseId} on the page of a case.
   const showProse = async (host, text, context = {}) => {
-    let hidden = 0,
-      pending = [];
+    let hidden = 0, pending = [];
     const flush = () => {
       if (!pending.length) return;
       const part = html('div', { class: 'prose' });

@@ -30,9 +30,7 @@
     const left = Math.max(
       x.at(0) + 24, size.right - 7 * Math.max(...shown.map((r) => r.solver.length)) - 6,
     );
-    const places = spread(
-      tops.map(([, top]) => top), 14, size.top + 8, size.bottom - 8,
-    );
+    const places = spread(tops.map(([, top]) => top), 14, size.top + 8, size.bottom - 8);
     return shown.map((region, i) =>
       svg(
         'g', { style: { color: colourOf(region.solver.split('/')[0]) } },
@@ -232,8 +230,7 @@
       text.textContent = `h = ${number(h)}${c?.unit ? ` ${c.unit}` : ''}: ${inside}${rest}.`;
       return null;
     };
-    const low = z ? Math.log10(0.01 / Math.hypot(...z)) : -4,
-      high = low + 4;
+    const low = z ? Math.log10(0.01 / Math.hypot(...z)) : -4, high = low + 4;
     const slider = html('input', {
       type: 'range', min: low, max: high, step: 0.01,
       value: Math.min(high, Math.max(low, exponent)), 'aria-label': 'step h',
@@ -248,9 +245,7 @@
         'div', { class: 'controls' },
         choices(
           'plane',
-          [
-            ['lambda', 'λh', "y' = λ y"], ['oscillator', 'ωh, ζ', "q'' = -2ζω q' - ω² q"],
-          ],
+          [['lambda', 'λh', "y' = λ y"], ['oscillator', 'ωh, ζ', "q'' = -2ζω q' - ω² q"]],
           plane,
           (next) => turn({ plane: next, show: undefined }),
         ),

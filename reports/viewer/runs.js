@@ -80,8 +80,7 @@
   // The picture as a file that stands alone: colours that the style sheet gives are written into
   // it.
   const saveSvg = (picture, name) => {
-    const shown = picture.querySelector('svg'),
-      copy = shown.cloneNode(true);
+    const shown = picture.querySelector('svg'), copy = shown.cloneNode(true);
     copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
     const from = [shown, ...shown.querySelectorAll('*')],
       to = [copy, ...copy.querySelectorAll('*')];
@@ -98,8 +97,7 @@
 
   // Rows by solver, in the order of the runs; the exact solution's, if any, first.
   const bySolver = (rows, runs) => {
-    const all = rows.objects(),
-      groups = [];
+    const all = rows.objects(), groups = [];
     const exact = all.filter((row) => row.library === 'truth');
     if (exact.length > 1) groups.push({ name: 'exact', key: -1, exact: true, rows: exact });
     runs.forEach((run, key) => {
@@ -119,14 +117,12 @@
     const closed = bySolver(schemes, runs).map((group) => ({
       ...group, name: `${group.name}, its own closed form`, dashed: true,
     }));
-    const names = about.components,
-      n = names.length,
+    const names = about.components, n = names.length,
       plotted = (x, y) =>
         [...groups, ...closed].map((group) => ({
           ...group, points: group.rows.map((row) => ({ x: x(row), y: y(row) })),
         }));
-    const of = (name) => (row) => row[name],
-      time = of('time');
+    const of = (name) => (row) => row[name], time = of('time');
     if (n > 1 && n <= 4 && runs.length === 1 && !about.second_order)
       runFigure(
         host, 'Components over time', { x: { label: 'time' }, y: { label: '' } },
@@ -185,8 +181,7 @@
       ['plotted', 'energies'].map((name) => rowsOf(name)),
     );
     if (about.plot) {
-      const { particle, coordinate, range } = about.plot,
-        groups = bySolver(plotted, runs),
+      const { particle, coordinate, range } = about.plot, groups = bySolver(plotted, runs),
         curves = (x, y) =>
           groups.map((group) => ({
             ...group, points: group.rows.map((row) => ({ x: row[x], y: row[y] })),
@@ -202,8 +197,7 @@
         curves('position', 'velocity'),
       );
     }
-    const groups = bySolver(energies, runs),
-      start = groups[0]?.rows[0]?.total;
+    const groups = bySolver(energies, runs), start = groups[0]?.rows[0]?.total;
     runFigure(
       host, 'Energy, less that at the start',
       { x: { label: 'time (s)' }, y: { label: 'energy (J)' } },
@@ -247,8 +241,7 @@
     return d3.max(sizes) ?? NaN;
   };
   const showRuns = async (host) => {
-    const about = facts.runs,
-      runs = (await rowsOf('runs')).objects();
+    const about = facts.runs, runs = (await rowsOf('runs')).objects();
     document.title = `${about.title} – Odeum`;
     host.append(
       html('h1', {}, about.title),

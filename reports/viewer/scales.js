@@ -9,8 +9,7 @@
     const scale = (spec.log ? d3.scaleLog() : d3.scaleLinear())
       .domain([spec.low, spec.high])
       .range([from, to]);
-    const decades = spec.log ? Math.log10(spec.high / spec.low) : 0,
-      length = Math.abs(to - from);
+    const decades = spec.log ? Math.log10(spec.high / spec.low) : 0, length = Math.abs(to - from);
     const holds = (v) =>
       Number.isFinite(v) && (!spec.log || v > 0) && v >= spec.low - 1e-9 * Math.abs(spec.low) &&
       v <= spec.high + 1e-9 * Math.abs(spec.high);
@@ -50,17 +49,14 @@
 
   // The same of any numbers, with a margin.
   const spanOf = (values) => {
-    const finite = values.filter(Number.isFinite),
-      low = d3.min(finite),
-      high = d3.max(finite),
+    const finite = values.filter(Number.isFinite), low = d3.min(finite), high = d3.max(finite),
       room = 0.04 * (high - low) || Math.abs(high) || 1;
     return finite.length ? { low: low - room, high: high + room } : null;
   };
 
   // Places texts one below the other, each as near as possible to where it wants to be.
   const spread = (wanted, gap, low, high) => {
-    const order = d3.range(wanted.length).sort((a, b) => wanted[a] - wanted[b]),
-      placed = [];
+    const order = d3.range(wanted.length).sort((a, b) => wanted[a] - wanted[b]), placed = [];
     order.forEach((i, k) => {
       placed[k] = Math.max(wanted[i], k ? placed[k - 1] + gap : low);
     });

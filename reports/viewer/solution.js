@@ -37,8 +37,7 @@
         : `adaptive:${Math.round(-Math.log10(run.tolerance))}`;
     const found = set.runs[`${idOf(run)}:${key}`];
     if (!found) return null;
-    const [parts, curve, errors, energies] = found,
-      apart = Math.ceil(parts / set.outputs);
+    const [parts, curve, errors, energies] = found, apart = Math.ceil(parts / set.outputs);
     const states = statesOf(set, set.curves[curve]);
     const size = (parts100) =>
       parts100 === 9999
@@ -62,8 +61,7 @@
     if (!set) return;
     const { times, states } = exactOf(set),
       sizes = set.names.map((_, k) => set.high[k] - set.low[k]);
-    const most = d3.max(sizes),
-      seen = d3.range(sizes.length).filter((k) => sizes[k] > 0.02 * most);
+    const most = d3.max(sizes), seen = d3.range(sizes.length).filter((k) => sizes[k] > 0.02 * most);
     const style = { bare: set.exact.everywhere, loose: !set.exact.everywhere };
     const curveOf = (k, i) => ({
       ...style, name: set.names[k], colour: `var(--s${i})`, shape: i,
@@ -131,9 +129,7 @@
       points = values
         .map((value, k) => ({ x: times[k + 1], y: value, run: k }))
         .filter((p) => p.y > 0 && p.y < 1e12);
-    const range = rangeOf(
-      points.map((p) => p.y), 3,
-    );
+    const range = rangeOf(points.map((p) => p.y), 3);
     if (!range)
       return host.replaceChildren(
         html(
@@ -183,16 +179,11 @@
           'table', { class: 'numbers', 'data-numbers': 'solution' },
           html(
             'thead', {},
-            html(
-              'tr', {}, columns.map((name) => html('th', {}, name)),
-            ),
+            html('tr', {}, columns.map((name) => html('th', {}, name))),
           ),
           html(
             'tbody', {},
-            rows.map((row) =>
-              html(
-                'tr', {}, row.map((value) => html('td', {}, number(value))),
-              ),
+            rows.map((row) => html('tr', {}, row.map((value) => html('td', {}, number(value)))),
             ),
           ),
         ),

@@ -15,13 +15,10 @@
   const addRows = (name, make) => {
     let made = null;
     const rows = async () => {
-      const list = await make(),
-        names = Object.keys(list[0] || {}),
+      const list = await make(), names = Object.keys(list[0] || {}),
         table = new Rows(name, [], list.length, names);
       for (const each of names)
-        table.columns.set(
-          each, list.map((row) => row[each]),
-        );
+        table.columns.set(each, list.map((row) => row[each]));
       return table;
     };
     tablesRead.set(name, {
@@ -50,8 +47,7 @@
       at = cell;
       cell.classList.add('at');
       cell.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-      const [head] = cell.parentElement.cells,
-        heading = headings[cell.cellIndex];
+      const [head] = cell.parentElement.cells, heading = headings[cell.cellIndex];
       const names = [head.textContent, heading?.text || heading?.node?.textContent];
       told.textContent = `${names.filter(Boolean).join(', ')}: ${cell.title}`;
     };
@@ -62,8 +58,7 @@
       return cells[cells.indexOf(at) + step];
     };
     const along = (step) => {
-      const all = rows(),
-        from = all.indexOf(at.parentElement);
+      const all = rows(), from = all.indexOf(at.parentElement);
       const next = step > 0 ? all.slice(from + 1) : all.slice(0, from).reverse();
       return titled(next.map((row) => row.cells[at.cellIndex]));
     };
@@ -90,8 +85,7 @@
   // A table of `lines`: [{cells: [{text, node, value, class, title, span}], class}], under
   // `headings` [{text, title, class, span}]. The first cell of a line is its header.
   const tableOf = (headings, lines, style = 'numbers', above = null) => {
-    const body = html('tbody', {}),
-      state = { by: -1, down: false, word: '' };
+    const body = html('tbody', {}), state = { by: -1, down: false, word: '' };
     const cellOf = (cell, first) =>
       html(
         first ? 'th' : 'td',
@@ -102,13 +96,10 @@
         cell.node || cell.text,
       );
     const rowOf = (line) =>
-      html(
-        'tr', { class: line.class }, line.cells.map((cell, k) => cellOf(cell, k === 0)),
-      );
+      html('tr', { class: line.class }, line.cells.map((cell, k) => cellOf(cell, k === 0)));
     const keyOf = (line) => line.cells[state.by]?.value ?? line.cells[state.by]?.text ?? '';
     const compare = (a, b) => compareKeys(keyOf(a), keyOf(b), state.down);
-    let shown = [],
-      drawn = 0;
+    let shown = [], drawn = 0;
     const more = html(
       'p', { class: 'more' },
       html('button', { type: 'button', onclick: () => append(10 * firstRows) }, 'more rows'),
@@ -206,8 +197,7 @@
   blocks.table = async (host, spec, context) => {
     checkKeys(spec, 'table', ['columns', 'sort', 'group', 'one', 'shade', 'tips', 'class']);
     if (!Array.isArray(spec.columns)) throw new Error('columns: is a list, a line each');
-    const columns = spec.columns.map(columnOf),
-      shades = byHeading(spec.shade),
+    const columns = spec.columns.map(columnOf), shades = byHeading(spec.shade),
       tips = byHeading(spec.tips);
     const templates = [
       ...columns.map((c) => c.template), ...columns.map((c) => shades.get(c.heading)),
@@ -216,15 +206,13 @@
     ];
     const { indices, bound } = await prepare(spec, context, templates);
     if (!indices.length) return emptyText(host, spec);
-    const n = columns.length,
-      [sort, group, one] = bound.slice(3 * n);
+    const n = columns.length, [sort, group, one] = bound.slice(3 * n);
     let lines = one ? [...grouped(indices, one.text).values()] : indices.map((i) => [i]);
     if (sort) lines = d3.sort(lines, ([i, ...rest]) => sort.value(i, [i, ...rest]));
     const lineOf = (members) => ({
       first: members[0],
       cells: columns.map((column, k) => {
-        const i = members[0],
-          text = bound[k].text(i, members),
+        const i = members[0], text = bound[k].text(i, members),
           node = isList(column.template)
             ? folded(text, column.heading)
             : linkOf(column.cell.trim(), text);

@@ -110,9 +110,7 @@
     const { rows, indices } = await prepare(spec, context, []);
     if (!indices.length) return emptyText(host, spec);
     const all = rows.objects();
-    replaysInStep(
-      host, indices.map((i) => ({ name: idOf(all[i]), address: all[i].replay })),
-    );
+    replaysInStep(host, indices.map((i) => ({ name: idOf(all[i]), address: all[i].replay })));
     return null;
   };
 

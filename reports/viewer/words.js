@@ -94,8 +94,7 @@
 
   // What three digits more cost.
   const moreText = (now, more) => {
-    const ratio = more.wall_ns_min / now.wall_ns_min,
-      same = idOf(more) === idOf(now);
+    const ratio = more.wall_ns_min / now.wall_ns_min, same = idOf(more) === idOf(now);
     if (same && more.setting === now.setting) return 'none: the same run has them.';
     return (
       (ratio < 1.05 ? 'no more time' : `${times(ratio)} times the time`) +
@@ -115,8 +114,7 @@
     if (limit.value === 0)
       return `at no step, strictly (${eigenvalue}): errors grow, slowly at small steps.`;
     const far = limit.beyond ? ', as far as the region was measured' : '';
-    const unit = c.unit ? ` ${c.unit}` : '',
-      mean = run ? (c.end - c.start) / run.steps : NaN;
+    const unit = c.unit ? ` ${c.unit}` : '', mean = run ? (c.end - c.start) / run.steps : NaN;
     const taken = Number.isFinite(mean)
       ? ` The run's steps are ${number(mean)}${unit} on average, ` +
         `${number((mean * size) / limit.value, 2)} of that.`
@@ -164,11 +162,9 @@
         : 'This run gave no states to draw.';
   // What the curves of a run show.
   const solutionText = ({ set, states, times, errors }, run) => {
-    const last = times.length - 1,
-      known = errors.filter(Number.isFinite),
+    const last = times.length - 1, known = errors.filter(Number.isFinite),
       worst = known.length ? Math.max(...known) : NaN;
-    const where = times[errors.indexOf(worst) + 1],
-      whole = times[last] >= set.end * (1 - 1e-9);
+    const where = times[errors.indexOf(worst) + 1], whole = times[last] >= set.end * (1 - 1e-9);
     const size = Math.max(...set.high.map((high, i) => high - set.low[i]));
     const how = !known.length
       ? 'The exact solution is not known at these times'

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The camera orbits a target; `up` stays up.
-const up = 'xyz'.indexOf(scene.up),
-  ahead = (up + 1) % 3,
-  aside = (up + 2) % 3;
+const up = 'xyz'.indexOf(scene.up), ahead = (up + 1) % 3, aside = (up + 2) % 3;
 const camera = {
   yaw: -0.9, pitch: 0.3, distance: 1.25 * extent, target: center.slice(),
   matrix: new Float32Array(16), pixels: 1,
@@ -16,8 +14,7 @@ const unit = (a) => {
   return a.map((x) => x / l);
 };
 const axes = () => {
-  const back = [0, 0, 0],
-    upward = [0, 0, 0];
+  const back = [0, 0, 0], upward = [0, 0, 0];
   back[ahead] = Math.cos(camera.pitch) * Math.cos(camera.yaw);
   back[aside] = Math.cos(camera.pitch) * Math.sin(camera.yaw);
   back[up] = Math.sin(camera.pitch);
@@ -28,12 +25,9 @@ const axes = () => {
 const placeCamera = () => {
   const { back, right, top } = axes();
   const eye = camera.target.map((x, d) => x + camera.distance * back[d]);
-  const f = 2,
-    aspect = canvas.width / canvas.height,
-    near = camera.distance / 100,
+  const f = 2, aspect = canvas.width / canvas.height, near = camera.distance / 100,
     far = camera.distance * 3 + 4 * extent;
-  const depth = (far + near) / (near - far),
-    shift = (2 * far * near) / (near - far);
+  const depth = (far + near) / (near - far), shift = (2 * far * near) / (near - far);
   // The field of view is that of the shorter side of the window.
   const rows = [
     right.map((x) => (x * f) / Math.max(aspect, 1)), top.map((x) => x * f * Math.min(aspect, 1)),

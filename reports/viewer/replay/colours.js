@@ -5,14 +5,9 @@ const ramp = (stops) => (x) => {
     i = Math.min(Math.floor(s), stops.length - 2);
   return stops[i].map((c, d) => (c + (stops[i + 1][d] - c) * (s - i)) / 255);
 };
-const speedStops = [
-  [72, 60, 150], [50, 110, 180], [40, 165, 150], [130, 205, 85], [250, 230, 60],
-];
-const strainStops = [
-  [70, 130, 255], [170, 185, 205], [255, 95, 70],
-];
-const speedColour = ramp(speedStops),
-  strainColour = ramp(strainStops);
+const speedStops = [[72, 60, 150], [50, 110, 180], [40, 165, 150], [130, 205, 85], [250, 230, 60]];
+const strainStops = [[70, 130, 255], [170, 185, 205], [255, 95, 70]];
+const speedColour = ramp(speedStops), strainColour = ramp(strainStops);
 // Errors from a micrometre to a decimetre, logarithmically.
 const errorRange = [1e-6, 1e-1];
 const errorColour = (k, i) =>

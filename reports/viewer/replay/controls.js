@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page's time, and the controls that change it.
-let time = 0,
-  playing = !matchMedia('(prefers-reduced-motion: reduce)').matches,
-  before = null,
+let time = 0, playing = !matchMedia('(prefers-reduced-motion: reduce)').matches, before = null,
   dirty = true;
-const scrub = byId('scrub'),
-  playButton = byId('play');
+const scrub = byId('scrub'), playButton = byId('play');
 scrub.max = duration;
 const showPlaying = () => {
   playButton.textContent = playing ? 'Pause' : 'Play';
@@ -79,8 +76,7 @@ const tick = (now) => {
 
 // Looks at what moves at the present time, from as far as it takes.
 const fit = () => {
-  const now = moment(time),
-    from = [Infinity, Infinity, Infinity],
+  const now = moment(time), from = [Infinity, Infinity, Infinity],
     to = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < now.n; ++i) {
     const id = idOf(now.k, i);
@@ -119,15 +115,13 @@ for (const id of ['trails', 'springs', 'surface', 'arrows'])
   };
 for (const one of [plot, coordinatePlot])
   one.onclick = (event) => {
-    const left = 64,
-      right = 8;
+    const left = 64, right = 8;
     go((duration * (event.offsetX - left)) / (one.clientWidth - left - right));
   };
 canvas.onpointermove = (event) => {
   if (!event.buttons) return;
   if (event.shiftKey || event.buttons === 4) {
-    const { right, top } = axes(),
-      scale = camera.distance / canvas.clientHeight;
+    const { right, top } = axes(), scale = camera.distance / canvas.clientHeight;
     for (let d = 0; d < 3; ++d)
       camera.target[d] += scale * (event.movementY * top[d] - event.movementX * right[d]);
   } else {

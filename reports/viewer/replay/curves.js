@@ -2,14 +2,9 @@
 // Curves over time on a canvas: the whole in a faint colour, the part up to the present time in
 // full colour; names above the field, so that they lie on no curve. `range`: its ends, or null.
 const drawCurves = (plot, curves, unit, range, t) => {
-  const pen = plot.getContext('2d'),
-    w = plot.width,
-    h = plot.height,
+  const pen = plot.getContext('2d'), w = plot.width, h = plot.height,
     ratio = w / plot.clientWidth || 1;
-  const left = 64 * ratio,
-    right = 8 * ratio,
-    bottom = 8 * ratio,
-    top = 20 * ratio;
+  const left = 64 * ratio, right = 8 * ratio, bottom = 8 * ratio, top = 20 * ratio;
   let [least, most] = range || [Infinity, -Infinity];
   if (!range)
     for (const curve of curves)

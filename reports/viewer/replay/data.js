@@ -11,18 +11,13 @@ const unpack = (text, Kind) => {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   return new Kind(bytes.buffer);
 };
-const counts = unpack(scene.counts, Uint32Array),
-  allIds = unpack(scene.ids, Uint32Array);
-const states = unpack(scene.states, Float32Array),
-  radii = unpack(scene.radii, Float32Array);
-const fixed = unpack(scene.fixed, Uint32Array),
-  ends = unpack(scene.springs, Uint32Array);
+const counts = unpack(scene.counts, Uint32Array), allIds = unpack(scene.ids, Uint32Array);
+const states = unpack(scene.states, Float32Array), radii = unpack(scene.radii, Float32Array);
+const fixed = unpack(scene.fixed, Uint32Array), ends = unpack(scene.springs, Uint32Array);
 const rest = unpack(scene.rest, Float32Array);
 // How far each particle is from where it should be, m, by frame; empty: not known.
 const errors = unpack(scene.errors || '', Float32Array);
-const times = scene.times,
-  last = times.length - 1,
-  duration = times[last] || 1;
+const times = scene.times, last = times.length - 1, duration = times[last] || 1;
 
 // Where each frame begins in the arrays.
 const firstParticle = new Uint32Array(times.length + 1);
@@ -36,11 +31,9 @@ const emits = counts.some((n) => n !== scene.listed);
 // Particles are sorted by id: binary search.
 const indexOf = (k, id) => {
   if (!emits) return id;
-  let low = 0,
-    high = counts[k] - 1;
+  let low = 0, high = counts[k] - 1;
   while (low <= high) {
-    const middle = (low + high) >> 1,
-      found = idOf(k, middle);
+    const middle = (low + high) >> 1, found = idOf(k, middle);
     if (found === id) return middle;
     if (found < id) low = middle + 1;
     else high = middle - 1;

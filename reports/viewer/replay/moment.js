@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One moment: positions, interpolated between two frames with the same particles, and its drawing.
 const moment = (t) => {
-  let k = 0,
-    top = last;
+  let k = 0, top = last;
   while (k < top) {
     const middle = (k + top + 1) >> 1;
     if (times[middle] <= t) k = middle;
     else top = middle - 1;
   }
-  const n = counts[k],
-    base = 6 * firstParticle[k];
+  const n = counts[k], base = 6 * firstParticle[k];
   const between = !emits && k < last ? (t - times[k]) / (times[k + 1] - times[k]) : 0;
   const next = base + 6 * n;
   const state = new Float32Array(6 * n);
@@ -48,11 +46,7 @@ const drawTrails = (now) => {
 };
 // An arrow a particle: the fastest is an eighth of the scene's size long.
 const drawVelocities = (now) => {
-  const places = [],
-    colours = [],
-    q = now.state,
-    half = 3 * now.n,
-    scale = extent / (8 * fastest);
+  const places = [], colours = [], q = now.state, half = 3 * now.n, scale = extent / (8 * fastest);
   for (let i = 0; i < now.n; ++i) {
     const from = [0, 1, 2].map((d) => q[3 * i + d]),
       arrow = [0, 1, 2].map((d) => scale * q[half + 3 * i + d]);
@@ -77,12 +71,9 @@ const drawVelocities = (now) => {
   draw(flat, gl.LINES, places, colours);
 };
 const drawSprings = (now) => {
-  const places = [],
-    colours = [];
+  const places = [], colours = [];
   for (let s = 0; s < rest.length; ++s) {
-    const a = 3 * ends[2 * s],
-      b = 3 * ends[2 * s + 1],
-      q = now.state;
+    const a = 3 * ends[2 * s], b = 3 * ends[2 * s + 1], q = now.state;
     const length = Math.hypot(q[b] - q[a], q[b + 1] - q[a + 1], q[b + 2] - q[a + 2]);
     const colour = errors.length
       ? errorColour(now.k, a / 3).map((part, d) => (part + errorColour(now.k, b / 3)[d]) / 2)
@@ -93,26 +84,17 @@ const drawSprings = (now) => {
   draw(flat, gl.LINES, places, colours);
 };
 const drawCloths = (now) => {
-  const places = [],
-    colours = [],
-    q = now.state;
+  const places = [], colours = [], q = now.state;
   const corner = (i) => [q[3 * i], q[3 * i + 1], q[3 * i + 2]];
   for (const cloth of scene.cloths)
     for (let i = 0; i + 1 < cloth.rows; ++i)
       for (let j = 0; j + 1 < cloth.columns; ++j) {
-        const a = cloth.first + i * cloth.columns + j,
-          c = a + cloth.columns;
+        const a = cloth.first + i * cloth.columns + j, c = a + cloth.columns;
         for (const [x, y, z] of [
           [a, c, c + 1], [a, c + 1, a + 1],
         ]) {
-          const p = corner(x),
-            r = corner(y),
-            s = corner(z);
-          const n = unit(
-            cross(
-              r.map((v, d) => v - p[d]), s.map((v, d) => v - p[d]),
-            ),
-          );
+          const p = corner(x), r = corner(y), s = corner(z);
+          const n = unit(cross(r.map((v, d) => v - p[d]), s.map((v, d) => v - p[d])));
           const light = 0.25 + 0.4 * Math.abs(0.8 * n[up] + 0.5 * n[ahead] + 0.33 * n[aside]);
           [p, r, s].forEach((v, corner3) => {
             places.push(...v);
@@ -127,14 +109,9 @@ const drawCloths = (now) => {
   draw(flat, gl.TRIANGLES, places, colours);
 };
 const drawParticles = (now) => {
-  const places = [],
-    colours = [],
-    sizesOfPoints = [],
-    q = now.state,
-    half = 3 * now.n;
+  const places = [], colours = [], sizesOfPoints = [], q = now.state, half = 3 * now.n;
   for (let i = 0; i < now.n; ++i) {
-    const id = idOf(now.k, i),
-      v = half + 3 * i;
+    const id = idOf(now.k, i), v = half + 3 * i;
     if (lookOf(id)) continue;
     places.push(q[3 * i], q[3 * i + 1], q[3 * i + 2]);
     const colour =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The box that holds the scene, the largest speed and strain.
-const low = [Infinity, Infinity, Infinity],
-  high = [-Infinity, -Infinity, -Infinity];
+const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
 let fastest = 0;
 const strains = [];
 const springLength = (k, s) =>

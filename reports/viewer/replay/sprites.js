@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Emitted particles that have a look: soft sprites whose colour, size and opacity change over their
 // life. They hide nothing and are drawn from the farthest to the nearest, or their light is added.
-const lives = unpack(scene.lives, Float32Array),
-  looks = scene.looks;
-const lookOf = (id) =>
-  id < scene.listed ? null : looks[lives[3 * (id - scene.listed) + 2]] || null;
+const lives = unpack(scene.lives, Float32Array), looks = scene.looks;
+const lookOf = (id) => id < scene.listed ? null : looks[lives[3 * (id - scene.listed) + 2]] || null;
 const anyLook = looks.some(Boolean);
 const soft =
   anyLook &&
@@ -47,15 +45,11 @@ const textures = looks.map((look) => {
 });
 const drawSprites = (now, t) => {
   if (!anyLook) return;
-  const { back } = axes(),
-    q = now.state,
-    lists = looks.map(() => []);
+  const { back } = axes(), q = now.state, lists = looks.map(() => []);
   for (let i = 0; i < now.n; ++i) {
-    const id = idOf(now.k, i),
-      look = lookOf(id);
+    const id = idOf(now.k, i), look = lookOf(id);
     if (!look) continue;
-    const birth = lives[3 * (id - scene.listed)],
-      lifetime = lives[3 * (id - scene.listed) + 1];
+    const birth = lives[3 * (id - scene.listed)], lifetime = lives[3 * (id - scene.listed) + 1];
     const age = lifetime > 0 ? Math.min(Math.max((t - birth) / lifetime, 0), 1) : 0;
     const mix = ([from, to]) => from + age * (to - from);
     const colour = [0, 1, 2].map((c) => mix([look.colour[0][c], look.colour[1][c]]));

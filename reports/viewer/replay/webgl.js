@@ -43,8 +43,7 @@ const sprite = build(
     'float light = 0.55 + 0.45 * dot(vec3(p.x, -p.y, sqrt(1.0 - r)), vec3(-0.4, 0.5, 0.77));' +
     'gl_FragColor = vec4(shade.rgb * light, 1.0); }',
 );
-const placeBuffer = gl.createBuffer(),
-  colourBuffer = gl.createBuffer(),
+const placeBuffer = gl.createBuffer(), colourBuffer = gl.createBuffer(),
   radiusBuffer = gl.createBuffer();
 const feed = (location, buffer, data, size) => {
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);

@@ -28,8 +28,7 @@
   // The step below which a solver is stable on a case, by its limit on the real axis and the
   // fastest eigenvalue along the solution, where that is real.
   functions.needed_step = (id, library, solver) => {
-    const c = facts.caseOf.get(id),
-      z = c && fastestEigenvalue(c),
+    const c = facts.caseOf.get(id), z = c && fastestEigenvalue(c),
       limit = limitNumber(`${library}/${solver}`, 'real');
     if (!z || z[1] || !(limit > 0) || !Number.isFinite(limit)) return '';
     const step = limit / -z[0];
@@ -104,8 +103,7 @@
   };
 
   const cellOf = (counts, title) => {
-    const all = total(counts),
-      good = (counts.confirmed || 0) + (counts.higher || 0);
+    const all = total(counts), good = (counts.confirmed || 0) + (counts.higher || 0);
     return all
       ? {
           text: `${good}/${all}`, node: [barOf(counts), html('b', {}, String(good)), `/${all}`],
@@ -131,9 +129,7 @@
         rows.indices(null),
         (some) =>
           Object.fromEntries(
-            d3.rollup(
-              some, (list) => list.length, (i) => functions.verdict_kind(given[i], why[i]),
-            ),
+            d3.rollup(some, (list) => list.length, (i) => functions.verdict_kind(given[i], why[i])),
           ),
         (i) => ids[i],
         (i) => functions.solver_group(libraries[i], solvers[i]),
@@ -226,13 +222,10 @@
   const panelsOf = (solvers) => {
     const panels = [];
     for (const [, members] of d3.groups(
-      d3.sort(
-        solvers, (s) => s.family, (s) => s.order ?? Infinity,
-      ),
+      d3.sort(solvers, (s) => s.family, (s) => s.order ?? Infinity),
       (s) => s.family,
     )) {
-      const parts = Math.ceil(members.length / most),
-        before = panels.at(-1);
+      const parts = Math.ceil(members.length / most), before = panels.at(-1);
       if (parts === 1 && before?.whole && before.solvers.length + members.length <= most)
         before.solvers.push(...members);
       else
@@ -275,9 +268,7 @@
         html('p', { class: 'missing' }, 'Nothing to draw: no run of this case gave an error.'),
       );
     const up = withRoom(
-        rangeOf(
-          drawn.map((row) => row[y.column]), 3,
-        ),
+        rangeOf(drawn.map((row) => row[y.column]), 3),
         floor,
       ),
       bySolver = d3.group(drawn, idOf),
@@ -319,8 +310,7 @@
       });
     };
     const pictureOf = (panel, chart) => {
-      const picture = html('div', { class: 'picture' }),
-        curves = curvesOf(panel, chart),
+      const picture = html('div', { class: 'picture' }), curves = curvesOf(panel, chart),
         x = across.get(chart.x);
       if (!curves.length || !x) return null;
       whenSeen(picture, 230, () =>
@@ -346,9 +336,7 @@
       html(
         'figure', { class: `panel${charts.length > 2 ? ' four' : ''}` },
         html('figcaption', {}, contentsOf(panel)),
-        html(
-          'div', { class: 'plots' }, charts.map((chart) => pictureOf(panel, chart)),
-        ),
+        html('div', { class: 'plots' }, charts.map((chart) => pictureOf(panel, chart))),
         legendOf(
           panel.solvers.map((solver, k) => ({
             name: solver.method, colour: `var(--s${k})`, shape: k,

@@ -10,8 +10,7 @@
   } = odeum;
 
   addRows('drift_series', async () => {
-    const rows = await rowsOf('drift'),
-      of = (name) => rows.column(name);
+    const rows = await rowsOf('drift'), of = (name) => rows.column(name);
     if (!rows.length) return [];
     const [cases, libraries, solvers, quantities, times, errors, values] = [
       'case', 'library', 'solver', 'invariant', 'time', 'relative_error', 'value',
@@ -20,8 +19,7 @@
     // The largest error of the last decade of time over that of the decade before.
     const powerOf = (from, to) => {
       const end = d3.max(d3.range(from, to), (i) => times[i]);
-      let before = 0,
-        now = 0;
+      let before = 0, now = 0;
       for (let i = from; i < to; ++i) {
         if (Number.isNaN(errors[i])) continue;
         if (times[i] > end / 10) now = Math.max(now, errors[i]);
@@ -37,12 +35,10 @@
         [cases, libraries, solvers, quantities].every((column) => column[to] === column[from]);
       )
         to += 1;
-      const last = to - 1,
-        status = of('status')[last],
+      const last = to - 1, status = of('status')[last],
         worst = d3.max(errors.slice(from, to)) ?? NaN;
       if (status === 'not_applicable') continue;
-      const power = powerOf(from, to),
-        grows = worst > rounding && power > 0.25;
+      const power = powerOf(from, to), grows = worst > rounding && power > 0.25;
       const size = worst === 0 ? '0' : String(Math.floor(Math.log10(worst) + 0.5));
       const growth = !grows ? '' : power <= 0.75 ? '~' : power <= 1.5 ? '↗' : '⇑';
       series.push({
@@ -131,9 +127,7 @@
         spec.quantity ||
         (rows.some((row) => row.invariant === 'energy') ? 'energy' : rows[0]?.invariant);
       const curves = [
-        ...d3.group(
-          rows.filter((row) => row.invariant === quantity), idOf,
-        ),
+        ...d3.group(rows.filter((row) => row.invariant === quantity), idOf),
       ].map(curveOf);
       if (curves.length)
         charts.push({ id, quantity, curves: d3.sort(curves, (curve) => curve.kind) });
@@ -169,15 +163,11 @@
       plot(pictures[k], {
         height: 380, nameless: true, description: `relative error of ${quantity} against time`,
         x: {
-          ...rangeOf(
-            points.map((p) => p.x), 1.2,
-          ),
+          ...rangeOf(points.map((p) => p.x), 1.2),
           label: 'time',
         },
         y: {
-          ...rangeOf(
-            points.map((p) => p.y), 2,
-          ),
+          ...rangeOf(points.map((p) => p.y), 2),
           label: `relative error: ${quantity}`,
         },
         curves,

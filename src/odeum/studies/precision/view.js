@@ -32,9 +32,7 @@
   const frontOf = (rows) => {
     let least = Infinity;
     return d3
-      .sort(
-        rows, (row) => row.wall_ns_min, (row) => row.error,
-      )
+      .sort(rows, (row) => row.wall_ns_min, (row) => row.error)
       .filter((row) => row.error < least && (least = row.error));
   };
   const pointOf = (run) => ({ x: run.wall_ns_min, y: run.error, run });
@@ -73,8 +71,7 @@
         row.repetitions > 0 && row.wall_ns_min > 0 && row.error > 0 && row.error <= 10 * c.scale,
     );
   const drawSpeed = (host, c, rows, height) => {
-    const best = frontOf(rows),
-      peers = frontOf(rows.filter((row) => row.library !== 'odeum')),
+    const best = frontOf(rows), peers = frontOf(rows.filter((row) => row.library !== 'odeum')),
       onFront = new Set(best);
     const clouds = d3
       .groups(rows, (row) => row.library)
@@ -100,9 +97,7 @@
     plot(host, {
       height, nameless: true, description: `error against time of a solve, ${c.id}`,
       x: {
-        ...rangeOf(
-          rows.map((row) => row.wall_ns_min), 1.4,
-        ),
+        ...rangeOf(rows.map((row) => row.wall_ns_min), 1.4),
         label: 'time of a solve (minimum)',
         text: duration,
       },

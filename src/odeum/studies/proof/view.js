@@ -12,8 +12,7 @@
       ),
     );
     return [...methods].map(([solver, [row]]) => {
-      const own = orders.get(solver) || [],
-        estimated = estimates.get(solver) || [],
+      const own = orders.get(solver) || [], estimated = estimates.get(solver) || [],
         ratios = estimated.map((each) => each.ratio_to_true_error);
       return {
         ...row, library: 'odeum',

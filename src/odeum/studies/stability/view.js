@@ -83,8 +83,7 @@
     return d3
       .range(0, loop.length, 2)
       .map((i) => {
-        const next = (i + 2) % loop.length,
-          ends = [edges(i), edges(next)];
+        const next = (i + 2) % loop.length, ends = [edges(i), edges(next)];
         return ends[0].some((at, k) => at && ends[1][k]) ? '' : `M${place(i)}L${place(next)}`;
       })
       .join('');
@@ -95,8 +94,7 @@
       region.plane === 'lambda'
         ? Math.min(3, Math.max(0.5, (right - left) / (top - bottom)))
         : 1.25;
-    const field = { left: 25, right: 225, top: 4, bottom: 4 + 200 / aspect },
-      width = 230,
+    const field = { left: 25, right: 225, top: 4, bottom: 4 + 200 / aspect }, width = 230,
       height = field.bottom + 17;
     const x = makeAxis({ low: left, high: right }, field.left, field.right),
       y = makeAxis({ low: bottom, high: top }, field.bottom, field.top);
@@ -106,8 +104,7 @@
             class: style, d: loops.map((loop) => loopPath(region, loop, x.at, y.at, open)).join(''),
           })
         : null;
-    const across = x.ticks(40),
-      up = y.ticks(40);
+    const across = x.ticks(40), up = y.ticks(40);
     return svg(
       'svg',
       {
@@ -180,8 +177,7 @@
       );
     [...d3.group(regions, (region) => region.solver.split('/')[0])].forEach(
       ([library, some], k) => {
-        const drawn = some.filter(drawable),
-          others = some.filter((region) => !drawable(region));
+        const drawn = some.filter(drawable), others = some.filter((region) => !drawable(region));
         host.append(
           lazyDetails(
             [
