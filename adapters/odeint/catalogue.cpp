@@ -132,14 +132,15 @@ SolverInfo info_of(std::string_view method) {
   return info;
 }
 
-void enroll_implicit(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+void add_implicit(std::vector<Solver>& all) {
   const auto add = [&](const char* method, ImplicitRun run) {
-    entrants.push_back(
-        {.info = info_of(method), .unfit = {}, .solve = [run, contest](const Request& request) {
-           const std::size_t n = contest.view.dimension;
-           if (n > dense_dimension_limit) return dense_over_budget(n);
-           return run(contest.view, contest.t0, *contest.y0, request);
-         }});
+    all.push_back({info_of(method), [run](const ErasedContest& contest, Entrant& entrant) {
+                     entrant.solve = [run, contest](const Request& request) {
+                       const std::size_t n = contest.view.dimension;
+                       if (n > dense_dimension_limit) return dense_over_budget(n);
+                       return run(contest.view, contest.t0, *contest.y0, request);
+                     };
+                   }});
   };
   add("implicit_euler", run_implicit_euler);
   add("rosenbrock4", run_rosenbrock4);

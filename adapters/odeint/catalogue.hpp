@@ -11,6 +11,6 @@ namespace odeum::adapters::odeint {
 SolverInfo info_of(std::string_view method);
 
 /// The steppers on uBLAS matrices: they are compiled once, behind function pointers.
-void enroll_implicit(const ErasedContest& contest, std::vector<Entrant>& entrants);
+void add_implicit(std::vector<Solver>& all);
 
 }  // namespace odeum::adapters::odeint

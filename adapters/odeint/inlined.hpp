@@ -19,53 +19,68 @@
 #include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "odeint/adaptive_adams.hpp"
 #include "odeint/catalogue.hpp"
-#include "odeint/enroll.hpp"
 #include "odeint/run.hpp"
 #include "odeint/scaled.hpp"
 
-/// The definitions of enroll.hpp for a problem's own type; slow to compile.
+/// Its steppers on a type of problem; slow to compile.
 namespace odeum::adapters::odeint {
 
 namespace od = boost::numeric::odeint;
 
-/// Appends the steppers of one contest to the list.
+/// Steppers on a type of problem, by name.
 template <Ode P>
 class Roster {
  public:
-  Roster(const Contest<P>& contest, std::vector<Entrant>& entrants)
-      : contest_(contest), entrants_(entrants) {}
+  struct Stepper {
+    std::string method;
+    Run<P> run;
+  };
 
-  bool autonomous() const { return is_autonomous(*contest_.problem); }
-
-  void add(const std::string& method, Run<P> run) {
-    entrants_.push_back({.info = info_of(method), .unfit = {}, .solve = Solve{contest_, run}});
-  }
-  void add_unfit(const std::string& method) {
-    SolverInfo info = info_of(method);
-    std::string unfit = "needs " + info.needs;
-    entrants_.push_back({.info = std::move(info), .unfit = std::move(unfit), .solve = {}});
+  void add(std::string_view method, Run<P> run) { steppers_.push_back({std::string(method), run}); }
+  const std::vector<Stepper>& steppers() const { return steppers_; }
+  /// Null where there is none of that name.
+  Run<P> find(std::string_view method) const {
+    for (const Stepper& stepper : steppers_)
+      if (stepper.method == method) return stepper.run;
+    return nullptr;
   }
 
  private:
-  /// One type for all steppers, so that std::function is instantiated once a problem.
-  struct Solve {
-    Contest<P> contest;
-    Run<P> run;
-    Outcome operator()(const Request& request) const {
-      if (request.mode == Mode::fixed || !request.tolerance.by_component())
-        return run(contest, request);
-      if constexpr (std::same_as<P, SharedOde>) return run_scaled(contest, request, run);
-      return refuse_by_component();
-    }
-  };
-
-  const Contest<P>& contest_;
-  std::vector<Entrant>& entrants_;
+  std::vector<Stepper> steppers_;
 };
+
+/// One type for all steppers, so that std::function is instantiated once a problem.
+template <Ode P>
+struct Solve {
+  Contest<P> contest;
+  Run<P> run;
+  Outcome operator()(const Request& request) const {
+    if (request.mode == Mode::fixed || !request.tolerance.by_component())
+      return run(contest, request);
+    if constexpr (std::same_as<P, SharedOde>) return run_scaled(contest, request, run);
+    return refuse_by_component();
+  }
+};
+
+/// Whether a stepper of that name suits the problem. The symplectic ones are not told the time.
+template <Ode P>
+bool suits(std::string_view method, const P& problem) {
+  return !method.starts_with("symplectic") || is_autonomous(problem);
+}
+
+/// Appends those of the steppers that suit the problem of a contest.
+template <Ode P>
+void enroll(const Roster<P>& roster, const Contest<P>& contest, std::vector<Entrant>& entrants) {
+  for (const auto& [method, run] : roster.steppers())
+    if (suits(method, *contest.problem))
+      entrants.push_back({.info = info_of(method), .unfit = {}, .solve = Solve<P>{contest, run}});
+}
 
 template <class Stepper, Ode P>
 constexpr Run<P> run_error_stepper = run_either<Stepper, run_plain<Stepper, P>, P>;
@@ -84,7 +99,7 @@ using AdamsBashforthMoulton = od::adams_bashforth_moulton<
     typename od::adams_bashforth<K, Y>::initializing_stepper_type>;
 
 template <Ode P>
-void enroll_one_step(Roster<P>& roster) {
+void add_one_step(Roster<P>& roster) {
   using Y = State<P>;
   roster.add("euler", run_plain<od::euler<Y>, P>);
   roster.add("modified_midpoint", run_plain<od::modified_midpoint<Y>, P>);
@@ -103,7 +118,7 @@ void enroll_one_step(Roster<P>& roster) {
 }
 
 template <Ode P>
-void enroll_extrapolation(Roster<P>& roster) {
+void add_extrapolation(Roster<P>& roster) {
   using Y = State<P>;
   roster.add("extrapolation_stepper_4", run_extrapolation<4, P>);
   roster.add("extrapolation_stepper_6", run_extrapolation<6, P>);
@@ -118,7 +133,7 @@ void enroll_extrapolation(Roster<P>& roster) {
 }
 
 template <Ode P, std::size_t... K>
-void enroll_multistep(Roster<P>& roster, std::index_sequence<K...>) {
+void add_multistep(Roster<P>& roster, std::index_sequence<K...>) {
   using Y = State<P>;
   (roster.add("adams_bashforth_" + std::to_string(K + 1),
               run_out_of_place<od::adams_bashforth<K + 1, Y>, P>),
@@ -130,12 +145,12 @@ void enroll_multistep(Roster<P>& roster, std::index_sequence<K...>) {
 
 /// The Adams method of the highest order alone, for timed runs.
 template <Ode P>
-void enroll_longest_adams(Roster<P>& roster) {
+void add_longest_adams(Roster<P>& roster) {
   roster.add("adams_bashforth_8", run_out_of_place<od::adams_bashforth<8, State<P>>, P>);
 }
 
 template <std::size_t... K, Ode P>
-void enroll_adaptive_adams(Roster<P>& roster) {
+void add_adaptive_adams(Roster<P>& roster) {
   (roster.add("adaptive_adams_bashforth_moulton_" + std::to_string(K), run_adaptive_adams<K, P>),
    ...);
   (roster.add("controlled_adams_bashforth_moulton_" + std::to_string(K),
@@ -143,48 +158,23 @@ void enroll_adaptive_adams(Roster<P>& roster) {
    ...);
 }
 
+/// Those that the type of problem fits.
 template <Ode P>
-void enroll_second_order(Roster<P>& roster) {
-  bool fits_symplectic = false;
-  if constexpr (Separable<P>) fits_symplectic = roster.autonomous();
-  if (fits_symplectic) {
-    if constexpr (Separable<P>) {
-      using Q = Half<P>;
-      roster.add("symplectic_euler", run_pair<od::symplectic_euler<Q>, SymplecticSystem, P>);
-      roster.add("symplectic_rkn_sb3a_mclachlan",
-                 run_pair<od::symplectic_rkn_sb3a_mclachlan<Q>, SymplecticSystem, P>);
-      roster.add("symplectic_rkn_sb3a_m4_mclachlan",
-                 run_pair<od::symplectic_rkn_sb3a_m4_mclachlan<Q>, SymplecticSystem, P>);
-    }
-  } else {
-    roster.add_unfit("symplectic_euler");
-    roster.add_unfit("symplectic_rkn_sb3a_mclachlan");
-    roster.add_unfit("symplectic_rkn_sb3a_m4_mclachlan");
+void add_second_order(Roster<P>& roster) {
+  if constexpr (Separable<P>) {
+    using Q = Half<P>;
+    roster.add("symplectic_euler", run_pair<od::symplectic_euler<Q>, SymplecticSystem, P>);
+    roster.add("symplectic_rkn_sb3a_mclachlan",
+               run_pair<od::symplectic_rkn_sb3a_mclachlan<Q>, SymplecticSystem, P>);
+    roster.add("symplectic_rkn_sb3a_m4_mclachlan",
+               run_pair<od::symplectic_rkn_sb3a_m4_mclachlan<Q>, SymplecticSystem, P>);
   }
   if constexpr (SecondOrder<P>)
     roster.add("velocity_verlet", run_pair<od::velocity_verlet<Half<P>>, SecondOrderSystem, P>);
-  else
-    roster.add_unfit("velocity_verlet");
 }
 
-template <Ode P>
-void enroll_first_order(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  Roster<P> roster(contest, entrants);
-  enroll_one_step(roster);
-  enroll_extrapolation(roster);
-  enroll_multistep(roster, std::make_index_sequence<8>());
-  enroll_adaptive_adams<4, 8>(roster);
-}
-
-template <Ode P>
-void enroll(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  if constexpr (Shared<P>)
-    enroll_first_order(as_first_order(contest), entrants);  // compiled once
-  else
-    enroll_first_order(contest, entrants);
-  Roster<P> roster(contest, entrants);
-  enroll_second_order(roster);
-  enroll_implicit(erase(contest), entrants);
-}
+// On the shared types they are compiled in this folder.
+extern template void add_second_order(Roster<SharedSecondOrder>&);
+extern template void add_second_order(Roster<SharedSeparable>&);
 
 }  // namespace odeum::adapters::odeint

@@ -10,11 +10,12 @@ template <Ode P>
 void add_odeint(const Case& c, std::vector<Entrant>& all) {
   const Contest<Bare<P>> contest = bare_contest<P>(c);
   if (!contest.problem) return;
-  adapters::odeint::Roster<Bare<P>> roster(contest, all);
-  adapters::odeint::enroll_one_step(roster);
-  adapters::odeint::enroll_extrapolation(roster);
-  adapters::odeint::enroll_second_order(roster);
-  adapters::odeint::enroll_longest_adams(roster);
+  adapters::odeint::Roster<Bare<P>> roster;
+  adapters::odeint::add_one_step(roster);
+  adapters::odeint::add_extrapolation(roster);
+  adapters::odeint::add_second_order(roster);
+  adapters::odeint::add_longest_adams(roster);
+  adapters::odeint::enroll(roster, contest, all);
 }
 
 }  // namespace odeum::cases::inlined

@@ -3,6 +3,6 @@
 
 namespace odeum::adapters::odeint {
 
-template void enroll(const Contest<SharedSecondOrder>&, std::vector<Entrant>&);
+template void add_second_order(Roster<SharedSecondOrder>&);
 
 }  // namespace odeum::adapters::odeint

@@ -3,6 +3,6 @@
 
 namespace odeum::adapters::odeint {
 
-template void enroll(const Contest<SharedSeparable>&, std::vector<Entrant>&);
+template void add_second_order(Roster<SharedSeparable>&);
 
 }  // namespace odeum::adapters::odeint

@@ -122,10 +122,8 @@ void add_plugin(const std::string& file) {
   library.info = {
       .name = name, .libraries = {name}, .option = "", .built = true, .version = "plug-in " + path};
   library.mark = mark_of(path);
-  library.enroll = [plugin, name](const ErasedContest& contest, std::vector<Entrant>& entrants) {
-    for (std::size_t i = 0; i < plugin->solver_count; ++i)
-      entrants.push_back(entrant_of(plugin->solvers[i], name, contest));
-  };
+  for (std::size_t i = 0; i < plugin->solver_count; ++i)
+    library.solvers.push_back(solver_of(plugin->solvers[i], name));
   library.problems = [plugin, name, mark = library.mark] {
     std::vector<foreign::ProblemCallbacks> problems;
     for (std::size_t i = 0; i < plugin->problem_count; ++i)

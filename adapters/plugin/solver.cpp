@@ -211,10 +211,8 @@ std::string fault_of(const odeum_solver& solver) {
   return {};
 }
 
-Entrant entrant_of(const odeum_solver& solver, const std::string& library,
-                   const ErasedContest& contest) {
-  Entrant entrant;
-  SolverInfo& info = entrant.info;
+Solver solver_of(const odeum_solver& solver, const std::string& library) {
+  SolverInfo info;
   info.library = library;
   info.method = solver.name;
   info.family = solver.family ? foreign::cleaned(solver.family) : "plugin";
@@ -229,14 +227,15 @@ Entrant entrant_of(const odeum_solver& solver, const std::string& library,
     info.needs = "a second-order problem q'' = a(t, q, v)";
   else if (solver.needs & ODEUM_NEEDS_JACOBIAN)
     info.needs = "a dense Jacobian (differenced where there is none)";
-  entrant.unfit = unfit(solver, contest.view);
-  if (!entrant.unfit.empty()) return entrant;
-  entrant.solve = [&solver, contest](const Request& request) {
-    return foreign::solve_isolated(
-        [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
-        contest.view.dimension);
-  };
-  return entrant;
+  return {std::move(info), [&solver](const ErasedContest& contest, Entrant& entrant) {
+            entrant.unfit = unfit(solver, contest.view);
+            if (!entrant.unfit.empty()) return;
+            entrant.solve = [&solver, contest](const Request& request) {
+              return foreign::solve_isolated(
+                  [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
+                  contest.view.dimension);
+            };
+          }};
 }
 
 }  // namespace odeum::adapters::plugin

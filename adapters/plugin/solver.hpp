@@ -11,8 +11,7 @@ namespace odeum::adapters::plugin {
 /// What is wrong with the description, in a sentence; empty where nothing is.
 std::string fault_of(const odeum_solver& solver);
 
-/// The solver as an entrant; each solve is made in a process of its own.
-Entrant entrant_of(const odeum_solver& solver, const std::string& library,
-                   const ErasedContest& contest);
+/// The solver, which has to outlive it; each solve is made in a process of its own.
+Solver solver_of(const odeum_solver& solver, const std::string& library);
 
 }  // namespace odeum::adapters::plugin

@@ -2,8 +2,8 @@
 # The libraries of adapters/.
 
 # Enters the folders of adapters/. A folder NAME has a CMakeLists.txt that calls odeum_adapter(...), and, for
-# integrators, an enroll.hpp that declares
-#   template <Ode P> void odeum::adapters::NAME::enroll(const Contest<P>&, std::vector<Entrant>&);
+# integrators, a solvers.hpp that declares
+#   void odeum::adapters::NAME::add_solvers(std::vector<Solver>&);
 # and, for solvers of sparse symmetric systems, a linear.hpp that declares
 #   void odeum::adapters::NAME::add_linear_peers(std::vector<linear::LinearPeerInfo>&);
 # and, where users of the library tune options, a variants.hpp that declares
@@ -19,7 +19,7 @@ macro(odeum_add_adapters)
   get_property(ODEUM_ADAPTERS_BUILT GLOBAL PROPERTY ODEUM_ADAPTERS_BUILT)
   get_property(odeum_rows GLOBAL PROPERTY ODEUM_LIBRARY_ROWS)
   odeum_write_verbatim(${ODEUM_GENERATED}/lists/libraries.inc "${odeum_rows}")
-  foreach(odeum_stem IN ITEMS enroll linear variants)
+  foreach(odeum_stem IN ITEMS solvers linear variants)
     set(odeum_with "")
     foreach(odeum_name IN LISTS ODEUM_ADAPTERS_BUILT)
       if(EXISTS ${PROJECT_SOURCE_DIR}/adapters/${odeum_name}/${odeum_stem}.hpp)

@@ -88,7 +88,7 @@ namespace odeum::methods {\nusing All = MethodList<${types}>;\n}\n")
       odeum_each(own "  all.push_back(own_method<methods::NAME>());\n" ${of_${family}})
       odeum_each(facts "  all.push_back(proof::facts_of<methods::NAME>());\n" ${of_${family}})
       string(APPEND text "\n${includes}
-namespace odeum {\nvoid add_${family}(std::vector<OwnMethod>& all) {\n${own}}
+namespace odeum {\nvoid add_${family}(std::vector<Solver>& all) {\n${own}}
 void add_${family}(std::vector<proof::MethodFacts>& all) {\n${facts}}\n}  // namespace odeum\n")
     endforeach()
     odeum_write_verbatim(${ODEUM_GENERATED}/own/${unit}.cpp "${text}")

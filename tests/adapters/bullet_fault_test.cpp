@@ -27,8 +27,8 @@ TEST(BulletFault, SaysWhatDoesNotFit) {
   Contest<Unseen<2>> bare;
   bare.problem = std::make_shared<const Unseen<2>>();
   bare.y0 = std::make_shared<const std::vector<double>>(2);
-  std::vector<Entrant> entrants;
-  adapters::bullet::enroll(bare, entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(bare), adapters::bullet::add_solvers);
   ASSERT_EQ(entrants.size(), 5u);
   for (const Entrant& entrant : entrants) EXPECT_NE(entrant.unfit, "") << entrant.info.id();
 

@@ -5,8 +5,9 @@
 #include <complex>
 #include <stdexcept>
 
-#include "bullet/enroll.hpp"
+#include "bullet/solvers.hpp"
 #include "odeum/scene/model/scene.hpp"
+#include "support/enrolled.hpp"
 
 namespace odeum::bullet_tests {
 
@@ -36,7 +37,7 @@ Stage stage(const scene::Scene& scene, const std::array<double, N>& y0) {
   contest.problem = std::make_shared<const Unseen<N>>();
   contest.y0 = std::make_shared<const std::vector<double>>(y0.begin(), y0.end());
   contest.scene = result.scene;
-  adapters::bullet::enroll(contest, result.entrants);
+  result.entrants = tests::enrolled_on(erase(contest), adapters::bullet::add_solvers);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gsl/enroll.hpp"
+#include "gsl/solvers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,13 @@
 #include <thread>
 
 #include "adapters/peer_stage.hpp"
+#include "support/enrolled.hpp"
 
 namespace odeum::test {
 namespace {
 
 std::vector<Entrant> enrolled(Circle problem) {
-  std::vector<Entrant> entrants;
-  adapters::gsl::enroll(circle(problem), entrants);
-  return entrants;
+  return tests::enrolled_on(erase(circle(problem)), adapters::gsl::add_solvers);
 }
 
 TEST(Gsl, HasElevenSteppers) { EXPECT_EQ(enrolled({}).size(), 11u); }
@@ -35,8 +34,8 @@ TEST(Gsl, ErrorFallsWithTolerance) {
 }
 
 TEST(Gsl, AFastStartIsNoObstacleToALongHorizon) {
-  std::vector<Entrant> entrants;
-  adapters::gsl::enroll(contest_of(Approach{}, {2}), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest_of(Approach{}, {2})), adapters::gsl::add_solvers);
   expect_long_horizon(entrants, {"msbdf", "bsimp", "rk4imp"});
 }
 
@@ -72,8 +71,8 @@ TEST(Gsl, ClaimsWhatTheLibraryClaims) {
 }
 
 TEST(Gsl, DenseMatricesHaveALimit) {
-  std::vector<Entrant> entrants;
-  adapters::gsl::enroll(contest_of(Wide{}, std::vector<double>(Wide{}.size(), 1)), entrants);
+  const std::vector<Entrant> entrants = tests::enrolled_on(
+      erase(contest_of(Wide{}, std::vector<double>(Wide{}.size(), 1))), adapters::gsl::add_solvers);
   EXPECT_EQ(find(entrants, "rk4imp").solve(fixed_request(8)).status, Status::over_budget);
   EXPECT_EQ(find(entrants, "rk4").solve(fixed_request(8)).status, Status::ok);
 }
@@ -86,8 +85,8 @@ struct Nothing {
 };
 
 TEST(Gsl, NoUnknownsAreRefused) {
-  std::vector<Entrant> entrants;
-  adapters::gsl::enroll(contest_of(Nothing{}, {}), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest_of(Nothing{}, {})), adapters::gsl::add_solvers);
   for (const Entrant& entrant : entrants)
     EXPECT_EQ(entrant.solve(adaptive_request(1e-6)).status, Status::refused) << entrant.info.method;
 }
@@ -98,8 +97,8 @@ struct Decay {
 };
 
 TEST(Gsl, AProblemWithoutJacobianIsDifferenced) {
-  std::vector<Entrant> entrants;
-  adapters::gsl::enroll(contest_of(Decay{}, {1}), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest_of(Decay{}, {1})), adapters::gsl::add_solvers);
   const Outcome outcome = find(entrants, "rk4imp").solve(fixed_request(64));
   ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
   // y = 1 / (1 + t); order 4 with h = 1/32 leaves about h^4.

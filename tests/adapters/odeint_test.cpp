@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeint/inlined.hpp"
+#include "odeint/solvers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +11,13 @@
 #include <thread>
 
 #include "adapters/peer_stage.hpp"
+#include "support/enrolled.hpp"
 
 namespace odeum::test {
 namespace {
 
 std::vector<Entrant> enrolled(Circle problem) {
-  std::vector<Entrant> entrants;
-  adapters::odeint::enroll(circle(problem), entrants);
-  return entrants;
+  return tests::enrolled_on(erase(circle(problem)), adapters::odeint::add_solvers);
 }
 
 TEST(Odeint, EachStepperIsHonest) {
@@ -52,8 +52,8 @@ TEST(Odeint, ErrorFallsWithTolerance) {
 }
 
 TEST(Odeint, AFastStartIsNoObstacleToALongHorizon) {
-  std::vector<Entrant> entrants;
-  adapters::odeint::enroll_implicit(erase(contest_of(Approach{}, {2})), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest_of(Approach{}, {2})), adapters::odeint::add_implicit);
   expect_long_horizon(entrants, {"rosenbrock4", "rosenbrock4_dense_output"});
 }
 
@@ -126,8 +126,9 @@ template <bool Damped>
 double oscillator_order(const char* method) {
   const auto contest = contest_of(Oscillator<Damped>{}, {1, 0});
   std::vector<Entrant> entrants;
-  adapters::odeint::Roster<Oscillator<Damped>> roster(contest, entrants);
-  adapters::odeint::enroll_second_order(roster);
+  adapters::odeint::Roster<Oscillator<Damped>> roster;
+  adapters::odeint::add_second_order(roster);
+  adapters::odeint::enroll(roster, contest, entrants);
   const double w = std::numbers::sqrt3 / 2;
   const double exact =
       Damped ? std::exp(-1.0) * (std::cos(2 * w) + std::sin(2 * w) / (2 * w)) : std::cos(2.0);
@@ -156,9 +157,9 @@ TEST(Odeint, UnfitPairsSayWhatIsMissing) {
 }
 
 TEST(Odeint, DenseMatricesHaveALimit) {
-  std::vector<Entrant> entrants;
   const auto contest = contest_of(Wide{}, std::vector<double>(Wide{}.size(), 1));
-  adapters::odeint::enroll_implicit(erase(contest), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest), adapters::odeint::add_implicit);
   EXPECT_EQ(find(entrants, "rosenbrock4").solve(fixed_request(8)).status, Status::over_budget);
 }
 
@@ -169,8 +170,8 @@ struct Growth {
 };
 
 TEST(Odeint, ASingularMatrixIsAnOutcome) {
-  std::vector<Entrant> entrants;
-  adapters::odeint::enroll_implicit(erase(contest_of(Growth{}, {1})), entrants);
+  const std::vector<Entrant> entrants =
+      tests::enrolled_on(erase(contest_of(Growth{}, {1})), adapters::odeint::add_implicit);
   // h = 1/2: I - h J is exactly zero, and the library would end the process.
   const Outcome outcome = find(entrants, "implicit_euler").solve(fixed_request(4));
   EXPECT_EQ(outcome.status, Status::newton_failed);

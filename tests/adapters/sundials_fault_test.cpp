@@ -240,8 +240,8 @@ TEST(SundialsRun, AParameterMovedBetweenSolvesIsSeen) {
   Contest<Decay> contest;
   contest.problem = problem;
   contest.y0 = std::make_shared<const std::vector<double>>(1, 1.0);
-  std::vector<Entrant> list;
-  adapters::sundials::enroll(contest, list);
+  const std::vector<Entrant> list =
+      tests::enrolled_on(erase(contest), adapters::sundials::add_solvers);
   for (const double lambda : {-1.0, -2.0}) {
     problem->lambda = lambda;
     for (const std::string& id : one_of_each) {

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "sundials/enroll.hpp"
+#include "sundials/solvers.hpp"
+#include "support/enrolled.hpp"
 
 /// Small problems with closed forms, and the adapter's solvers on them.
 namespace odeum::sundials_tests {
@@ -92,9 +93,7 @@ std::vector<Entrant> entrants(std::vector<double> y0, P problem = {}, double t0 
   contest.t0 = t0;
   contest.problem = std::make_shared<const P>(std::move(problem));
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
-  std::vector<Entrant> list;
-  adapters::sundials::enroll(contest, list);
-  return list;
+  return tests::enrolled_on(erase(contest), adapters::sundials::add_solvers);
 }
 
 inline const Entrant& find(const std::vector<Entrant>& list, const std::string& id) {

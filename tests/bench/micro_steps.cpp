@@ -67,7 +67,9 @@ Stage stage_of(const Run& run) {
   request.mode = run.steps == 0 ? Mode::adaptive : Mode::fixed;
   request.steps = run.steps;
   request.tolerance = tolerance;
-  const Outcome outcome = find_solver(c.entrants, id).solve(request);
+  const Entrant* const guarded = c.entrants.find(id);
+  if (!guarded) throw std::runtime_error("no solver " + id + " of this case");
+  const Outcome outcome = guarded->solve(request);
   if (outcome.status != Status::ok)
     throw std::runtime_error(id + " on " + run.case_id + ": " + outcome.detail);
   stage.steps = static_cast<double>(outcome.counters.steps + outcome.counters.rejected_steps);

@@ -30,7 +30,7 @@ Request dense_request(double tolerance, std::vector<double> stops) {
 
 std::vector<std::string> adaptive_methods() {
   std::vector<std::string> ids;
-  for (const OwnMethod& method : own_methods())
+  for (const Solver& method : own_methods())
     if (method.info.adaptive) ids.push_back(method.info.id());
   return ids;
 }

@@ -209,8 +209,8 @@ std::vector<std::pair<std::string, std::string>> stated() {
 
 bool is_built(const std::string& name) {
   const auto has = [](const std::string& library) {
-    return std::any_of(all_cases().front().entrants.begin(), all_cases().front().entrants.end(),
-                       [&](const Entrant& e) { return e.info.library == library; });
+    return std::any_of(all_solvers().begin(), all_solvers().end(),
+                       [&](const Solver& solver) { return solver.info.library == library; });
   };
   if (name.starts_with("links")) return has("bullet");
   return !name.starts_with("tol_") || has(name == "tol_gsl8" ? "gsl" : name.substr(4));

@@ -17,8 +17,7 @@ inline const Case& find_case(const std::string& id) {
 
 /// A case's entrant of that solver id; throws where there is none.
 inline const Entrant& find_entrant(const Case& c, const std::string& id) {
-  for (const Entrant& entrant : c.entrants)
-    if (entrant.info.id() == id) return entrant;
+  if (const Entrant* const entrant = c.entrants.find(id)) return *entrant;
   throw std::runtime_error("no solver " + id + " on " + c.id);
 }
 

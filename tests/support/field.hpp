@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "support/enrolled.hpp"
 #include "support/own_runs.hpp"
 
 namespace odeum::tests {
@@ -36,7 +37,7 @@ inline std::vector<Entrant> own_methods_on(const Field& field, double t0, std::v
   const auto problem = std::make_shared<const Field>(field);
   ErasedContest contest = contest_on(*problem, t0, std::move(y0));
   contest.keep_alive = problem;
-  std::vector<Entrant> entrants = enroll_own(contest);
+  std::vector<Entrant> entrants = enrolled_on(contest, own_methods());
   std::erase_if(entrants, [](const Entrant& entrant) { return !entrant.unfit.empty(); });
   return entrants;
 }

@@ -19,7 +19,7 @@ ErasedContest contest_on(const P& problem, double t0, std::vector<double> y0) {
 
 /// Runs the method of that id; throws where there is none or it does not fit.
 inline Outcome run_own(std::string_view id, const ErasedContest& contest, const Request& request) {
-  for (const OwnMethod& method : own_methods()) {
+  for (const Solver& method : own_methods()) {
     if (method.info.method != id) continue;
     Entrant entrant;
     method.enroll(contest, entrant);

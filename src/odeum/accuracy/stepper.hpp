@@ -54,23 +54,22 @@ RuntimeLibrary library_of(const std::string& name, double order) {
   RuntimeLibrary library;
   library.info = {
       .name = "user", .libraries = {"user"}, .option = "", .built = true, .version = ""};
-  library.enroll = [info](const ErasedContest& contest, std::vector<Entrant>& entrants) {
-    Entrant entrant;
-    if constexpr (PlainStepper<Solver>)
-      entrant.solve = [contest](const Request& request) {
-        const auto shared = shared_contest<SharedOde>(contest);
-        Guard guard(shared.problem->size(), request.budget);
-        const Guarded<SharedOde> problem(*shared.problem, guard);
-        Outcome outcome = run_fixed<typename Adapted<Solver>::template Stepper<Guarded<SharedOde>>>(
-            problem, shared.t0, *shared.y0, request);
-        guard.conclude(request, outcome);
-        return outcome;
-      };
-    else
-      enroll_method<Solver>(contest, entrant);
-    entrant.info = info;
-    entrants.push_back(std::move(entrant));
-  };
+  library.solvers.push_back(
+      {info, [](const ErasedContest& contest, Entrant& entrant) {
+         if constexpr (PlainStepper<Solver>)
+           entrant.solve = [contest](const Request& request) {
+             const auto shared = shared_contest<SharedOde>(contest);
+             Guard guard(shared.problem->size(), request.budget);
+             const Guarded<SharedOde> problem(*shared.problem, guard);
+             Outcome outcome =
+                 run_fixed<typename Adapted<Solver>::template Stepper<Guarded<SharedOde>>>(
+                     problem, shared.t0, *shared.y0, request);
+             guard.conclude(request, outcome);
+             return outcome;
+           };
+         else
+           enroll_method<Solver>(contest, entrant);
+       }});
   return library;
 }
 

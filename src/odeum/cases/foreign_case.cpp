@@ -26,13 +26,12 @@ struct Held {
   foreign::Problem problem;
 };
 
-void isolate(Case& c) {
-  const std::size_t n = c.y0.size();
-  for (Entrant& entrant : c.entrants)
-    if (entrant.solve)
-      entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-        return foreign::solve_isolated(solve, request, n);
-      };
+Entrants enroll_isolated(const ErasedContest& contest) {
+  return enroll(contest, [n = contest.view.dimension](Entrant& entrant) {
+    entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
+      return foreign::solve_isolated(solve, request, n);
+    };
+  });
 }
 
 /// The truth of the case, and words for people; whether it was computed.
@@ -100,8 +99,7 @@ TextCase foreign_case(foreign::ProblemCallbacks from) {
                std::make_shared<const std::vector<double>>(c.y0), nullptr};
   std::string words;
   const bool computed = set_truth(c, held, words);
-  c.entrants = enroll(c.problem);
-  isolate(c);
+  c.entrants = enroll_isolated(c.problem);
   if (computed)
     choose_steps(c, false, true);
   else

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/scene_case.hpp"
 
-#include <stdexcept>
-
 #include "odeum/cases/stage.hpp"
-#include "odeum/solvers/own_methods.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -46,25 +43,10 @@ Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
 
 }  // namespace
 
-std::vector<Entrant> enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {
-  std::vector<Entrant> entrants = enroll(stage_of(problem));
-  entrants.push_back(closed_form(problem));
+Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {
+  Entrants entrants = enroll(stage_of(problem));
+  entrants.add(closed_form(problem));
   return entrants;
-}
-
-Entrant enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem,
-                     const std::string& id) {
-  if (id == "odeum/closed_form") return closed_form(problem);
-  const ErasedContest contest = stage_of(problem);
-  for (const OwnMethod& method : own_methods())
-    if (method.info.id() == id) {
-      Entrant entrant{.info = method.info, .unfit = {}, .solve = {}};
-      method.enroll(contest, entrant);
-      return entrant;
-    }
-  for (Entrant& entrant : enroll(contest))
-    if (entrant.info.id() == id) return std::move(entrant);
-  throw std::out_of_range("no solver " + id);
 }
 
 }  // namespace odeum::cases

@@ -6,16 +6,13 @@
 #include <vector>
 
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/solvers/solver.hpp"
+#include "odeum/solvers/entrants.hpp"
 
 namespace odeum::cases {
 
 /// Every solver, own and of each library, enrolled on a scene from its start at time 0; with
 /// `odeum/closed_form` for free particles under a constant force.
-std::vector<Entrant> enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem);
-/// One of them by its id, for a scene that is solved in many parts; throws std::out_of_range.
-Entrant enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem,
-                     const std::string& id);
+Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem);
 
 /// A scene of the project: a file of cases/scenes, built in.
 struct SceneText {

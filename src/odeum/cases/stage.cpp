@@ -3,30 +3,35 @@
 
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/runtime_library.hpp"
-#include "odeum/solvers/shared_contest.hpp"
-#include "odeum_adapters_enroll.hpp"  // generated: enroll.hpp of every library that is built in
+#include "odeum_adapters_solvers.hpp"  // generated: solvers.hpp of every library that is built in
 
-namespace odeum::cases {
+namespace odeum {
 
-std::vector<Entrant> enroll(const ErasedContest& contest) {
-  std::vector<Entrant> entrants = enroll_own(contest);
-  with_shared_type(contest.view, [&]<Shared P>() {
-    [[maybe_unused]] const Contest<P> shared = shared_contest<P>(contest);
-#define ODEUM_ITEM(library) adapters::library::enroll(shared, entrants);
-#include "lists/adapters_enroll.inc"  // generated: those libraries
+const std::vector<Solver>& all_solvers() {
+  static const std::vector<Solver> all = [] {
+    std::vector<Solver> list = own_methods();
+#define ODEUM_ITEM(library) adapters::library::add_solvers(list);
+#include "lists/adapters_solvers.inc"  // generated: those libraries
 #undef ODEUM_ITEM
-  });
-  for (const RuntimeLibrary& library : runtime_libraries())
-    if (library.enroll) library.enroll(contest, entrants);
-  for (Entrant& entrant : entrants) {
-    if (!entrant.solve) continue;
-    entrant.solve = [t0 = contest.t0, n = contest.view.dimension,
-                     solve = std::move(entrant.solve)](const Request& request) {
-      require_sound(request, t0, n);
-      return solve(request);
-    };
-  }
-  return entrants;
+    for (const RuntimeLibrary& library : runtime_libraries())
+      list.insert(list.end(), library.solvers.begin(), library.solvers.end());
+    return list;
+  }();
+  return all;
 }
 
-}  // namespace odeum::cases
+namespace cases {
+
+Entrants enroll(const ErasedContest& contest, const Entrants::Finish& also) {
+  return {all_solvers(), contest, [t0 = contest.t0, n = contest.view.dimension, also](Entrant& e) {
+            if (!e.solve) return;
+            e.solve = [t0, n, solve = std::move(e.solve)](const Request& request) {
+              require_sound(request, t0, n);
+              return solve(request);
+            };
+            if (also) also(e);
+          }};
+}
+
+}  // namespace cases
+}  // namespace odeum

@@ -9,10 +9,10 @@
 
 namespace odeum::cases {
 
-/// Enrols every solver, own and of each library, on a problem through its shared type
+/// Every solver, own and of each library, on a problem through its shared type
 /// (problem/shared.hpp). A malformed request throws std::invalid_argument before any of them is
-/// called.
-std::vector<Entrant> enroll(const ErasedContest& contest);
+/// called. `also` is called on each entrant that fits.
+Entrants enroll(const ErasedContest& contest, const Entrants::Finish& also = {});
 
 /// A problem whose right-hand side (acceleration, of second order) is written for any real type.
 template <class P>

@@ -26,10 +26,8 @@ namespace {
 /// The smallest number of steps, by doubling, with which a method of order 4 has an error below a
 /// fiftieth of the solution; 0 where `most` are too few.
 std::uint64_t enough_steps(const Case& c, const std::string& method, std::uint64_t most) {
-  const auto solver = std::find_if(c.entrants.begin(), c.entrants.end(), [&](const Entrant& e) {
-    return e.info.library == "odeum" && e.info.method == method;
-  });
-  if (solver == c.entrants.end() || !solver->solve) return 0;
+  const Entrant* const solver = c.entrants.find("odeum/" + method);
+  if (!solver || !solver->solve) return 0;
   const std::size_t n = c.y0.size();
   std::vector<double> exact(n);
   const auto is_close = [&](const Outcome& outcome) {

@@ -19,7 +19,7 @@ void add_doctor(CLI::App& app) {
     const std::string fmi = fmi_support();
     text += fmt::format("{:<10} {}\n", "fmi",
                         fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);
-    std::size_t solvers = all_cases().front().entrants.size();
+    std::size_t solvers = all_solvers().size();
     text += fmt::format("cases      {}\nsolvers    {}\n", all_cases().size(), solvers);
     print(text);
   });

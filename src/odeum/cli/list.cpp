@@ -55,8 +55,8 @@ std::string modes(const SolverInfo& info) {
 
 Listing list_solvers() {
   Listing listing{.columns = {"id", "family", "order", "settings", "needs", "source"}, .shown = 5};
-  for (const Entrant& entrant : all_cases().front().entrants) {
-    const SolverInfo& info = entrant.info;
+  for (const Solver& solver : all_solvers()) {
+    const SolverInfo& info = solver.info;
     listing.rows.push_back({info.id(), info.family,
                             std::isnan(info.order) ? "varies" : record::format_number(info.order),
                             modes(info), info.needs.empty() ? "a right-hand side" : info.needs,

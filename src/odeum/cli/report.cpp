@@ -42,7 +42,7 @@ std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Opt
                                      bool takes_cases) {
   std::vector<std::string> cases, solvers;
   for (const Case& c : all_cases()) cases.push_back(c.id);
-  for (const Entrant& entrant : all_cases().front().entrants) solvers.push_back(entrant.info.id());
+  for (const Solver& solver : all_solvers()) solvers.push_back(solver.info.id());
   std::vector<study::Options> left;
   for (study::Options& run : runs) {
     run.cases = both(run.cases, takes_cases ? options.cases : std::vector<std::string>(), cases);

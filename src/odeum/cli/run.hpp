@@ -68,7 +68,7 @@ std::optional<SceneSource> find_scene(const std::string& what);
 
 /// The number of solvers that fit, by library and family, and of the others by reason, in lines;
 /// `verbose` adds their ids.
-std::vector<std::string> describe_fits(const std::vector<Entrant>& entrants, bool verbose);
+std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose);
 
 /// Runs a scene with each solver, prints the model and the results, writes the files. Returns the
 /// exit code.

@@ -83,8 +83,7 @@ RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   return settings;
 }
 
-const Entrant& choose(const std::vector<Entrant>& entrants, const std::string& solver,
-                      const Scene& scene) {
+const Entrant& choose(const Entrants& entrants, const std::string& solver, const Scene& scene) {
   if (!solver.empty()) return find_entrant(entrants, "this scene", solver);
   try {
     return find_entrant(entrants, "this scene", scene.solver->type);
@@ -111,7 +110,7 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
   setting.frame_interval = scene::frame_interval(scene, setting.until);
   one.outcome = scene::run_scene(
       scene, setting, [&](const std::shared_ptr<const SceneProblem>& problem, const Request& part) {
-        return cases::enroll_scene(problem, entrant.info.id()).solve(part);
+        return cases::enroll_scene(problem).find(entrant.info.id())->solve(part);
       });
   return one;
 }
@@ -176,7 +175,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
 
 }  // namespace
 
-Lines describe_fits(const std::vector<Entrant>& entrants, bool verbose) {
+Lines describe_fits(const Entrants& entrants, bool verbose) {
   using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
   const auto count = [](Counts& counts, const std::string& name) {
     for (auto& [known, number] : counts)

@@ -24,10 +24,9 @@ std::vector<std::string> case_ids() {
   return ids;
 }
 
-// Every case has every solver enrolled, so that the first one lists them all.
 std::vector<std::string> solver_ids() {
   std::vector<std::string> ids;
-  for (const Entrant& entrant : all_cases().front().entrants) ids.push_back(entrant.info.id());
+  for (const Solver& solver : all_solvers()) ids.push_back(solver.info.id());
   return ids;
 }
 
@@ -118,13 +117,12 @@ const Case& find_case(const std::string& id) {
   throw UsageError("unknown case '{}'{}", id, did_you_mean(id, names));
 }
 
-const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
+const Entrant& find_entrant(const Entrants& entrants, const std::string& on,
                             const std::string& id) {
   const std::string full = id.find('/') == std::string::npos ? "odeum/" + id : id;
-  for (const Entrant& entrant : entrants) {
-    if (entrant.info.id() != full) continue;
-    if (!entrant.unfit.empty()) throw UsageError("{} does not fit {}: {}", full, on, entrant.unfit);
-    return entrant;
+  if (const Entrant* const entrant = entrants.find(full)) {
+    if (entrant->unfit.empty()) return *entrant;
+    throw UsageError("{} does not fit {}: {}", full, on, entrant->unfit);
   }
   if (const std::string missing = missing_library(full); !missing.empty())
     throw UsageError(missing);

@@ -63,8 +63,7 @@ void check_solver_globs(const std::vector<std::string>& globs);
 /// The case (the solver among those on a case or a scene) of that name. A solver id without a
 /// library is Odeum's own. Throws UsageError.
 const Case& find_case(const std::string& id);
-const Entrant& find_entrant(const std::vector<Entrant>& entrants, const std::string& on,
-                            const std::string& id);
+const Entrant& find_entrant(const Entrants& entrants, const std::string& on, const std::string& id);
 /// "; did you mean X?", or "one of X, Y" where several begin with the word; nothing where no
 /// candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

@@ -57,7 +57,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
                     .jacobian = all.jacobian,
                     .time_derivative = all.time_derivative};
   }
-  for (const OwnMethod& own : own_methods()) {
+  for (const Solver& own : own_methods()) {
     if (own.info.method != method) continue;
     Entrant entrant{.info = own.info, .unfit = {}, .solve = {}};
     own.enroll(contest, entrant);

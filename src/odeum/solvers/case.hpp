@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "odeum/core/request.hpp"
-#include "odeum/solvers/solver.hpp"
+#include "odeum/solvers/entrants.hpp"
 
 namespace odeum {
 
@@ -25,7 +25,7 @@ struct Truth {
 /// w = first and zeta = second, from q = 1, q' = 0; `undamped` is the latter with zeta = 0, as a
 /// problem that also fits methods for separable systems. t0 is 0.
 struct Probe {
-  std::vector<Entrant> entrants;
+  Entrants entrants;
   std::function<void(double first, double second)> place;
 };
 
@@ -105,7 +105,7 @@ struct Case {
 
   StudySettings settings;
 
-  std::vector<Entrant> entrants;
+  Entrants entrants;
   /// Cases with a parameter plane: its kind (`lambda`, `oscillator`, `undamped`), and a function
   /// that makes an independent probe of it, one for each thread.
   std::string plane;

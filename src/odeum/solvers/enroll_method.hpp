@@ -79,7 +79,7 @@ void enroll_method(const ErasedContest& contest, Entrant& entrant) {
 }
 
 template <class M>
-OwnMethod own_method() {
+Solver own_method() {
   return {info_of_own<M>(), enroll_method<M>};
 }
 

@@ -4,13 +4,13 @@
 // lists/families.inc is generated, and so is a function for each family (odeum_generate_methods).
 namespace odeum {
 
-#define ODEUM_ITEM(family) void add_##family(std::vector<OwnMethod>&);
+#define ODEUM_ITEM(family) void add_##family(std::vector<Solver>&);
 #include "lists/families.inc"
 #undef ODEUM_ITEM
 
-const std::vector<OwnMethod>& own_methods() {
-  static const std::vector<OwnMethod> all = [] {
-    std::vector<OwnMethod> list;
+const std::vector<Solver>& own_methods() {
+  static const std::vector<Solver> all = [] {
+    std::vector<Solver> list;
 #define ODEUM_ITEM(family) add_##family(list);
 #include "lists/families.inc"
 #undef ODEUM_ITEM

@@ -6,26 +6,9 @@
 
 namespace odeum {
 
-/// A file of methods/ with its types erased. CMake generates a unit for each family of them (see
+/// A solver for each file of methods/, by id. CMake generates a unit for each family of them (see
 /// odeum_generate_methods), in which it is compiled for the shared types: a method that is added or
 /// changed is compiled there and nowhere else.
-struct OwnMethod {
-  SolverInfo info;
-  /// Fills `unfit`, or `solve` and what else the method can do on this problem.
-  void (*enroll)(const ErasedContest& contest, Entrant& entrant) = nullptr;
-};
-
-/// Every own method, by id.
-const std::vector<OwnMethod>& own_methods();
-
-/// An entrant for each own method: those that fit can solve, the others say what they need.
-inline std::vector<Entrant> enroll_own(const ErasedContest& contest) {
-  std::vector<Entrant> entrants;
-  for (const OwnMethod& method : own_methods()) {
-    entrants.push_back({.info = method.info, .unfit = {}, .solve = {}});
-    method.enroll(contest, entrants.back());
-  }
-  return entrants;
-}
+const std::vector<Solver>& own_methods();
 
 }  // namespace odeum

@@ -18,8 +18,7 @@ namespace odeum {
 struct RuntimeLibrary {
   LibraryInfo info;
   std::string mark;  ///< what identifies its code: results of another one are not used
-  /// Adds its solvers as entrants of a contest; empty: it has none.
-  std::function<void(const ErasedContest&, std::vector<Entrant>&)> enroll = {};
+  std::vector<Solver> solvers = {};
   /// Its problems; empty: it has none.
   std::function<std::vector<foreign::ProblemCallbacks>()> problems = {};
 };

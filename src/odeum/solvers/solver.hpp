@@ -84,4 +84,12 @@ ErasedContest erase(const Contest<P>& contest) {
   return {view_of(*contest.problem), contest.problem, contest.t0, contest.y0, contest.scene};
 }
 
+/// A solver of a library, which is known without any problem.
+struct Solver {
+  SolverInfo info;
+  /// Puts it on a problem: fills `unfit`, or `solve` and what else it can do there. The entrant
+  /// comes with the solver's info, which may be completed from the problem.
+  std::function<void(const ErasedContest&, Entrant&)> enroll;
+};
+
 }  // namespace odeum

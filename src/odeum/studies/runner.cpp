@@ -19,8 +19,9 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
                                const std::vector<std::string>& solver_globs) {
   std::vector<Pair> pairs;
   for (const Case* c : cases)
-    for (const Entrant& entrant : c->entrants)
-      if (any_glob_matches(solver_globs, entrant.info.id())) pairs.push_back({c, &entrant});
+    for (std::size_t k = 0; k < c->entrants.size(); ++k)
+      if (any_glob_matches(solver_globs, c->entrants.info(k).id()))
+        pairs.push_back({c, &c->entrants[k]});
   return pairs;
 }
 
@@ -30,9 +31,8 @@ const Case& find_case(const std::string& id) {
   throw std::out_of_range("no case " + id);
 }
 
-const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id) {
-  for (const Entrant& entrant : entrants)
-    if (entrant.info.id() == id) return entrant;
+const Entrant& find_solver(const Entrants& entrants, const std::string& id) {
+  if (const Entrant* const entrant = entrants.find(id)) return *entrant;
   throw std::out_of_range("no solver " + id);
 }
 

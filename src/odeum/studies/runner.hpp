@@ -28,7 +28,7 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
 
 /// Throw std::out_of_range where there is none of that id.
 const Case& find_case(const std::string& id);
-const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id);
+const Entrant& find_solver(const Entrants& entrants, const std::string& id);
 
 /// The names of a pair, by which its results are kept.
 std::string key_of(const Pair& pair);

@@ -43,18 +43,17 @@ report::StudyFacts Study::facts() const {
 }
 
 bool is_known(const std::string& case_id, const std::string& solver) {
-  static const std::set<record::detail::Group> known = [] {
-    std::set<record::detail::Group> all{{"", ""}};
-    for (const Case* c : known_cases()) {
-      all.insert({c->id, ""});
-      for (const Entrant& entrant : c->entrants) {
-        all.insert({c->id, entrant.info.id()});
-        all.insert({"", entrant.info.id()});
-      }
-    }
+  static const std::set<std::string> solvers = [] {
+    std::set<std::string> all{""};
+    for (const Solver& each : all_solvers()) all.insert(each.info.id());
     return all;
   }();
-  return known.contains({case_id, solver});
+  static const std::set<std::string> cases = [] {
+    std::set<std::string> all{""};
+    for (const Case* c : known_cases()) all.insert(c->id);
+    return all;
+  }();
+  return cases.contains(case_id) && solvers.contains(solver);
 }
 
 }  // namespace odeum::study

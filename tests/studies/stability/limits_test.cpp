@@ -235,7 +235,7 @@ TEST(Limits, AMutantIsCaught) {
   };
   Entrant entrant{.info = info_of_own<Mutant>(), .unfit = {}, .solve = {}};
   entrant.solve = [&](const Request& request) { return solve_own<Mutant>(contest, request); };
-  probe.entrants.push_back(entrant);
+  probe.entrants.add(entrant);
   GrowthMeter meter(probe, entrant, false, limit_length);
   const double measured = judge::find_limit([&](double x) { return meter.measure(-x, 0); }).limit;
   const double theory = own_by_key()[{"rk4", "real"}].theory;

@@ -32,7 +32,7 @@ struct Stage {
     Entrant entrant;
     entrant.info.family = "multistep";
     entrant.solve = [z = z, method](const Request& request) { return solve(method, *z, request); };
-    probe.entrants.push_back(entrant);
+    probe.entrants.add(entrant);
   }
 
   static Outcome solve(const LinearMultistep& method, Complex z, const Request& request) {

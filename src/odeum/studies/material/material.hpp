@@ -48,7 +48,7 @@ Specimen hanging_chain();  ///< ten masses
 struct SceneStage {
   explicit SceneStage(const scene::Scene& scene);
   std::shared_ptr<std::vector<double>> y0;  ///< all positions, then all velocities
-  std::vector<Entrant> entrants;
+  Entrants entrants;
 };
 
 /// Iterations per step, by the options of these names; 0: the engine's default.

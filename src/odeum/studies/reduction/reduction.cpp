@@ -28,7 +28,7 @@ struct ProtheroRobinson {
   }
 };
 
-std::vector<Entrant> entrants_at(double lambda) {
+Entrants entrants_at(double lambda) {
   Contest<ProtheroRobinson> contest;
   contest.problem = std::make_shared<const ProtheroRobinson>(ProtheroRobinson{lambda});
   contest.y0 = std::make_shared<const std::vector<double>>(1, 1.0);
@@ -84,9 +84,10 @@ ReductionResult measure_reduction(const Options& options, const Runner& runner) 
   for (int k = 0; k <= decades; ++k) {
     const double lambda = -std::pow(10.0, k);
     std::vector<Task>& stage = stages.emplace_back();
-    for (Entrant& entrant : entrants_at(lambda))
-      if (any_glob_matches(options.solvers, entrant.info.id()))
-        stage.push_back({lambda, std::move(entrant)});
+    const Entrants entrants = entrants_at(lambda);
+    for (std::size_t i = 0; i < entrants.size(); ++i)
+      if (any_glob_matches(options.solvers, entrants.info(i).id()))
+        stage.push_back({lambda, entrants[i]});
   }
   std::vector<Task> tasks;  // by solver, then by stiffness
   for (std::size_t i = 0; i < stages.front().size(); ++i)

@@ -8,11 +8,6 @@
 /// forces) and not its right-hand side. Fixed step only.
 namespace odeum::adapters::bullet {
 
-void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants);
-
-template <Ode P>
-void enroll(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  enroll(erase(contest), entrants);
-}
+void add_solvers(std::vector<Solver>& all);
 
 }  // namespace odeum::adapters::bullet

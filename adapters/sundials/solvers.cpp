@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sundials/enroll.hpp"
+#include "sundials/solvers.hpp"
 
 #include <iterator>
 #include <utility>
@@ -24,12 +24,13 @@ const std::vector<Method>& all_methods() {
 
 }  // namespace
 
-void enroll_erased(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+void add_solvers(std::vector<Solver>& all) {
   for (const Method& method : all_methods())  // they live as long as the program
-    entrants.push_back(
-        {.info = method.info, .unfit = {}, .solve = [&method, contest](const Request& request) {
-           return solve(method, contest, request);
-         }});
+    all.push_back({method.info, [&method](const ErasedContest& contest, Entrant& entrant) {
+                     entrant.solve = [&method, contest](const Request& request) {
+                       return solve(method, contest, request);
+                     };
+                   }});
 }
 
 }  // namespace odeum::adapters::sundials

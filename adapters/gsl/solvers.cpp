@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gsl/enroll.hpp"
+#include "gsl/solvers.hpp"
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
@@ -50,7 +50,7 @@ double order_of(const Method& method, std::size_t dimension) {
   return step ? gsl_odeiv2_step_order(step.get()) : method.order;
 }
 
-SolverInfo describe(const Method& method, std::size_t dimension) {
+SolverInfo describe(const Method& method) {
   SolverInfo info;
   info.library = "gsl";
   info.method = method.name;
@@ -68,7 +68,7 @@ SolverInfo describe(const Method& method, std::size_t dimension) {
     case Kind::bdf:
       info.family = "multistep";
   }
-  info.order = order_of(method, dimension);
+  info.order = method.order;
   info.fixed = !method.multistep();  // its order follows from a tolerance, see solve
   info.adaptive = true;
   info.common_use = method.common_use;
@@ -83,17 +83,18 @@ SolverInfo describe(const Method& method, std::size_t dimension) {
 
 }  // namespace
 
-void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants) {
+void add_solvers(std::vector<Solver>& all) {
   // The library's default handler aborts the process. It is global: disabled once, and before any
   // call of the library.
   static const gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   static_cast<void>(previous);
   for (const Method& method : methods)
-    entrants.push_back({.info = describe(method, contest.view.dimension),
-                        .unfit = {},
-                        .solve = [&method, contest](const Request& request) {
-                          return gsl::solve(method, contest, request);
-                        }});
+    all.push_back({describe(method), [&method](const ErasedContest& contest, Entrant& entrant) {
+                     entrant.info.order = order_of(method, contest.view.dimension);
+                     entrant.solve = [&method, contest](const Request& request) {
+                       return gsl::solve(method, contest, request);
+                     };
+                   }});
 }
 
 }  // namespace odeum::adapters::gsl

@@ -8,12 +8,6 @@
 /// steppers.
 namespace odeum::adapters::gsl {
 
-/// Adds every stepper of the library as an entrant of the contest.
-void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants);
-
-template <Ode P>
-void enroll(const Contest<P>& contest, std::vector<Entrant>& entrants) {
-  enroll(erase(contest), entrants);
-}
+void add_solvers(std::vector<Solver>& all);
 
 }  // namespace odeum::adapters::gsl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "enroll.hpp"
+#include "bullet/solvers.hpp"
 
 #include <fmt/format.h>
 
@@ -211,15 +211,15 @@ void add_variants(std::map<std::string, std::vector<Variant>>& all) {
   for (const Method& method : methods) all[info_of(method).id()] = method.variants;
 }
 
-void enroll(const ErasedContest& contest, std::vector<Entrant>& entrants) {
-  for (const Method& method : methods) {
-    Entrant entrant{.info = info_of(method), .unfit = unfit(method, contest), .solve = {}};
-    if (entrant.unfit.empty())
-      entrant.solve = [&method, contest](const Request& request) {
-        return solve(method, contest, request);
-      };
-    entrants.push_back(std::move(entrant));
-  }
+void add_solvers(std::vector<Solver>& all) {
+  for (const Method& method : methods)
+    all.push_back({info_of(method), [&method](const ErasedContest& contest, Entrant& entrant) {
+                     entrant.unfit = unfit(method, contest);
+                     if (!entrant.unfit.empty()) return;
+                     entrant.solve = [&method, contest](const Request& request) {
+                       return solve(method, contest, request);
+                     };
+                   }});
 }
 
 }  // namespace odeum::adapters::bullet

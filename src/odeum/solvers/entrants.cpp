@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/solvers/entrants.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+namespace odeum {
+namespace {
+
+std::atomic<std::size_t> entrants_made = 0;
+
+}  // namespace
+
+struct Entrants::Shared {
+  const std::vector<Solver>* solvers = nullptr;  ///< null: none
+  ErasedContest contest = {};
+  Finish finish = {};
+  std::mutex mutex = {};
+  std::vector<std::unique_ptr<Entrant>> made = {};  ///< of `solvers`, then those that were added
+};
+
+Entrants::Entrants(const std::vector<Solver>& solvers, ErasedContest contest, Finish finish)
+    : shared_(std::make_shared<Shared>()) {
+  shared_->solvers = &solvers;
+  shared_->contest = std::move(contest);
+  shared_->finish = std::move(finish);
+  shared_->made.resize(solvers.size());
+}
+
+void Entrants::add(Entrant entrant) {
+  if (!shared_) shared_ = std::make_shared<Shared>();
+  shared_->made.push_back(std::make_unique<Entrant>(std::move(entrant)));
+}
+
+std::size_t Entrants::size() const { return shared_ ? shared_->made.size() : 0; }
+
+const SolverInfo& Entrants::info(std::size_t k) const {
+  const std::vector<Solver>* const solvers = shared_->solvers;
+  return solvers && k < solvers->size() ? (*solvers)[k].info : shared_->made[k]->info;
+}
+
+const Entrant& Entrants::operator[](std::size_t k) const {
+  const std::lock_guard lock(shared_->mutex);
+  std::unique_ptr<Entrant>& entrant = shared_->made[k];
+  if (!entrant) {
+    const Solver& solver = (*shared_->solvers)[k];
+    entrant = std::make_unique<Entrant>();
+    entrant->info = solver.info;
+    solver.enroll(shared_->contest, *entrant);
+    if (shared_->finish) shared_->finish(*entrant);
+    ++entrants_made;
+  }
+  return *entrant;
+}
+
+const Entrant* Entrants::find(const std::string& id) const {
+  for (std::size_t k = 0; k < size(); ++k)
+    if (info(k).id() == id) return &(*this)[k];
+  return nullptr;
+}
+
+std::size_t Entrants::made() { return entrants_made; }
+
+}  // namespace odeum
