@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/stage.hpp"
 
@@ -23,14 +24,11 @@ Case make_case(const Values& values) {
   const double start = values[0];
   require_positive("y0", start);
   Case c;
-  c.id = "blow_up";
-  c.title = "Solution that ends at a pole";
   c.equation = fmt::format(
       "y' = y^2, y(0) = y0: y = y0 / (1 - y0 t) for t < 1 / y0, and no solution from there on; y0 "
       "= {}",
       start);
   c.source = "by separation of variables";
-  c.tags = {"nonlinear", "autonomous", "ends"};
   c.y0 = {start};
   c.components = {"y"};
   c.stops = {0.5, 2};
@@ -48,6 +46,13 @@ Case make_case(const Values& values) {
 
 /// A solution that ends at a pole, t = 1, within the interval: a solver that reports success at the
 /// end has stepped over it, to the other branch of 1 / (1 - t).
-std::vector<Case> blow_up() { return {with_parameters({{"y0", 1, "at the start"}}, make_case)}; }
+std::vector<Statement> blow_up() {
+  return {{.id = "blow_up",
+           .title = "Solution that ends at a pole",
+           .tags = {"nonlinear", "autonomous", "ends"},
+           .make = [] {
+             return with_parameters({{"y0", 1, "at the start"}}, make_case);
+           }}};
+}
 
 }  // namespace odeum::cases

@@ -2,11 +2,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
 
 namespace odeum::cases {
+namespace {
 
 std::vector<double> brusselator_1d_start(std::size_t cells) {
   std::vector<double> y;
@@ -18,17 +20,13 @@ std::vector<double> brusselator_1d_start(std::size_t cells) {
   return y;
 }
 
-/// A reaction with diffusion on 500 cells: 1,000 unknowns with a band of two on either side.
-std::vector<Case> brusselator_1d() {
+Case make_brusselator_1d() {
   Case c;
-  c.id = "brusselator_1d";
-  c.title = "Brusselator with diffusion";
   c.equation =
       "u_i' = 1 + u_i^2 v_i - 4 u_i + c (u_{i-1} - 2 u_i + u_{i+1}), v_i' = 3 u_i - u_i^2 v_i + c "
       "(v_{i-1} - 2 v_i + v_{i+1}), i = 1..500, c = 0.02 * 501^2, u = 1 and v = 3 at the ends, "
       "u_i(0) = 1 + sin(2 pi i / 501), v_i(0) = 3";
   c.source = "Hairer, Wanner, Solving ODEs II, IV.1, (1.6'), and IV.10, problem BRUSS";
-  c.tags = {"nonlinear", "autonomous", "stiff", "diffusion"};
   c.y0 = brusselator_1d_start(500);
   c.stops = {2, 4, 6, 8, 10};
   c.settings.steps_multiple = 5;
@@ -37,7 +35,17 @@ std::vector<Case> brusselator_1d() {
   c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth("brusselator_1d", 2e-15);
   set_stage(c, brusselator_1d_problem(500));
-  return {c};
+  return c;
+}
+
+}  // namespace
+
+/// A reaction with diffusion on 500 cells: 1,000 unknowns with a band of two on either side.
+std::vector<Statement> brusselator_1d() {
+  return {{.id = "brusselator_1d",
+           .title = "Brusselator with diffusion",
+           .tags = {"nonlinear", "autonomous", "stiff", "diffusion"},
+           .make = make_brusselator_1d}};
 }
 
 }  // namespace odeum::cases

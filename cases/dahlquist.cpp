@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/stage.hpp"
 #include "odeum/scene/model/scene.hpp"
@@ -77,14 +78,10 @@ bool scheme_of(std::complex<double> lambda, bool complex, const std::string& sol
   return true;
 }
 
-Case describe(const char* id, const char* title, const char* equation, std::complex<double> lambda,
-              bool complex) {
+Case describe(const char* equation, std::complex<double> lambda, bool complex) {
   Case c;
-  c.id = std::string("dahlquist_") + id;
-  c.title = title;
   c.equation = equation;
   c.source = "Dahlquist, BIT 3 (1963) 27-43";
-  c.tags = {"linear", "autonomous", "smooth"};
   c.stops = {4};
   c.settings.coarsest_steps = 16;
   c.settings.finest_steps = 16384;
@@ -101,25 +98,25 @@ Case describe(const char* id, const char* title, const char* equation, std::comp
   return c;
 }
 
-Case real_case_of(const char* id, const char* title, double lambda) {
+Case real_case_of(double lambda) {
   const std::string equation =
       lambda == -1 ? "y' = -y, y(0) = 1" : fmt::format("y' = {} y, y(0) = 1", lambda);
-  Case c = describe(id, title, equation.c_str(), lambda, false);
+  Case c = describe(equation.c_str(), lambda, false);
   c.y0 = {1};
   c.components = {"y"};
   set_stage(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
   return c;
 }
 
-Case real_case(const char* id, const char* title, double lambda) {
+Case real_case(double lambda) {
   return with_parameters({{"lambda", lambda, "1/s"}},
-                         [=](const Values& values) { return real_case_of(id, title, values[0]); });
+                         [](const Values& values) { return real_case_of(values[0]); });
 }
 
-Case complex_case_of(const char* id, const char* title, std::complex<double> lambda) {
+Case complex_case_of(std::complex<double> lambda) {
   const std::string equation =
       fmt::format("y' = ({} + {}i) y, y(0) = 1", lambda.real(), lambda.imag());
-  Case c = describe(id, title, equation.c_str(), lambda, true);
+  Case c = describe(equation.c_str(), lambda, true);
   c.y0 = {1, 0};
   c.components = {"re", "im"};
   set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
@@ -127,11 +124,11 @@ Case complex_case_of(const char* id, const char* title, std::complex<double> lam
   return c;
 }
 
-Case complex_case(const char* id, const char* title, std::complex<double> lambda) {
+Case complex_case(std::complex<double> lambda) {
   return with_parameters({{"re", lambda.real(), "real part of lambda, 1/s"},
                           {"im", lambda.imag(), "imaginary part of lambda, 1/s"}},
-                         [=](const Values& values) {
-                           return complex_case_of(id, title, {values[0], values[1]});
+                         [](const Values& values) {
+                           return complex_case_of({values[0], values[1]});
                          });
 }
 
@@ -144,15 +141,28 @@ Probe lambda_probe() {
                     });
 }
 
+Statement state(const char* id, const char* title, std::function<Case()> make) {
+  return {.id = id,
+          .title = title,
+          .tags = {"linear", "autonomous", "smooth"},
+          .make = std::move(make)};
+}
+
 }  // namespace
 
 /// Dahlquist's test equation: real, complex and imaginary lambda.
-std::vector<Case> dahlquist() {
-  Case complex = complex_case("complex", "Dahlquist's equation, damped rotation", {-0.5, 2});
-  complex.plane = "lambda";
-  complex.probe = lambda_probe;
-  return {real_case("real", "Dahlquist's equation, decay", -1), complex,
-          complex_case("imaginary", "Dahlquist's equation, rotation", {0, 2})};
+std::vector<Statement> dahlquist() {
+  return {state("dahlquist_real", "Dahlquist's equation, decay", [] { return real_case(-1); }),
+          state("dahlquist_complex", "Dahlquist's equation, damped rotation",
+                [] {
+                  Case c = complex_case({-0.5, 2});
+                  c.plane = "lambda";
+                  c.probe = lambda_probe;
+                  return c;
+                }),
+          state("dahlquist_imaginary", "Dahlquist's equation, rotation", [] {
+            return complex_case({0, 2});
+          })};
 }
 
 }  // namespace odeum::cases

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/element_case.hpp"
 #include "odeum/fem/shapes.hpp"
 
@@ -56,7 +57,6 @@ Case common(const char* mass, const System& system) {
       "boundary (Thomee, Galerkin Finite Element Methods for Parabolic Problems, chapters 1 and "
       "15)",
       divisions, mass);
-  c.tags = {"linear", "autonomous", "finite_elements"};
   c.settings.steps_multiple = 4;
   c.settings.finest_steps = 1024;
   c.settings.evaluation_budget = 20'000;
@@ -67,12 +67,10 @@ Case common(const char* mass, const System& system) {
   return c;
 }
 
-Case heat(const char* id, const char* title, const char* mass, const System& system, double load,
-          const char* start, std::vector<double> u0, double horizon) {
+Case heat(const char* mass, const System& system, double load, const char* start,
+          std::vector<double> u0, double horizon) {
   Case c = common(mass, system);
-  c.id = id, c.title = title;
   c.equation = fmt::format("M u' = -K u + f, f = {}, u(0) = {}", load, start);
-  c.tags.insert(c.tags.end(), {"parabolic", "stiff"});
   c.y0 = std::move(u0);
   c.stops = {horizon / 4, horizon / 2, horizon};
   // The largest eigenvalue times the horizon is 51 and 62: the first count is stable for rk4.
@@ -95,11 +93,9 @@ Case heat(const char* id, const char* title, const char* mass, const System& sys
   return c;
 }
 
-Case wave(const char* id, const char* title, const char* mass, const System& system) {
+Case wave(const char* mass, const System& system) {
   Case c = common(mass, system);
-  c.id = id, c.title = title;
   c.equation = "M u'' = -K u, u(0) = 16 x (1 - x) y (1 - y) at rest";
-  c.tags.insert(c.tags.end(), {"second_order", "separable", "hyperbolic", "oscillatory", "stiff"});
   const std::size_t n = system->size();
   c.y0 = at_nodes(*system, [](fem::Point p) { return 16 * p.x * (1 - p.x) * p.y * (1 - p.y); });
   c.truth.at = [system, a = in_modes(*system, c.y0), n](double t, double* y) {
@@ -124,31 +120,45 @@ Case wave(const char* id, const char* title, const char* mass, const System& sys
   return c;
 }
 
+double peak(fem::Point p) {
+  return std::exp(p.x - p.y) * std::sin(std::numbers::pi * p.x) *
+         std::sin(2 * std::numbers::pi * p.y);
+}
+double corner(fem::Point p) { return p.x < 0.5 && p.y < 0.5 ? 1. : 0.; }
+
+Statement state(const char* id, const char* title, bool parabolic, std::function<Case()> make) {
+  Statement statement{.id = id,
+                      .title = title,
+                      .tags = {"linear", "autonomous", "finite_elements"},
+                      .make = std::move(make)};
+  for (const char* tag : {"second_order", "separable", "hyperbolic", "oscillatory"})
+    if (!parabolic) statement.tags.emplace_back(tag);
+  if (parabolic) statement.tags.emplace_back("parabolic");
+  statement.tags.emplace_back("stiff");
+  return statement;
+}
+
 }  // namespace
 
 /// Heat and waves on the unit square by linear finite elements: smooth and discontinuous initial
 /// values, lumped and consistent mass.
-std::vector<Case> finite_elements() {
-  const auto smooth = make_system(fem::Mass::lumped, 1),
-             rough = make_system(fem::Mass::consistent, 0);
-  std::vector<Case> all;
-  all.push_back(heat("fem_heat", "Heat equation by finite elements", "lumped", smooth, 1,
-                     "exp(x - y) sin(pi x) sin(2 pi y)",
-                     at_nodes(*smooth,
-                              [](fem::Point p) {
-                                return std::exp(p.x - p.y) * std::sin(std::numbers::pi * p.x) *
-                                       std::sin(2 * std::numbers::pi * p.y);
-                              }),
-                     0.1));
-  all.push_back(
-      heat("fem_heat_rough", "Heat equation with a jump in its initial values", "consistent", rough,
-           0, "1 where x, y < 1/2, else 0",
-           at_nodes(*rough, [](fem::Point p) { return p.x < 0.5 && p.y < 0.5 ? 1. : 0.; }), 0.04));
-  all.push_back(wave("fem_wave", "Wave equation by finite elements", "lumped",
-                     make_system(fem::Mass::lumped, 0)));
-  all.push_back(wave("fem_wave_consistent", "Wave equation with a consistent mass matrix",
-                     "consistent", rough));
-  return all;
+std::vector<Statement> finite_elements() {
+  return {state("fem_heat", "Heat equation by finite elements", true,
+                [] {
+                  const auto system = make_system(fem::Mass::lumped, 1);
+                  return heat("lumped", system, 1, "exp(x - y) sin(pi x) sin(2 pi y)",
+                              at_nodes(*system, peak), 0.1);
+                }),
+          state("fem_heat_rough", "Heat equation with a jump in its initial values", true,
+                [] {
+                  const auto system = make_system(fem::Mass::consistent, 0);
+                  return heat("consistent", system, 0, "1 where x, y < 1/2, else 0",
+                              at_nodes(*system, corner), 0.04);
+                }),
+          state("fem_wave", "Wave equation by finite elements", false,
+                [] { return wave("lumped", make_system(fem::Mass::lumped, 0)); }),
+          state("fem_wave_consistent", "Wave equation with a consistent mass matrix", false,
+                [] { return wave("consistent", make_system(fem::Mass::consistent, 0)); })};
 }
 
 }  // namespace odeum::cases

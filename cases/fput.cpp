@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
@@ -56,15 +57,12 @@ struct Chain {
   double stiffness(double d) const { return 1 + d * (2 * alpha + 3 * beta * d); }
 };
 
-Case make_case(const char* id, const char* title, const Values& values) {
+Case make_case(const std::string& id, const Values& values) {
   Case c;
-  c.id = id;
-  c.title = title;
   c.equation =
       "q_j'' = F(q_{j+1} - q_j) - F(q_j - q_{j-1}), F(d) = d + alpha d^2 + beta d^3, in the first "
       "mode";
   c.source = "Fermi, Pasta, Ulam, Tsingou, Los Alamos report LA-1940 (1955)";
-  c.tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"};
   c.y0.resize(Chain::dimension);
   for (std::size_t j = 0; j < Chain::masses; ++j)
     c.y0[j] = values[2] * std::sin(std::numbers::pi * static_cast<double>(j + 1) / 33);
@@ -79,19 +77,25 @@ Case make_case(const char* id, const char* title, const Values& values) {
   return c;
 }
 
-Case make_variant(const char* id, const char* title, double alpha, double beta) {
-  return with_tabled_parameters({{"alpha", alpha, "quadratic part of the springs"},
-                                 {"beta", beta, "cubic part of the springs"},
-                                 {"amplitude", 1, "of the first mode at the start"}},
-                                [=](const Values& values) { return make_case(id, title, values); });
+Statement state(const std::string& id, const char* title, double alpha, double beta) {
+  return {
+      .id = id,
+      .title = title,
+      .tags = {"nonlinear", "autonomous", "second_order", "separable", "mechanical", "oscillatory"},
+      .make = [=] {
+        return with_tabled_parameters({{"alpha", alpha, "quadratic part of the springs"},
+                                       {"beta", beta, "cubic part of the springs"},
+                                       {"amplitude", 1, "of the first mode at the start"}},
+                                      [=](const Values& values) { return make_case(id, values); });
+      }};
 }
 
 }  // namespace
 
 /// A nonlinear chain with its energy initially in the longest mode, and the recurrence.
-std::vector<Case> fput() {
-  return {make_variant("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic", 0.25, 0),
-          make_variant("fput_beta", "Fermi, Pasta, Ulam and Tsingou's chain, cubic", 0, 1)};
+std::vector<Statement> fput() {
+  return {state("fput_alpha", "Fermi, Pasta, Ulam and Tsingou's chain, quadratic", 0.25, 0),
+          state("fput_beta", "Fermi, Pasta, Ulam and Tsingou's chain, cubic", 0, 1)};
 }
 
 }  // namespace odeum::cases

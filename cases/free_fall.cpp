@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/stage.hpp"
 #include "odeum/scene/model/scene.hpp"
@@ -55,11 +56,8 @@ Case make_case(const Values& values) {
   const FreeFall fall{.g = values[0]};
   const double x0 = values[1], v0 = values[2];
   Case c;
-  c.id = "free_fall";
-  c.title = "Free fall";
   c.equation = fmt::format("x' = v, v' = {}, x(0) = {}, v(0) = {}", fall.g, x0, v0);
   c.source = "Galilei 1638";
-  c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
   c.y0 = {x0, v0};
   c.components = {"x", "v"};
   c.stops = {0.5, 1, 1.5, 2};
@@ -86,11 +84,16 @@ Case make_case(const Values& values) {
 }  // namespace
 
 /// A body thrown upwards. The numerical solutions have closed forms too, which tests use.
-std::vector<Case> free_fall() {
-  return {with_parameters({{"g", -9.81, "acceleration, m/s^2"},
-                           {"x0", 10, "position at the start, m"},
-                           {"v0", 3, "velocity at the start, m/s"}},
-                          make_case)};
+std::vector<Statement> free_fall() {
+  return {{.id = "free_fall",
+           .title = "Free fall",
+           .tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"},
+           .make = [] {
+             return with_parameters({{"g", -9.81, "acceleration, m/s^2"},
+                                     {"x0", 10, "position at the start, m"},
+                                     {"v0", 3, "velocity at the start, m/s"}},
+                                    make_case);
+           }}};
 }
 
 }  // namespace odeum::cases

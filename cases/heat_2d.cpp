@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
@@ -73,13 +74,8 @@ void exact_state(double t, double* y) {
     }
 }
 
-}  // namespace
-
-/// Heat in a square plate: 900 unknowns, linear and stiff; a band would have 30 on either side.
-std::vector<Case> heat_2d() {
+Case make_heat_2d() {
   Case c;
-  c.id = "heat_2d";
-  c.title = "Heat in a plate";
   c.equation =
       "y_ij' = 961 (y_{i-1,j} + y_{i+1,j} + y_{i,j-1} + y_{i,j+1} - 4 y_ij), i, j = 1..30, zero "
       "beyond; y(0) = three eigenvectors: sin sin of (1, 1), (3, 2) and (7, 11) half waves with "
@@ -87,7 +83,6 @@ std::vector<Case> heat_2d() {
   c.source =
       "Hairer, Wanner, Solving ODEs II, IV.1; Iserles, A First Course in the Numerical "
       "Analysis of Differential Equations, chapters 8 and 16";
-  c.tags = {"linear", "autonomous", "stiff", "diffusion"};
   c.y0.resize(Heat2d::size());
   exact_state(0, c.y0.data());
   c.stops = {0.01, 0.02, 0.05};
@@ -103,7 +98,17 @@ std::vector<Case> heat_2d() {
     return true;
   };
   set_stage(c, Heat2d());
-  return {c};
+  return c;
+}
+
+}  // namespace
+
+/// Heat in a square plate: 900 unknowns, linear and stiff; a band would have 30 on either side.
+std::vector<Statement> heat_2d() {
+  return {{.id = "heat_2d",
+           .title = "Heat in a plate",
+           .tags = {"linear", "autonomous", "stiff", "diffusion"},
+           .make = make_heat_2d}};
 }
 
 }  // namespace odeum::cases

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/stage.hpp"
 
@@ -91,15 +92,12 @@ Case make_case(const Values& values) {
   for (const auto& [name, k] : {std::pair{"k1", p.k1}, {"k2", p.k2}, {"k12", p.k12}})
     require_positive(name, k);
   Case c;
-  c.id = "mass_matrix";
-  c.title = "Two masses in sum and difference coordinates";
   c.equation = fmt::format(
       "M (s, d)'' = -K (s, d), M = 1/4 [{0} {1}; {1} {0}], K = 1/4 [{2} {3}; "
       "{3} {4}]",
       p.m1 + p.m2, p.m1 - p.m2, p.k1 + p.k2, p.k1 - p.k2, p.k1 + p.k2 + 4 * p.k12);
   c.source =
       "two coupled oscillators, Goldstein, Classical Mechanics, chapter 6: M is not diagonal";
-  c.tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"};
   c.y0 = {values[5], values[6], values[7], values[8]};
   c.components = {"s", "d", "s_rate", "d_rate"};
   c.stops = {2.5, 5, 7.5, 10};
@@ -119,17 +117,22 @@ Case make_case(const Values& values) {
 }  // namespace
 
 /// Two masses on springs in coordinates whose mass matrix is not diagonal.
-std::vector<Case> mass_matrix() {
-  return {with_parameters({{"m1", 1, "mass, kg"},
-                           {"m2", 3, "mass, kg"},
-                           {"k1", 4, "stiffness to the wall, N/m"},
-                           {"k2", 5, "stiffness to the wall, N/m"},
-                           {"k12", 2, "stiffness between the masses, N/m"},
-                           {"s0", 1, "x1 + x2 at the start, m"},
-                           {"d0", 0.5, "x1 - x2 at the start, m"},
-                           {"s_rate0", 0, "its rate, m/s"},
-                           {"d_rate0", -0.3, "its rate, m/s"}},
-                          make_case)};
+std::vector<Statement> mass_matrix() {
+  return {{.id = "mass_matrix",
+           .title = "Two masses in sum and difference coordinates",
+           .tags = {"linear", "autonomous", "second_order", "separable", "mechanical", "smooth"},
+           .make = [] {
+             return with_parameters({{"m1", 1, "mass, kg"},
+                                     {"m2", 3, "mass, kg"},
+                                     {"k1", 4, "stiffness to the wall, N/m"},
+                                     {"k2", 5, "stiffness to the wall, N/m"},
+                                     {"k12", 2, "stiffness between the masses, N/m"},
+                                     {"s0", 1, "x1 + x2 at the start, m"},
+                                     {"d0", 0.5, "x1 - x2 at the start, m"},
+                                     {"s_rate0", 0, "its rate, m/s"},
+                                     {"d_rate0", -0.3, "its rate, m/s"}},
+                                    make_case);
+           }}};
 }
 
 }  // namespace odeum::cases

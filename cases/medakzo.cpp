@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
@@ -44,19 +45,13 @@ struct MedAkzoCells {
   }
 };
 
-}  // namespace
-
-/// Antibodies that enter tissue, up to t = 5, where the supply would end with a jump.
-std::vector<Case> medakzo() {
+Case make_medakzo() {
   Case c;
-  c.id = "medakzo";
-  c.title = "Medical Akzo Nobel problem";
   c.equation =
       "u_j' = alpha_j (u_{j+1} - u_{j-1}) / (2 d) + beta_j (u_{j-1} - 2 u_j + u_{j+1}) / d^2 - 100 "
       "u_j v_j, v_j' = -100 u_j v_j, j = 1..200, d = 1/200, alpha_j = (j d - 1)^3 / 8, beta_j = "
       "(j d - 1)^4 / 16, u_0 = 2, u_201 = u_200, u(0) = 0, v(0) = 1";
   c.source = "Test Set for IVP Solvers, Medical Akzo Nobel problem, without the jump at t = 5";
-  c.tags = {"nonlinear", "autonomous", "stiff", "diffusion"};
   for (std::size_t j = 0; j < MedAkzoCells::cells; ++j) {
     c.y0.push_back(0);
     c.y0.push_back(1);
@@ -68,7 +63,17 @@ std::vector<Case> medakzo() {
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("medakzo", 5e-15);
   set_stage(c, TwoSpecies<MedAkzoCells>(MedAkzoCells()));
-  return {c};
+  return c;
+}
+
+}  // namespace
+
+/// Antibodies that enter tissue, up to t = 5, where the supply would end with a jump.
+std::vector<Statement> medakzo() {
+  return {{.id = "medakzo",
+           .title = "Medical Akzo Nobel problem",
+           .tags = {"nonlinear", "autonomous", "stiff", "diffusion"},
+           .make = make_medakzo}};
 }
 
 }  // namespace odeum::cases

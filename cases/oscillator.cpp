@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
@@ -17,12 +18,9 @@ namespace {
 
 /// What all oscillators have in common.
 template <class Numbers>
-Case describe(const std::string& id, const char* title, const Numbers& n, double y0, double v0) {
+Case describe(const Numbers& n, double y0, double v0) {
   Case c;
-  c.id = id;
-  c.title = title;
   c.source = "harmonic oscillator with viscous damping, any mechanics text";
-  c.tags = {"linear", "autonomous", "second_order", "mechanical"};
   c.y0 = {y0, v0};
   c.truth.source = "closed form";
   c.truth.at = [n, y0, v0](double t, double* y) {
@@ -43,31 +41,31 @@ struct UnitVariant {
 };
 
 Case make_unit(const UnitVariant& variant) {
-  return with_parameters(
-      {{"c", variant.damping, "damping, 2 is critical"},
-       {"x0", 1, "x at the start"},
-       {"v0", 0.5, "x' at the start"}},
-      [variant](const Values& values) {
-        require_not_negative("c", values[0]);
-        const UnitNumbers numbers{.d = values[0]};
-        Case c = describe(variant.id, variant.title, numbers, values[1], values[2]);
-        c.equation = fmt::format("x'' + c x' + x = 0, x(0) = {}, x'(0) = {}, c = {}", values[1],
-                                 values[2], values[0]);
-        c.tags.emplace_back(numbers.d > 0 ? "damped" : "separable");
-        c.components = {"x", "v"};
-        c.stops = {1, 5, 10, 20};
-        c.settings.steps_multiple = 20;
-        c.settings.coarsest_steps = 80;
-        c.settings.finest_steps = 2560;
-        c.settings.evaluation_budget = 20'000;
-        if (values == Values{variant.damping, 1, 0.5})
-          c.truth = reference_truth(variant.reference, variant.floor);
-        if (numbers.d > 0)
-          set_stage(c, Oscillator<true, UnitNumbers>{numbers});
-        else
-          set_stage(c, Oscillator<false, UnitNumbers>{numbers});
-        return c;
-      });
+  return with_parameters({{"c", variant.damping, "damping, 2 is critical"},
+                          {"x0", 1, "x at the start"},
+                          {"v0", 0.5, "x' at the start"}},
+                         [variant](const Values& values) {
+                           require_not_negative("c", values[0]);
+                           const UnitNumbers numbers{.d = values[0]};
+                           Case c = describe(numbers, values[1], values[2]);
+                           c.equation =
+                               fmt::format("x'' + c x' + x = 0, x(0) = {}, x'(0) = {}, c = {}",
+                                           values[1], values[2], values[0]);
+                           c.tags.emplace_back(numbers.d > 0 ? "damped" : "separable");
+                           c.components = {"x", "v"};
+                           c.stops = {1, 5, 10, 20};
+                           c.settings.steps_multiple = 20;
+                           c.settings.coarsest_steps = 80;
+                           c.settings.finest_steps = 2560;
+                           c.settings.evaluation_budget = 20'000;
+                           if (values == Values{variant.damping, 1, 0.5})
+                             c.truth = reference_truth(variant.reference, variant.floor);
+                           if (numbers.d > 0)
+                             set_stage(c, Oscillator<true, UnitNumbers>{numbers});
+                           else
+                             set_stage(c, Oscillator<false, UnitNumbers>{numbers});
+                           return c;
+                         });
 }
 
 /// The oscillator as a particle on a spring along x. The anchor is `length` before the equilibrium,
@@ -94,12 +92,11 @@ Case make_mass_on_spring(const Variant& variant, const Values& values) {
   require_positive("m", n.m);
   require_not_negative("d", n.d);
   require_positive("k", n.k);
-  Case c = describe(std::string("damped_oscillator_") + variant.id, variant.title, n, y0, v0);
+  Case c = describe(n, y0, v0);
   c.equation = variant.equation;
   if (values != Values{1, variant.d, 5, variant.rest, variant.y0, 0})
     c.equation = fmt::format("{} y'' + {} y' + {} (y - {}) = 0, y(0) = {}, y'(0) = {}", n.m, n.d,
                              n.k, n.rest, y0, v0);
-  c.tags.emplace_back("smooth");
   if (!(n.d > 0)) c.tags.emplace_back("separable");
   c.components = {"y", "u"};
   c.stops = {5, 10};
@@ -138,35 +135,55 @@ Probe probe() {
                     });
 }
 
+const std::vector<std::string> common_tags{"linear", "autonomous", "second_order", "mechanical"};
+
+Statement state(const UnitVariant& variant) {
+  return {.id = variant.id, .title = variant.title, .tags = common_tags, .make = [variant] {
+            return make_unit(variant);
+          }};
+}
+
+/// With a plane for the stability study where `probe` is given.
+Statement state(const Variant& variant, const std::string& plane = {}, Probe (*probe)() = nullptr) {
+  Statement statement{.id = std::string("damped_oscillator_") + variant.id,
+                      .title = variant.title,
+                      .tags = common_tags,
+                      .make = [=] {
+                        Case c = make_variant(variant);
+                        c.plane = plane;
+                        if (probe) c.probe = probe;
+                        return c;
+                      }};
+  statement.tags.emplace_back("smooth");
+  return statement;
+}
+
 }  // namespace
 
 /// Linear oscillators on both sides of critical damping, where the two roots coincide; and a mass
 /// on a spring, which physics engines run too, in four kinds of damping and with a rest length in a
 /// viscous fluid.
-std::vector<Case> oscillator() {
-  Case undamped = make_variant(
-      {"undamped", "Undamped oscillator", "y'' + 5 y = 0, y(0) = -5, y'(0) = 0", 0, 0, -5});
-  undamped.plane = "undamped";
-  undamped.probe = probe<false>;
-  Case under = make_variant({"underdamped", "Underdamped oscillator",
-                             "y'' + 0.5 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 0.5, 0, -5});
-  under.plane = "oscillator";
-  under.probe = probe<true>;
-  return {undamped,
-          under,
-          make_variant({"critical", "Critically damped oscillator",
-                        "y'' + 2 sqrt(5) y' + 5 y = 0, y(0) = -5, y'(0) = 0", 2 * std::sqrt(5.0), 0,
-                        -5}),
-          make_variant({"overdamped", "Overdamped oscillator",
-                        "y'' + 6 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 6, 0, -5}),
-          make_variant({"rest_length", "Spring with a rest length in a viscous fluid",
-                        "x'' = 5 (2 - x) - 0.5 x', x(0) = 3, x'(0) = 0", 0.5, 2, 3}),
-          make_unit({"osc_undamped", "osc_undamped", "Oscillator, no damping", 0, 1e-25}),
-          make_unit({"osc_under", "osc_under", "Oscillator, slight damping", 0.2, 2.5e-17}),
-          make_unit({"osc_critical", "osc_critical", "Oscillator, critical damping", 2, 1e-25}),
-          make_unit({"osc_nearly_critical", "osc_nearcrit_above_1e-6",
-                     "Oscillator, a millionth above critical damping", 2.000002, 4e-17}),
-          make_unit({"osc_over", "osc_over", "Oscillator, strong damping", 4, 1e-25})};
+std::vector<Statement> oscillator() {
+  return {
+      state(Variant{"undamped", "Undamped oscillator", "y'' + 5 y = 0, y(0) = -5, y'(0) = 0", 0, 0,
+                    -5},
+            "undamped", probe<false>),
+      state(Variant{"underdamped", "Underdamped oscillator",
+                    "y'' + 0.5 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 0.5, 0, -5},
+            "oscillator", probe<true>),
+      state(Variant{"critical", "Critically damped oscillator",
+                    "y'' + 2 sqrt(5) y' + 5 y = 0, y(0) = -5, y'(0) = 0", 2 * std::sqrt(5.0), 0,
+                    -5}),
+      state(Variant{"overdamped", "Overdamped oscillator",
+                    "y'' + 6 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 6, 0, -5}),
+      state(Variant{"rest_length", "Spring with a rest length in a viscous fluid",
+                    "x'' = 5 (2 - x) - 0.5 x', x(0) = 3, x'(0) = 0", 0.5, 2, 3}),
+      state(UnitVariant{"osc_undamped", "osc_undamped", "Oscillator, no damping", 0, 1e-25}),
+      state(UnitVariant{"osc_under", "osc_under", "Oscillator, slight damping", 0.2, 2.5e-17}),
+      state(UnitVariant{"osc_critical", "osc_critical", "Oscillator, critical damping", 2, 1e-25}),
+      state(UnitVariant{"osc_nearly_critical", "osc_nearcrit_above_1e-6",
+                        "Oscillator, a millionth above critical damping", 2.000002, 4e-17}),
+      state(UnitVariant{"osc_over", "osc_over", "Oscillator, strong damping", 4, 1e-25})};
 }
 
 }  // namespace odeum::cases

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problems/pleiades.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
 
 namespace odeum::cases {
+namespace {
 
-/// A planar problem of seven bodies with close encounters.
-std::vector<Case> pleiades() {
+Case make_pleiades() {
   Case c;
-  c.id = "pleiades";
-  c.title = "Pleiades";
   c.equation = "r_i'' = sum over j of m_j (r_j - r_i) / |r_j - r_i|^3, seven stars in a plane";
   c.source = "Hairer, Norsett, Wanner, Solving ODEs I, (II.10.3)";
-  c.tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial"};
   c.y0 = {3, 3, -1, -3, 2, -2,   2,    3, -3, 2, 0,     0, -4, 4,
           0, 0, 0,  0,  0, 1.75, -1.5, 0, 0,  0, -1.25, 1, 0,  0};
   c.stops = {1, 2, 3};
@@ -29,7 +27,17 @@ std::vector<Case> pleiades() {
                      return sum;
                    }}};
   set_stage(c, Pleiades{});
-  return {c};
+  return c;
+}
+
+}  // namespace
+
+/// A planar problem of seven bodies with close encounters.
+std::vector<Statement> pleiades() {
+  return {{.id = "pleiades",
+           .title = "Pleiades",
+           .tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial"},
+           .make = make_pleiades}};
 }
 
 }  // namespace odeum::cases

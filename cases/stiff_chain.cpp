@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
@@ -36,12 +37,8 @@ struct StiffChain {
 
 Case make_case(const Values& values) {
   Case c;
-  c.id = "stiff_chain2_k1e4";
-  c.title = "Two masses and a stiff spring";
   c.equation = "x1'' = -k1 x1 + k2 (x2 - x1), x2'' = -k2 (x2 - x1), x(0) = (x1, x2) at rest";
   c.source = "two-mass chain, any mechanics text";
-  c.tags = {"linear",     "autonomous",  "second_order", "separable",
-            "mechanical", "oscillatory", "stiff"};
   c.y0 = {values[2], values[3], 0, 0};
   c.components = {"x1", "x2", "v1", "v2"};
   c.stops = {0.1, 1};
@@ -57,12 +54,18 @@ Case make_case(const Values& values) {
 }  // namespace
 
 /// A fast vibration of small amplitude superposed on a slow one.
-std::vector<Case> stiff_chain() {
-  return {with_tabled_parameters({{"k1", 1, "stiffness to the wall, 1/s^2"},
-                                  {"k2", 1e4, "stiffness between the masses, 1/s^2"},
-                                  {"x1", 1, "at the start"},
-                                  {"x2", 1.001, "at the start"}},
-                                 make_case)};
+std::vector<Statement> stiff_chain() {
+  return {{.id = "stiff_chain2_k1e4",
+           .title = "Two masses and a stiff spring",
+           .tags = {"linear", "autonomous", "second_order", "separable", "mechanical",
+                    "oscillatory", "stiff"},
+           .make = [] {
+             return with_tabled_parameters({{"k1", 1, "stiffness to the wall, 1/s^2"},
+                                            {"k2", 1e4, "stiffness between the masses, 1/s^2"},
+                                            {"x1", 1, "at the start"},
+                                            {"x2", 1.001, "at the start"}},
+                                           make_case);
+           }}};
 }
 
 }  // namespace odeum::cases

@@ -97,8 +97,8 @@ void add_${family}(std::vector<proof::MethodFacts>& all) {\n${facts}}\n}  // nam
   set(ODEUM_METHOD_FILES ${files} PARENT_SCOPE)
 endfunction()
 
-# The lists of cases (every file in cases/, its stem the function that makes it; a text is printed as C++, see
-# odeum_print_cases) and of studies (every folder in src/odeum/studies that has a study.cpp). The files are left in
+# The lists of cases (every C++ file in cases/, its stem the function that states them; every text there, whose
+# problem is printed as C++, see odeum_print_cases) and of studies (every folder in src/odeum/studies that has a study.cpp). The files are left in
 # ODEUM_CASE_FILES, the texts in ODEUM_CASE_TEXTS.
 function(odeum_generate_lists)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
@@ -108,9 +108,8 @@ function(odeum_generate_lists)
   foreach(stem IN LISTS printed)
     list(APPEND files ${ODEUM_GENERATED}/cases/${stem}.cpp)
   endforeach()
-  list(APPEND cases ${printed})
-  list(SORT cases)
   odeum_write_list(cases ${cases})
+  odeum_write_list(printed ${printed})
   set(ODEUM_CASE_FILES ${files} PARENT_SCOPE)
   set(ODEUM_CASE_TEXTS ${texts} PARENT_SCOPE)
   file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/studies/*/study.cpp)
@@ -180,7 +179,7 @@ function(odeum_embed list pattern)
 endfunction()
 
 # What prints texts as C++ (src/odeum/print), and a command for each of ODEUM_CASE_TEXTS: its problem as
-# generated/problems/<stem>.hpp, its cases as generated/cases/<stem>.cpp; the target odeum_printed is all of them.
+# generated/problems/<stem>.hpp, and what hands it to the reader as generated/cases/<stem>.cpp; the target odeum_printed is all of them.
 function(odeum_print_cases)
   add_executable(odeum_print ${PROJECT_SOURCE_DIR}/src/odeum/print/main.cpp $<TARGET_OBJECTS:odeum_formula>)
   target_include_directories(odeum_print PRIVATE ${PROJECT_SOURCE_DIR}/src)

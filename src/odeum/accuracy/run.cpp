@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "odeum/accuracy/stepper.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/studies/convergence/convergence.hpp"

@@ -5,9 +5,10 @@
 
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/scene_case.hpp"
+#include "odeum/cases/text_case.hpp"
 
-// lists/*.inc are generated: the stem and the text of each file in cases/reference and
-// cases/scenes.
+// lists/*.inc are generated: the stem and the text of each text in cases/ and file in
+// cases/reference and cases/scenes.
 namespace odeum::cases {
 
 std::string_view reference_text(const std::string& name) {
@@ -17,6 +18,13 @@ std::string_view reference_text(const std::string& name) {
   const auto found = all.find(name);
   if (found == all.end()) throw std::runtime_error("no reference " + name);
   return found->second;
+}
+
+const std::vector<BuiltInText>& built_in_texts() {
+  static const std::vector<BuiltInText> all{
+#include "lists/texts.inc"
+  };
+  return all;
 }
 
 const std::vector<SceneText>& all_scenes() {

@@ -75,20 +75,12 @@ void usual_steps(Case& c) {
   c.settings.finest_steps = std::max<std::uint64_t>(16384, 64 * c.settings.steps_multiple);
 }
 
-}  // namespace
-
-TextCase foreign_case(foreign::ProblemCallbacks from) {
-  const auto held = std::make_shared<const Held>(std::move(from));
+Case foreign_case(const std::shared_ptr<const Held>& held) {
   const foreign::ProblemCallbacks& given = held->given;
   const odeum_problem& p = given.functions;
-  TextCase made;
-  Case& c = made.c;
-  c.id = given.id;
-  c.title = given.title;
+  Case c;
   c.equation = given.equation;
   c.source = given.source;
-  c.tags = {p.time_derivative ? "non_autonomous" : "autonomous", given.tag};
-  if (p.acceleration) c.tags.emplace_back("second_order");
   c.components = given.components;
   c.scale = given.scale;
   c.t0 = p.t0;
@@ -104,11 +96,25 @@ TextCase foreign_case(foreign::ProblemCallbacks from) {
     choose_steps(c, false, true);
   else
     usual_steps(c);
-  made.facts = given.facts;
+  c.facts = given.facts;
   if (c.has_tag("stiff"))
-    made.facts.emplace_back("found", "stiff: explicit methods need many more steps");
-  made.facts.emplace_back("truth", words);
-  return made;
+    c.facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  c.facts.emplace_back("truth", words);
+  return c;
+}
+
+}  // namespace
+
+Statement foreign_statement(foreign::ProblemCallbacks from) {
+  const auto held = std::make_shared<const Held>(std::move(from));
+  const foreign::ProblemCallbacks& given = held->given;
+  Statement statement{
+      .id = given.id,
+      .title = given.title,
+      .tags = {given.functions.time_derivative ? "non_autonomous" : "autonomous", given.tag},
+      .make = [held] { return foreign_case(held); }};
+  if (given.functions.acceleration) statement.tags.emplace_back("second_order");
+  return statement;
 }
 
 }  // namespace odeum::cases

@@ -3,13 +3,18 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
 
+#include "odeum/input/text_file.hpp"
+
 namespace odeum::cases {
 namespace {
+
+constexpr std::size_t most_reference_bytes = 64'000'000;
 
 template <class Real>
 Real number(std::string_view text, const std::string& name) {
@@ -44,9 +49,8 @@ WayPoints<Real> parse(std::string_view text, const std::string& name) {
 
 /// Looks the state at a time up in the file.
 template <class Real>
-std::function<bool(double, Real*)> lookup(const std::string& name) {
-  const auto way_points =
-      std::make_shared<const WayPoints<Real>>(parse<Real>(reference_text(name), name));
+std::function<bool(double, Real*)> lookup(std::string_view text, const std::string& name) {
+  const auto way_points = std::make_shared<const WayPoints<Real>>(parse<Real>(text, name));
   return [way_points](double t, Real* y) {
     const auto found = way_points->find(t);
     if (found == way_points->end()) return false;
@@ -57,16 +61,24 @@ std::function<bool(double, Real*)> lookup(const std::string& name) {
 
 }  // namespace
 
-Truth reference_truth(const std::string& name, double floor) {
+Truth reference_truth(const std::string& name, double floor, const std::string& folder) {
   Truth truth;
   truth.floor = floor;
+  for (const char* ending : {"", ".csv"}) {
+    const std::filesystem::path file = std::filesystem::path(folder) / (name + ending);
+    if (folder.empty() || !std::filesystem::is_regular_file(file)) continue;
+    truth.source = file.filename().string();
+    truth.at = lookup<double>(read_text_file(file.string(), "reference", most_reference_bytes),
+                              truth.source);
+    return truth;
+  }
   truth.source = "cases/reference/" + name + ".csv";
-  truth.at = lookup<double>(name);
+  truth.at = lookup<double>(reference_text(name), name);
   return truth;
 }
 
 std::function<bool(double t, long double* y)> extended_truth(const std::string& name) {
-  return lookup<long double>(name);
+  return lookup<long double>(reference_text(name), name);
 }
 
 }  // namespace odeum::cases

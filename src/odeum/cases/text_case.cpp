@@ -5,126 +5,353 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
 
+#include "odeum/cases/parameters.hpp"
+#include "odeum/cases/printed_text.hpp"
+#include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
 #include "odeum/cases/study_steps.hpp"
+#include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_truth.hpp"
+#include "odeum/formula/case_keys.hpp"
 
 namespace odeum::cases {
+
+// lists/printed.inc is generated: the stems of the texts in cases/, of which each is printed.
+#define ODEUM_ITEM(stem) PrintedText printed_##stem();
+#include "lists/printed.inc"
+#undef ODEUM_ITEM
+
 namespace {
 
 using formula::TextOde;
 
-void enrol(Case& c, const std::shared_ptr<const TextOde>& ode) {
-  c.problem = {.view = ode->view(),
-               .keep_alive = ode,
-               .t0 = c.t0,
-               .y0 = std::make_shared<const std::vector<double>>(c.y0),
-               .scene = nullptr};
-  c.entrants = enroll(c.problem);
+/// A file with what is known of it before it is read as a problem.
+struct File {
+  std::string name, text;
+  const PrintedText* printed = nullptr;  ///< null: no built-in text has its equations
+  std::string folder = {};               ///< of its references; empty: they are built in
+};
+
+const PrintedText* printed_of(std::string_view stem) {
+#define ODEUM_ITEM(name)                              \
+  if (stem == #name) {                                \
+    static const PrintedText text = printed_##name(); \
+    return &text;                                     \
+  }
+#include "lists/printed.inc"
+#undef ODEUM_ITEM
+  return nullptr;
 }
 
-/// Checks along the truth that the invariants are kept, and adds them to the case.
-void add_invariants(Case& c, const std::shared_ptr<const TextOde>& ode, const TextTruth& truth) {
-  if (ode->problem().invariants.empty()) return;
-  formula::Problem problem = ode->problem();
-  std::vector<long double> y(ode->size());
-  for (const double stop : truth.stops)
-    if (truth.extended(stop, y.data())) formula::require_invariants(problem, stop, y.data());
-  for (const formula::Kept& kept : problem.invariants) {
-    const auto value = std::make_shared<const formula::Evaluator<double>>(
-        problem.graph, std::vector<formula::Id>{kept.value});
-    const auto function = [value](const double* state) {
-      double result = 0;
-      (*value)(0, state, &result);
-      return result;
+/// Makes a case of a file.
+class TextCase : formula::CaseKeys {
+ public:
+  TextCase(const File& file, const std::string& id, const formula::Overrides& set)
+      : CaseKeys(file.name, file.text), file_(file), id_(id) {
+    enter(id);
+    formula::Overrides all;
+    for (const Item& item : mapping("set")) all[item.key] = scalar(*item.value, item.key);
+    problem_ = formula::read_problem(file.name, file.text, all);
+    read_offered();
+    usual_ = problem_.parameters;
+    if (set.empty()) return;
+    for (const auto& [name, value] : set) {
+      if (problem_.parameters.contains(name) &&
+          std::find(offered_.begin(), offered_.end(), name) == offered_.end())
+        throw std::invalid_argument(fmt::format("{} has no parameter {}; expected one of {}", id,
+                                                name, fmt::join(offered_, ", ")));
+      all[name] = value;
+    }
+    problem_ = formula::read_problem(file.name, file.text, all);
+  }
+
+  Case make() {
+    require_signs();
+    case_.t0 = static_cast<double>(problem_.t0);
+    case_.y0.assign(problem_.y0.begin(), problem_.y0.end());
+    case_.source = text("source", problem_.file);
+    case_.equation = text("equation", problem_.equations_text);
+    add_parameters();
+    read_numbers();
+    // Names of other columns of the files would stand there twice.
+    const std::vector<std::string> columns{"schema", "case",   "library", "solver",
+                                           "time",   "energy", "error"};
+    if (std::find_first_of(problem_.states.begin(), problem_.states.end(), columns.begin(),
+                           columns.end()) == problem_.states.end())
+      case_.components = problem_.states;
+    case_.scale = problem_.scale;
+    set_problem();
+    set_truth();
+    select_invariants();
+    choose_settings();
+    case_.facts = text_facts(problem_, *analysis_, ode_.get(), truth_, case_);
+    return std::move(case_);
+  }
+
+ private:
+  /// An expression of the parameters.
+  double number(const YamlNode& value, const std::string& key) {
+    formula::Graph graph;
+    formula::Scope scope;
+    for (const auto& [name, known] : problem_.parameters) scope.names[name] = graph.constant(known);
+    try {
+      const formula::Id id = parse_expression(scalar(value, key), scope, graph);
+      if (graph.is_constant(id)) return static_cast<double>(graph[id].value);
+    } catch (const formula::ExpressionError& error) {
+      fail(value.place, "{}: {}", key, error.what());
+    }
+    fail(value.place, "{}: not a constant; got t in it, expected a number", key);
+  }
+  std::vector<double> numbers(const std::string& key) {
+    std::vector<double> all;
+    for (const YamlNode* entry : entries(find(key))) all.push_back(number(*entry, key));
+    return all;
+  }
+  template <class Number>
+  void take_number(const std::string& key, Number& value) {
+    const std::vector<double> given = numbers(key);
+    if (given.size() > 1) fail(find(key)->place, "{}: got a list, expected a number", key);
+    if (!given.empty()) value = static_cast<Number>(given.front());
+  }
+
+  /// The parameters that a user may change: those of `parameters`, of `meanings`, or all.
+  void read_offered() {
+    for (const Item& item : mapping("set"))
+      if (!problem_.parameters.contains(item.key))
+        fail(item.key_place, "set: no parameter; got {}", shown(item.key));
+    offered_ = texts("parameters");
+    const std::vector<Item> meanings = mapping("meanings");
+    if (!has("parameters"))
+      for (const Item& item : meanings) offered_.push_back(item.key);
+    if (!has("parameters") && !has("meanings"))
+      for (const auto& [name, value] : problem_.parameters) offered_.push_back(name);
+    for (const std::string& name : offered_)
+      if (!problem_.parameters.contains(name))
+        fail({}, "{}: no parameter; got {}, expected one", id_, shown(name));
+    for (const Item& item : meanings)
+      if (!problem_.parameters.contains(item.key))
+        fail(item.key_place, "meanings: no parameter; got {}", shown(item.key));
+  }
+
+  void require_signs() {
+    for (const YamlNode* each : entries(find("positive")))
+      require_positive(scalar(*each, "positive"), number(*each, "positive"));
+    for (const YamlNode* each : entries(find("not_negative")))
+      require_not_negative(scalar(*each, "not_negative"), number(*each, "not_negative"));
+  }
+
+  void add_parameters() {
+    const std::vector<Item> meanings = mapping("meanings");
+    for (const std::string& name : offered_) {
+      const Item* const meaning = of_name(meanings, name);
+      const auto value = static_cast<double>(problem_.parameters.at(name));
+      if (has("parameters") || has("meanings"))
+        case_.equation +=
+            fmt::format("{} {} = {}", case_.parameters.empty() ? ";" : ",", name, value);
+      case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
+    }
+    if (offered_.empty()) return;
+    case_.with_values = [file = file_, id = id_, names = offered_](const Values& values) {
+      formula::Overrides set;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        set[names[k]] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
+      return TextCase(file, id, set).make();
     };
-    if (!c.energy && (kept.name == "energy" || kept.name == "H"))
-      c.energy = function;
-    else
-      c.invariants.push_back({kept.name, function});
   }
-}
 
-/// v M v / 2 at the start and at the stops, of the exact solution.
-std::string kinetic_energies(const formula::Problem& p, const TextTruth& truth) {
-  const formula::Evaluator<long double> energy(p.graph, {p.kinetic_energy});
-  std::vector<long double> y = p.y0;
-  long double value = 0;
-  energy(p.t0, y.data(), &value);
-  std::string text = fmt::format("energy v M v / 2 = {:.9Lg} at t = {:.6Lg}", value, p.t0);
-  for (const double stop : truth.stops) {
-    if (!truth.extended(stop, y.data())) continue;
-    energy(stop, y.data(), &value);
-    text += fmt::format(", {:.9Lg} at t = {:.6g}", value, stop);
+  void read_numbers() {
+    case_.stops = has("stops") ? numbers("stops") : problem_.stops;
+    if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
+    if (has("thresholds"))
+      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, numbers("thresholds"));
+    StudySettings& settings = case_.settings;
+    settings.no_fixed_steps = text("no_fixed_steps", "");
+    take_number("steps_multiple", settings.steps_multiple);
+    take_number("coarsest_steps", settings.coarsest_steps);
+    take_number("finest_steps", settings.finest_steps);
+    take_number("evaluation_budget", settings.evaluation_budget);
+    settings.timed_stops = numbers("timed_stops");
+    take_number("timed_floor", settings.timed_floor);
   }
-  return text;
-}
 
-void add_tags(Case& c, const formula::Structure& s) {
-  c.tags = {s.linear ? "linear" : "nonlinear", s.autonomous ? "autonomous" : "non_autonomous"};
-  if (s.second_order) c.tags.emplace_back("second_order");
-  if (s.second_order && !s.velocity_dependent) c.tags.emplace_back("separable");
+  /// Takes the code of a built-in text, or compiles the problem.
+  void set_problem() {
+    const formula::Offers offers = this->offers();
+    if (file_.printed) {
+      std::vector<double> values;
+      for (const std::string& name : file_.printed->parameters)
+        values.push_back(static_cast<double>(problem_.parameters.at(name)));
+      analysis_ = std::make_shared<const formula::Analysis>(formula::analyse(problem_));
+      file_.printed->put(values.data(), case_);
+    } else {
+      require_code();
+      OdeView view = ode_->view();
+      if (!offers.jacobian)
+        view.jacobian = nullptr, view.jacobian_entries = nullptr, view.jacobian_times = nullptr,
+        view.sparsity = nullptr, view.linear_matrix = nullptr;
+      if (!offers.second_order) view.acceleration = nullptr;
+      if (!offers.series) view.taylor = nullptr;
+      case_.problem = {view, ode_, case_.t0, std::make_shared<const std::vector<double>>(case_.y0),
+                       nullptr};
+      add_invariants();
+      case_.entrants = enroll(case_.problem);
+    }
+    const formula::Structure& s = analysis_->structure;
+    case_.tags = {s.linear ? "linear" : "nonlinear",
+                  s.autonomous ? "autonomous" : "non_autonomous"};
+    if (s.second_order && offers.second_order) {
+      case_.tags.emplace_back("second_order");
+      if (!s.velocity_dependent) case_.tags.emplace_back("separable");
+    }
+  }
+
+  void require_code() {
+    if (ode_) return;
+    ode_ = std::make_shared<const TextOde>(problem_);
+    analysis_ = {ode_, &ode_->analysis()};
+  }
+
+  void add_invariants() {
+    for (const formula::Kept& kept : problem_.invariants) {
+      const auto value = std::make_shared<const formula::Evaluator<double>>(
+          problem_.graph, std::vector<formula::Id>{kept.value});
+      const auto function = [value](const double* state) {
+        double result = 0;
+        (*value)(0, state, &result);
+        return result;
+      };
+      if (!case_.energy && (kept.name == "energy" || kept.name == "H"))
+        case_.energy = function;
+      else
+        case_.invariants.push_back({kept.name, function});
+    }
+  }
+
+  /// A reference holds for the usual parameters; else the closed form, or a computed reference. One
+  /// in place of a reference that no longer holds is computed where a run asks for it.
+  void set_truth() {
+    const bool usual =
+        std::equal(usual_.begin(), usual_.end(), problem_.parameters.begin(),
+                   [](const auto& a, const auto& b) {
+                     return static_cast<double>(a.second) == static_cast<double>(b.second);
+                   });
+    const std::vector<std::string> files = texts("reference");
+    double floor = 0;
+    take_number("floor", floor);
+    if (!files.empty() && !(floor > 0))
+      fail(find("reference")->place, "{}: floor: got none, expected the error of the reference",
+           id_);
+    if (!files.empty() && usual) {
+      case_.truth = reference_truth(files.front(), floor, file_.folder);
+      for (std::size_t k = 1; k < files.size(); ++k)
+        case_.truth.at = [before = case_.truth.at,
+                          more = reference_truth(files[k], floor, file_.folder).at](
+                             double t, double* y) { return before(t, y) || more(t, y); };
+      return;
+    }
+    if (problem_.exact.empty() && !files.empty()) {
+      case_.truth = unknown_truth();
+      return;
+    }
+    if (problem_.exact.empty()) {
+      compute_truth();
+    } else {
+      truth_ = closed_form(problem_);
+      case_.truth = truth_.truth;
+    }
+    if (floor > 0) case_.truth.floor = floor;
+    std::vector<long double> y(case_.y0.size());
+    for (const double stop : truth_.stops)
+      if (truth_.extended(stop, y.data())) formula::require_invariants(problem_, stop, y.data());
+    if (!ode_) return;
+    case_.extended = std::make_shared<const ExtendedProblem>(
+        ExtendedProblem{.f = [ode = ode_](long double t, const long double* at,
+                                          long double* f) { ode->rhs_extended(t, at, f); },
+                        .y0 = problem_.y0,
+                        .truth = truth_.extended,
+                        .floor = truth_.extended_floor});
+  }
+
+  void compute_truth() {
+    const std::vector<double>& timed = case_.settings.timed_stops;
+    problem_.stops = case_.stops;
+    problem_.stops.insert(problem_.stops.end(), timed.begin(), timed.end());
+    std::sort(problem_.stops.begin(), problem_.stops.end());
+    problem_.stops.erase(std::unique(problem_.stops.begin(), problem_.stops.end()),
+                         problem_.stops.end());
+    require_code();
+    truth_ = truth_of(ode_);
+    case_.truth = truth_.truth;
+    std::vector<double> known;
+    std::copy_if(truth_.stops.begin(), truth_.stops.end(), std::back_inserter(known),
+                 [&](double stop) { return stop <= case_.stops.back(); });
+    if (!known.empty()) case_.stops = known;
+  }
+
+  /// Leaves those that `invariants` names.
+  void select_invariants() {
+    if (!has("invariants")) return;
+    const std::vector<std::string> names = texts("invariants");
+    for (const std::string& name : names)
+      if (std::none_of(problem_.invariants.begin(), problem_.invariants.end(),
+                       [&](const formula::Kept& kept) { return kept.name == name; }))
+        fail(find("invariants")->place, "invariants: no invariant; got {}", shown(name));
+    std::erase_if(case_.invariants, [&](const Invariant& invariant) {
+      return std::find(names.begin(), names.end(), invariant.name) == names.end();
+    });
+  }
+
+  void choose_settings() {
+    for (const char* key : {"no_fixed_steps", "steps_multiple", "coarsest_steps", "finest_steps",
+                            "evaluation_budget"})
+      if (has(key)) return;
+    choose_steps(case_, analysis_->structure.smooth, !truth_.stops.empty());
+  }
+
+  File file_;
+  std::string id_;
+  formula::Problem problem_;
+  std::map<std::string, long double> usual_;
+  std::vector<std::string> offered_;
+  std::shared_ptr<const TextOde> ode_;
+  std::shared_ptr<const formula::Analysis> analysis_;
+  TextTruth truth_;
+  Case case_;
+};
+
+std::vector<Statement> statements_of(File file, const std::string& id,
+                                     const formula::Overrides& set) {
+  formula::CaseKeys keys(file.name, file.text);
+  std::vector<std::string> ids = keys.ids();
+  if (ids.empty()) ids = {id};
+  std::vector<Statement> all;
+  for (const std::string& each : ids) {
+    keys.enter(each);
+    all.push_back({.id = each,
+                   .title = keys.text("title", keys.name().empty() ? each : keys.name()),
+                   .tags = keys.tags(),
+                   .make = [file, each, set] { return TextCase(file, each, set).make(); }});
+  }
+  return all;
 }
 
 }  // namespace
 
-TextCase text_case(const std::string& id, formula::Problem problem, TextOde::Code code) {
-  const auto ode = std::make_shared<const TextOde>(std::move(problem), code);
-  const formula::Problem& p = ode->problem();
-  const formula::Structure& structure = ode->analysis().structure;
-  const TextTruth truth = truth_of(ode);
-  TextCase made;
-  Case& c = made.c;
-  c.id = id;
-  c.title = p.name.empty() ? id : p.name;
-  c.equation = p.equations_text;
-  c.source = p.file;
-  c.t0 = static_cast<double>(p.t0);
-  c.y0.assign(p.y0.begin(), p.y0.end());
-  // Names of other columns of the files would stand there twice.
-  const std::vector<std::string> columns{"schema", "case",   "library", "solver",
-                                         "time",   "energy", "error"};
-  if (std::find_first_of(p.states.begin(), p.states.end(), columns.begin(), columns.end()) ==
-      p.states.end())
-    c.components = p.states;
-  c.stops = truth.stops.empty() ? p.stops : truth.stops;
-  c.truth = truth.truth;
-  c.scale = p.scale;
-  c.tolerance = p.tolerance;
-  add_tags(c, structure);
-  add_invariants(c, ode, truth);
-  c.extended = std::make_shared<const ExtendedProblem>(
-      ExtendedProblem{.f = [ode](long double t, const long double* y,
-                                 long double* f) { ode->rhs_extended(t, y, f); },
-                      .y0 = p.y0,
-                      .truth = truth.extended,
-                      .floor = truth.extended_floor});
-  enrol(c, ode);
-  choose_steps(c, structure.smooth, !truth.stops.empty());
+std::vector<Statement> text_statements(const std::string& file, const std::string& text,
+                                       const std::string& id, const formula::Overrides& set) {
+  const std::string folder = std::filesystem::absolute(file).parent_path().string();
+  const std::string code = formula::code_of_problem(file, text);
+  for (const BuiltInText& each : built_in_texts())
+    if (formula::code_of_problem(each.stem, each.text) == code)
+      return statements_of({file, text, printed_of(each.stem), folder}, id, set);
+  return statements_of({file, text, nullptr, folder}, id, set);
+}
 
-  made.facts.emplace_back("problem", fmt::format("{} ({})", c.title, p.file));
-  std::string parameters;
-  for (const auto& [name, value] : p.parameters)
-    parameters += fmt::format("{}{} = {:.12Lg}", parameters.empty() ? "" : ", ", name, value);
-  if (!parameters.empty()) made.facts.emplace_back("set", parameters);
-  std::vector<std::string> names(
-      p.states.begin(),
-      p.states.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(8, p.states.size())));
-  made.facts.emplace_back("states", fmt::format("{}: {}{}", p.states.size(), fmt::join(names, ", "),
-                                                names.size() < p.states.size() ? ", ..." : ""));
-  for (const std::string& line : formula::describe(structure))
-    made.facts.emplace_back("found", line);
-  if (c.has_tag("stiff"))
-    made.facts.emplace_back("found", "stiff: explicit methods need many more steps");
-  if (p.kinetic_energy != formula::no_node) {
-    made.facts.emplace_back("mass", p.mass_text);
-    made.facts.emplace_back("kinetic", kinetic_energies(p, truth));
-  }
-  made.facts.emplace_back("code", ode->how());
-  made.facts.emplace_back("truth", truth.words);
-  return made;
+std::vector<Statement> text_statements(const BuiltInText& text) {
+  return statements_of({"cases/" + text.stem + ".yaml", text.text, printed_of(text.stem)},
+                       text.stem, {});
 }
 
 }  // namespace odeum::cases

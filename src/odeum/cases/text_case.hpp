@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/formula/problem.hpp"
-#include "odeum/formula/text_ode.hpp"
-#include "odeum/solvers/case.hpp"
 
 namespace odeum::cases {
 
-/// A case made of a problem file, and what is said about it: name of the fact and text.
-struct TextCase {
-  Case c;
-  std::vector<std::pair<std::string, std::string>> facts;
+/// A file of cases/ that is a text, built in.
+struct BuiltInText {
+  std::string stem, text;
 };
+const std::vector<BuiltInText>& built_in_texts();
 
-/// Makes the case `id` of a problem: compiles it, analyses it, takes its closed form for truth or
-/// computes a reference (kept in the cache folder, keyed by content), chooses steps for the studies
-/// and enrols all solvers. Throws InputError where an invariant changes along the solution, and
-/// std::length_error where the problem is too large.
-TextCase text_case(const std::string& id, formula::Problem problem,
-                   formula::TextOde::Code code = formula::TextOde::Code::compiled);
+/// The cases that a problem file states: those below its `cases`, or one of the name `id`. Each has
+/// its closed form, its reference, or a computed one for truth (kept in the cache folder by
+/// content), and the steps of studies that the file gives, or that trial runs find. Its equations
+/// are compiled when it is made, unless a built-in text has the same. `set` replaces parameters.
+/// Throws InputError for a mistake in what is said of cases; make() does for one in the problem,
+/// and std::length_error where the problem is too large.
+std::vector<Statement> text_statements(const std::string& file, const std::string& text,
+                                       const std::string& id, const formula::Overrides& set = {});
+std::vector<Statement> text_statements(const BuiltInText& text);
 
 }  // namespace odeum::cases

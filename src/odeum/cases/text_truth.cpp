@@ -28,8 +28,9 @@ Real scale_of(const formula::Problem& problem, std::size_t i) {
   return problem.scale.empty() ? 1 : problem.scale[i];
 }
 
-TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
-  const formula::Problem& problem = ode->problem();
+}  // namespace
+
+TextTruth closed_form(const formula::Problem& problem) {
   const auto in_double =
       std::make_shared<const formula::Evaluator<double>>(problem.graph, problem.exact);
   const auto extended =
@@ -39,7 +40,7 @@ TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
     (*extended)(t, nullptr, y);
     return true;
   };
-  result.truth.at = [extended, n = ode->size()](double t, double* y) {
+  result.truth.at = [extended, n = problem.states.size()](double t, double* y) {
     std::vector<long double> values(n);
     (*extended)(t, nullptr, values.data());
     std::copy(values.begin(), values.end(), y);
@@ -47,8 +48,8 @@ TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
   };
   // What rounding does to the formula in double tells what it does in extended precision.
   Real amplified = 0, largest = 0;
-  std::vector<double> low(ode->size());
-  std::vector<Real> high(ode->size());
+  std::vector<double> low(problem.states.size());
+  std::vector<Real> high(problem.states.size());
   for (int k = 0; k <= 80; ++k) {
     const Real t = problem.t0 + (problem.stops.back() - problem.t0) * k / 80;
     const auto rounded = static_cast<double>(t);
@@ -70,6 +71,8 @@ TextTruth closed_form(const std::shared_ptr<const TextOde>& ode) {
       fmt::format("closed form, which fulfils the equations; known to {:.1e}", result.truth.floor);
   return result;
 }
+
+namespace {
 
 /// Product of its widths in the reverse Cuthill-McKee ordering.
 double narrowest_band(const Sparsity& pattern) {
@@ -210,7 +213,6 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
 
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
-  if (!problem.exact.empty()) return closed_form(ode);
   return truth_from(
       *kept_or_computed(
           content_of(ode), ode->size(), problem.stops, problem.scale,

@@ -4,7 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "odeum/cases/text_case.hpp"
+#include "odeum/formula/text_ode.hpp"
+#include "odeum/solvers/case.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::cases {
@@ -31,6 +32,9 @@ std::optional<truth::Reference> kept_or_computed(
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
                      const std::vector<double>& scale, const std::string& what);
 
+/// The truth of a problem with a closed form; `extended` too.
+TextTruth closed_form(const formula::Problem& problem);
+/// A computed one, at the problem's stops as far as it is known.
 TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode);
 
 }  // namespace odeum::cases

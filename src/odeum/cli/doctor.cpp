@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -20,7 +21,7 @@ void add_doctor(CLI::App& app) {
     text += fmt::format("{:<10} {}\n", "fmi",
                         fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);
     std::size_t solvers = all_solvers().size();
-    text += fmt::format("cases      {}\nsolvers    {}\n", all_cases().size(), solvers);
+    text += fmt::format("cases      {}\nsolvers    {}\n", known_ids().size(), solvers);
     print(text);
   });
 }

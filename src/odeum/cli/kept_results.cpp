@@ -8,13 +8,13 @@
 #include <functional>
 #include <map>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/units.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/formula/compile.hpp"
 #include "odeum/input/text_file.hpp"
-#include "odeum/solvers/case_files.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
@@ -69,12 +69,9 @@ study::ResultCache result_cache_of(record::Store* store, const study::Options& o
   const auto of_pair = [run, others = machine + ' ' + settings.text()](const Case& c,
                                                                        const SolverInfo& solver) {
     std::string dependencies = others;
-    const std::vector<Case>& all = all_cases();
-    const bool built_in =
-        std::any_of(all.begin(), all.end(), [&](const Case& known) { return &known == &c; });
-    const auto file = case_files().find(c.id);
-    if (!built_in || file == case_files().end()) return run;
-    std::vector<std::string> used{"rest", "case/" + file->second, unit_of(solver)};
+    const std::string file = file_of_case(c.id);
+    if (file.empty() || &known_case(c.id) != &c) return run;
+    std::vector<std::string> used{"rest", "case/" + file, unit_of(solver)};
     for (const char* method : measuring_methods) used.push_back(unit_of_own(method));
     for (const std::string& unit : used) {
       const auto found = units().find(unit);

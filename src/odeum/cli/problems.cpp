@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cli/problems.hpp"
+#include "odeum/cases/catalogue.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,27 +42,26 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
 
 bool is_fmu(const std::string& word) { return word.ends_with(".fmu"); }
 
-/// The file's name without folder and extension; with `otherwise` where a case has that name, and a
-/// number where a file before had it.
-std::string unused_id(const std::string& path, const std::string& otherwise) {
-  const std::string stem = report::file_stem(std::filesystem::path(path).stem().string());
-  const auto taken = [](const std::string& id) {
-    const auto known = known_cases();
-    return std::any_of(known.begin(), known.end(), [&](const Case* c) { return c->id == id; });
-  };
-  std::string id = stem;
-  for (int number = 1; taken(id); ++number)
-    id = stem + otherwise + (number == 1 ? "" : std::to_string(number));
-  return id;
+/// The file's name without folder and extension.
+std::string stem_of(const std::string& path) {
+  return report::file_stem(std::filesystem::path(path).stem().string());
 }
 
-LoadedProblem load_fmu(const std::string& path, const std::vector<std::string>& sets) {
+/// The id; with `otherwise` where a case has it, and a number where one of a file before has that.
+std::string unused_id(const std::string& id, const std::string& otherwise) {
+  const std::vector<std::string> known = known_ids();
+  std::string unused = id;
+  for (int number = 1; std::find(known.begin(), known.end(), unused) != known.end(); ++number)
+    unused = id + otherwise + (number == 1 ? "" : std::to_string(number));
+  return unused;
+}
+
+Cases load_fmu(const std::string& path, const std::vector<std::string>& sets) {
   try {
     foreign::ProblemCallbacks given = open_fmu(path, overrides_of(sets));
-    given.id = unused_id(path, "_fmu");
+    given.id = unused_id(stem_of(path), "_fmu");
     mark() += " " + given.content;
-    cases::TextCase made = cases::foreign_case(std::move(given));
-    return {&add_user_case(std::move(made.c)), std::move(made.facts)};
+    return {&add_user_case(cases::foreign_statement(std::move(given)))};
   } catch (const LoadError& error) {
     throw UsageError(error.what());
   }
@@ -94,16 +94,22 @@ bool is_problem_file(const std::string& path) {
   }
 }
 
-LoadedProblem load_problem(const std::string& path, const std::vector<std::string>& sets) {
+Cases load_problem(const std::string& path, const std::vector<std::string>& sets) {
   if (is_fmu(path)) return load_fmu(path, sets);
   try {
     const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
-    cases::TextCase made = cases::text_case(unused_id(path, "_text"),
-                                            formula::read_problem(path, text, overrides_of(sets)));
+    Cases given;
+    for (Statement& statement :
+         cases::text_statements(path, text, stem_of(path), overrides_of(sets))) {
+      statement.id = unused_id(statement.id, "_text");
+      given.push_back(&add_user_case(std::move(statement)));
+    }
     mark() += fmt::format(" {} {}", formula::content_key(text), sets);
-    return {&add_user_case(std::move(made.c)), std::move(made.facts)};
+    return given;
   } catch (const InputError& error) {
     throw UsageError(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--set: {}", error.what());
   } catch (const std::length_error& error) {
     throw UsageError("{}:1:1: {}", path, error.what());
   }
@@ -119,9 +125,11 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
       globs.push_back(word);
       continue;
     }
-    LoadedProblem given = load_problem(word, options.sets);
-    for (const auto& [name, fact] : given.facts) remark("{:<9}  {}", name, fact);
-    globs.push_back(given.c->id);
+    for (const Case* c : load_problem(word, options.sets)) {
+      remark("{:<9}  {} ({})", "problem", c->title, c->source);
+      for (const auto& [name, fact] : c->facts) remark("{:<9}  {}", name, fact);
+      globs.push_back(c->id);
+    }
     loaded = true;
   }
   if (!loaded && !options.sets.empty())

@@ -2,7 +2,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "odeum/solvers/case.hpp"
@@ -21,13 +20,10 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words 
 /// its name.
 bool is_problem_file(const std::string& path);
 
-/// A case made of a problem file and what was found in it.
-struct LoadedProblem {
-  const Case* c;
-  std::vector<std::pair<std::string, std::string>> facts;
-};
-/// Throws UsageError for a file that is no problem, and for a value that is none.
-LoadedProblem load_problem(const std::string& path, const std::vector<std::string>& sets);
+/// Makes the cases of a problem file, one at least, or of an FMU. Throws UsageError for a file that
+/// is no problem, and for a value that is none.
+using Cases = std::vector<const Case*>;
+Cases load_problem(const std::string& path, const std::vector<std::string>& sets);
 
 /// The globs on cases that words and `case_globs` come to, with the problem files among them
 /// loaded.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -40,8 +41,8 @@ std::vector<std::string> both(const std::vector<std::string>& own,
 /// What is left of the runs of a study by --case and --solver.
 std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Options& options,
                                      bool takes_cases) {
-  std::vector<std::string> cases, solvers;
-  for (const Case& c : all_cases()) cases.push_back(c.id);
+  const std::vector<std::string> cases = known_ids();
+  std::vector<std::string> solvers;
   for (const Solver& solver : all_solvers()) solvers.push_back(solver.info.id());
   std::vector<study::Options> left;
   for (study::Options& run : runs) {

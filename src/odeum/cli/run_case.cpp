@@ -164,17 +164,17 @@ std::string describe(const Case& c, const CaseRun& run) {
   return text;
 }
 
-using Facts = std::vector<std::pair<std::string, std::string>>;
-
 /// Writes the files of the runs and their page; returns the lines that name them.
 std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const RunOptions& options,
-                        const Facts& facts) {
+                        bool from_file) {
   const record::OutputFolder folder(options.out);
   trajectories::RunTexts texts{
       .title = c.title,
       .lead = c.id,
       .facts = {{"Equation", c.equation}, {"Source", c.source}, {"Truth", c.truth.source}}};
-  for (const auto& fact : facts) texts.facts.push_back(fact);
+  // The page has the truth of every case.
+  for (const auto& fact : c.facts)
+    if (from_file && fact.first != "truth" && fact.first != "code") texts.facts.push_back(fact);
   for (const Parameter& parameter : c.parameters)
     texts.facts.emplace_back(parameter.name,
                              record::format_number(parameter.value) + ", " + parameter.meaning);
@@ -188,7 +188,7 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   return text;
 }
 
-int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts = {}) {
+int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = false) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
   options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
@@ -212,7 +212,7 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, const Facts& facts
     print(describe(c, run));
     any_ok = any_ok || run.outcome.status == Status::ok;
   }
-  if (!options.out.empty()) print(write_files(c, runs, options, facts));
+  if (!options.out.empty()) print(write_files(c, runs, options, from_file));
   return any_ok ? success : solver_failed;
 }
 
@@ -228,20 +228,23 @@ int run_case(const RunOptions& options) {
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
-  LoadedProblem given = load_problem(options.what, options.problems.sets);
-  std::string text;
-  for (const auto& [name, fact] : given.facts)
+  const Cases given = load_problem(options.what, options.problems.sets);
+  if (given.size() > 1) {
+    std::vector<std::string> ids;
+    for (const Case* c : given) ids.push_back(c->id);
+    throw UsageError("{} has {} cases, {}; run takes a file with one, studies take them all",
+                     options.what, ids.size(), fmt::join(ids, ", "));
+  }
+  const Case& c = *given.front();
+  std::string text =
+      fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
+  for (const auto& [name, fact] : c.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
-  for (const std::string& line : describe_fits(given.c->entrants, options.verbose))
-    text += line + "\n";
+  for (const std::string& line : describe_fits(c.entrants, options.verbose)) text += line + "\n";
   print(text);
   const bool asked = has_setting(options.settings) || !options.out.empty();
   if (options.solvers.empty() && !asked) return success;
-  // The page has the equation and the truth of every case.
-  std::erase_if(given.facts, [](const auto& fact) {
-    return fact.first == "problem" || fact.first == "truth" || fact.first == "code";
-  });
-  return run_solvers(*given.c, {}, options, given.facts);
+  return run_solvers(c, {}, options, true);
 }
 
 }  // namespace odeum::cli

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -220,8 +221,8 @@ std::optional<SceneSource> find_scene(const std::string& what) {
   std::error_code ignored;
   const SceneSource file{what, std::nullopt};
   if (what.ends_with(".yaml") || what.ends_with(".yml")) return file;
-  for (const Case& c : all_cases())
-    if (c.id == what) return std::nullopt;
+  for (const std::string& id : known_ids())
+    if (id == what) return std::nullopt;
   for (const cases::SceneText& scene : cases::all_scenes())
     if (scene.name == what) return SceneSource{what, std::string(scene.text)};
   if (std::filesystem::exists(what, ignored)) return file;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <thread>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -17,12 +18,6 @@
 
 namespace odeum::cli {
 namespace {
-
-std::vector<std::string> case_ids() {
-  std::vector<std::string> ids;
-  for (const Case* c : known_cases()) ids.push_back(c->id);
-  return ids;
-}
 
 std::vector<std::string> solver_ids() {
   std::vector<std::string> ids;
@@ -103,16 +98,15 @@ void remark_on_page(bool written) {
 }
 
 void check_case_globs(const std::vector<std::string>& globs) {
-  check_globs("case", globs, case_ids());
+  check_globs("case", globs, known_ids());
 }
 void check_solver_globs(const std::vector<std::string>& globs) {
   check_globs("solver", globs, solver_ids());
 }
 
 const Case& find_case(const std::string& id) {
-  for (const Case* c : known_cases())
-    if (c->id == id) return *c;
-  std::vector<std::string> names = case_ids();
+  std::vector<std::string> names = known_ids();
+  if (std::find(names.begin(), names.end(), id) != names.end()) return known_case(id);
   for (const auto& scene : cases::all_scenes()) names.emplace_back(scene.name);
   throw UsageError("unknown case '{}'{}", id, did_you_mean(id, names));
 }

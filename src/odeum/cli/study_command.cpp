@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -81,12 +82,11 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
 
 /// Takes the globs that match problems of the study `elements` and no case out of `globs`.
 std::vector<std::string> take_elements(std::vector<std::string>& globs) {
-  const auto cases = known_cases();
+  const std::vector<std::string> cases = known_ids();
   const auto models = study::model_problems();
   const auto first_taken = std::stable_partition(globs.begin(), globs.end(), [&](const auto& glob) {
-    const auto matches = [&](const auto& id) { return glob_matches(glob, id); };
-    return glob.starts_with('!') ||
-           std::any_of(cases.begin(), cases.end(), [&](const Case* c) { return matches(c->id); }) ||
+    const auto matches = [&](const std::string& id) { return glob_matches(glob, id); };
+    return glob.starts_with('!') || std::any_of(cases.begin(), cases.end(), matches) ||
            std::none_of(models.begin(), models.end(),
                         [&](const study::ModelProblem& model) { return matches(model.id); });
   });

@@ -8,7 +8,7 @@
 
 #include "odeum/formula/problem.hpp"
 #include "odeum/input/text_file.hpp"
-#include "odeum/print/print_cases.hpp"
+#include "odeum/print/print_text.hpp"
 
 namespace {
 
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path file = argv[1], folder = argv[2];
     const std::string stem = file.stem().string();
-    const odeum::print::Printed printed = odeum::print::print_cases(
+    const odeum::print::Printed printed = odeum::print::print_text(
         argv[1], odeum::read_text_file(argv[1], "problem", odeum::formula::most_problem_bytes));
     write(folder / "problems" / (stem + ".hpp"), printed.header);
     write(folder / "cases" / (stem + ".cpp"), printed.unit);

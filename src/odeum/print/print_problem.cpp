@@ -35,8 +35,6 @@ class ProblemPrinter {
     if (offers.series && analysis_.series)
       print_series(out_, "void taylor(double t, const double* y, int order, double* c) const {",
                    problem_, *analysis_.series);
-    if (!problem_.exact.empty())
-      print_function("template <class R>\n  void exact(R t, R* y)", problem_.exact, "y", in_real);
     for (const Kept& kept : problem_.invariants) print_invariant(kept);
     out_.line("}};");
     return std::move(out_.text);
@@ -46,15 +44,13 @@ class ProblemPrinter {
   /// Parameters, and the constants that follow from them where a function needs them.
   void print_members(const Offers& offers) {
     const auto& definitions = problem_.graph.definitions();
-    std::set<Id> needed(problem_.start.begin(), problem_.start.end());
-    needed.insert(offers.members.begin(), offers.members.end());
+    std::set<Id> needed;
     const auto need = [&](const std::vector<Id>& roots) {
       for (const Id id : problem_.graph.needed(roots)) needed.insert(id);
     };
     need(problem_.equations);
     if (offers.jacobian) need(jacobian_roots(analysis_));
     need(analysis_.time_derivative);
-    need(problem_.exact);
     if (offers.series && analysis_.series)
       for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
     for (const Kept& kept : problem_.invariants) need({kept.value});

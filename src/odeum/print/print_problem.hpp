@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
-#include <vector>
 
 #include "odeum/formula/analysis.hpp"
+#include "odeum/formula/case_keys.hpp"
 
 /// Prints problem files that are built-in cases as C++, when Odeum is built.
 namespace odeum::print {
-
-/// What the printed type offers besides its right-hand side, energy and closed form.
-struct Offers {
-  bool jacobian = true, second_order = true, series = true;
-  std::vector<formula::Id> members;  ///< constants with a name that its cases need
-};
 
 /// The name of the type: VanDerPol for van_der_pol.
 std::string type_name(const std::string& stem);
@@ -21,7 +15,7 @@ std::string type_name(const std::string& stem);
 /// members, constants that follow from them are computed once. An invariant x is the function
 /// kept_x, `energy` and `H` are `energy`. The problem was read with the names of its parameters.
 std::string print_problem(const std::string& stem, const formula::Problem& problem,
-                          const formula::Analysis& analysis, const Offers& offers);
+                          const formula::Analysis& analysis, const formula::Offers& offers);
 
 /// Whether an invariant of that name is the energy.
 inline bool is_energy(const std::string& name) { return name == "energy" || name == "H"; }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "odeum/core/request.hpp"
@@ -59,6 +60,9 @@ struct StudySettings {
   std::uint64_t evaluation_budget = 500'000;
 };
 
+/// What was found in a statement, for people: a name of one word, and a text.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
 /// A problem with all that is needed to run solvers on it and to measure their errors.
 struct Case {
   // Defined in case.cpp: each is as long as this list, and every file with a case would compile it.
@@ -74,6 +78,7 @@ struct Case {
   std::string equation;
   std::string source;             ///< where the equation and its parameters come from
   std::vector<std::string> tags;  ///< linear, nonlinear, non_autonomous, second_order, smooth, ...
+  Facts facts;
 
   double t0 = 0;
   std::vector<double> y0;
@@ -130,9 +135,6 @@ std::vector<std::string> component_names(const Case& c);
 
 /// Asks for a relative tolerance, and for the absolute ones of the case's thresholds.
 void set_tolerance(Request& request, const Case& c, double relative);
-
-/// Every case of the project, in the order of the files in cases/. Built once.
-const std::vector<Case>& all_cases();
 
 /// A library that Odeum has an adapter for, and whether this build has it.
 struct LibraryInfo {

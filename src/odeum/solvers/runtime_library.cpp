@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <list>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,15 +16,10 @@ std::vector<RuntimeLibrary>& libraries() {
 }
 std::atomic<bool> closed = false;
 
-std::list<Case>& cases_of_user() {
-  static std::list<Case> cases;
-  return cases;
-}
-
 }  // namespace
 
 void add_runtime_library(RuntimeLibrary library) {
-  if (closed) throw std::logic_error("a library was added after the cases had been built");
+  if (closed) throw std::logic_error("a library was added after solvers or cases had been listed");
   const auto taken = [&](const LibraryInfo& info) {
     return info.name == library.info.name ||
            std::count(info.libraries.begin(), info.libraries.end(), library.info.name) > 0;
@@ -50,25 +44,6 @@ const std::vector<LibraryInfo>& all_libraries() {
     return list;
   }();
   return all;
-}
-
-std::vector<const Case*> user_cases() {
-  std::vector<const Case*> cases;
-  for (const Case& c : cases_of_user()) cases.push_back(&c);
-  return cases;
-}
-
-const Case& add_user_case(Case c) {
-  for (const Case& known : cases_of_user())
-    if (known.id == c.id) throw std::invalid_argument("a case named " + c.id + " exists");
-  return cases_of_user().emplace_back(std::move(c));
-}
-
-std::vector<const Case*> known_cases() {
-  std::vector<const Case*> cases;
-  for (const Case& c : all_cases()) cases.push_back(&c);
-  for (const Case& c : cases_of_user()) cases.push_back(&c);
-  return cases;
 }
 
 }  // namespace odeum

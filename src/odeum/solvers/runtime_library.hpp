@@ -12,9 +12,9 @@
 namespace odeum {
 
 /// A library that is known only when the program runs: a plug-in, or a stepper that is tested from
-/// another project. Its solvers are enrolled on every case after those of the libraries that are
-/// built in, its cases follow those of the project. It is added before the cases are built, since
-/// each case has all solvers; a problem file is given to a command afterwards (add_user_case).
+/// another project. Its solvers follow those of the libraries that are built in, its cases those of
+/// the project. It is added before solvers and cases are listed; a problem file is given to a
+/// command afterwards (add_user_case).
 struct RuntimeLibrary {
   LibraryInfo info;
   std::string mark;  ///< what identifies its code: results of another one are not used
@@ -42,21 +42,12 @@ foreign::ProblemCallbacks open_fmu(const std::string& file,
 std::string fmi_support();
 
 /// Throws LoadError where a library of that name is there. To be called before the first call of
-/// all_cases() or all_libraries(), which are built once; throws std::logic_error afterwards.
+/// all_solvers(), all_libraries() or known_ids(), which are built once; throws std::logic_error
+/// afterwards.
 void add_runtime_library(RuntimeLibrary library);
 /// Those that this program was built with, or without (generated).
 const std::vector<LibraryInfo>& built_in_libraries();
 /// In the order of their addition. Nothing can be added afterwards.
 const std::vector<RuntimeLibrary>& runtime_libraries();
-
-/// Cases of problems that a user gave to this run of the program. They are added before a study
-/// begins, by one thread, once all_cases() and their solvers are known, and run only where they are
-/// named.
-std::vector<const Case*> user_cases();
-/// The case stays where it is until the program ends. Throws std::invalid_argument where one of
-/// that id was given before.
-const Case& add_user_case(Case c);
-/// all_cases(), then those of the user.
-std::vector<const Case*> known_cases();
 
 }  // namespace odeum

@@ -3,15 +3,15 @@
 
 #include <stdexcept>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
-#include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::study {
 
 std::vector<const Case*> select_cases(const std::vector<std::string>& globs) {
   std::vector<const Case*> cases;
-  for (const Case* c : known_cases())
-    if (any_glob_matches(globs, c->id)) cases.push_back(c);
+  for (const std::string& id : known_ids())
+    if (any_glob_matches(globs, id)) cases.push_back(&known_case(id));
   return cases;
 }
 
@@ -25,11 +25,7 @@ std::vector<Pair> select_pairs(const std::vector<const Case*>& cases,
   return pairs;
 }
 
-const Case& find_case(const std::string& id) {
-  for (const Case* c : known_cases())
-    if (c->id == id) return *c;
-  throw std::out_of_range("no case " + id);
-}
+const Case& find_case(const std::string& id) { return known_case(id); }
 
 const Entrant& find_solver(const Entrants& entrants, const std::string& id) {
   if (const Entrant* const entrant = entrants.find(id)) return *entrant;

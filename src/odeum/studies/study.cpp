@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "odeum/solvers/runtime_library.hpp"
+#include "odeum/cases/catalogue.hpp"
 
 namespace odeum::study {
 
@@ -50,7 +50,7 @@ bool is_known(const std::string& case_id, const std::string& solver) {
   }();
   static const std::set<std::string> cases = [] {
     std::set<std::string> all{""};
-    for (const Case* c : known_cases()) all.insert(c->id);
+    for (const std::string& id : known_ids()) all.insert(id);
     return all;
   }();
   return cases.contains(case_id) && solvers.contains(solver);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/spectrum.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/stability/stability.hpp"
+#include "odeum/cases/catalogue.hpp"
 
 #include <fmt/format.h>
 

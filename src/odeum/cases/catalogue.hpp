@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/case.hpp"
+
+namespace odeum {
+
+/// A case that is known, and made when it is first asked for.
+struct Statement {
+  std::string id;
+  std::string title;
+  /// Those that its author gives; a text has those besides that follow from its equations.
+  std::vector<std::string> tags;
+  /// The rest of the case. Throws InputError for a text that is wrong.
+  std::function<Case()> make;
+  std::string file = {};  ///< the stem of its file in cases/; empty: not built in
+};
+
+/// The case of that statement, with its id, title and tags.
+Case case_of(const Statement& statement);
+
+/// The ids of every case: the project's in the order of the files in cases/, those of plug-ins, and
+/// those that a user gave to this run. Nothing is made.
+std::vector<std::string> known_ids();
+/// The case of that id, made once: it stays where it is until the program ends. Thread-safe. Throws
+/// std::out_of_range where there is none.
+const Case& known_case(const std::string& id);
+/// The file in cases/ of a case of the project; empty for others.
+std::string file_of_case(const std::string& id);
+
+/// Makes every case of the project and of plug-ins; known_cases() adds those of the user.
+std::vector<std::reference_wrapper<const Case>> all_cases();
+std::vector<const Case*> known_cases();
+
+/// Adds a case of a user. It is added before a study begins, by one thread, and runs only where it
+/// is named. Throws std::invalid_argument where one of that id is known.
+const Case& add_user_case(Statement statement);
+
+}  // namespace odeum

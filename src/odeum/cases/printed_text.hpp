@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::cases {
+
+/// The problem of a built-in text as compiled code: a unit that print/print_text.hpp prints.
+struct PrintedText {
+  std::vector<std::string> parameters;
+  /// Sets the problem of a case that has its t0 and y0, with these values of the parameters, and
+  /// all invariants that the text has.
+  void (*put)(const double* values, Case& c);
+};
+
+}  // namespace odeum::cases

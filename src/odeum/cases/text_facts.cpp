@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/text_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "odeum/formula/evaluator.hpp"
+
+namespace odeum::cases {
+namespace {
+
+/// v M v / 2 at the start and at the stops, of the exact solution.
+std::string kinetic_energies(const formula::Problem& p, const TextTruth& truth) {
+  const formula::Evaluator<long double> energy(p.graph, {p.kinetic_energy});
+  std::vector<long double> y = p.y0;
+  long double value = 0;
+  energy(p.t0, y.data(), &value);
+  std::string text = fmt::format("energy v M v / 2 = {:.9Lg} at t = {:.6Lg}", value, p.t0);
+  for (const double stop : truth.stops) {
+    if (!truth.extended(stop, y.data())) continue;
+    energy(stop, y.data(), &value);
+    text += fmt::format(", {:.9Lg} at t = {:.6g}", value, stop);
+  }
+  return text;
+}
+
+}  // namespace
+
+Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
+                 const formula::TextOde* ode, const TextTruth& truth, const Case& c) {
+  Facts facts;
+  std::string parameters;
+  for (const auto& [name, value] : p.parameters)
+    parameters += fmt::format("{}{} = {:.12Lg}", parameters.empty() ? "" : ", ", name, value);
+  if (!parameters.empty()) facts.emplace_back("set", parameters);
+  std::vector<std::string> names(
+      p.states.begin(),
+      p.states.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(8, p.states.size())));
+  facts.emplace_back("states", fmt::format("{}: {}{}", p.states.size(), fmt::join(names, ", "),
+                                           names.size() < p.states.size() ? ", ..." : ""));
+  for (const std::string& line : formula::describe(analysis.structure))
+    facts.emplace_back("found", line);
+  if (c.has_tag("stiff"))
+    facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  if (p.kinetic_energy != formula::no_node) {
+    facts.emplace_back("mass", p.mass_text);
+    facts.emplace_back("kinetic", kinetic_energies(p, truth));
+  }
+  facts.emplace_back("code", ode ? ode->how() : "compiled with Odeum, as a built-in case");
+  facts.emplace_back("truth", truth.words.empty() ? c.truth.source : truth.words);
+  return facts;
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/case_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/formula/names.hpp"
+
+namespace odeum::formula {
+namespace {
+
+const std::vector<std::string> known_keys{"title",        "equation",       "source",
+                                          "tags",         "parameters",     "meanings",
+                                          "set",          "positive",       "not_negative",
+                                          "stops",        "thresholds",     "reference",
+                                          "floor",        "invariants",     "no_fixed_steps",
+                                          "timed_stops",  "steps_multiple", "coarsest_steps",
+                                          "finest_steps", "timed_floor",    "evaluation_budget"};
+
+/// A node as text; of a mapping the keys alone where `keys` is true.
+std::string serialised(const YamlNode& node, bool keys = false) {
+  if (node.kind == YamlNode::Kind::scalar) return node.text;
+  std::string text = node.kind == YamlNode::Kind::mapping ? "{" : "[";
+  for (std::size_t k = 0; k < node.items.size(); k += keys ? 2 : 1)
+    text += serialised(*node.items[k]) + '\n';
+  return text + "}";
+}
+
+}  // namespace
+
+CaseKeys::CaseKeys(const std::string& file, const std::string& text) : Source(file, text) {
+  const std::vector<Item> all = items(root(), "problem");
+  if (const Item* const item = of_name(all, "case")) common_ = items(*item->value, "case");
+  if (const Item* const item = of_name(all, "cases")) cases_ = items(*item->value, "cases");
+  if (const Item* const item = of_name(all, "name")) name_ = scalar(*item->value, "name");
+  require_known(common_, "case");
+  for (const Item& item : cases_) {
+    if (const std::string fault = fault_of_name(item.key); !fault.empty())
+      fail(item.key_place, "cases: {}", fault);
+    require_known(items(*item.value, item.key), item.key);
+  }
+}
+
+std::string CaseKeys::name() const { return name_; }
+
+std::vector<std::string> CaseKeys::ids() const {
+  std::vector<std::string> ids;
+  for (const Item& item : cases_) ids.push_back(item.key);
+  return ids;
+}
+
+void CaseKeys::enter(const std::string& id) {
+  const Item* const item = of_name(cases_, id);
+  own_ = item ? items(*item->value, id) : std::vector<Item>{};
+}
+
+void CaseKeys::require_known(const std::vector<Item>& list, const std::string& in) const {
+  std::vector<std::string> known = known_keys;
+  if (&list == &common_) known.emplace_back("offers");
+  for (const Item& item : list)
+    if (std::find(known.begin(), known.end(), item.key) == known.end())
+      fail(item.key_place, "{}: an unknown key; got {}, expected one of {}{}", in, shown(item.key),
+           fmt::join(known, ", "), near_one(item.key, known));
+}
+
+const YamlNode* CaseKeys::find(std::string_view key) const {
+  for (const auto* list : {&own_, &common_})
+    if (const Item* const item = of_name(*list, key)) return item->value;
+  return nullptr;
+}
+
+std::vector<CaseKeys::Item> CaseKeys::mapping(const std::string& key) const {
+  const YamlNode* const value = find(key);
+  return value ? items(*value, key) : std::vector<Item>{};
+}
+
+const CaseKeys::Item* CaseKeys::of_name(const std::vector<Item>& list, std::string_view name) {
+  const auto at =
+      std::find_if(list.begin(), list.end(), [&](const Item& item) { return item.key == name; });
+  return at == list.end() ? nullptr : &*at;
+}
+
+std::vector<const YamlNode*> CaseKeys::entries(const YamlNode* value) {
+  if (!value) return {};
+  if (value->kind != YamlNode::Kind::sequence) return {value};
+  std::vector<const YamlNode*> all;
+  for (const auto& each : value->items) all.push_back(each.get());
+  return all;
+}
+
+std::vector<std::string> CaseKeys::texts_of(const YamlNode* value, std::string_view key) const {
+  std::vector<std::string> all;
+  for (const YamlNode* each : entries(value)) all.push_back(scalar(*each, std::string(key)));
+  return all;
+}
+
+std::vector<std::string> CaseKeys::texts(std::string_view key) const {
+  return texts_of(find(key), key);
+}
+
+std::string CaseKeys::text(std::string_view key, const std::string& otherwise) const {
+  const YamlNode* const value = find(key);
+  return value ? scalar(*value, std::string(key)) : otherwise;
+}
+
+std::vector<std::string> CaseKeys::tags() const {
+  std::vector<std::string> all;
+  for (const auto* list : {&common_, &own_})
+    if (const Item* const given = of_name(*list, "tags"))
+      for (std::string& tag : texts_of(given->value, "tags")) all.push_back(std::move(tag));
+  return all;
+}
+
+Offers CaseKeys::offers() const {
+  const Item* const given = of_name(common_, "offers");
+  if (!given) return {};
+  Offers offers{.jacobian = false, .second_order = false, .series = false};
+  const std::pair<const char*, bool*> known[] = {{"jacobian", &offers.jacobian},
+                                                 {"second_order", &offers.second_order},
+                                                 {"series", &offers.series}};
+  for (const std::string& name : texts_of(given->value, "offers")) {
+    const auto* const at = std::find_if(std::begin(known), std::end(known),
+                                        [&](const auto& each) { return each.first == name; });
+    if (at == std::end(known))
+      fail(given->value->place, "offers: got {}, expected jacobian, second_order or series", name);
+    *at->second = true;
+  }
+  return offers;
+}
+
+std::string code_of_problem(const std::string& file, const std::string& text) {
+  const reading::Source source(file, text);
+  std::string code;
+  for (const reading::Item& item : source.items(source.root(), "problem")) {
+    const bool keys = item.key == "parameters" || item.key == "states";
+    for (const char* used :
+         {"parameters", "definitions", "states", "equations", "boundaries", "invariants", "mass"})
+      if (item.key == used) code += item.key + serialised(*item.value, keys);
+  }
+  const Offers offers = CaseKeys(file, text).offers();
+  return code + fmt::format("{}{}{}", offers.jacobian, offers.second_order, offers.series);
+}
+
+}  // namespace odeum::formula
