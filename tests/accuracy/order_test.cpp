@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 
 namespace odeum {
@@ -105,10 +106,8 @@ const Exception exceptions[] = {
 };
 
 const Exception* exception_for(const Pair& pair) {
-  const auto& cases = all_cases();
-  const auto c = std::find_if(cases.begin(), cases.end(),
-                              [&](const Case& candidate) { return candidate.id == pair.case_id; });
-  const bool linear = c->has_tag("linear") && !c->has_tag("non_autonomous");
+  const Case& c = known_case(pair.case_id);
+  const bool linear = c.has_tag("linear") && !c.has_tag("non_autonomous");
   for (const Exception& exception : exceptions)
     if (pair.method == exception.method && pair.mode == exception.mode &&
         (pair.case_id == exception.case_id ||

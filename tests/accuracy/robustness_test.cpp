@@ -8,6 +8,7 @@
 #include <string_view>
 #include <thread>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/answer.hpp"

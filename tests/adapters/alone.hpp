@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/solvers/case.hpp"
 
 /// Adapters against programs that use a library alone, written as its documentation shows, on hard

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "adapters/sundials_problems.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/solvers/case.hpp"
 #include "sundials/arkode.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "goals.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/solvers/case.hpp"
 #include "odeum/solvers/inlined.hpp"
 
@@ -22,16 +23,15 @@ const Entrant* find(const std::vector<Entrant>& entrants, const std::string& id)
 std::vector<Row> fixed_step_rows() {
   std::vector<Row> rows;
   for (const char* id : {"osc_undamped", "kepler_e06", "hires", "pleiades"}) {
-    const auto c = std::find_if(all_cases().begin(), all_cases().end(),
-                                [&](const Case& each) { return each.id == id; });
-    const std::vector<Entrant> inlined = inlined_solvers(*c);
+    const Case& c = known_case(id);
+    const std::vector<Entrant> inlined = inlined_solvers(c);
     Request request;
     request.mode = Mode::fixed;
-    request.stops = c->stops;
+    request.stops = c.stops;
     request.budget.watched = false;
     // A step at which every method is stable, as many as take some milliseconds.
-    request.steps = (id == std::string("hires") ? 200'000 : 40'000) / c->settings.steps_multiple *
-                    c->settings.steps_multiple;
+    request.steps = (id == std::string("hires") ? 200'000 : 40'000) / c.settings.steps_multiple *
+                    c.settings.steps_multiple;
     std::vector<std::function<void()>> rivals;
     std::vector<std::string> names;
     for (const char* solver : {"odeum/rk4", "odeint/runge_kutta4", "odeint/runge_kutta4_classic"})

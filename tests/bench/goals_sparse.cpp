@@ -13,6 +13,7 @@
 #include <string>
 
 #include "goals.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/stage.hpp"
 #include "problems/two_species.hpp"
 

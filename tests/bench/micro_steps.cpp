@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "micro.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/solvers/case.hpp"
 #include "odeum/solvers/inlined.hpp"
 
@@ -37,13 +38,6 @@ constexpr Run runs[] = {{"kepler_e06", "rk4", 10'000},
                         {"hires", "bdf_variable", 0},
                         {"hires", "seulex", 0}};
 
-const Case& find_case(const std::string& id) {
-  const auto found = std::find_if(all_cases().begin(), all_cases().end(),
-                                  [&](const Case& c) { return c.id == id; });
-  if (found == all_cases().end()) throw std::runtime_error("no case " + id);
-  return *found;
-}
-
 const Entrant& find_solver(const std::vector<Entrant>& entrants, const std::string& id) {
   const auto found = std::find_if(entrants.begin(), entrants.end(),
                                   [&](const Entrant& e) { return e.info.id() == id; });
@@ -59,7 +53,7 @@ struct Stage {
 
 // One guarded run: checks that it ends ok, and counts its steps.
 Stage stage_of(const Run& run) {
-  const Case& c = find_case(run.case_id);
+  const Case& c = known_case(run.case_id);
   const std::string id = std::string("odeum/") + run.method;
   Stage stage{find_solver(inlined_solvers(c), id), {}, 0};
   Request& request = stage.request;

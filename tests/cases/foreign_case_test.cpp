@@ -134,20 +134,19 @@ TEST(ForeignReference, CodeThatEndsItsProcessHasNone) {
 TEST(ForeignCase, WithoutAnExactSolutionHasAComputedTruthAndSteps) {
   foreign::ProblemCallbacks problem = given(oscillator, 10);
   problem.content = "ForeignCase oscillator";
-  const cases::TextCase made = cases::foreign_case(problem);
-  const Case& c = made.c;
+  const Case c = case_of(cases::foreign_statement(problem));
   double y[2];
   ASSERT_TRUE(c.truth.at(10, y));
   EXPECT_NEAR(y[0], std::cos(10.0), c.truth.floor);
   EXPECT_TRUE(c.settings.no_convergence.empty()) << c.settings.no_convergence;
   EXPECT_TRUE(c.settings.no_fixed_steps.empty()) << c.settings.no_fixed_steps;
-  EXPECT_EQ(made.facts.back().first, "truth");
+  EXPECT_EQ(c.facts.back().first, "truth");
 }
 
 TEST(ForeignCase, WithoutATruthSaysSo) {
   foreign::ProblemCallbacks problem = given(aborts, 5);
   problem.content = "ForeignCase aborts";
-  const Case c = cases::foreign_case(problem).c;
+  const Case c = case_of(cases::foreign_statement(problem));
   double y[2];
   EXPECT_FALSE(c.truth.at(5, y));
   EXPECT_NE(c.settings.no_convergence.find("no truth is known"), std::string::npos);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat and waves by finite elements: the cases, and what theory says of the solvers on them.
 #include "odeum/fem/semi_discrete.hpp"
+#include "odeum/cases/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

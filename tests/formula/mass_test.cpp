@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "odeum/cases/text_case.hpp"
+#include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum {
@@ -12,12 +13,14 @@ namespace {
 
 using formula::Problem;
 
-Problem shipped(const std::string& name, const formula::Overrides& set = {}) {
-  return formula::read_problem_file(ODEUM_SOURCE_DIR "/cases/problems/" + name + ".yaml", set);
+Case shipped(const std::string& name, const formula::Overrides& set = {}) {
+  const std::string file = ODEUM_SOURCE_DIR "/cases/problems/" + name + ".yaml";
+  return case_of(
+      cases::text_statements(file, read_text_file(file, "problem", 100'000), name, set).front());
 }
 
-std::string fact(const cases::TextCase& made, const std::string& name) {
-  for (const auto& [key, text] : made.facts)
+std::string fact(const Case& c, const std::string& name) {
+  for (const auto& [key, text] : c.facts)
     if (key == name) return text;
   return "none";
 }
@@ -38,8 +41,7 @@ TEST(MassMatrix, DoesNotChangeTheMotion) {
     for (const formula::Overrides& set :
          {formula::Overrides{}, {{"m1", "7"}}, {{"m1", "2"}, {"m2", "2"}}}) {
       SCOPED_TRACE(name);
-      const cases::TextCase a = cases::text_case("a", shipped(name, set)),
-                            b = cases::text_case("b", shipped(name + "_sum", set));
+      const Case a = shipped(name, set), b = shipped(name + "_sum", set);
       EXPECT_EQ(fact(a, "kinetic"), fact(b, "kinetic"));
       EXPECT_TRUE(fact(a, "kinetic").starts_with("energy v M v / 2 = ")) << fact(a, "kinetic");
       // Elevators of equal masses have the same matrix in turned coordinates.
@@ -50,8 +52,8 @@ TEST(MassMatrix, DoesNotChangeTheMotion) {
         const std::vector<double> y{0.3, -0.7, 1.1, 0.4};
         std::vector<double> z(4), fy(4), fz(4), expected(4);
         to_second(name, y, z);
-        a.c.problem.view.rhs(a.c.problem.view.problem, t, y.data(), fy.data());
-        b.c.problem.view.rhs(b.c.problem.view.problem, t, z.data(), fz.data());
+        a.problem.view.rhs(a.problem.view.problem, t, y.data(), fy.data());
+        b.problem.view.rhs(b.problem.view.problem, t, z.data(), fz.data());
         to_second(name, fy, expected);
         // Some ten roundings of numbers up to 10.
         for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(fz[i], expected[i], 2e-14) << i;
@@ -60,13 +62,13 @@ TEST(MassMatrix, DoesNotChangeTheMotion) {
 }
 
 TEST(MassMatrix, IsOfSecondOrder) {
-  const cases::TextCase made = cases::text_case("two", shipped("two_masses_sum"));
-  EXPECT_TRUE(made.c.has_tag("second_order"));
-  EXPECT_TRUE(made.c.has_tag("separable"));
-  ASSERT_TRUE(made.c.energy);
+  const Case made = shipped("two_masses_sum");
+  EXPECT_TRUE(made.has_tag("second_order"));
+  EXPECT_TRUE(made.has_tag("separable"));
+  ASSERT_TRUE(made.energy);
   // By hand, in the positions of the masses.
   const double x1 = 0.75, x2 = 0.25, v1 = -0.15, v2 = 0.15;
-  EXPECT_NEAR(made.c.energy(made.c.y0.data()),
+  EXPECT_NEAR(made.energy(made.y0.data()),
               (v1 * v1 + 3 * v2 * v2 + 4 * x1 * x1 + 5 * x2 * x2 + 2 * (x1 - x2) * (x1 - x2)) / 2,
               1e-14);
 }

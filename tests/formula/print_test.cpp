@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cases that are texts: what is printed of them, and the mistakes that stop a build.
+// Cases that are texts: what is said of them, what is printed, and mistakes in both.
 #include <gtest/gtest.h>
 
+#include "odeum/cases/text_case.hpp"
 #include "odeum/formula/text_ode.hpp"
-#include "odeum/print/print_cases.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/print/print_text.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum {
@@ -12,50 +15,138 @@ namespace {
 const std::string decay =
     "parameters: {k: 2}\nstates: {x: 3*k}\nequations: {x: -k*x}\ntime: {end: 1}\n";
 
+/// Makes the first case of a file whose problem is `problem`.
+Case made(const std::string& cases, const std::string& problem = decay,
+          const formula::Overrides& set = {}) {
+  return case_of(cases::text_statements("f.yaml", problem + cases, "f", set).front());
+}
+
 void expect_fault(const std::string& cases, const std::string& place, const std::string& part,
                   const std::string& problem = decay) {
   try {
-    print::print_cases("f.yaml", problem + cases);
-    ADD_FAILURE() << "printed: " << cases;
+    made(cases, problem);
+    ADD_FAILURE() << "made: " << cases;
   } catch (const InputError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("f.yaml:" + place)) << error.what();
     EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
 
-TEST(PrintedCases, MistakesHaveTheirPlace) {
-  expect_fault("", "1:1: ", "cases: missing");
-  expect_fault("cases: {a-b: {reference: r, floor: 1}}\n", "5:9: ", "not a name");
-  expect_fault("cases: {d: {floor: 1}}\n", "5:9: ", "no truth");
-  expect_fault("cases: {d: {reference: r}}\n", "5:9: ", "d: floor");
+TEST(CaseTexts, MistakesHaveTheirPlace) {
+  expect_fault("cases: {a-b: {floor: 1}}\n", "5:9: ", "not a name");
+  expect_fault("cases: {d: {reference: kepler_e06}}\n", "5:24: ", "d: floor");
   expect_fault("cases: {d: {referense: r}}\n", "5:13: ", "did you mean reference?");
-  expect_fault("case: {offer: jacobian}\ncases: {d: {reference: r, floor: 1}}\n",
-               "5:8: ", "did you mean offers?");
-  expect_fault("case: {offers: jacobi}\ncases: {d: {reference: r, floor: 1}}\n",
-               "5:16: ", "got jacobi, expected jacobian");
-  expect_fault("cases: {d: {reference: r, floor: 1, parameters: [z]}}\n",
-               "1:1: ", "no parameter; got z");
-  expect_fault("cases: {d: {reference: r, floor: t}}\n", "5:34: ", "not a constant");
-  expect_fault("cases: {d: {reference: r, floor: 1}}\n", "1:1: ", "no mass matrix",
-               "states: {x: 1, v: 0}\nequations: {x: v, v: -x}\nmass: {v: {v: 2}}\n"
-               "time: {end: 1}\n");
-  expect_fault("cases: {d: {reference: r, floor: 1}}\n", "2:", "not an index; got n",
-               "parameters: {n: 3}\nstates: {\"u[1..n]\": 1}\nequations: {\"u[1..3]\": 1}\n"
-               "time: {end: 1}\n");
+  expect_fault("cases: {d: {reference: r, floor: 1}}\n", "5:24: ", "no reference r");
+  expect_fault("case: {offer: jacobian}\n", "5:8: ", "did you mean offers?");
+  expect_fault("case: {offers: jacobi}\n", "5:16: ", "got jacobi, expected jacobian");
+  expect_fault("cases: {d: {parameters: [z]}}\n", "1:1: ", "no parameter; got z");
+  expect_fault("cases: {d: {meanings: {z: 1}}}\n", "1:1: ", "no parameter; got z");
+  expect_fault("cases: {d: {floor: t}}\n", "5:20: ", "not a constant");
+  // Names that were ignored: the case was that of the usual values.
+  expect_fault("cases: {d: {set: {kk: 3}}}\n", "5:19: ", "got --set kk");
+  expect_fault("cases: {d: {invariants: energie}}\n", "5:25: ", "no invariant; got energie");
 }
 
-TEST(PrintedCases, ParametersAreMembersAndWhatFollowsFromThemToo) {
-  const print::Printed printed = print::print_cases(
-      "decay.yaml", decay + "case: {meanings: {k: rate}}\ncases: {d: {reference: r, floor: 1}}\n");
+TEST(PrintedTexts, RefuseWhatIsNotPrinted) {
+  EXPECT_THROW(print::print_text("f.yaml",
+                                 "states: {x: 1, v: 0}\nequations: {x: v, v: -x}\n"
+                                 "mass: {v: {v: 2}}\ntime: {end: 1}\n"),
+               InputError);
+  EXPECT_THROW(print::print_text("f.yaml",
+                                 "parameters: {n: 3}\nstates: {\"u[1..n]\": 1}\n"
+                                 "equations: {\"u[1..3]\": 1}\ntime: {end: 1}\n"),
+               InputError);
+}
+
+TEST(PrintedTexts, ParametersAreMembersAndWhatFollowsFromThemToo) {
+  const print::Printed printed = print::print_text("decay.yaml", decay);
   for (const char* line : {"struct Decay {", "double k = 0x1p+1;", "_ = -this->k;",
                            "void linear_matrix(double* a) const"})
     EXPECT_NE(printed.header.find(line), std::string::npos) << line << '\n' << printed.header;
   EXPECT_NE(printed.unit.find("problem{.k = values[0]};"), std::string::npos) << printed.unit;
 }
 
+// Every key, in a text of a user: what it says is in the case.
+TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
+  const std::string problem =
+      "name: Decay\nparameters: {k: 2, m: 1}\nstates: {x: 3*k, z: m}\n"
+      "equations: {x: -k*x, z: k*x}\ninvariants: {sum: x + z, other: 2*x + 2*z}\n"
+      "time: {end: 1}\n";
+  const std::string cases =
+      "case:\n  source: a book\n  tags: [short]\n  meanings: {k: a rate}\n  positive: k\n"
+      "  not_negative: [m]\n  offers: [jacobian]\n"
+      "cases:\n  one:\n    title: One\n    equation: x' = -k x\n    tags: special\n"
+      "    set: {m: 2}\n    stops: [0.5, 1]\n    thresholds: [1e-3, k]\n    invariants: sum\n"
+      "    steps_multiple: 2\n    coarsest_steps: 8\n    finest_steps: 64\n"
+      "    timed_stops: 2\n    timed_floor: 1e-12\n    evaluation_budget: 1000\n"
+      "  two: {no_fixed_steps: it is an example}\n";
+  const std::vector<Statement> statements = cases::text_statements("f.yaml", problem + cases, "f");
+  ASSERT_EQ(statements.size(), 2U);
+  EXPECT_EQ(statements[1].title, "Decay");
+  const Case c = case_of(statements[0]);
+  EXPECT_EQ(c.title, "One");
+  EXPECT_EQ(c.equation, "x' = -k x; k = 2");
+  EXPECT_EQ(c.source, "a book");
+  EXPECT_TRUE(c.has_tag("short") && c.has_tag("special") && c.has_tag("linear"));
+  EXPECT_EQ(c.y0, (std::vector<double>{6, 2}));
+  EXPECT_EQ(c.stops, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(c.tolerance.threshold(1), 2);
+  ASSERT_EQ(c.invariants.size(), 1U);
+  EXPECT_EQ(c.invariants[0].name, "sum");
+  EXPECT_EQ(c.settings.coarsest_steps, 8U);
+  EXPECT_EQ(c.settings.timed_stops, std::vector<double>{2});
+  double y[2];
+  ASSERT_TRUE(c.truth.at(2, y)) << "the truth is computed there too";
+  EXPECT_NEAR(y[0], 6 * std::exp(-4.0), 1e-14);
+  EXPECT_FALSE(c.problem.view.taylor) << "it offers the Jacobian alone";
+  EXPECT_TRUE(c.problem.view.jacobian);
+  ASSERT_EQ(c.parameters.size(), 1U);
+  EXPECT_EQ(c.parameters[0].meaning, "a rate");
+  EXPECT_EQ(c.with_values({3}).y0, (std::vector<double>{9, 2}));
+  EXPECT_THROW(c.with_values({-1}), std::invalid_argument);
+  EXPECT_EQ(case_of(statements[1]).settings.no_fixed_steps, "it is an example");
+  EXPECT_THROW(made("", problem, {{"kk", "1"}}), InputError);
+}
+
+// A text with the equations and all keys of a built-in one is the same case: the same rows, byte
+// for byte but for the id.
+TEST(CaseTexts, GiveTheRowsOfTheBuiltInCase) {
+  for (const std::string stem : {"kepler", "robertson", "rc_circuit", "prothero_robinson"}) {
+    std::string text =
+        read_text_file(ODEUM_SOURCE_DIR "/cases/" + stem + ".yaml", "problem", 100'000);
+    for (Statement& statement : cases::text_statements("mine/f.yaml", text, "f")) {
+      const std::string id = statement.id;
+      statement.id = id + "_mine";
+      add_user_case(statement);
+      std::string rows[2];
+      for (const bool mine : {false, true}) {
+        const std::string name = mine ? statement.id : id;
+        rows[mine] = record::to_record(
+            study::converge({.cases = {name},
+                             .solvers = {"odeum/rk4", "odeum/radau_iia5", "gsl/rkf45"},
+                             .own = {{"mode", "adaptive"}}}));
+        for (std::size_t at = rows[mine].find(name); at != std::string::npos;
+             at = rows[mine].find(name, at + id.size()))
+          rows[mine].replace(at, name.size(), id);
+      }
+      EXPECT_GT(rows[0].size(), 1000U);
+      EXPECT_EQ(rows[0], rows[1]) << id;
+    }
+  }
+}
+
+TEST(Catalogue, ARunOfOneSolverMakesOneCaseAndOneEntrant) {
+  const std::size_t before = Entrants::made();
+  const Case& c = known_case("henon_heiles_regular");
+  EXPECT_TRUE(c.entrants.find("odeum/velocity_verlet")->unfit.empty());
+  EXPECT_LE(Entrants::made(), before + 1);
+  EXPECT_EQ(&known_case("henon_heiles_regular"), &c);
+  EXPECT_THROW(known_case("henon"), std::out_of_range);
+}
+
 // The constants that follow from parameters, and the initial values, are those of the values that a
 // user gives.
-TEST(PrintedCases, FollowTheirParameters) {
+TEST(CaseTexts, FollowTheirParameters) {
   const Case c = tests::find_case("rigid_body_hlw").with_values({3, 1.5, 0.8, 0.7});
   const formula::TextOde text(
       formula::read_problem_file(ODEUM_SOURCE_DIR "/cases/rigid_body.yaml",
@@ -71,12 +162,12 @@ TEST(PrintedCases, FollowTheirParameters) {
   EXPECT_THROW(tests::find_case("kepler_e06").with_values({1.5}), std::invalid_argument);
 }
 
-TEST(PrintedCases, AClosedFormHoldsForAllParameters) {
+TEST(CaseTexts, AClosedFormHoldsForAllParameters) {
   const Case c = tests::find_case("prothero_robinson_1e3_smooth").with_values({2, 3});
   double y = 0;
   ASSERT_TRUE(c.truth.at(0.5, &y));
   EXPECT_NEAR(y, std::cos(0.5) + 2 * std::exp(-1.0), 1e-15);
-  EXPECT_EQ(c.truth.source, "closed form");
+  EXPECT_EQ(c.truth.source, "the closed form of cases/prothero_robinson.yaml");
   EXPECT_EQ(tests::find_case("prothero_robinson_1e3_smooth").truth.source,
             "cases/reference/prothero_robinson_1e3_smooth.csv");
 }

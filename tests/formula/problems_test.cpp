@@ -9,9 +9,8 @@
 #include <random>
 #include <string>
 
-#include "odeum/cases/text_case.hpp"
+#include "odeum/cases/text_truth.hpp"
 #include "odeum/formula/text_ode.hpp"
-#include "odeum/solvers/runtime_library.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum {
@@ -97,6 +96,12 @@ TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
   }
 }
 
+/// Its closed form or a computed one, never a reference file.
+Truth truth_of(const formula::Problem& problem) {
+  return problem.exact.empty() ? cases::truth_of(std::make_shared<const TextOde>(problem)).truth
+                               : cases::closed_form(problem).truth;
+}
+
 TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
   // Passages of the moon amplify rounding by some 1e7. The oregonator's jumps of five decades leave
   // the implicit methods of its reference eleven digits of 1,228.
@@ -109,27 +114,26 @@ TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
     if (entry.path().extension() != ".yaml") continue;
     SCOPED_TRACE(entry.path().string());
     ++count;
-    const cases::TextCase made = cases::text_case(
-        entry.path().stem().string(), formula::read_problem_file(entry.path().string()));
-    std::vector<double> y(made.c.y0.size());
-    EXPECT_TRUE(made.c.truth.at(made.c.stops.back(), y.data()));
-    EXPECT_GT(made.c.truth.floor, 0);
+    const formula::Problem problem = formula::read_problem_file(entry.path().string());
+    const Truth truth = truth_of(problem);
+    std::vector<double> y(problem.y0.size());
+    EXPECT_TRUE(truth.at(problem.stops.back(), y.data()));
+    EXPECT_GT(truth.floor, 0);
     const auto bound = bounds.find(entry.path().stem().string());
     double largest = 0;
     for (const double component : y) largest = std::max(largest, std::abs(component));
     // The states are rounded to double.
-    EXPECT_LT(made.c.truth.floor,
-              (bound == bounds.end() ? 2e-14 : bound->second) + 0x1p-53 * largest);
-    EXPECT_FALSE(made.c.equation.empty());
+    EXPECT_LT(truth.floor, (bound == bounds.end() ? 2e-14 : bound->second) + 0x1p-53 * largest);
+    EXPECT_FALSE(problem.equations_text.empty());
   }
   EXPECT_GE(count, 28);
 }
 
 /// The computed truth of a shipped problem at its end.
 std::vector<double> truth_at_end(const std::string& file) {
-  const cases::TextCase made = cases::text_case(file, formula::read_problem_file(path_of(file)));
-  std::vector<double> y(made.c.y0.size());
-  EXPECT_TRUE(made.c.truth.at(made.c.stops.back(), y.data())) << file;
+  const formula::Problem problem = formula::read_problem_file(path_of(file));
+  std::vector<double> y(problem.y0.size());
+  EXPECT_TRUE(truth_of(problem).at(problem.stops.back(), y.data())) << file;
   return y;
 }
 
@@ -167,12 +171,12 @@ TEST(ShippedProblems, ArenstorfsOrbitCloses) {
 
 TEST(GivenCases, AreKnownBesideTheOthers) {
   const std::size_t before = known_cases().size();
-  Case c;
-  c.id = "given";
-  const Case& added = add_user_case(c);
+  const Statement statement{
+      .id = "given", .title = "Given", .tags = {}, .make = [] { return Case(); }};
+  const Case& added = add_user_case(statement);
   EXPECT_EQ(known_cases().size(), before + 1);
   EXPECT_EQ(known_cases().back(), &added);
-  EXPECT_THROW(add_user_case(c), std::invalid_argument);
+  EXPECT_THROW(add_user_case(statement), std::invalid_argument);
 }
 
 }  // namespace

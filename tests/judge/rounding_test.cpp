@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/amplification.hpp"
 
 namespace odeum::judge {

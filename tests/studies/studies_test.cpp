@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/studies/study.hpp"
 #include "support/temporary_folder.hpp"
@@ -75,12 +76,13 @@ TEST(Studies, ResultsThatWereKeptMakeTheSameFiles) {
 }
 
 TEST(Studies, WhatAReportRunsIsThere) {
+  const std::vector<std::string> ids = known_ids();
   for (const auto& study : make_studies())
     for (const bool quick : {false, true})
       for (const Options& options : study->report_runs(quick)) {
         for (const std::string& glob : options.cases)
-          EXPECT_TRUE(std::any_of(all_cases().begin(), all_cases().end(),
-                                  [&](const Case& c) { return glob_matches(glob, c.id); }))
+          EXPECT_TRUE(std::any_of(ids.begin(), ids.end(),
+                                  [&](const std::string& id) { return glob_matches(glob, id); }))
               << study->declaration().name << ": " << glob;
         for (const auto& [name, value] : options.own)
           EXPECT_TRUE(

@@ -249,6 +249,9 @@ class TextCase : formula::CaseKeys {
         case_.truth.at = [before = case_.truth.at,
                           more = reference_truth(files[k], floor, file_.folder).at](
                              double t, double* y) { return before(t, y) || more(t, y); };
+      if (!problem_.exact.empty())
+        case_.truth.at = [before = case_.truth.at, between = closed_form(problem_).truth.at](
+                             double t, double* y) { return before(t, y) || between(t, y); };
       return;
     }
     if (problem_.exact.empty() && !files.empty()) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bench/peers/peers.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::peers {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/solvers/case.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 
