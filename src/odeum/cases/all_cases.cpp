@@ -3,7 +3,6 @@
 
 #include "odeum/cases/runtime_cases.hpp"
 #include "odeum/solvers/case.hpp"
-#include "odeum/solvers/case_files.hpp"
 
 // lists/cases.inc is generated: the stems of the files in cases/.
 namespace odeum {
@@ -14,33 +13,20 @@ namespace cases {
 #undef ODEUM_ITEM
 
 }  // namespace cases
-namespace {
-
-std::map<std::string, std::string> files;
-
-}  // namespace
 
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> all = [] {
     std::vector<Case> list;
-    const auto add = [&](std::vector<Case> more, const char* file) {
-      for (Case& c : more) {
-        if (file) files[c.id] = file;
-        list.push_back(std::move(c));
-      }
+    const auto add = [&](std::vector<Case> more) {
+      for (Case& c : more) list.push_back(std::move(c));
     };
-#define ODEUM_ITEM(stem) add(cases::stem(), #stem);
+#define ODEUM_ITEM(stem) add(cases::stem());
 #include "lists/cases.inc"
 #undef ODEUM_ITEM
-    add(cases::runtime_cases(), nullptr);
+    add(cases::runtime_cases());
     return list;
   }();
   return all;
-}
-
-const std::map<std::string, std::string>& case_files() {
-  all_cases();
-  return files;
 }
 
 }  // namespace odeum

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "odeum/solvers/solver.hpp"
 
 namespace odeum {
 
-/// A file of methods/ with its types erased. CMake generates a unit for each family of them (see
+/// A file of methods/ with its types erased. CMake generates a unit for each of them (see
 /// odeum_generate_methods), in which it is compiled for the shared types: a method that is added or
 /// changed is compiled there and nowhere else.
 struct OwnMethod {
@@ -17,6 +18,9 @@ struct OwnMethod {
 
 /// Every own method, by id.
 const std::vector<OwnMethod>& own_methods();
+
+/// What the file of one of them says.
+const SolverInfo& own_info(std::string_view method);
 
 /// An entrant for each own method: those that fit can solve, the others say what they need.
 inline std::vector<Entrant> enroll_own(const ErasedContest& contest) {

@@ -24,6 +24,13 @@ std::list<Case>& cases_of_user() {
 
 }  // namespace
 
+const std::vector<LibraryInfo>& built_in_libraries() {
+  static const std::vector<LibraryInfo> all{
+#include "lists/libraries.inc"  // generated: the libraries with their versions
+  };
+  return all;
+}
+
 void add_runtime_library(RuntimeLibrary library) {
   if (closed) throw std::logic_error("a library was added after the cases had been built");
   const auto taken = [&](const LibraryInfo& info) {
