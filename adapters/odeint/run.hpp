@@ -35,11 +35,19 @@ State<P> start_of(const Contest<P>& contest) {
   return y;
 }
 
+/// The problem of initial_step by a type of its own: own methods have that function on P, in units
+/// that are compiled by another rule (odeum_timed in CMakeLists.txt).
+template <Ode P>
+struct Starting : Guarded<P> {
+  explicit Starting(const Guarded<P>& problem) : Guarded<P>(problem) {}
+};
+
 /// The first step, which odeint leaves to its user, by the rule that own methods follow.
 template <Ode P>
 double first_step(const Guarded<P>& problem, const Contest<P>& contest, const State<P>& y,
                   int order, const Request& request) {
-  return initial_step(problem, contest.t0, y, request.stops.back(), order, request.tolerance);
+  return initial_step(Starting<P>(problem), contest.t0, y, request.stops.back(), order,
+                      request.tolerance);
 }
 
 /// A stepper with do_step(system, y, t, h), in place.

@@ -38,11 +38,20 @@ function(odeum_write_list list)
   odeum_write_verbatim(${ODEUM_GENERATED}/lists/${list}.inc "${lines}")
 endfunction()
 
-# odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id. own/*.cpp: units that
-# compile them for the shared types (solvers/own_methods.hpp) and for the proofs (proof/facts.hpp). Methods whose
-# names begin with the same word are a family and have one unit; families of one or two methods share units, since
-# each unit costs a second besides its methods. The name of a unit is that of its families, joined by "-".
-# The units are left in ODEUM_METHOD_FILES.
+# <folder>/<name>.cpp for each of the names, a text with the name for NAME in it; the files are left in a variable.
+function(odeum_write_units variable folder text)
+  set(files "")
+  foreach(name IN LISTS ARGN)
+    string(REPLACE "NAME" "${name}" unit "${text}")
+    odeum_write_verbatim(${ODEUM_GENERATED}/${folder}/${name}.cpp "${unit}")
+    list(APPEND files ${ODEUM_GENERATED}/${folder}/${name}.cpp)
+  endforeach()
+  set(${variable} ${files} PARENT_SCOPE)
+endfunction()
+
+# odeum_methods.hpp: every file in src/odeum/methods, its stem the method's type and id. own/<method>.cpp: units that
+# compile them for the shared types (solvers/own_methods.hpp) and for the proofs (proof/facts.hpp), left in
+# ODEUM_METHOD_FILES.
 function(odeum_generate_methods)
   odeum_stems(methods src/odeum/methods/*.hpp)
   odeum_each(includes "#include \"odeum/methods/NAME.hpp\"\n" ${methods})
@@ -50,50 +59,13 @@ function(odeum_generate_methods)
   odeum_write_verbatim(${ODEUM_GENERATED}/odeum_methods.hpp
                        "#pragma once\n#include \"odeum/kernel/method_list.hpp\"\n${includes}
 namespace odeum::methods {\nusing All = MethodList<${types}>;\n}\n")
-  set(families "")
-  foreach(method IN LISTS methods)
-    string(REGEX MATCH "^[a-z]+" family ${method})
-    list(APPEND families ${family})
-    list(APPEND of_${family} ${method})
-  endforeach()
-  list(REMOVE_DUPLICATES families)
-  odeum_write_list(families ${families})
-  set(units "")
-  set(small "")
-  set(count 0)
-  foreach(family IN LISTS families)
-    list(LENGTH of_${family} methods_of_family)
-    if(methods_of_family GREATER 2)
-      list(APPEND units ${family})
-      continue()
-    endif()
-    string(APPEND small "-${family}")
-    math(EXPR count "${count} + ${methods_of_family}")
-    if(count GREATER 3)
-      list(APPEND units ${small})
-      set(small "")
-      set(count 0)
-    endif()
-  endforeach()
-  if(small)
-    list(APPEND units ${small})
-  endif()
-  set(files "")
-  foreach(unit IN LISTS units)
-    string(REGEX REPLACE "^-" "" unit ${unit})
-    string(REPLACE "-" ";" families ${unit})
-    set(text "#include \"odeum/proof/facts_of.hpp\"\n#include \"odeum/solvers/enroll_method.hpp\"\n")
-    foreach(family IN LISTS families)
-      odeum_each(includes "#include \"odeum/methods/NAME.hpp\"\n" ${of_${family}})
-      odeum_each(own "  all.push_back(own_method<methods::NAME>());\n" ${of_${family}})
-      odeum_each(facts "  all.push_back(proof::facts_of<methods::NAME>());\n" ${of_${family}})
-      string(APPEND text "\n${includes}
-namespace odeum {\nvoid add_${family}(std::vector<Solver>& all) {\n${own}}
-void add_${family}(std::vector<proof::MethodFacts>& all) {\n${facts}}\n}  // namespace odeum\n")
-    endforeach()
-    odeum_write_verbatim(${ODEUM_GENERATED}/own/${unit}.cpp "${text}")
-    list(APPEND files ${ODEUM_GENERATED}/own/${unit}.cpp)
-  endforeach()
+  odeum_write_list(methods ${methods})
+  odeum_write_units(files own
+"#include \"odeum/methods/NAME.hpp\"\n#include \"odeum/proof/facts_of.hpp\"\n#include \"odeum/solvers/enroll_method.hpp\"\n
+namespace odeum {
+void add_NAME(std::vector<Solver>& all) { all.push_back(own_method<methods::NAME>()); }
+void add_NAME(std::vector<proof::MethodFacts>& all) { all.push_back(proof::facts_of<methods::NAME>()); }
+}  // namespace odeum\n" ${methods})
   set(ODEUM_METHOD_FILES ${files} PARENT_SCOPE)
 endfunction()
 
@@ -102,6 +74,8 @@ endfunction()
 # ODEUM_CASE_FILES, the texts in ODEUM_CASE_TEXTS.
 function(odeum_generate_lists)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.cpp)
+  # A case is often begun as a copy of another one, with the same local names.
+  set_source_files_properties(${files} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cases/*.yaml)
   odeum_stems(cases cases/*.cpp)
   odeum_stems(printed cases/*.yaml)
@@ -115,54 +89,6 @@ function(odeum_generate_lists)
   file(GLOB studies CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/odeum/studies/*/study.cpp)
   list(TRANSFORM studies REPLACE "^.*/([^/]+)/study.cpp$" "\\1")
   odeum_write_list(studies ${studies})
-endfunction()
-
-# Units of timed runs, see src/odeum/cases/inlined.hpp: one for each three of ODEUM_INLINED_METHODS with all problems
-# of cases/inlined, and one for odeint on each of ODEUM_INLINED_ODEINT (cases/inlined/lists.cmake). They are left in
-# ODEUM_INLINED_FILES and ODEUM_INLINED_ODEINT_FILES, and one in plain C++17 in ODEUM_INLINED_17_FILES.
-function(odeum_generate_inlined)
-  include(${PROJECT_SOURCE_DIR}/cases/inlined/lists.cmake)
-  odeum_stems(problems cases/inlined/*.hpp)
-  if(NOT ODEUM_INLINED)
-    set(ODEUM_INLINED_METHODS "")
-  endif()
-  if(NOT ODEUM_INLINED OR NOT "odeint" IN_LIST ODEUM_ADAPTERS_BUILT)
-    set(ODEUM_INLINED_ODEINT "")
-  endif()
-  set(files ${PROJECT_SOURCE_DIR}/cases/inlined/all.cpp)
-  list(JOIN problems ", " types)
-  odeum_each(includes "#include \"inlined/NAME.hpp\"\n" ${problems})
-  set(rest ${ODEUM_INLINED_METHODS})
-  while(rest)
-    list(SUBLIST rest 0 3 methods)
-    list(POP_FRONT rest first second third)
-    odeum_each(headers "#include \"odeum/methods/NAME.hpp\"\n" ${methods})
-    odeum_each(functions
-"void add_NAME(const Case& c, std::vector<Entrant>& all) { add_method<methods::NAME, ${types}>(c, all); }\n" ${methods})
-    odeum_write_verbatim(${ODEUM_GENERATED}/inlined/${first}.cpp "#include \"odeum/cases/inlined.hpp\"\n${headers}${includes}
-namespace odeum::cases::inlined {\n${functions}}  // namespace odeum::cases::inlined\n")
-    list(APPEND files ${ODEUM_GENERATED}/inlined/${first}.cpp)
-  endwhile()
-  set(odeint_files "")
-  foreach(problem IN LISTS ODEUM_INLINED_ODEINT)
-    odeum_write_verbatim(${ODEUM_GENERATED}/inlined/odeint_${problem}.cpp
-"#include \"inlined/${problem}.hpp\"\n#include \"odeint/inlined_cases.hpp\"\n
-namespace odeum::cases::inlined {
-void add_odeint_${problem}(const Case& c, std::vector<Entrant>& all) { add_odeint<${problem}>(c, all); }
-}  // namespace odeum::cases::inlined\n")
-    list(APPEND odeint_files ${ODEUM_GENERATED}/inlined/odeint_${problem}.cpp)
-  endforeach()
-  list(TRANSFORM ODEUM_INLINED_ODEINT PREPEND odeint_ OUTPUT_VARIABLE odeint)
-  set(files_17 "")
-  if(ODEUM_INLINED_ODEINT)
-    list(APPEND odeint rosenbrock4)
-    list(APPEND files ${PROJECT_SOURCE_DIR}/cases/inlined/rosenbrock4.cpp)
-    set(files_17 ${PROJECT_SOURCE_DIR}/cases/inlined/rosenbrock4_runs.cpp)
-  endif()
-  odeum_write_list(inlined ${odeint} ${ODEUM_INLINED_METHODS})
-  set(ODEUM_INLINED_FILES ${files} PARENT_SCOPE)
-  set(ODEUM_INLINED_ODEINT_FILES ${odeint_files} PARENT_SCOPE)
-  set(ODEUM_INLINED_17_FILES ${files_17} PARENT_SCOPE)
 endfunction()
 
 # lists/<list>.inc: a pair {"stem", text} for each file of a pattern, so that the program needs no file beside it.
@@ -183,7 +109,7 @@ endfunction()
 function(odeum_print_cases)
   add_executable(odeum_print ${PROJECT_SOURCE_DIR}/src/odeum/print/main.cpp $<TARGET_OBJECTS:odeum_formula>)
   target_include_directories(odeum_print PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(odeum_print PRIVATE odeum_options fmt::fmt yaml-cpp)
+  target_link_libraries(odeum_print PRIVATE odeum_options fmt::fmt yaml-cpp Threads::Threads ${CMAKE_DL_LIBS})
   set(printed "")
   foreach(text IN LISTS ODEUM_CASE_TEXTS)
     get_filename_component(stem ${text} NAME_WE)
@@ -261,22 +187,4 @@ constinit const std::string_view flags = R\"(${flags})\";
 constinit const std::string_view truth_code = \"${truth_code}\";
 }
 ")
-endfunction()
-
-# odeum_units.cpp, see HashUnits.cmake, as a source of the program; made of the object files of the targets
-# that are named, anew whenever one of them changes.
-function(odeum_hash_units program)
-  set(objects "")
-  foreach(target IN LISTS ARGN)
-    list(APPEND objects $<TARGET_OBJECTS:${target}>)
-  endforeach()
-  file(GENERATE OUTPUT ${ODEUM_GENERATED}/odeum_objects.txt CONTENT "$<JOIN:${objects},\n>\n")
-  add_custom_command(
-    OUTPUT ${ODEUM_GENERATED}/odeum_units.cpp
-    COMMAND ${CMAKE_COMMAND} -DOBJECTS=${ODEUM_GENERATED}/odeum_objects.txt -DOUTPUT=${ODEUM_GENERATED}/odeum_units.cpp
-            -P ${PROJECT_SOURCE_DIR}/scripts/cmake/HashUnits.cmake
-    DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/scripts/cmake/HashUnits.cmake
-    VERBATIM)
-  set_source_files_properties(${ODEUM_GENERATED}/odeum_units.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  target_sources(${program} PRIVATE ${ODEUM_GENERATED}/odeum_units.cpp)
 endfunction()

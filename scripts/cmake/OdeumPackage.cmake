@@ -7,6 +7,20 @@
 #   Odeum::laboratory         cases, studies and verdicts: the static libraries of this build
 include(CMakePackageConfigHelpers)
 
+# The program holds every text that it needs and runs from any folder; beside it lies what there is to
+# read, in the folders that the README names.
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(GLOB odeum_documents CONFIGURE_DEPENDS reports/*.md)
+install(FILES ${odeum_documents} DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
+install(DIRECTORY reports/findings reports/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}/reports)
+install(DIRECTORY cases/scenes cases/tableaus cases/reference DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
+install(FILES ${ODEUM_CASE_TEXTS} DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
+install(DIRECTORY cases/problems DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases FILES_MATCHING PATTERN "*.yaml"
+        PATTERN "README.md")
+if(ODEUM_NATIVE)
+  install(CODE "message(WARNING \"tuned for this processor, may not run on another: install the preset portable\")")
+endif()
+
 set(odeum_package ${CMAKE_INSTALL_LIBDIR}/cmake/Odeum)
 set(odeum_lab_headers ${CMAKE_INSTALL_INCLUDEDIR}/odeum-laboratory)
 

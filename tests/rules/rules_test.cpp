@@ -115,26 +115,6 @@ TEST(Inlined, ListsAreComplete) {
   EXPECT_GE(with_odeint.size(), 3U);
 }
 
-// A result of a solver on a case depends on own methods that the judge or its study measures with;
-// when their code changes it must not be taken from the store.
-TEST(Rules, KeptResultsDependOnTheMethodsThatTheyAreMeasuredWith) {
-  const std::string kept = text_of(root / "src/odeum/cli/kept_results.cpp");
-  const std::regex quoted("\"(?:odeum/)?([a-z]+[a-z0-9_]*)\"");
-  std::vector<std::string> files =
-      sources_of(root, {"src/odeum/judge", "src/odeum/studies/convergence",
-                        "src/odeum/studies/drift", "src/odeum/studies/limits"});
-  for (const std::string& file : sources_of(root, {"src/odeum/studies"}))
-    if (fs::path(file).parent_path() == "src/odeum/studies") files.push_back(file);
-  std::set<std::string> found;
-  for (const std::string& file : files)
-    for (const std::string& method : matches_in(file, quoted)) {
-      if (!is_own_method(method)) continue;
-      found.insert(method);
-      EXPECT_NE(kept.find('"' + method + '"'), std::string::npos) << file << " uses " << method;
-    }
-  EXPECT_GE(found.size(), 2U) << "the sources were not read";
-}
-
 // What a study runs follows from what solvers say of themselves (SolverInfo), so that one that is
 // added or taken away changes its own file alone.
 TEST(Rules, NoStudyNamesASolverButForAReason) {

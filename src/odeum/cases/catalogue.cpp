@@ -25,6 +25,7 @@ namespace {
 
 struct Known {
   Statement statement;
+  bool built_in = false;
   std::unique_ptr<const Case> made;
 };
 
@@ -40,14 +41,11 @@ std::deque<Known> built_in() {
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::deque<Known> all;
   for (auto& [file, statements] : files)
-    for (Statement& statement : statements) {
-      statement.file = file;
-      all.push_back({std::move(statement), nullptr});
-    }
+    for (Statement& statement : statements) all.push_back({std::move(statement), true, nullptr});
   for (const RuntimeLibrary& library : runtime_libraries())
     if (library.problems)
       for (foreign::ProblemCallbacks& given : library.problems())
-        all.push_back({cases::foreign_statement(std::move(given)), nullptr});
+        all.push_back({cases::foreign_statement(std::move(given)), false, nullptr});
   return all;
 }
 
@@ -103,9 +101,9 @@ const Case& known_case(const std::string& id) {
   return made(*known);
 }
 
-std::string file_of_case(const std::string& id) {
-  const Known* const known = find(id);
-  return known ? known->statement.file : "";
+bool is_built_in(const Case& c) {
+  const Known* const known = find(c.id);
+  return known && known->built_in && known->made.get() == &c;
 }
 
 std::vector<std::reference_wrapper<const Case>> all_cases() {
@@ -123,7 +121,7 @@ std::vector<const Case*> known_cases() {
 
 const Case& add_user_case(Statement statement) {
   if (find(statement.id)) throw std::invalid_argument("a case named " + statement.id + " exists");
-  return made(catalogue().all.emplace_back(Known{std::move(statement), nullptr}));
+  return made(catalogue().all.emplace_back(Known{std::move(statement), false, nullptr}));
 }
 
 }  // namespace odeum

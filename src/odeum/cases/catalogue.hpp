@@ -16,7 +16,6 @@ struct Statement {
   std::vector<std::string> tags;
   /// The rest of the case. Throws InputError for a text that is wrong.
   std::function<Case()> make;
-  std::string file = {};  ///< the stem of its file in cases/; empty: not built in
 };
 
 /// The case of that statement, with its id, title and tags.
@@ -28,8 +27,8 @@ std::vector<std::string> known_ids();
 /// The case of that id, made once: it stays where it is until the program ends. Thread-safe. Throws
 /// std::out_of_range where there is none.
 const Case& known_case(const std::string& id);
-/// The file in cases/ of a case of the project; empty for others.
-std::string file_of_case(const std::string& id);
+/// Whether that very case is the project's: not made with other parameters, of a plug-in or a user.
+bool is_built_in(const Case& c);
 
 /// Makes every case of the project and of plug-ins; known_cases() adds those of the user.
 std::vector<std::reference_wrapper<const Case>> all_cases();

@@ -12,12 +12,16 @@
 /// cases/inlined, and one for each of these problems with odeint's steppers.
 namespace odeum::cases::inlined {
 
+/// Whether a view is that of a P: each type's view has functions of its own. Instantiated in a unit
+/// that is not timed (cases/inlined/CMakeLists.txt), since these functions compute results too.
+template <Ode P>
+bool views(const OdeView& view);
+
 /// The contest of a case whose problem is a P; no problem in it where the case has another.
 template <Ode P>
 Contest<Bare<P>> bare_contest(const Case& c) {
   Contest<Bare<P>> contest;
-  // A type's view has functions of its own: they tell whose problem it is.
-  if (c.problem.view.rhs != view_of(P{}).rhs) return contest;
+  if (!views<P>(c.problem.view)) return contest;
   contest.problem =
       std::make_shared<const Bare<P>>(Bare<P>{*static_cast<const P*>(c.problem.view.problem)});
   contest.t0 = c.t0;
@@ -33,7 +37,7 @@ void add_if(const Case& c, std::vector<Entrant>& all) {
     Entrant entrant;
     enroll_as<M>(contest, entrant);
     if (!entrant.solve) return;
-    entrant.info = info_of_own<M>();
+    entrant.info = own_info(M::info.id);
     all.push_back(std::move(entrant));
   }
 }

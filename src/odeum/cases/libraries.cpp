@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/linear/eigen_solvers.hpp"
-#include "odeum/solvers/case.hpp"
-#include "odeum/solvers/runtime_library.hpp"
 #include "odeum/solvers/variants.hpp"
 #include "odeum_adapters_linear.hpp"    // generated: linear.hpp of every library that is built in
 #include "odeum_adapters_variants.hpp"  // generated: variants.hpp of these
 
-// lists/*.inc are generated: the libraries with their versions, and those with these headers.
+// lists/*.inc are generated: the libraries that have these headers.
 namespace odeum {
-
-const std::vector<LibraryInfo>& built_in_libraries() {
-  static const std::vector<LibraryInfo> all{
-#include "lists/libraries.inc"
-  };
-  return all;
-}
 
 const std::vector<linear::LinearPeerInfo>& linear::linear_peers() {
   static const std::vector<LinearPeerInfo> all = [] {

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <map>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/problems.hpp"
-#include "odeum/cli/units.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/formula/compile.hpp"
@@ -42,43 +40,17 @@ std::string mark_of_machine() {
   return mark;
 }
 
-/// Own methods that the judge measures amplifications with, and studies of steps their windows.
-constexpr const char* measuring_methods[] = {"dormand_prince54", "dormand_prince853", "radau_iia5"};
-
-std::string unit_of(const SolverInfo& solver) {
-  if (solver.library == "odeum") return unit_of_own(solver.method);
-  for (const LibraryInfo& adapter : all_libraries())
-    if (std::count(adapter.libraries.begin(), adapter.libraries.end(), solver.library) > 0)
-      return "adapter/" + adapter.name;
-  return "";
-}
-
-const std::map<std::string, std::string>& units() {
-  static const std::map<std::string, std::string> all(build::units.begin(), build::units.end());
-  return all;
-}
-
 }  // namespace
 
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
-  static const std::string program = mark_of_program(), machine = mark_of_machine();
-  const std::string run = program + ' ' + machine + ' ' + options.text() + mark_of_loaded();
+  static const std::string build = mark_of_program() + ' ' + mark_of_machine() + ' ';
+  const std::string run = build + options.text() + mark_of_loaded();
   study::Options settings = options;
   settings.cases.clear();
   settings.solvers.clear();
-  const auto of_pair = [run, others = machine + ' ' + settings.text()](const Case& c,
-                                                                       const SolverInfo& solver) {
-    std::string dependencies = others;
-    const std::string file = file_of_case(c.id);
-    if (file.empty() || &known_case(c.id) != &c) return run;
-    std::vector<std::string> used{"rest", "case/" + file, unit_of(solver)};
-    for (const char* method : measuring_methods) used.push_back(unit_of_own(method));
-    for (const std::string& unit : used) {
-      const auto found = units().find(unit);
-      if (found == units().end()) return run;
-      dependencies += ' ' + unit + ' ' + found->second;
-    }
-    return dependencies;
+  const auto of_pair = [run, of_built_in = build + settings.text()](const Case& c,
+                                                                    const SolverInfo&) {
+    return is_built_in(c) ? of_built_in : run;
   };
   return {.store = store, .dependencies = run, .dependencies_of_pair = of_pair};
 }

@@ -8,13 +8,9 @@
 
 namespace odeum::cli {
 
-/// What a run of a study with these options keeps its results by, in a store (null: nowhere).
-/// - Any result depends on the whole program, all options, and what was loaded.
-/// - One of a built-in case and solver depends on the object files of the solver's family (of its
-///   adapter), of the case, of own families that the judge uses, and of all that is no method,
-///   adapter, case or page; on options that are no globs, shared libraries and the processor.
-/// A function that several object files define is linked from one of them; its copies have the same
-/// source, but may round differently where the compiler joins operations differently.
+/// What a run of a study with these options keeps its results by, in a store (null: nowhere): the
+/// program's own bytes, the processor and shared libraries, the options, and the texts that were
+/// loaded. A pair of a built-in case depends on neither the options that are globs nor these texts.
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options);
 
 /// The store of kept results; null with --no-cache, and where the user has no folder for it.

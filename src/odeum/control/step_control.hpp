@@ -94,7 +94,7 @@ class PredictiveControl {
   explicit PredictiveControl(int order, double largest_growth = 6)
       : exponent_(1.0 / (order + 1)), largest_growth_(largest_growth) {}
 
-  Decision operator()(double h, double error) {
+  [[gnu::always_inline]] Decision operator()(double h, double error) {
     const double bounded = std::max(error, 1e-10);
     double factor = safety * quick_power(bounded, -exponent_);
     if (error <= 1) {

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/solvers/own_methods.hpp"
 
-// lists/families.inc is generated, and so is a function for each family (odeum_generate_methods).
+#include <algorithm>
+
+// lists/methods.inc is generated, and so is a unit for each method (odeum_generate_methods).
 namespace odeum {
 
-#define ODEUM_ITEM(family) void add_##family(std::vector<Solver>&);
-#include "lists/families.inc"
+#define ODEUM_ITEM(method) void add_##method(std::vector<Solver>&);
+#include "lists/methods.inc"
 #undef ODEUM_ITEM
 
 const std::vector<Solver>& own_methods() {
   static const std::vector<Solver> all = [] {
     std::vector<Solver> list;
-#define ODEUM_ITEM(family) add_##family(list);
-#include "lists/families.inc"
+#define ODEUM_ITEM(method) add_##method(list);
+#include "lists/methods.inc"
 #undef ODEUM_ITEM
     return list;
   }();
   return all;
+}
+
+const SolverInfo& own_info(std::string_view method) {
+  const auto named = [&](const Solver& own) { return own.info.method == method; };
+  return std::find_if(own_methods().begin(), own_methods().end(), named)->info;
 }
 
 }  // namespace odeum

@@ -18,6 +18,13 @@ std::atomic<bool> closed = false;
 
 }  // namespace
 
+const std::vector<LibraryInfo>& built_in_libraries() {
+  static const std::vector<LibraryInfo> all{
+#include "lists/libraries.inc"  // generated: the libraries with their versions
+  };
+  return all;
+}
+
 void add_runtime_library(RuntimeLibrary library) {
   if (closed) throw std::logic_error("a library was added after solvers or cases had been listed");
   const auto taken = [&](const LibraryInfo& info) {

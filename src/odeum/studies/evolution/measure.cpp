@@ -42,19 +42,19 @@ constexpr Equation equations[] = {{"heat", false, 0.05, of_heat}, {"wave", true,
 
 /// Two eigenfunctions of the square with different decay and frequency. On this mesh their nodal
 /// values are eigenvectors of the elements too: the exact solution of the system is known.
-struct Mode {
+struct SpatialMode {
   int j, k;
   double amplitude;
   double at(fem::Point p) const {
     return amplitude * std::sin(j * pi * p.x) * std::sin(k * pi * p.y);
   }
 };
-constexpr Mode modes[] = {{1, 1, 1}, {2, 1, 0.25}};
+constexpr SpatialMode modes[] = {{1, 1, 1}, {2, 1, 0.25}};
 
 double start_at(fem::Point p) { return modes[0].at(p) + modes[1].at(p); }
 
 /// 0 divisions: of the equation, else of the elements (the five-point star).
-double eigenvalue(const Mode& mode, std::size_t divisions) {
+double eigenvalue(const SpatialMode& mode, std::size_t divisions) {
   if (divisions == 0) return pi * pi * (mode.j * mode.j + mode.k * mode.k);
   const auto n = static_cast<double>(divisions);
   const double s = std::sin(mode.j * pi / (2 * n)), t = std::sin(mode.k * pi / (2 * n));
@@ -63,7 +63,7 @@ double eigenvalue(const Mode& mode, std::size_t divisions) {
 
 std::vector<double> exact(const Equation& equation, const Field& field, std::size_t divisions) {
   std::vector<double> u(field.system().size());
-  for (const Mode& mode : modes) {
+  for (const SpatialMode& mode : modes) {
     const double value = eigenvalue(mode, divisions), t = equation.horizon;
     const double factor = equation.wave ? std::cos(std::sqrt(value) * t) : std::exp(-value * t);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] += factor * mode.at(field.system().nodes[i]);

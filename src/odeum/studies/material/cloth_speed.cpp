@@ -6,7 +6,7 @@
 #include "odeum/cases/square_cloth.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/studies/material/cloth_steps.hpp"
+#include "odeum/studies/material/cloth_lanes.hpp"
 #include "odeum/studies/material/material.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
