@@ -10,6 +10,7 @@
 #include "odeum/core/outcome.hpp"
 #include "odeum/core/request.hpp"
 #include "odeum/core/text_of.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -24,7 +25,8 @@
 ///                                                         // step that was decided on before
 ///     Status between(const StepMade<State<P>>& step, double t, State<P>& y);
 ///                                                         // the state inside the step accepted
-///                                                         // last, at the order of the method
+///                                                         // last, at the order of the method;
+///                                                         // not ok: at a lower order
 ///
 /// The loop then steps over all stops but the last where the request asks for it (over_stops), and
 /// always under a trial that says so (`static constexpr bool always_over_stops`). Without an
@@ -48,19 +50,30 @@ struct StepMade {
   const S &before, &after;
   /// Where a time lies in it, 0 to 1.
   double share(double time) const { return (time - t) / h; }
+  /// On the straight line between its ends, for where nothing better is known.
+  void by_line(double time, S& y) const {
+    const double at = share(time);
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] = before[i] + at * (after[i] - before[i]);
+  }
 };
 
-/// sqrt(mean over components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
-/// (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new is not.
+/// The mean over the components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2: 1 at the
+/// tolerance (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new
+/// is not.
+template <class S>
+double scaled_error_square(const S& error, const S& y, const S& y_new,
+                           const ErrorScale<S>& error_scale) {
+  const double sum = sum_of_components(y, [&](std::size_t i) {
+    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
+    const double scaled = error[i] * (1 / scale);
+    return scaled * scaled + 0 * y_new[i];
+  });
+  return sum * (1 / static_cast<double>(y.size()));
+}
 template <class S>
 double scaled_error_norm(const S& error, const S& y, const S& y_new,
                          const ErrorScale<S>& error_scale) {
-  double sum = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
-    sum += (error[i] / scale) * (error[i] / scale) + 0 * y_new[i];
-  }
-  return std::sqrt(sum / static_cast<double>(y.size()));
+  return std::sqrt(scaled_error_square(error, y, y_new, error_scale));
 }
 
 /// A first step for a method of the given order (Solving ODEs I, II.4, "Starting step size").
@@ -126,7 +139,7 @@ class AdaptiveWalk {
     t_made_ = t_;
     h_made_ = h_used;
     t_ = last ? target : t_ + h_used;
-    std::swap(y_, y_new_);
+    exchange_components(y_, y_new_);
     // A step shortened to meet a stop does not limit the next one.
     h_ = last ? std::max(h_, decision.next_step) : decision.next_step;
     return Trialled::accepted;
@@ -145,6 +158,21 @@ class AdaptiveWalk {
   double t_, h_ = 0, t_made_ = t_, h_made_ = 0;
   State<P> y_, y_new_;
 };
+
+/// The state at a time inside the step made by a step aside, `step(t, h, y)` from its start, which
+/// returns whether its equations were solved: by one, else 2, 4, ..., else on a line.
+template <class S, class Step>
+Status step_aside(const StepMade<S>& made, double time, S& y, Step&& step) {
+  for (int parts = 1; parts <= 1024; parts *= 2) {
+    const double h = (time - made.t) / parts;
+    y = made.before;
+    int k = 0;
+    while (k < parts && step(made.t + k * h, h, y)) ++k;
+    if (k == parts) return Status::ok;
+  }
+  made.by_line(time, y);
+  return Status::newton_failed;
+}
 
 template <class Trial, class S>
 concept LooksBetween = requires(Trial trial, const StepMade<S>& step, double t, S& y) {
@@ -188,13 +216,12 @@ Outcome run_adaptive(const P& problem, double t0, const State<P>& y0, const Requ
     const bool beyond = walk.t() > stop;
     if constexpr (looks_between)
       if (beyond) {
-        outcome.status = trial.between(walk.made(), stop, y_between);
+        // An output that fails is no failure of the run.
+        const Status found = trial.between(walk.made(), stop, y_between);
         if (problem.tripped()) return outcome;
-        if (outcome.status != Status::ok) {
-          outcome.detail =
-              to_string(outcome.status) + (" between the steps, at t = " + text_of(stop));
-          return outcome;
-        }
+        if (found != Status::ok && outcome.detail.empty())
+          outcome.detail = "the state at t = " + text_of(stop) + " is interpolated, " +
+                           to_string(found) + " between the steps";
       }
     const State<P>& at_stop = beyond ? y_between : walk.y();
     outcome.record(stop, at_stop.data(), at_stop.size());

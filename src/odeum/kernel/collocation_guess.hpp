@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/problem/concepts.hpp"
 
 namespace odeum {
@@ -28,13 +29,23 @@ class CollocationGuess {
     }
     if (const double ratio = h / last_h_; ratio != weights_for_) compute_weights(ratio);
     for (std::size_t i = 0; i < Stages; ++i)
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = -last_z_[Stages - 1][n];
         for (std::size_t j = 0; j < Stages; ++j) sum += weights_[i][j] * last_z_[j][n];
         // A component guessed with the other sign than y's starts from y instead: it could converge
         // to another solution, or overshoot a decay to zero.
         z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
-      }
+      });
+  }
+
+  /// z <- the polynomial of the last step at a share of it, from 0 at its start to 1.
+  void at(double share, State<P>& z) const {
+    const std::array<double, Stages> weights = basis(share);
+    each_component(z, [&](std::size_t n) {
+      double sum = 0;
+      for (std::size_t j = 0; j < Stages; ++j) sum += weights[j] * last_z_[j][n];
+      z[n] = sum;
+    });
   }
 
   /// Takes over the stages of an accepted step of h by swapping; z then holds older ones.
@@ -44,18 +55,19 @@ class CollocationGuess {
   }
 
  private:
-  // Lagrange's polynomials at 1 + ratio c_i.
-  void compute_weights(double ratio) {
+  /// Lagrange's polynomials of the nodes and of 0, where the stages vanish.
+  std::array<double, Stages> basis(double x) const {
     const Nodes& c = nodes_;
-    for (std::size_t i = 0; i < Stages; ++i) {
-      const double x = 1 + ratio * c[i];
-      for (std::size_t j = 0; j < Stages; ++j) {
-        double l = x / c[j];
-        for (std::size_t m = 0; m < Stages; ++m)
-          if (m != j) l *= (x - c[m]) / (c[j] - c[m]);
-        weights_[i][j] = l;
-      }
+    std::array<double, Stages> l{};
+    for (std::size_t j = 0; j < Stages; ++j) {
+      l[j] = x / c[j];
+      for (std::size_t m = 0; m < Stages; ++m)
+        if (m != j) l[j] *= (x - c[m]) / (c[j] - c[m]);
     }
+    return l;
+  }
+  void compute_weights(double ratio) {
+    for (std::size_t i = 0; i < Stages; ++i) weights_[i] = basis(1 + ratio * nodes_[i]);
     weights_for_ = ratio;
   }
 

@@ -2,7 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
 
@@ -36,7 +38,13 @@ class DiagonallyImplicitRungeKutta {
   static constexpr bool keeps_factors = true;  ///< as long as h is the same
   void will_be_retried() { newton_.will_be_retried(); }
   /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
-  void solve_to(const Tolerance& tolerance) { newton_.solve_to(tolerance, 0.02); }
+  /// With an estimate of order q the error of a step of order p goes as tol^((p+1)/(q+1)): a
+  /// remainder of Newton's iteration that stays proportional to the tolerance would take the order
+  /// from the run.
+  void solve_to(const Tolerance& tolerance) {
+    constexpr double gained = std::max(0, T.order - T.order_hat) / (T.order_hat + 1.0);
+    newton_.solve_to(tolerance, std::min(0.02, 0.05 * std::pow(tolerance.relative, gained)));
+  }
 
   Status step(double t, double h, State<P>& y) {
     const Status status = solve_stages(t, h, y);
@@ -48,11 +56,11 @@ class DiagonallyImplicitRungeKutta {
   Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
     const Status status = solve_stages(t, h, y);
     if (status != Status::ok) return status;
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       double sum = 0;
       for (std::size_t i = 0; i < stages; ++i) sum += (T.b[i] - T.b_hat[i]) * k_[i][n];
       error[n] = h * sum;
-    }
+    });
     finish(h, y);
     return Status::ok;
   }
@@ -70,11 +78,11 @@ class DiagonallyImplicitRungeKutta {
 
   Status solve_stages(double t, double h, const State<P>& y) {
     for (std::size_t i = 0; i < stages; ++i) {
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = 0;
         for (std::size_t j = 0; j < i; ++j) sum += T.a[i][j] * k_[j][n];
         base_[n] = y[n] + h * sum;
-      }
+      });
       const double gamma_h = h * T.a[i][i], stage_time = t + T.c(i) * h;
       if (gamma_h == 0) {
         problem_.rhs(stage_time, base_.data(), k_[i].data());
@@ -87,7 +95,7 @@ class DiagonallyImplicitRungeKutta {
       const Status status = newton_.solve(stage_time, gamma_h, base_, stage_, before_);
       if (status != Status::ok) return status;
       if (i > 0) compare_guesses();
-      for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = newton_.increment()[n] / gamma_h;
+      each_component(y, [&](std::size_t n) { k_[i][n] = newton_.increment()[n] / gamma_h; });
     }
     return Status::ok;
   }
@@ -96,26 +104,27 @@ class DiagonallyImplicitRungeKutta {
   /// closer where a stiff component follows the others; whichever was closer in the last stage. A
   /// guess beyond the solution may lead to another one.
   void guess(double gamma_h, const State<P>& slope) {
-    for (std::size_t n = 0; n < stage_.size(); ++n) {
+    each_component(stage_, [&](std::size_t n) {
       by_slope_[n] = base_[n] + gamma_h * slope[n];
       stage_[n] = slope_is_closer_[n] != 0 ? by_slope_[n] : before_[n];
-    }
+    });
   }
   void compare_guesses() {
-    for (std::size_t n = 0; n < stage_.size(); ++n)
+    each_component(stage_, [&](std::size_t n) {
       slope_is_closer_[n] =
           std::abs(stage_[n] - by_slope_[n]) < std::abs(stage_[n] - before_[n]) ? 1 : 0;
+    });
   }
 
   void finish(double h, State<P>& y) {
     if constexpr (stiffly_accurate) {
       y = stage_;
     } else {
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = 0;
         for (std::size_t i = 0; i < stages; ++i) sum += T.b[i] * k_[i][n];
         y[n] += h * sum;
-      }
+      });
     }
   }
 
