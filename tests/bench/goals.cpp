@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
       {"steps", "Steps of a cloth", cloth_step_rows},
       {"cloth", "A cloth at equal error", cloth_error_rows},
       {"fixed", "Fixed-step RK4 against the better of odeint's two", fixed_step_rows},
+      {"evaluation", "What a step costs beyond the right-hand side, by unknowns", evaluation_rows},
       {"precision", "At equal error: time of the best peer / of the best own solver",
        precision_rows},
       {"sparse", "Implicit methods on many unknowns", sparse_rows},
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
                      [&](const Group& g) { return std::string(g.name) == argv[i]; })) {
       fmt::print(stderr,
                  "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, fixed, "
-                 "precision, sparse or fem\n",
+                 "evaluation, precision, sparse or fem\n",
                  argv[i], argv[i]);
       return 2;
     }

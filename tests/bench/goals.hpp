@@ -35,6 +35,7 @@ std::vector<Row> cloth_kernel_rows();
 std::vector<Row> cloth_step_rows();
 std::vector<Row> cloth_error_rows();
 std::vector<Row> fixed_step_rows();
+std::vector<Row> evaluation_rows();
 std::vector<Row> precision_rows();
 std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();

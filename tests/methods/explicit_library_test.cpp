@@ -156,6 +156,15 @@ TEST(StepControl, AQuickPowerIsAPower) {
   for (const double p : {-1.0, -0.2, -1. / 9, 0.14, 0.8, 2.0})
     for (double x = 1e-30; x < 1e30; x *= 1.37)
       EXPECT_NEAR(quick_power(x, p) / std::pow(x, p), 1, 1e-5) << x << "^" << p;
+  // Interpolation of x^p on [1, 2] by degree 4: 8.1e-5 for the root, 9e-6 for the tenth root.
+  for (const auto& [p, accuracy] :
+       {std::pair{-0.5, 1e-4}, {-0.35, 5e-5}, {-0.1, 1e-5}, {-0.05, 5e-6}}) {
+    const FixedPower fixed(p);
+    for (double x = 1e-20; x < 1e19; x *= 1.37)
+      EXPECT_NEAR(fixed(x) / std::pow(x, p), 1, accuracy) << x << "^" << p;
+    for (const double x : {0.0, 1e-300, 1e300})
+      EXPECT_TRUE(fixed(x) > 0 && std::isfinite(fixed(x))) << x << "^" << p;
+  }
   // For extreme errors it saturates, and stays positive and finite.
   EXPECT_GT(quick_power(1e300, -4), 0);
   EXPECT_LT(quick_power(1e-300, -4), std::numeric_limits<double>::infinity());
@@ -164,31 +173,39 @@ TEST(StepControl, AQuickPowerIsAPower) {
 }
 
 TEST(StepControl, PoliciesAreWhatTheySay) {
-  constexpr double quick = 1e-5;  // the accuracy of quick_power
+  constexpr double quick = 2e-5;  // the accuracy of FixedPower for such exponents
   const IntegralControl integral(4);
-  EXPECT_FALSE(integral(1, 1.01).accept);
-  EXPECT_NEAR(integral(2, 1.0 / 32).next_step, 2 * 0.9 * 2, 4 * quick);  // 32^(1/5) = 2
-  EXPECT_DOUBLE_EQ(integral(1, 1e9).next_step, 0.2);
+  EXPECT_FALSE(integral(1, 1.01 * 1.01).accept);
+  EXPECT_NEAR(integral(2, std::pow(1.0 / 32, 2)).next_step, 2 * 0.9 * 2,
+              4 * quick);  // 32^(1/5) = 2
+  EXPECT_DOUBLE_EQ(integral(1, 1e18).next_step, 0.2);
   EXPECT_DOUBLE_EQ(integral(1, 0).next_step, 5);
 
   const DeadBandControl band(4);
   for (const double error : {0.4, 0.7, 1.0}) {
-    EXPECT_TRUE(band(3, error).accept);
-    EXPECT_EQ(band(3, error).next_step, 3);
+    EXPECT_TRUE(band(3, error * error).accept);
+    EXPECT_EQ(band(3, error * error).next_step, 3);
   }
   for (const double error : {0.39, 1.01, 1e-7})
-    EXPECT_EQ(band(3, error).next_step, integral(3, error).next_step);
-  EXPECT_FALSE(band(3, 1.01).accept);
+    EXPECT_EQ(band(3, error * error).next_step, integral(3, error * error).next_step);
+  EXPECT_FALSE(band(3, 1.01 * 1.01).accept);
 
   ProportionalIntegralControl pi(4);
-  EXPECT_NEAR(pi(1, 1.0 / 32).next_step, 0.9 * std::pow(32, 0.14), 2 * quick);
+  EXPECT_NEAR(pi(1, std::pow(32, -2)).next_step, 0.9 * std::pow(32, 0.14), 2 * quick);
   // The same error again: the integral part remains, 0.3 / 5.
-  EXPECT_NEAR(pi(1, 1.0 / 32).next_step, 0.9 * std::pow(32, 0.06), 2 * quick);
-  const Decision rejected = pi(1, 32);
+  EXPECT_NEAR(pi(1, std::pow(32, -2)).next_step, 0.9 * std::pow(32, 0.06), 2 * quick);
+  const Decision rejected = pi(1, 32 * 32);
   EXPECT_FALSE(rejected.accept);
   EXPECT_NEAR(rejected.next_step, 0.9 / 2, quick);
-  EXPECT_EQ(pi(1, 1e-9).next_step, 1) << "no growth after a rejected step";
-  EXPECT_GT(pi(1, 1e-9).next_step, 1);
+  EXPECT_EQ(pi(1, 1e-18).next_step, 1) << "no growth after a rejected step";
+  EXPECT_GT(pi(1, 1e-18).next_step, 1);
+  // Gustafsson's factor: 0.9 (h / h_last) (err_last / err^2)^(1/k), never above the integral one.
+  PredictiveControl predictive(4);
+  EXPECT_NEAR(predictive(1, std::pow(32, -2)).next_step, 0.9 * 2, 2 * quick);
+  EXPECT_NEAR(predictive(2, std::pow(243, -2)).next_step, 2 * 0.9 * 3, 6 * quick);
+  EXPECT_NEAR(predictive(2, std::pow(32, -2)).next_step, 2 * 0.9 * std::pow(0.01 * 1024, 0.2),
+              6 * quick)
+      << "no last error counts as less than 0.01";
 }
 
 // --- dense output ---

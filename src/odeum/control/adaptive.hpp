@@ -10,6 +10,7 @@
 #include "odeum/core/outcome.hpp"
 #include "odeum/core/request.hpp"
 #include "odeum/core/text_of.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -50,17 +51,23 @@ struct StepMade {
   double share(double time) const { return (time - t) / h; }
 };
 
-/// sqrt(mean over components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2): 1 at the tolerance
-/// (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new is not.
+/// The mean over the components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2: 1 at the
+/// tolerance (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new
+/// is not.
+template <class S>
+double scaled_error_square(const S& error, const S& y, const S& y_new,
+                           const ErrorScale<S>& error_scale) {
+  const double sum = sum_of_components(y, [&](std::size_t i) {
+    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
+    const double scaled = error[i] * (1 / scale);
+    return scaled * scaled + 0 * y_new[i];
+  });
+  return sum * (1 / static_cast<double>(y.size()));
+}
 template <class S>
 double scaled_error_norm(const S& error, const S& y, const S& y_new,
                          const ErrorScale<S>& error_scale) {
-  double sum = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
-    sum += (error[i] / scale) * (error[i] / scale) + 0 * y_new[i];
-  }
-  return std::sqrt(sum / static_cast<double>(y.size()));
+  return std::sqrt(scaled_error_square(error, y, y_new, error_scale));
 }
 
 /// A first step for a method of the given order (Solving ODEs I, II.4, "Starting step size").
@@ -126,7 +133,7 @@ class AdaptiveWalk {
     t_made_ = t_;
     h_made_ = h_used;
     t_ = last ? target : t_ + h_used;
-    std::swap(y_, y_new_);
+    exchange_components(y_, y_new_);
     // A step shortened to meet a stop does not limit the next one.
     h_ = last ? std::max(h_, decision.next_step) : decision.next_step;
     return Trialled::accepted;

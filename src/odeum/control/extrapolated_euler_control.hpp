@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
 #include "odeum/kernel/inner_nodes.hpp"
 #include "odeum/kernel/quick_power.hpp"
@@ -35,7 +36,7 @@ class ExtrapolatedEulerControl {
       table_.linearise(t, y);
       moved_ = false;
     }
-    for (std::size_t n = 0; n < y.size(); ++n) scale_[n] = 1 / error_scale_(n, std::abs(y[n]));
+    each_component(y, [&](std::size_t n) { scale_[n] = 1 / error_scale_(n, std::abs(y[n])); });
     used_ = 0;
     double error = 0, before = 0;
     for (std::size_t j = 0; j <= std::min(target_ + 1, last); ++j) {
@@ -121,10 +122,10 @@ class ExtrapolatedEulerControl {
   double difference(std::size_t j) const {
     double sum = 0;
     const State<P>&a = table_.column(j), &b = table_.column(j - 1);
-    for (std::size_t n = 0; n < a.size(); ++n) {
+    each_component(a, [&](std::size_t n) {
       const double scaled = (a[n] - b[n]) * scale_[n];
       sum += scaled * scaled;
-    }
+    });
     return std::sqrt(sum / static_cast<double>(a.size()));
   }
 

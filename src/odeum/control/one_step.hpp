@@ -5,6 +5,7 @@
 
 #include "odeum/control/adaptive.hpp"
 #include "odeum/control/step_control.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/dense_output.hpp"
 
 /// Adaptive runs of one-step methods.
@@ -31,10 +32,10 @@ class EmbeddedPair {
   }
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
-    y_new = y;
+    copy_components(y, y_new);
     const Status status = stepper_.step(t, h, y_new, error_);
     Decision decision = decide(control_, h,
-                               status == Status::ok ? scaled_error_norm(error_, y, y_new, scale_)
+                               status == Status::ok ? scaled_error_square(error_, y, y_new, scale_)
                                                     : std::numeric_limits<double>::infinity());
     if constexpr (requires { Stepper::keeps_factors; })
       decision = without_small_growth(decision, h);
@@ -100,7 +101,7 @@ class StepDoubling {
     y_new = y;
     const bool made = step(stepper_, t, h, whole_) && step(stepper_, t, h / 2, y_new) &&
                       step(stepper_, t + h / 2, h / 2, y_new);
-    for (std::size_t i = 0; i < y.size(); ++i) whole_[i] -= y_new[i];
+    each_component(y, [&](std::size_t i) { whole_[i] -= y_new[i]; });
     const double difference = scaled_error_norm(whole_, y, y_new, scale_);
     if (!made || !std::isfinite(difference)) return {false, h / 4};
     if (difference > 1) return {false, h / 2};

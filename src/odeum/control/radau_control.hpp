@@ -35,7 +35,7 @@ class RadauTrial {
     // Many Newton iterations limit the growth of the step.
     constexpr int most = RadauStepper<T, P>::max_iterations;
     const double effort = (1.0 + 2 * most) / (stepper_.iterations() + 2.0 * most);
-    Decision decision = control_(h, error / power(effort, order + 1));
+    Decision decision = control_(h, std::pow(error / power(effort, order + 1), 2));
     decision.accept = error < 1;
     if (decision.accept) {
       stepper_.accept(h);

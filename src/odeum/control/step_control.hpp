@@ -9,17 +9,18 @@
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/quick_power.hpp"
 
-/// Controllers: a decision from the scaled error of a step, 1 at the tolerance,
+/// Controllers: a decision from the square of the scaled error of a step, 1 at the tolerance,
 ///
-///     Decision operator()(double h, double error);
+///     Decision operator()(double h, double square);
 ///
-/// With q the order of the estimate the error goes as h^k, k = q + 1; 0.9 is the safety factor.
+/// With q the order of the estimate the error goes as h^k, k = q + 1; 0.9 is the safety factor. The
+/// square saves a root, since only powers of the error are needed.
 namespace odeum {
 
 /// The controller's decision; without a finite error the step is repeated with a quarter of it.
 template <class StepControl>
-Decision decide(StepControl& control, double h, double error) {
-  return std::isfinite(error) ? control(h, error) : Decision{false, h / 4};
+Decision decide(StepControl& control, double h, double square) {
+  return std::isfinite(square) ? control(h, square) : Decision{false, h / 4};
 }
 
 /// For methods whose factors hold for one length of step: a step that would grow by little is kept.
@@ -34,14 +35,14 @@ inline Decision without_small_growth(Decision decision, double h) {
 class IntegralControl {
  public:
   static constexpr const char* name = "embedded pair, integral control";
-  explicit IntegralControl(int order) : power_(order + 1) {}
-  Decision operator()(double h, double error) const {
-    return {error <= 1, h * factor(0.9 * quick_power(std::max(error, 1e-10), -1 / power_))};
+  explicit IntegralControl(int order) : power_(power_of_square<100>(order + 1)) {}
+  Decision operator()(double h, double square) const {
+    return {square <= 1, h * factor(0.9 * power_(square))};
   }
   static double factor(double wanted) { return std::clamp(wanted, 0.2, 5.0); }
 
  private:
-  double power_;
+  const FixedPower& power_;
 };
 
 /// Proportional-integral: h <- h * 0.9 err_n^(-0.7/k) err_{n-1}^(0.4/k) after an accepted step,
@@ -50,23 +51,24 @@ class IntegralControl {
 class ProportionalIntegralControl {
  public:
   static constexpr const char* name = "embedded pair, proportional-integral control";
-  explicit ProportionalIntegralControl(int order) : power_(order + 1) {}
-  Decision operator()(double h, double error) {
-    error = std::max(error, 1e-10);
-    if (error > 1) {
+  explicit ProportionalIntegralControl(int order)
+      : integral_(order), power_(power_of_square<70>(order + 1)), exponent_(0.2 / (order + 1)) {}
+  Decision operator()(double h, double square) {
+    if (square > 1) {
       rejected_ = true;
-      return {false, h * IntegralControl::factor(0.9 * quick_power(error, -1 / power_))};
+      return integral_(h, square);
     }
-    const double damped =
-        0.9 * quick_power(error, -0.7 / power_) * quick_power(last_error_, 0.4 / power_);
-    const double wanted = IntegralControl::factor(damped);
-    last_error_ = std::max(error, 1e-4);  // a single very small error does not limit the next step
+    const double wanted = IntegralControl::factor(0.9 * power_(square) * last_);
+    // A single very small error does not limit the next step.
+    last_ = quick_power(std::max(square, 1e-8), exponent_);
     return {true, h * (std::exchange(rejected_, false) ? std::min(wanted, 1.0) : wanted)};
   }
 
  private:
-  double power_;
-  double last_error_ = 1;
+  IntegralControl integral_;
+  const FixedPower& power_;
+  double exponent_;
+  double last_ = 1;  ///< the part of the last error
   bool rejected_ = false;
 };
 
@@ -77,8 +79,8 @@ class DeadBandControl {
   static constexpr const char* name = "embedded pair, integral control with a dead band";
   static constexpr double low = 0.4;
   explicit DeadBandControl(int order) : integral_(order) {}
-  Decision operator()(double h, double error) const {
-    return error >= low && error <= 1 ? Decision{true, h} : integral_(h, error);
+  Decision operator()(double h, double square) const {
+    return square >= low * low && square <= 1 ? Decision{true, h} : integral_(h, square);
   }
 
  private:
@@ -92,19 +94,19 @@ class PredictiveControl {
  public:
   static constexpr const char* name = "embedded pair, predictive";
   explicit PredictiveControl(int order, double largest_growth = 6)
-      : exponent_(1.0 / (order + 1)), largest_growth_(largest_growth) {}
 
-  Decision operator()(double h, double error) {
-    const double bounded = std::max(error, 1e-10);
-    double factor = safety * quick_power(bounded, -exponent_);
-    if (error <= 1) {
-      if (last_error_ > 0) {
-        const double predicted =
-            safety * (h / last_step_) * quick_power(last_error_ / (bounded * bounded), exponent_);
-        factor = std::min(factor, predicted);
-      }
+      : power_(power_of_square<100>(order + 1)),
+        largest_(power_(1e-4)),
+        largest_growth_(largest_growth) {}
+
+  Decision operator()(double h, double square) {
+    const double root = power_(square);
+    double factor = safety * root;
+    if (square <= 1) {
+      if (last_step_ > 0)
+        factor = std::min(factor, safety * (h / last_step_) * (root * root / last_root_));
       last_step_ = h;
-      last_error_ = std::max(bounded, 1e-2);
+      last_root_ = std::min(root, largest_);
       factor = std::clamp(factor, 0.2, after_rejection_ ? 1.0 : largest_growth_);
       after_rejection_ = false;
       return {true, h * factor};
@@ -115,8 +117,9 @@ class PredictiveControl {
 
  private:
   static constexpr double safety = 0.9;
-  double exponent_, largest_growth_;
-  double last_step_ = 0, last_error_ = 0;
+  const FixedPower& power_;          ///< err^(-1/k)
+  double largest_, largest_growth_;  ///< of an error of 1e-2
+  double last_step_ = 0, last_root_ = 0;
   bool after_rejection_ = false;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/multistep.hpp"
 #include "odeum/tableau/multistep_coefficients.hpp"
@@ -25,20 +26,20 @@ class Adams {
     problem_.rhs(t, y.data(), slopes_.push().data());
     if (!slopes_.full()) return starting_.advance(t, h, y);
     const auto f = slopes_.places();
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       double sum = 0;
       for (std::size_t i = 0; i < K; ++i) sum += bashforth.beta[i + 1] * f[i][n];
       predicted_[n] = y[n] + h * sum;
-    }
+    });
     if constexpr (!Correct) {
       y = predicted_;
     } else {
       problem_.rhs(t + h, predicted_.data(), f_predicted_.data());
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = moulton.beta[0] * f_predicted_[n];
         for (std::size_t i = 0; i + 1 < K; ++i) sum += moulton.beta[i + 1] * f[i][n];
         y[n] += h * sum;
-      }
+      });
     }
     return Status::ok;
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/multistep.hpp"
 #include "odeum/kernel/newton.hpp"
@@ -27,7 +28,7 @@ class BackwardDifferences {
   Status step(double t, double h, State<P>& y) {
     states_.push() = y;
     if (!states_.full()) return starting_.advance(t, h, y);
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       double sum = 0, guess = 0;
       for (std::size_t i = K - 1; i-- > 0;) {
         const double difference = states_[i][n] - states_[i + 1][n];
@@ -36,7 +37,7 @@ class BackwardDifferences {
       }
       base_[n] = states_[0][n] + sum;
       y[n] = states_[0][n] + guess;
-    }
+    });
     return newton_.solve(t + h, h / formula.alpha[0], base_, y);
   }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/difference_history.hpp"
 #include "odeum/kernel/kept_jacobian.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
@@ -40,7 +41,7 @@ class BdfStepper {
   Status solve(double t_new, int k) {
     const auto order = static_cast<std::size_t>(k);
     const double alpha = (1 - ndf::kappa[order]) * ndf::gamma[order];
-    for (std::size_t n = 0; n < y_.size(); ++n) {
+    each_component(y_, [&](std::size_t n) {
       double predicted = difference_[0][n], psi = 0;
       for (std::size_t j = 1; j <= order; ++j) {
         predicted += difference_[j][n];
@@ -50,7 +51,7 @@ class BdfStepper {
       d_[n] = 0;
       psi_[n] = psi / alpha;
       scale_[n] = 1 / level_(n, std::abs(predicted));
-    }
+    });
     return converge(t_new, h_ / alpha) ? Status::ok : Status::newton_failed;
   }
   /// Newton iterations of the last solve(), and its scaled error.
@@ -98,12 +99,12 @@ class BdfStepper {
     };
     const auto correct = [&] {
       problem_.rhs(t_new, y_.data(), f_.data());
-      for (std::size_t n = 0; n < y_.size(); ++n) f_[n] = c * f_[n] - psi_[n] - d_[n];
+      each_component(y_, [&](std::size_t n) { f_[n] = c * f_[n] - psi_[n] - d_[n]; });
       if (!system_.solve(f_.data())) return newton_.no_solution;
-      for (std::size_t n = 0; n < y_.size(); ++n) {
+      each_component(y_, [&](std::size_t n) {
         y_[n] += f_[n];
         d_[n] += f_[n];
-      }
+      });
       return norm(f_);
     };
     return jacobian_.solve(
@@ -119,11 +120,11 @@ class BdfStepper {
   /// instead: their Newton iteration could converge to another solution, or overshoot a decay to
   /// zero.
   void guess() {
-    for (std::size_t n = 0; n < y_.size(); ++n) {
+    each_component(y_, [&](std::size_t n) {
       const double predicted = y_[n] - d_[n], state = difference_[0][n];
       y_[n] = predicted * state < 0 ? state : predicted;
       d_[n] = y_[n] - predicted;
-    }
+    });
   }
 
   double norm(const State<P>& x) const { return scaled_norm(x, scale_); }

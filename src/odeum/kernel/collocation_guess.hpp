@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/problem/concepts.hpp"
 
 namespace odeum {
@@ -28,13 +29,13 @@ class CollocationGuess {
     }
     if (const double ratio = h / last_h_; ratio != weights_for_) compute_weights(ratio);
     for (std::size_t i = 0; i < Stages; ++i)
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = -last_z_[Stages - 1][n];
         for (std::size_t j = 0; j < Stages; ++j) sum += weights_[i][j] * last_z_[j][n];
         // A component guessed with the other sign than y's starts from y instead: it could converge
         // to another solution, or overshoot a decay to zero.
         z[i][n] = (y[n] + sum) * y[n] < 0 ? 0 : sum;
-      }
+      });
   }
 
   /// Takes over the stages of an accepted step of h by swapping; z then holds older ones.

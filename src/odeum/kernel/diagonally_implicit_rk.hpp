@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/newton.hpp"
 
@@ -48,11 +49,11 @@ class DiagonallyImplicitRungeKutta {
   Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
     const Status status = solve_stages(t, h, y);
     if (status != Status::ok) return status;
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       double sum = 0;
       for (std::size_t i = 0; i < stages; ++i) sum += (T.b[i] - T.b_hat[i]) * k_[i][n];
       error[n] = h * sum;
-    }
+    });
     finish(h, y);
     return Status::ok;
   }
@@ -70,11 +71,11 @@ class DiagonallyImplicitRungeKutta {
 
   Status solve_stages(double t, double h, const State<P>& y) {
     for (std::size_t i = 0; i < stages; ++i) {
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = 0;
         for (std::size_t j = 0; j < i; ++j) sum += T.a[i][j] * k_[j][n];
         base_[n] = y[n] + h * sum;
-      }
+      });
       const double gamma_h = h * T.a[i][i], stage_time = t + T.c(i) * h;
       if (gamma_h == 0) {
         problem_.rhs(stage_time, base_.data(), k_[i].data());
@@ -87,7 +88,7 @@ class DiagonallyImplicitRungeKutta {
       const Status status = newton_.solve(stage_time, gamma_h, base_, stage_, before_);
       if (status != Status::ok) return status;
       if (i > 0) compare_guesses();
-      for (std::size_t n = 0; n < y.size(); ++n) k_[i][n] = newton_.increment()[n] / gamma_h;
+      each_component(y, [&](std::size_t n) { k_[i][n] = newton_.increment()[n] / gamma_h; });
     }
     return Status::ok;
   }
@@ -96,26 +97,27 @@ class DiagonallyImplicitRungeKutta {
   /// closer where a stiff component follows the others; whichever was closer in the last stage. A
   /// guess beyond the solution may lead to another one.
   void guess(double gamma_h, const State<P>& slope) {
-    for (std::size_t n = 0; n < stage_.size(); ++n) {
+    each_component(stage_, [&](std::size_t n) {
       by_slope_[n] = base_[n] + gamma_h * slope[n];
       stage_[n] = slope_is_closer_[n] != 0 ? by_slope_[n] : before_[n];
-    }
+    });
   }
   void compare_guesses() {
-    for (std::size_t n = 0; n < stage_.size(); ++n)
+    each_component(stage_, [&](std::size_t n) {
       slope_is_closer_[n] =
           std::abs(stage_[n] - by_slope_[n]) < std::abs(stage_[n] - before_[n]) ? 1 : 0;
+    });
   }
 
   void finish(double h, State<P>& y) {
     if constexpr (stiffly_accurate) {
       y = stage_;
     } else {
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = 0;
         for (std::size_t i = 0; i < stages; ++i) sum += T.b[i] * k_[i][n];
         y[n] += h * sum;
-      }
+      });
     }
   }
 

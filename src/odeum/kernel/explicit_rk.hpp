@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/problem/concepts.hpp"
 
@@ -43,15 +44,14 @@ class ExplicitRungeKutta {
     if constexpr (T.first_same_as_last())
       problem_.rhs(t + T.c(stages - 1) * h, y.data(), k_.back().data());
     const auto weights = times<estimate_row>(h);
-    for (std::size_t n = 0; n < y.size(); ++n)
-      error[n] = increment<estimate_row>(weights, n, std::make_index_sequence<stages>{});
+    each_component(y, [&](std::size_t n) { error[n] = weighted<estimate_row>(weights, k_, n); });
     return Status::ok;
   }
   /// The last step was accepted: the next one, of any length, starts at its end. The last stage of
   /// a first-same-as-last tableau is reused as the first.
   void advance() {
     if constexpr (T.first_same_as_last()) {
-      std::swap(k_.front(), k_.back());
+      exchange_components(k_.front(), k_.back());
       first_known_ = true;
     }
   }
@@ -62,10 +62,8 @@ class ExplicitRungeKutta {
   /// or the term that an interpolant adds to Hermite's (dense_output.hpp).
   template <const auto& weights>
   void weighted_sum(Real h, State<P>& sum) const {
-    for (auto& x : sum) x = 0;
-    for (std::size_t i = 0; i < stages; ++i)
-      if (weights[i] != 0)
-        for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += h * weights[i] * k_[i][n];
+    const auto scaled = times<weights>(h);
+    each_component(sum, [&](std::size_t n) { sum[n] = weighted<weights>(scaled, k_, n); });
   }
   /// f at the start of the last step, and (first same as last) at its end; before advance().
   const State<P>& first_stage() const { return k_.front(); }
@@ -76,26 +74,27 @@ class ExplicitRungeKutta {
 
   /// The stages after the first and the new state, at which the last stage of a first-same-as-last
   /// tableau is evaluated: only an estimate of the error or the next step has a use for that one.
-  void finish(Real t, Real h, State<P>& y) {
+  [[gnu::always_inline]] void finish(Real t, Real h, State<P>& y) {
     constexpr std::size_t inner = T.first_same_as_last() ? stages - 2 : stages - 1;
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
     }
     (std::make_index_sequence<inner>{});
     const auto weights = times<main_row>(h);
-    for (std::size_t n = 0; n < y.size(); ++n)
-      y[n] = (y[n] + increment<main_row>(weights, n, std::make_index_sequence<newest>{})) +
-             weights[newest] * k_[newest][n];
+    each_component(y, [&](std::size_t n) {
+      y[n] = (y[n] + weighted<older_row>(weights, k_, n)) + weights[newest] * k_[newest][n];
+    });
   }
 
   template <std::size_t I, std::size_t... J>
-  void evaluate_stage(Real t, Real h, const State<P>& y, std::index_sequence<J...>) {
+  [[gnu::always_inline]] void evaluate_stage(Real t, Real h, const State<P>& y,
+                                             std::index_sequence<J...>) {
     const std::array<Real, I> ha{static_cast<Real>(h * T.a[I][J])...};
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       Real sum = y[n];
       ((T.a[I][J] != 0 ? void(sum += ha[J] * k_[J][n]) : void()), ...);
       argument_[n] = sum;
-    }
+    });
     problem_.rhs(static_cast<Real>(t + T.c(I) * h), argument_.data(), k_[I].data());
   }
 
@@ -112,16 +111,13 @@ class ExplicitRungeKutta {
     while (i > 0 && T.b[i] == 0) --i;
     return i;
   }();
-
-  // Sums the stages I. The increment is summed before it is added to y, so that y is rounded once
-  // per sum and not once per stage.
-  template <const auto& row, std::size_t... I>
-  Real increment([[maybe_unused]] const std::array<Real, stages>& weights,
-                 [[maybe_unused]] std::size_t n, std::index_sequence<I...>) const {
-    Real sum = 0;
-    ((row[I] != 0 ? void(sum += weights[I] * k_[I][n]) : void()), ...);
-    return sum;
-  }
+  // The increment of the others is summed before it is added to y, so that y is rounded once per
+  // sum and not once per stage.
+  static constexpr auto older_row = [] {
+    auto row = T.b;
+    row[newest] = 0;
+    return row;
+  }();
 
   const P& problem_;
   std::array<State<P>, stages> k_;

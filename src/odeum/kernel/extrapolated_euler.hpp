@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/newton.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
@@ -41,16 +42,16 @@ class ExtrapolatedEulerTable {
       problem_.rhs(time, argument_.data(), f_.data());
       for (double& component : f_) component *= substep;
       if (!system_.solve(f_.data())) return false;
-      for (std::size_t n = 0; n < y.size(); ++n) argument_[n] += f_[n];
+      each_component(y, [&](std::size_t n) { argument_[n] += f_[n]; });
       if (j == 0 && i == 1 && !look_ahead(time, substep, contraction)) return false;
     }
     // Along the new row; table_[k] holds T_{j-1,k+1} until it is overwritten by T_{j,k+1}.
     for (std::size_t k = 0; k < j; ++k)
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         const double next = argument_[n] + (argument_[n] - table_[k][n]) * weights[j][k];
         table_[k][n] = argument_[n];
         argument_[n] = next;
-      }
+      });
     table_[j] = argument_;
     return true;
   }
@@ -62,7 +63,7 @@ class ExtrapolatedEulerTable {
   bool look_ahead(double time, double substep, double& contraction) {
     State<P> second = f_;
     problem_.rhs(time, argument_.data(), second.data());
-    for (std::size_t n = 0; n < f_.size(); ++n) second[n] = substep * second[n] - f_[n];
+    each_component(f_, [&](std::size_t n) { second[n] = substep * second[n] - f_[n]; });
     if (!system_.solve(second.data())) return false;
     contraction = 0;
     const double first = max_norm(f_);

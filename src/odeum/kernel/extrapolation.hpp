@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "odeum/kernel/components.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/tableau/extrapolation_coefficients.hpp"
 
@@ -47,12 +48,12 @@ class ExtrapolationTable {
     for (int k = 0; k < line; ++k) {
       State<P>& above = table_[static_cast<std::size_t>(k)];
       const double weight = weights[static_cast<std::size_t>(line)][static_cast<std::size_t>(k)];
-      for (std::size_t i = 0; i < now.size(); ++i) {
+      each_component(now, [&](std::size_t i) {
         const double left = now[i], step = weight * (left - above[i]);
         above[i] = left;
         now[i] = left + step;
         if (difference && k + 1 == line) (*difference)[i] = step;
-      }
+      });
     }
     table_[static_cast<std::size_t>(line)] = now;
   }
@@ -61,7 +62,7 @@ class ExtrapolationTable {
   /// The new state by the last entry of `line`.
   void result(int line, State<P>& y) const {
     const State<P>& increment = table_[static_cast<std::size_t>(line)];
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] = y0_[i] + increment[i];
+    each_component(y, [&](std::size_t i) { y[i] = y0_[i] + increment[i]; });
   }
 
  private:
@@ -72,11 +73,11 @@ class ExtrapolationTable {
       const double h = h_ / extrapolation_substeps(line);
       State<P>&before = before_[static_cast<std::size_t>(line)],
       &argument = argument_[static_cast<std::size_t>(line)];
-      for (std::size_t i = 0; i < now.size(); ++i) {
+      each_component(now, [&](std::size_t i) {
         before[i] = 0;
         now[i] = h * f0_[i];
         argument[i] = y0_[i] + h * f0_[i];
-      }
+      });
     }
     for (int k = 1; k <= extrapolation_substeps(last); ++k)
       for (int line = last; line >= first && extrapolation_substeps(line) >= k; --line)
@@ -92,16 +93,16 @@ class ExtrapolationTable {
     const double h = h_ / n;
     problem_.rhs(t_ + k * h, argument.data(), f_.data());
     if (k == n) {
-      for (std::size_t i = 0; i < now.size(); ++i) now[i] = (before[i] + now[i] + h * f_[i]) / 2;
+      each_component(now, [&](std::size_t i) { now[i] = (before[i] + now[i] + h * f_[i]) / 2; });
       return;
     }
-    for (std::size_t i = 0; i < now.size(); ++i) {
+    each_component(now, [&](std::size_t i) {
       // y + next, with one multiply-add between this evaluation and the next.
       argument[i] = (y0_[i] + before[i]) + 2 * h * f_[i];
       const double next = before[i] + 2 * h * f_[i];
       before[i] = now[i];
       now[i] = next;
-    }
+    });
   }
 
   static constexpr auto weights = [] {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/simplified_newton.hpp"
 #include "odeum/kernel/stage_system.hpp"
@@ -38,7 +39,7 @@ class FullyImplicitRungeKutta {
     const auto renew_within = [&] {
       State<P> where = y;
       if (newton_.contraction() < 1)
-        for (std::size_t n = 0; n < y.size(); ++n) where[n] += system_.z[T.stages / 2][n];
+        each_component(y, [&](std::size_t n) { where[n] += system_.z[T.stages / 2][n]; });
       return renew(t + h / 2, h, where);
     };
     if (newton_(correct, newton_.as_judged, renew_within) != NewtonVerdict::done) {
@@ -62,14 +63,14 @@ class FullyImplicitRungeKutta {
 
   void finish(State<P>& y) {
     if constexpr (stiffly_accurate) {
-      for (std::size_t n = 0; n < y.size(); ++n) y[n] += system_.z[T.stages - 1][n];
+      each_component(y, [&](std::size_t n) { y[n] += system_.z[T.stages - 1][n]; });
     } else {
       const std::vector<double>& weights = stage_transform<T>().weights;
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = 0;
         for (std::size_t j = 0; j < T.stages; ++j) sum += weights[j] * system_.z[j][n];
         y[n] += sum;
-      }
+      });
     }
   }
 

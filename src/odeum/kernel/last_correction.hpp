@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "odeum/kernel/components.hpp"
+
 namespace odeum {
 
 /// The last correction of a Newton iteration, of which less may be taken afterwards. State and
@@ -24,10 +26,10 @@ class LastCorrection {
   /// Takes a share of it instead.
   void take_share(double share, S& y, S& increment) {
     share_ = share;
-    for (std::size_t i = 0; i < y.size(); ++i) {
+    each_component(y, [&](std::size_t i) {
       y[i] = from_[i] + share * by_[i];
       increment[i] = increment_from_[i] + share * by_[i];
-    }
+    });
   }
   void forget_share() { share_ = 1; }
   double share() const { return share_; }

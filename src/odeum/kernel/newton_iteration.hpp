@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/iteration.hpp"
 #include "odeum/kernel/last_correction.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
@@ -45,13 +46,13 @@ class NewtonIteration {
     last_.forget_share();
     if (gamma_h != factored_for_ && !renew(t, gamma_h, y, fresh)) return Status::newton_failed;
     guess_ = otherwise;
-    for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
+    each_component(y, [&](std::size_t i) { increment_[i] = y[i] - base[i]; });
     double last = 0;
     int since_renewal = 0;
     for (int iteration = 0; iteration < max_iterations_; ++iteration) {
       problem_.rhs(t, y.data(), correction_.data());
-      for (std::size_t i = 0; i < y.size(); ++i)
-        correction_[i] = gamma_h * correction_[i] - increment_[i];
+      each_component(
+          y, [&](std::size_t i) { correction_[i] = gamma_h * correction_[i] - increment_[i]; });
       if (!system_.solve(correction_.data(), correction_accuracy)) return fail();
       const double size = measure(base, y);
       const bool rate_known = since_renewal > 0;
@@ -113,7 +114,7 @@ class NewtonIteration {
   }
   void restart(const State<P>& base, State<P>& y) {
     y = guess_;
-    for (std::size_t i = 0; i < y.size(); ++i) increment_[i] = y[i] - base[i];
+    each_component(y, [&](std::size_t i) { increment_[i] = y[i] - base[i]; });
   }
   Status fail() {
     factored_for_ = 0;
@@ -128,10 +129,10 @@ class NewtonIteration {
       return size / (iteration_tolerance * std::max({max_norm(y), max_norm(base), smallest_state}));
     }
     double sum = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) {
+    each_component(y, [&](std::size_t i) {
       const double scaled = correction_[i] / accuracy_(i, std::abs(base[i]));
       sum += scaled * scaled;
-    }
+    });
     return std::sqrt(sum / static_cast<double>(y.size()));
   }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/tableau/nystroem.hpp"
 
@@ -31,59 +32,64 @@ class NystroemStepper {
   Status step(double t, double h, State<P>& y, State<P>& error) requires(T.has_embedded_rows()) {
     evaluate(t, h, y);
     const std::size_t n = y.size() / 2;
-    for (std::size_t i = 0; i < n; ++i) {
-      double q = 0, v = 0;
-      for (std::size_t s = 0; s < stages; ++s) {
-        q += (T.b_q[s] - T.b_q_hat[s]) * a_[s][i];
-        v += (T.b_v[s] - T.b_v_hat[s]) * a_[s][i];
-      }
-      error[i] = h * h * q;
-      error[n + i] = h * v;
-    }
+    each_degree(n, [&](std::size_t i) {
+      error[i] = h * h * weighted<error_q>(error_q, a_, i);
+      error[n + i] = h * weighted<error_v>(error_v, a_, i);
+    });
     move(h, y);
     return Status::ok;
   }
   void advance() {
     if constexpr (T.reuses_last_stage()) {
-      std::swap(a_.front(), a_.back());
+      exchange_components(a_.front(), a_.back());
       first_known_ = true;
     }
   }
   void repeat() { first_known_ = true; }
 
  private:
-  void evaluate(double t, double h, const State<P>& y) {
+  static constexpr auto b_q = T.b_q, b_v = T.b_v;
+  static constexpr auto difference = [](auto row, const auto& hat) {
+    for (std::size_t s = 0; s < stages; ++s) row[s] -= hat[s];
+    return row;
+  };
+  static constexpr auto error_q = difference(T.b_q, T.b_q_hat);
+  static constexpr auto error_v = difference(T.b_v, T.b_v_hat);
+
+  template <class F>
+  [[gnu::always_inline]] static void each_degree(std::size_t n, F&& f) {
+    each_of<static_size<State<P>> / 2>(n, f);
+  }
+  [[gnu::always_inline]] void evaluate(double t, double h, const State<P>& y) {
     const double* const v = y.data() + y.size() / 2;
     if (!std::exchange(first_known_, false)) problem_.acceleration(t, y.data(), v, a_[0].data());
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (evaluate_stage<I + 1>(t, h, y, std::make_index_sequence<I + 1>{}), ...);
     }
     (std::make_index_sequence<stages - 1>{});
   }
 
+  /// The newest stage is added last, as in explicit_rk.hpp.
   template <std::size_t I, std::size_t... J>
-  void evaluate_stage(double t, double h, const State<P>& y, std::index_sequence<J...>) {
+  [[gnu::always_inline]] void evaluate_stage(double t, double h, const State<P>& y,
+                                             std::index_sequence<J...>) {
     const std::size_t n = y.size() / 2;
     const double* const v = y.data() + n;
-    for (std::size_t i = 0; i < n; ++i) {
-      double sum = 0;
-      ((T.a[I][J] != 0 ? void(sum += T.a[I][J] * a_[J][i]) : void()), ...);
-      argument_[i] = y[i] + T.c[I] * h * v[i] + h * h * sum;
-    }
+    const std::array<double, I> weights{h * h * T.a[I][J]...};
+    each_degree(n, [&](std::size_t i) {
+      double argument = y[i] + T.c[I] * h * v[i];
+      ((T.a[I][J] != 0 ? void(argument += weights[J] * a_[J][i]) : void()), ...);
+      argument_[i] = argument;
+    });
     problem_.acceleration(t + T.c[I] * h, argument_.data(), v, a_[I].data());
   }
 
-  void move(double h, State<P>& y) {
+  [[gnu::always_inline]] void move(double h, State<P>& y) {
     const std::size_t n = y.size() / 2;
-    for (std::size_t i = 0; i < n; ++i) {
-      double q = 0, v = 0;
-      for (std::size_t s = 0; s < stages; ++s) {
-        q += T.b_q[s] * a_[s][i];
-        v += T.b_v[s] * a_[s][i];
-      }
-      y[i] += h * (y[n + i] + h * q);
-      y[n + i] += h * v;
-    }
+    each_degree(n, [&](std::size_t i) {
+      y[i] += h * (y[n + i] + h * weighted<b_q>(b_q, a_, i));
+      y[n + i] += h * weighted<b_v>(b_v, a_, i);
+    });
   }
 
   const P& problem_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "odeum/kernel/collocation_guess.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/fully_implicit_rk.hpp"
 #include "odeum/kernel/kept_jacobian.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
@@ -38,8 +39,8 @@ class RadauStepper {
   Status step(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
     if (moved_) {
       problem_.rhs(t, y.data(), f0_.data());
-      for (std::size_t n = 0; n < y.size(); ++n)
-        inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n]));
+      each_component(
+          y, [&](std::size_t n) { inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n])); });
       moved_ = false;
     }
     const auto attempt = [&] {
@@ -60,10 +61,10 @@ class RadauStepper {
       newton_.forget_remainder();
       return Status::newton_failed;
     }
-    for (std::size_t n = 0; n < y.size(); ++n) y_new[n] = y[n] + system_.z[stages - 1][n];
+    each_component(y, [&](std::size_t n) { y_new[n] = y[n] + system_.z[stages - 1][n]; });
     norm = estimate(h, f0_);
     if (norm >= 1 && (first_ || rejected_)) {
-      for (std::size_t n = 0; n < y.size(); ++n) argument_[n] = y[n] + error_[n];
+      each_component(y, [&](std::size_t n) { argument_[n] = y[n] + error_[n]; });
       problem_.rhs(t, argument_.data(), moved_f_.data());
       norm = estimate(h, moved_f_);
     }
@@ -92,11 +93,11 @@ class RadauStepper {
   double estimate(double h, const State<P>& f) {
     const StageTransform& transform = stage_transform<T>();
     const double gamma_h = transform.inverse_mu[0].real() * h;
-    for (std::size_t n = 0; n < f.size(); ++n) {
+    each_component(f, [&](std::size_t n) {
       double sum = gamma_h * f[n];
       for (std::size_t i = 0; i < stages; ++i) sum += transform.estimate[i] * system_.z[i][n];
       error_[n] = sum;
-    }
+    });
     system_.solve_real(error_);
     return scaled_norm(error_, inverse_scale_);
   }

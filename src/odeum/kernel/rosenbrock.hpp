@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "odeum/core/status.hpp"
+#include "odeum/kernel/components.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/rosenbrock_tableau.hpp"
@@ -85,22 +86,22 @@ class Rosenbrock {
     } else if constexpr (((T.a[I][J] == 0) && ...) && alpha[I] == 0) {
       u = f_;
     } else {
-      for (std::size_t n = 0; n < y.size(); ++n) {
+      each_component(y, [&](std::size_t n) {
         double sum = y[n];
         ((T.a[I][J] != 0 ? void(sum += T.a[I][J] * u_[J][n]) : void()), ...);
         argument_[n] = sum;
-      }
+      });
       problem_.rhs(t + alpha[I] * h, argument_.data(), u.data());
     }
     const double gamma_h = T.gamma * h;
-    for (std::size_t n = 0; n < y.size(); ++n) {
+    each_component(y, [&](std::size_t n) {
       double sum = 0;
       ((T.c[I][J] != 0 ? void(sum += (T.gamma * T.c[I][J]) * u_[J][n]) : void()), ...);
       double slope = u[n];
       if constexpr (NonAutonomous<P> && has_time_term(I))
         slope += gamma[I] * h * time_derivative_[n];
       u[n] = gamma_h * slope + sum;
-    }
+    });
     return system_.solve(u.data());
   }
 
@@ -109,11 +110,11 @@ class Rosenbrock {
     constexpr auto weight = [](std::size_t i) {
       return row == Row::main ? T.m[i] : T.m[i] - T.m_hat[i];
     };
-    for (std::size_t n = 0; n < to.size(); ++n) {
+    each_component(to, [&](std::size_t n) {
       double sum = from[n];
       ((weight(I) != 0 ? void(sum += weight(I) * u_[I][n]) : void()), ...);
       to[n] = sum;
-    }
+    });
   }
 
   const P& problem_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "odeum/core/tolerance.hpp"
+#include "odeum/kernel/components.hpp"
 
 namespace odeum {
 
@@ -34,12 +35,10 @@ class ErrorScale {
 /// sum_i (x_i w_i)^2, with weights that are 1 over the scale of each component.
 template <class S>
 double scaled_squares(const S& x, const S& weights) {
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  return sum_of_components(x, [&](std::size_t i) {
     const double scaled = x[i] * weights[i];
-    sum += scaled * scaled;
-  }
-  return sum;
+    return scaled * scaled;
+  });
 }
 
 /// Root of the mean over the components of (x_i w_i)^2.

@@ -2,8 +2,10 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -11,6 +13,28 @@
 #include "odeum/problem/concepts.hpp"
 
 namespace odeum::linear {
+
+/// Vectors of GCC and Clang, of any processor. g++ 12 takes no size that depends on a parameter.
+template <std::size_t>
+struct RowVector;
+template <>
+struct RowVector<4> {
+  using type [[gnu::vector_size(4 * 8)]] = double;
+  using mask [[gnu::vector_size(4 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3};
+};
+template <>
+struct RowVector<8> {
+  using type [[gnu::vector_size(8 * 8)]] = double;
+  using mask [[gnu::vector_size(8 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7};
+};
+template <>
+struct RowVector<16> {
+  using type [[gnu::vector_size(16 * 8)]] = double;
+  using mask [[gnu::vector_size(16 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+};
 
 /// The inverse of a row-major N x N matrix, N small and known at compile time: a solve by
 /// multiplication has no chain of dependent operations, unlike a triangular solve, which repays the
@@ -33,22 +57,29 @@ class SmallInverse {
       return false;
     double finite = 0;  // NaN when any entry is not finite
     for (const double entry : inverse_) finite += entry * 0.0;
+    Row rows{};
+    for (const Row& row : m_) rows += row * 0.0;
+    for (std::size_t i = 0; i < N; ++i) finite += rows[i];
     return finite == 0;
   }
 
   /// Overwrites x (N entries) by the solution.
   void solve(double* x) const {
-    std::array<double, N> sum{};
-    // Column by column: N independent sums, one multiply-add per column.
-    for (std::size_t j = 0; j < N; ++j)
-      for (std::size_t i = 0; i < N; ++i) sum[i] += columns(i, j) * x[j];
-    for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
+    if constexpr (N <= 3) {
+      std::array<double, N> sum{};
+      for (std::size_t j = 0; j < N; ++j)
+        for (std::size_t i = 0; i < N; ++i) sum[i] += inverse_[j * N + i] * x[j];
+      for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
+    } else {
+      // Column by column: N independent sums, one multiply-add per column.
+      Row sum = m_[0] * x[0];
+      for (std::size_t j = 1; j < N; ++j) sum += m_[j] * x[j];
+      for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
+    }
   }
 
  private:
   double a(std::size_t i, std::size_t j) const { return a_[i * N + j]; }
-  /// Entry (i, j) of the inverse; stored column by column.
-  double columns(std::size_t i, std::size_t j) const { return inverse_[j * N + i]; }
 
   void invert_by_cofactors() {
     if constexpr (N == 2) {
@@ -72,48 +103,51 @@ class SmallInverse {
   }
 
   /// Gauss-Jordan elimination in place, on the transposed matrix, so that the result is stored
-  /// column by column. Without pivoting; false where a multiplier is large.
+  /// column by column. Without pivoting; false where a multiplier is large. A row is loaded and
+  /// stored as a whole: one that had an entry stored alone could not be forwarded to the next load.
   template <bool pivoting>
   bool eliminate() {
     constexpr double largest_multiplier = 100;  // at most two digits lost per elimination step
-    std::array<double, N* N>& m = inverse_;
     for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) m[i * N + j] = a(j, i);
+      for (std::size_t j = 0; j < N; ++j) m_[i][j] = a(j, i);
     std::array<std::size_t, N> swapped{};
-    std::array<double, N> factor{}, row{};
     for (std::size_t k = 0; k < N; ++k) {
       if constexpr (pivoting) {
         std::size_t pivot = k;
         for (std::size_t i = k + 1; i < N; ++i)
-          if (std::abs(m[i * N + k]) > std::abs(m[pivot * N + k])) pivot = i;
+          if (std::abs(m_[i][k]) > std::abs(m_[pivot][k])) pivot = i;
         swapped[k] = pivot;
-        if (pivot != k)
-          for (std::size_t j = 0; j < N; ++j) std::swap(m[k * N + j], m[pivot * N + j]);
-        if (m[k * N + k] == 0) return false;
+        std::swap(m_[k], m_[pivot]);
+        if (m_[k][k] == 0) return false;
+      } else {
+        double worst = 0;
+        for (std::size_t i = k + 1; i < N; ++i) worst = std::max(worst, std::abs(m_[i][k]));
+        if (!(worst < largest_multiplier * std::abs(m_[k][k]))) return false;
       }
-      const double reciprocal = 1 / m[k * N + k];
-      double worst = 0;
-      for (std::size_t i = 0; i < N; ++i) {
-        factor[i] = m[i * N + k];
-        m[i * N + k] = 0;
-        if (i > k) worst = std::max(worst, std::abs(factor[i]));
-      }
-      if constexpr (!pivoting)
-        if (!(worst * std::abs(reciprocal) < largest_multiplier)) return false;
-      for (std::size_t j = 0; j < N; ++j) row[j] = m[k * N + j] * reciprocal;
-      row[k] = reciprocal;
+      const double reciprocal = 1 / m_[k][k];
+      const Mask others = RowVector<width>::lanes != static_cast<std::int64_t>(k);
+      const Row row = others ? m_[k] * reciprocal : Row{} + reciprocal;
       for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t j = 0; j < N; ++j) m[i * N + j] -= factor[i] * row[j];
-      for (std::size_t j = 0; j < N; ++j) m[k * N + j] = row[j];
+        m_[i] = i == k ? row : (others ? m_[i] : Row{}) - m_[i][k] * row;
     }
     if constexpr (pivoting)
       for (std::size_t k = N; k-- > 0;)
         if (swapped[k] != k)
-          for (std::size_t i = 0; i < N; ++i) std::swap(m[i * N + k], m[i * N + swapped[k]]);
+          for (std::size_t i = 0; i < N; ++i) {
+            const double entry = m_[i][k];
+            m_[i][k] = m_[i][swapped[k]];
+            m_[i][swapped[k]] = entry;
+          }
     return true;
   }
 
-  std::array<double, N * N> a_{}, inverse_{};
+  /// Of a row, which has zeros behind its entries.
+  static constexpr std::size_t width = std::max(std::bit_ceil(N), std::size_t{4});
+  using Row = typename RowVector<width>::type;
+  using Mask = typename RowVector<width>::mask;
+  std::array<double, N * N> a_{};
+  std::array<double, (N <= 3 ? N * N : 0)> inverse_{};  ///< column by column, as the rows below
+  std::array<Row, (N <= 3 ? 0 : N)> m_{};
 };
 
 /// Up to this many unknowns the inverse is faster than a triangular solve.

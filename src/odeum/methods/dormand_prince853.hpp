@@ -67,17 +67,17 @@ struct dormand_prince853 : ForAnyProblem, TableauMethod<dormand_prince853_tablea
     Status step(double t, double h, State<P>& y) { return rk_.step(t, h, y); }
 
     Status step(double t, double h, State<P>& y, State<P>& error) {
-      before_ = y;
+      copy_components(y, before_);
       const Status status = rk_.step(t, h, y, error);
       rk_.template weighted_sum<third_order_difference>(h, third_);
       double five = 0, three = 0;
-      for (std::size_t i = 0; i < y.size(); ++i) {
+      each_component(y, [&](std::size_t i) {
         const double weight = 1 / (1 + std::max(std::abs(before_[i]), std::abs(y[i])));
-        five += weight * error[i] * weight * error[i];
-        three += weight * third_[i] * weight * third_[i];
-      }
-      const double both = five + 0.01 * three;
-      for (auto& e : error) e *= both > 0 ? std::sqrt(five / both) : 1;
+        five += weight * error[i] * (weight * error[i]);
+        three += weight * third_[i] * (weight * third_[i]);
+      });
+      const double both = five + 0.01 * three, share = both > 0 ? std::sqrt(five / both) : 1;
+      each_component(y, [&](std::size_t i) { error[i] *= share; });
       return status;
     }
     void advance() { rk_.advance(); }
