@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "odeum/methods/esdirk43.hpp"
@@ -11,6 +12,7 @@
 #include "odeum/methods/implicit_euler_fixed_point.hpp"
 #include "odeum/methods/sdirk2.hpp"
 #include "odeum/methods/sdirk4.hpp"
+#include "support/catalogue.hpp"
 
 namespace odeum::tests {
 namespace {
@@ -207,6 +209,24 @@ TEST(FixedPoint, ContractsBelowTheLipschitzBoundAndFailsAboveIt) {
   const std::array<double, 1> before = y;
   EXPECT_EQ(stepper.step(0, 1.5, y), Status::newton_failed);
   EXPECT_EQ(y, before) << "a failed step leaves the state";
+}
+
+// What Newton's iteration leaves falls faster than the tolerance, as a step's own error: otherwise
+// it is h^4 a step here, and the order was 3.0.
+TEST(Newton, LeavesTheOrderToATolerance) {
+  const Case& c = find_case("vdp_mu1");
+  std::array<double, 2> exact{};
+  ASSERT_TRUE(c.truth.at(10, exact.data()));
+  const auto run = [&](double tolerance, double& error) {
+    const Outcome outcome =
+        find_entrant(c, "odeum/sdirk4").solve(adaptive_request(tolerance, {10}));
+    error = std::hypot(outcome.states.at(0) - exact[0], outcome.states.at(1) - exact[1]);
+    return static_cast<double>(outcome.counters.steps);
+  };
+  double coarse = 0, fine = 0;
+  const double few = run(1e-6, coarse), many = run(1e-10, fine);
+  // The slope over four decades of tolerance; single tolerances scatter by 0.1.
+  EXPECT_NEAR(std::log(coarse / fine) / std::log(many / few), 4, 0.3);
 }
 
 }  // namespace
