@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include "odeum/control/one_step.hpp"
 #include "odeum/core/guarded.hpp"
@@ -107,6 +110,71 @@ TEST_P(OutputBetween, IsAsAccurateAsTheEndsOfTheSteps) {
     EXPECT_LE(largest_error(c, stops, dense), 2 * at_steps + 1e-13) << "tolerance " << tolerance;
     if (entrant.info.order <= 2 || std::isnan(entrant.info.order)) break;  // millions of steps
   }
+}
+
+// Pairs of a method, a case and a tolerance, each run without outputs and with some: Newton's
+// iteration of a step aside may fail where that of the step itself did not.
+TEST(OutputBetween, ChangesNoEndOfRandomRuns) {
+  const std::vector<std::string> methods = adaptive_methods();
+  constexpr std::array cases{
+      "lotka_volterra", "brusselator2", "robertson_40",         "hires",
+      "vdp_mu1",        "vdp_eps1e_6",  "henon_heiles_regular", "pendulum_large"};
+  std::uint32_t state = 29;
+  const auto random = [&](std::size_t below) {
+    state = state * 1664525U + 1013904223U;
+    return (state >> 8) % below;
+  };
+  int compared = 0;
+  for (int k = 0; k < 600; ++k) {
+    const Case& c = find_case(cases.at(random(cases.size())));
+    const std::string& id = methods[random(methods.size())];
+    const double tolerance = std::pow(10, -1 - static_cast<double>(random(60)) / 10);
+    const std::vector<double> stops = evenly(1 + random(40), c.stops.back());
+    const Entrant& entrant = find_entrant(c, id);
+    if (!entrant.unfit.empty()) continue;
+    Request request = dense_request(tolerance, {stops.back()});
+    request.budget.evaluations = 5000;  // what does not suit the case is left out
+    const Outcome sparse = entrant.solve(request);
+    if (sparse.status != Status::ok) continue;
+    const Outcome dense = entrant.solve(dense_request(tolerance, stops));
+    const std::string what = c.id + " by " + id + " to " + std::to_string(tolerance);
+    ASSERT_EQ(dense.status, Status::ok) << what << ": " << dense.detail;
+    EXPECT_EQ(dense.detail, sparse.detail) << what;
+    EXPECT_EQ(dense.step_ends, sparse.step_ends) << what;
+    const std::size_t n = c.y0.size();
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_EQ(state_at(dense, stops.size() - 1, n)[i], sparse.states[i]) << what;
+    ++compared;
+  }
+  EXPECT_GT(compared, 300);
+}
+
+struct Clock {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double, const double*, double* f) const { f[0] = 1; }
+};
+
+// Where no step aside succeeds the run goes on, with a remark.
+struct NoOutput {
+  Decision operator()(double, double h, const std::array<double, 1>& y,
+                      std::array<double, 1>& y_new) const {
+    y_new[0] = y[0] + h;
+    return {true, h};
+  }
+  Status between(const StepMade<std::array<double, 1>>& made, double time,
+                 std::array<double, 1>& y) const {
+    return step_aside(made, time, y, [](double, double, std::array<double, 1>&) { return false; });
+  }
+};
+TEST(OutputBetween, AFailureIsARemark) {
+  Guard guard(1, {});
+  const Clock clock;
+  const Guarded<Clock> problem(clock, guard);
+  const Outcome outcome = run_adaptive(problem, 0, std::array<double, 1>{0},
+                                       dense_request(1e-3, {0.25, 1}), 0.5, NoOutput());
+  EXPECT_EQ(outcome.status, Status::ok);
+  EXPECT_NE(outcome.detail.find("t = 0.25 is interpolated"), std::string::npos) << outcome.detail;
+  EXPECT_EQ(outcome.states, (std::vector<double>{0.25, 1}));
 }
 
 // Steps aside go to the nodes of a step, not to each output.

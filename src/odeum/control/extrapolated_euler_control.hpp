@@ -64,7 +64,10 @@ class ExtrapolatedEulerControl {
   /// Interpolation with steps aside to its nodes by the column of the step made. Without slopes: f
   /// magnifies the errors of stiff components.
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) {
-    if (!nodes_.hold(step.t, step.h) && !fill_nodes(step)) return Status::newton_failed;
+    if (!nodes_.hold(step.t, step.h) && !fill_nodes(step)) {
+      step.by_line(time, y);
+      return Status::newton_failed;
+    }
     nodes_.by_states(step.share(time), y);
     return Status::ok;
   }

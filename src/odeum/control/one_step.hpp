@@ -54,8 +54,9 @@ class EmbeddedPair {
     } else {
       Stepper aside(problem_);
       if constexpr (requires { aside.solve_to(tolerance_); }) aside.solve_to(tolerance_);
-      y = step.before;
-      return aside.step(step.t, time - step.t, y);
+      return step_aside(step, time, y, [&](double t, double h, State<P>& at) {
+        return aside.step(t, h, at) == Status::ok;
+      });
     }
   }
 
@@ -111,10 +112,9 @@ class StepDoubling {
   /// Two half steps aside, as in the step made.
   Status between(const StepMade<State<P>>& made, double time, State<P>& y) const {
     Stepper aside(problem_);
-    const double half = (time - made.t) / 2;
-    y = made.before;
-    const bool done = step(aside, made.t, half, y) && step(aside, made.t + half, half, y);
-    return done ? Status::ok : Status::newton_failed;
+    return step_aside(made, time, y, [&](double t, double h, State<P>& at) {
+      return step(aside, t, h / 2, at) && step(aside, t + h / 2, h / 2, at);
+    });
   }
 
  private:

@@ -45,11 +45,14 @@ class RadauTrial {
     return {false, std::min(decision.next_step, 0.9 * h)};
   }
 
-  /// A step aside. The collocation polynomial has order S only.
+  /// A step aside, since the collocation polynomial has order S only; that where it fails.
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
     RadauStepper<T, P> aside(problem_, tolerance_, newton_fraction());
-    double error = 0;
-    return aside.step(step.t, time - step.t, step.before, y, error);
+    const Status found = step_aside(step, time, y, [&](double t, double h, State<P>& at) {
+      return aside.step_inside(stepper_, step.share(t), step.share(t + h), t, h, step.before, at);
+    });
+    if (found != Status::ok) stepper_.polynomial(step.share(time), step.before, y);
+    return found;
   }
 
  private:

@@ -38,6 +38,16 @@ class CollocationGuess {
       });
   }
 
+  /// z <- the polynomial of the last step at a share of it, from 0 at its start to 1.
+  void at(double share, State<P>& z) const {
+    const std::array<double, Stages> weights = basis(share);
+    each_component(z, [&](std::size_t n) {
+      double sum = 0;
+      for (std::size_t j = 0; j < Stages; ++j) sum += weights[j] * last_z_[j][n];
+      z[n] = sum;
+    });
+  }
+
   /// Takes over the stages of an accepted step of h by swapping; z then holds older ones.
   void remember(double h, std::array<State<P>, Stages>& z) {
     std::swap(last_z_, z);
@@ -45,18 +55,19 @@ class CollocationGuess {
   }
 
  private:
-  // Lagrange's polynomials at 1 + ratio c_i.
-  void compute_weights(double ratio) {
+  /// Lagrange's polynomials of the nodes and of 0, where the stages vanish.
+  std::array<double, Stages> basis(double x) const {
     const Nodes& c = nodes_;
-    for (std::size_t i = 0; i < Stages; ++i) {
-      const double x = 1 + ratio * c[i];
-      for (std::size_t j = 0; j < Stages; ++j) {
-        double l = x / c[j];
-        for (std::size_t m = 0; m < Stages; ++m)
-          if (m != j) l *= (x - c[m]) / (c[j] - c[m]);
-        weights_[i][j] = l;
-      }
+    std::array<double, Stages> l{};
+    for (std::size_t j = 0; j < Stages; ++j) {
+      l[j] = x / c[j];
+      for (std::size_t m = 0; m < Stages; ++m)
+        if (m != j) l[j] *= (x - c[m]) / (c[j] - c[m]);
     }
+    return l;
+  }
+  void compute_weights(double ratio) {
+    for (std::size_t i = 0; i < Stages; ++i) weights_[i] = basis(1 + ratio * nodes_[i]);
     weights_for_ = ratio;
   }
 

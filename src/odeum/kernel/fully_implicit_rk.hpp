@@ -42,7 +42,7 @@ class FullyImplicitRungeKutta {
         each_component(y, [&](std::size_t n) { where[n] += system_.z[T.stages / 2][n]; });
       return renew(t + h / 2, h, where);
     };
-    if (newton_(correct, newton_.as_judged, renew_within) != NewtonVerdict::done) {
+    if (newton_(correct, renew_within) != NewtonVerdict::done) {
       factored_for_ = 0;
       return Status::newton_failed;
     }

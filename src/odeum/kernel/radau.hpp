@@ -39,28 +39,10 @@ class RadauStepper {
   Status step(double t, double h, const State<P>& y, State<P>& y_new, double& norm) {
     if (moved_) {
       problem_.rhs(t, y.data(), f0_.data());
-      each_component(
-          y, [&](std::size_t n) { inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n])); });
+      scale_by(y);
       moved_ = false;
     }
-    const auto attempt = [&] {
-      guess_(h, y, system_.z);
-      system_.transform_guess();
-      newton_.begin();
-      return newton_([&] {
-        double sum = 0;
-        system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
-          sum += scaled_squares(correction, inverse_scale_);
-        });
-        return std::sqrt(sum / static_cast<double>(stages * y.size()));
-      });
-    };
-    if (!jacobian_.solve(
-            h, [&] { system_.linearise(t, y); }, [&](double by) { return system_.factorise(by); },
-            attempt)) {
-      newton_.forget_remainder();
-      return Status::newton_failed;
-    }
+    if (!solve_stages(t, h, y, [&] { guess_(h, y, system_.z); })) return Status::newton_failed;
     each_component(y, [&](std::size_t n) { y_new[n] = y[n] + system_.z[stages - 1][n]; });
     norm = estimate(h, f0_);
     if (norm >= 1 && (first_ || rejected_)) {
@@ -69,6 +51,28 @@ class RadauStepper {
       norm = estimate(h, moved_f_);
     }
     return Status::ok;
+  }
+
+  /// A step of h within the one from y0 that `made` accepted last: y at its share `from` becomes y
+  /// at `to`. The iteration begins at the collocation polynomial of that step.
+  bool step_inside(const RadauStepper& made, double from, double to, double t, double h,
+                   const State<P>& y0, State<P>& y) {
+    scale_by(y);
+    jacobian_.moved(true);
+    const auto guess = [&] {
+      for (std::size_t i = 0; i < stages; ++i) {
+        made.guess_.at(from + (to - from) * StageSystem<T, P>::nodes[i], system_.z[i]);
+        each_component(y, [&](std::size_t n) { system_.z[i][n] += y0[n] - y[n]; });
+      }
+    };
+    if (!solve_stages(t, h, y, guess)) return false;
+    each_component(y, [&](std::size_t n) { y[n] += system_.z[stages - 1][n]; });
+    return true;
+  }
+  /// The collocation polynomial of the last accepted step, from y0: order S.
+  void polynomial(double share, const State<P>& y0, State<P>& y) const {
+    guess_.at(share, y);
+    each_component(y, [&](std::size_t n) { y[n] += y0[n]; });
   }
 
   /// After an accepted step of h.
@@ -88,6 +92,34 @@ class RadauStepper {
 
  private:
   static constexpr double keep_jacobian_below = 1e-3;
+
+  void scale_by(const State<P>& y) {
+    each_component(y,
+                   [&](std::size_t n) { inverse_scale_[n] = 1 / error_scale_(n, std::abs(y[n])); });
+  }
+
+  template <class Guess>
+  bool solve_stages(double t, double h, const State<P>& y, Guess&& guess) {
+    const auto attempt = [&] {
+      guess();
+      system_.transform_guess();
+      newton_.begin();
+      return newton_([&] {
+        double sum = 0;
+        system_.iterate(t, h, y, [&](std::size_t, const State<P>& correction) {
+          sum += scaled_squares(correction, inverse_scale_);
+        });
+        return std::sqrt(sum / static_cast<double>(stages * y.size()));
+      });
+    };
+    if (!jacobian_.solve(
+            h, [&] { system_.linearise(t, y); }, [&](double by) { return system_.factorise(by); },
+            attempt)) {
+      newton_.forget_remainder();
+      return false;
+    }
+    return true;
+  }
 
   /// error_ <- (I - gamma0 h J)^-1 (gamma0 h f + sum e_i z_i), and its norm.
   double estimate(double h, const State<P>& f) {

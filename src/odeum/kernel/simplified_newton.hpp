@@ -24,7 +24,7 @@ struct NewtonSettings {
   bool remembers = false;  ///< begin with the last solve's remainder to the power of 0.8
 };
 
-enum class NewtonVerdict { done, go_on, slow, again, diverges, unsolvable };
+enum class NewtonVerdict { done, go_on, slow, diverges, unsolvable };
 
 /// Simplified Newton iteration, that of every kernel: the Jacobian is kept while it converges fast
 /// (Hairer, Wanner, Solving ODEs II, IV.8).
@@ -39,30 +39,27 @@ class SimplifiedNewton {
   explicit SimplifiedNewton(int most, double tolerance = 0, double weight = 1)
       : most_(most), tolerance_(tolerance), weight_(weight) {}
 
-  /// Returns done, diverges or unsolvable. `correct()` forms a correction and returns its size, or
-  /// no_solution of its linear system. `take(verdict)` adds it and returns the verdict, or `again`
-  /// where it prepared another one instead. `renew()` forms a Jacobian at the present state; false:
+  /// Returns done, diverges or unsolvable. `correct()` adds a correction and returns its size, or
+  /// no_solution of its linear system. `renew()` forms a Jacobian at the present state; false:
   /// singular.
-  template <class Correct, class Take, class Renew>
-  Verdict operator()(Correct&& correct, Take&& take, Renew&& renew) {
+  template <class Correct, class Renew>
+  Verdict operator()(Correct&& correct, Renew&& renew) {
     for (iterations_ = 1; iterations_ <= most_; ++iterations_) {
       const double size = correct();
       if (size < 0) return Verdict::unsolvable;
-      const Verdict verdict = take(judge(size));
+      const Verdict verdict = judge(size);
       if (verdict == Verdict::done || verdict == Verdict::diverges) return verdict;
-      if (verdict == Verdict::again) continue;
       last_ = std::max(size, std::numeric_limits<double>::min());
       ++corrections_;
       if (verdict == Verdict::slow && !renew()) break;
     }
     return Verdict::diverges;
   }
-  /// The same where `correct` adds its correction.
+  /// The same with one Jacobian.
   template <class Correct>
   Verdict operator()(Correct&& correct) {
-    return (*this)(correct, as_judged, [] { return true; });
+    return (*this)(correct, [] { return true; });
   }
-  static Verdict as_judged(Verdict verdict) { return verdict; }
 
   /// To be called before a solve.
   void begin() {
@@ -80,14 +77,7 @@ class SimplifiedNewton {
   }
   void forget_remainder() { remainder_ = s.first_remainder; }
   void measure_in(double unit) { unit_ = unit; }
-  void iterate_to(double tolerance, int most) {
-    tolerance_ = tolerance;
-    most_ = most;
-  }
-  bool to_rounding() const { return tolerance_ == 0; }
 
-  bool fresh() const { return fresh_; }                ///< the Jacobian is of this solve
-  int corrections() const { return corrections_; }     ///< taken since the last renewal
   int iterations() const { return iterations_; }       ///< of the last solve
   double contraction() const { return contraction_; }  ///< 0: not known
 
@@ -103,8 +93,8 @@ class SimplifiedNewton {
       last_ratio_ = ratio;
       remainder = contraction_ < 1 ? contraction_ / (1 - contraction_) : NewtonSettings::never;
     }
-    if (to_rounding() ? at_rounding(size / unit_, contraction_, known, weight_)
-                      : size == 0 || std::min(remainder, s.most_remainder) * size <= tolerance_)
+    if (tolerance_ == 0 ? at_rounding(size / unit_, contraction_, known, weight_)
+                        : size == 0 || std::min(remainder, s.most_remainder) * size <= tolerance_)
       return remainder_ = remainder, Verdict::done;
     if (contraction_ >= s.divergent) return Verdict::diverges;
     remainder_ = remainder;
@@ -118,8 +108,8 @@ class SimplifiedNewton {
   int most_;
   double tolerance_, weight_, unit_ = 1, remainder_ = s.first_remainder, last_ = 0, last_ratio_ = 0,
                               contraction_ = 0;
-  int iterations_ = 0, corrections_ = 0;
-  bool fresh_ = false;
+  int iterations_ = 0, corrections_ = 0;  ///< of the last solve, since the last renewal
+  bool fresh_ = false;                    ///< the Jacobian is of this solve
 };
 
 }  // namespace odeum
