@@ -23,7 +23,7 @@ export class Browser {
     });
     const { targetId } = await browser.send('Target.createTarget', { url: 'about:blank' });
     browser.session = (await browser.send('Target.attachToTarget', { targetId, flatten: true })).sessionId;
-    for (const domain of ['Page', 'Runtime', 'Log']) await browser.send(`${domain}.enable`);
+    for (const domain of ['Page', 'Runtime', 'Log', 'Inspector']) await browser.send(`${domain}.enable`);
     return browser;
   }
 
@@ -35,10 +35,12 @@ export class Browser {
       return;
     }
     const { method, params } = message;
+    // Nobody answers for a page that is gone.
+    if (method === 'Inspector.targetCrashed') for (const { reject } of [...this.calls.values(), ...this.events.values()]) reject(new Error('the page crashed'));
     if (method === 'Runtime.exceptionThrown') this.complaints.push(params.exceptionDetails.exception?.description || params.exceptionDetails.text);
     if (method === 'Log.entryAdded' && params.entry.level === 'error') this.complaints.push(`${params.entry.text} ${params.entry.url || ''}`);
     if (method === 'Runtime.consoleAPICalled' && params.type === 'error') this.complaints.push(params.args.map((a) => a.value || a.description).join(' '));
-    this.events.get(method)?.();
+    this.events.get(method)?.resolve();
   }
 
   send(method, params = {}) {
@@ -53,10 +55,10 @@ export class Browser {
   }
 
   async go(address) {
-    const loaded = new Promise((resolve) => this.events.set('Page.loadEventFired', resolve));
+    const load = () => new Promise((resolve, reject) => this.events.set('Page.loadEventFired', { resolve, reject })), loaded = load();
     await this.send('Page.navigate', { url: 'about:blank' });
     await loaded;
-    const again = new Promise((resolve) => this.events.set('Page.loadEventFired', resolve));
+    const again = load();
     await this.send('Page.navigate', { url: address });
     await again;
   }

@@ -17,17 +17,24 @@ namespace odeum::linear {
 /// Vectors of GCC and Clang, of any processor. g++ 12 takes no size that depends on a parameter.
 template <std::size_t>
 struct RowVector;
-#define ODEUM_ROW_VECTOR(width, ...)                           \
-  template <>                                                  \
-  struct RowVector<width> {                                    \
-    using type [[gnu::vector_size((width)*8)]] = double;       \
-    using mask [[gnu::vector_size((width)*8)]] = std::int64_t; \
-    static constexpr mask lanes{__VA_ARGS__};                  \
-  };
-ODEUM_ROW_VECTOR(4, 0, 1, 2, 3)
-ODEUM_ROW_VECTOR(8, 0, 1, 2, 3, 4, 5, 6, 7)
-ODEUM_ROW_VECTOR(16, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
-#undef ODEUM_ROW_VECTOR
+template <>
+struct RowVector<4> {
+  using type [[gnu::vector_size(4 * 8)]] = double;
+  using mask [[gnu::vector_size(4 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3};
+};
+template <>
+struct RowVector<8> {
+  using type [[gnu::vector_size(8 * 8)]] = double;
+  using mask [[gnu::vector_size(8 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7};
+};
+template <>
+struct RowVector<16> {
+  using type [[gnu::vector_size(16 * 8)]] = double;
+  using mask [[gnu::vector_size(16 * 8)]] = std::int64_t;
+  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+};
 
 /// The inverse of a row-major N x N matrix, N small and known at compile time: a solve by
 /// multiplication has no chain of dependent operations, unlike a triangular solve, which repays the
