@@ -16,6 +16,7 @@
 /// With q the order of the estimate the error goes as h^k, k = q + 1; 0.9 is the safety factor. The
 /// square saves a root, since only powers of the error are needed.
 namespace odeum {
+inline namespace ODEUM_ROUNDING {  // see kernel/quick_power.hpp
 
 /// The controller's decision; without a finite error the step is repeated with a quarter of it.
 template <class StepControl>
@@ -36,7 +37,7 @@ class IntegralControl {
  public:
   static constexpr const char* name = "embedded pair, integral control";
   explicit IntegralControl(int order) : power_(power_of_square<100>(order + 1)) {}
-  [[gnu::always_inline]] Decision operator()(double h, double square) const {
+  Decision operator()(double h, double square) const {
     return {square <= 1, h * factor(0.9 * power_(square))};
   }
   static double factor(double wanted) { return std::clamp(wanted, 0.2, 5.0); }
@@ -53,7 +54,7 @@ class ProportionalIntegralControl {
   static constexpr const char* name = "embedded pair, proportional-integral control";
   explicit ProportionalIntegralControl(int order)
       : integral_(order), power_(power_of_square<70>(order + 1)), exponent_(0.2 / (order + 1)) {}
-  [[gnu::always_inline]] Decision operator()(double h, double square) {
+  Decision operator()(double h, double square) {
     if (square > 1) {
       rejected_ = true;
       return integral_(h, square);
@@ -79,7 +80,7 @@ class DeadBandControl {
   static constexpr const char* name = "embedded pair, integral control with a dead band";
   static constexpr double low = 0.4;
   explicit DeadBandControl(int order) : integral_(order) {}
-  [[gnu::always_inline]] Decision operator()(double h, double square) const {
+  Decision operator()(double h, double square) const {
     return square >= low * low && square <= 1 ? Decision{true, h} : integral_(h, square);
   }
 
@@ -94,12 +95,11 @@ class PredictiveControl {
  public:
   static constexpr const char* name = "embedded pair, predictive";
   explicit PredictiveControl(int order, double largest_growth = 6)
-
       : power_(power_of_square<100>(order + 1)),
         largest_(power_(1e-4)),
         largest_growth_(largest_growth) {}
 
-  [[gnu::always_inline]] Decision operator()(double h, double square) {
+  Decision operator()(double h, double square) {
     const double root = power_(square);
     double factor = safety * root;
     if (square <= 1) {
@@ -131,4 +131,5 @@ struct ControlFor {
       std::tuple<IntegralControl, ProportionalIntegralControl, DeadBandControl, PredictiveControl>>;
 };
 
+}  // namespace ODEUM_ROUNDING
 }  // namespace odeum

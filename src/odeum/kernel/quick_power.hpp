@@ -8,12 +8,16 @@
 #include <cstdint>
 #include <vector>
 
+// Timed units round these in their own way (CMakeLists.txt), so that there they are other
+// functions.
+#ifndef ODEUM_ROUNDING
+#define ODEUM_ROUNDING each_operation
+#endif
 namespace odeum {
-
-// Always inlined, as the controllers are: timed units round them in their own way.
+inline namespace ODEUM_ROUNDING {
 
 /// log2 x to 5e-6, for positive normal x.
-[[gnu::always_inline]] inline double quick_log2(double x) {
+inline double quick_log2(double x) {
   // x = 2^n (1 + u) with 1 + u in [1/sqrt 2, sqrt 2), and a polynomial without a division.
   constexpr auto lowest = std::bit_cast<std::int64_t>(0.70710678118654757);
   const auto bits = std::bit_cast<std::int64_t>(x);
@@ -26,7 +30,7 @@ namespace odeum {
 }
 
 /// 2^x to a relative 4e-6; |x| above 1000 counts as 1000.
-[[gnu::always_inline]] inline double quick_exp2(double x) {
+inline double quick_exp2(double x) {
   // x = n + f, |f| <= 1/2: the sum with 1.5 2^52 has n in its lowest bits.
   constexpr double shift = 0x1.8p52;
   const double bounded = std::clamp(x, -1000.0, 1000.0);
@@ -39,9 +43,7 @@ namespace odeum {
 
 /// x^p to a relative 1e-5, for positive normal x and |p| <= 2: enough for a step control, whose
 /// factors are estimates to some per cent. std::pow costs as much as a stage of a small problem.
-[[gnu::always_inline]] inline double quick_power(double x, double p) {
-  return quick_exp2(p * quick_log2(x));
-}
+inline double quick_power(double x, double p) { return quick_exp2(p * quick_log2(x)); }
 
 /// x^p for one p, |p| <= 1/2, to a relative 2e-4 where p = -1/2 and 1e-5 from -1/8 on: a table for
 /// the power of two in x, a polynomial for the rest. A third of the latency of quick_power. Outside
@@ -67,7 +69,7 @@ class FixedPower {
     }
   }
 
-  [[gnu::always_inline]] double operator()(double x) const {
+  double operator()(double x) const {
     constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1;
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const auto exponent = static_cast<std::int64_t>(bits >> 52) - (1023 - zero);
@@ -104,4 +106,5 @@ constexpr double power(double x, int n) {
   return product;
 }
 
+}  // namespace ODEUM_ROUNDING
 }  // namespace odeum
