@@ -14,8 +14,7 @@
 
 #include "odeum/core/build_info.hpp"
 #include "odeum/formula/text_ode.hpp"
-#include "odeum/linear/ordering.hpp"
-#include "odeum/truth/system.hpp"
+#include "odeum/truth/text_system.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -73,52 +72,6 @@ TextTruth closed_form(const formula::Problem& problem) {
 }
 
 namespace {
-
-/// Product of its widths in the reverse Cuthill-McKee ordering.
-double narrowest_band(const Sparsity& pattern) {
-  const linear::Band band = linear::band_of(pattern, linear::reverse_cuthill_mckee(pattern));
-  return static_cast<double>(band.lower * band.upper);
-}
-
-truth::System system_of(const std::shared_ptr<const TextOde>& ode) {
-  const formula::Problem& problem = ode->problem();
-  const auto& structure = ode->analysis().structure;
-  truth::System system;
-  system.states = ode->size();
-  system.t0 = problem.t0;
-  system.y0 = problem.y0;
-  system.smooth = structure.smooth;
-  system.concurrent = true;
-  system.rhs = [ode](Real t, const Real* y, Real* f) { ode->rhs_extended(t, y, f); };
-  // Full matrices in extended precision take too long beyond this, and bands beyond that.
-  constexpr std::size_t most_in_matrix = 64;
-  constexpr double widest_band = 200;
-  if (ode->view().sparsity && narrowest_band(ode->sparsity()) <= widest_band) {
-    system.sparsity = {ode, &ode->sparsity()};
-    system.entries = [ode](Real t, const Real* y, Real* v) { ode->entries_extended(t, y, v); };
-  } else if (ode->size() <= most_in_matrix)
-    system.jacobian = [ode](Real t, const Real* y, Real* j) { ode->jacobian_extended(t, y, j); };
-  system.work = static_cast<double>(problem.graph.needed(problem.equations).size());
-  if (const auto& plan = ode->analysis().series) {
-    const auto series =
-        std::make_shared<formula::Series<Real>>(problem.graph, *plan, system.states);
-    system.taylor = [series](Real t, const Real* y, int order, Real* c) {
-      (*series)(t, y, order, c);
-    };
-  }
-  // Numbers of few binary digits are exact.
-  const auto moved = [](Real c) {
-    constexpr Real few = 0x1p24L;
-    const bool exact = c == 0 || std::ldexp(few, std::ilogb(c)) == 0 ||
-                       std::remainder(c, std::ldexp(1 / few, std::ilogb(c))) == 0;
-    return exact ? c : c * (1 + 0x1p-30L);
-  };
-  auto evaluator = std::make_shared<formula::Evaluator<Real>>(problem.graph, problem.equations);
-  evaluator->perturb(moved);
-  system.moved_rhs = [evaluator](Real t, const Real* y, Real* f) { (*evaluator)(t, y, f); };
-  for (const Real y : problem.y0) system.moved_y0.push_back(moved(y));
-  return system;
-}
 
 /// What a reference depends on, as text.
 std::string content_of(const std::shared_ptr<const TextOde>& ode) {
@@ -213,11 +166,12 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
 
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
-  return truth_from(
-      *kept_or_computed(
-          content_of(ode), ode->size(), problem.stops, problem.scale,
-          [&] { return truth::compute_reference(system_of(ode), problem.stops, problem.scale); }),
-      problem.stops, problem.scale, problem.file);
+  return truth_from(*kept_or_computed(content_of(ode), ode->size(), problem.stops, problem.scale,
+                                      [&] {
+                                        return truth::compute_reference(
+                                            truth::system_of(ode), problem.stops, problem.scale);
+                                      }),
+                    problem.stops, problem.scale, problem.file);
 }
 
 }  // namespace odeum::cases

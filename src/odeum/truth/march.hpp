@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/truth/inspector.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -57,7 +60,7 @@ inline Real largest_ratio(const State& error, const State& sizes) {
 class Noise {
  public:
   explicit Noise(const System& system)
-      : system_(system), f_(system.states), moved_(f_), above_(f_), below_(f_) {}
+      : system_(system), f_(system.states), moved_(f_), above_(f_), below_(f_), rounding_(f_) {}
 
   /// The largest component of the error over the tolerance.
   Real ratio(Real t, Real h, const State& y, const State& error, const State& sizes,
@@ -71,21 +74,30 @@ class Noise {
     system_.rhs(t, moved_.data(), above_.data());
     for (std::size_t i = 0; i < y.size(); ++i) moved_[i] = y[i] * (1 - relative);
     system_.rhs(t, moved_.data(), below_.data());
-    Real worst = 0;
-    for (std::size_t i = 0; i < y.size(); ++i) {
-      const Real moves = std::min(std::abs(above_[i] - f_[i]), std::abs(below_[i] - f_[i]));
-      const Real noise = moves * (unit / relative) + unit * std::abs(f_[i]);
-      const Real allowed = tolerance * (sizes[i] > 0 ? sizes[i] : 1) + amplified * h * noise;
-      const Real part = std::abs(error[i]) / allowed;
-      if (std::isnan(part)) return part;
-      worst = std::max(worst, part);
-    }
-    return worst;
+    const auto worst_part = [&] {
+      Real worst = 0;
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        const Real moves = std::min(std::abs(above_[i] - f_[i]), std::abs(below_[i] - f_[i]));
+        const Real noise = moves * (unit / relative) + unit * std::abs(f_[i]) + rounding_[i];
+        const Real allowed = tolerance * (sizes[i] > 0 ? sizes[i] : 1) + amplified * h * noise;
+        const Real part = std::abs(error[i]) / allowed;
+        if (std::isnan(part)) return part;
+        worst = std::max(worst, part);
+      }
+      return worst;
+    };
+    std::fill(rounding_.begin(), rounding_.end(), 0);
+    const Real worst = worst_part();
+    if (!(worst > 1) || !system_.insight) return worst;
+    // What cancels inside of f leaves a rounding that neither f nor y tells.
+    if (!insight_) insight_ = system_.insight(1);
+    return insight_->rounding(t, y, rounding_) ? worst_part() : worst;
   }
 
  private:
   const System& system_;
-  State f_, moved_, above_, below_;
+  State f_, moved_, above_, below_, rounding_;
+  std::unique_ptr<Insight> insight_;
 };
 
 /// By how much a step may change for an error of an order. Double suffices for it, and its power
@@ -102,6 +114,88 @@ inline Real step_factor(Real error, int order) {
 /// oscillation takes. Methods that know the noise of f are not asked for less than that.
 constexpr Real short_memory = 0.999L;
 
+/// The end of the part of a step from y up to which its conditions hold, just beyond it, and the
+/// state there, by shorter steps; nothing where they hold to the end. They are thought to change
+/// between two parts of the step.
+template <class Step>
+std::optional<std::pair<Real, State>> locate_change(const System& system, Real t, Real h,
+                                                    const Inside& inside, const State& y,
+                                                    const State& sizes, Step&& step, double& work) {
+  State end;
+  const auto holds_at = [&](Real part) {
+    Trial trial = step(t, part, y, sizes);
+    work += trial.work;
+    end = std::move(trial.y);
+    return system.holds(t + part, end.data());
+  };
+  // Where the path on which the change was found was not accurate it is nearby.
+  Real low = h * inside.from, high = h * inside.to, width = high - low;
+  Real above = low > 0 ? holds_at(low) : 1, below = holds_at(high);
+  while (low > 0 && above <= 0) {
+    high = low;
+    below = above;
+    width *= 2;
+    low = std::max<Real>(0, low - width);
+    above = low > 0 ? holds_at(low) : 1;
+  }
+  while (!(below <= 0)) {
+    if (high >= h) return std::nullopt;
+    width *= 2;
+    high = std::min(h, high + width);
+    below = holds_at(high);
+  }
+  holds_at(high);
+  State beyond = end;
+  const Real enough = 2 * std::numeric_limits<Real>::epsilon() * std::max(std::abs(t), h);
+  for (int k = 0; high - low > enough && k < 200; ++k) {
+    // The secant, which is weighted where an end stays (Illinois), and halving.
+    const Real secant = low + (high - low) * above / (above - below);
+    const bool inside_of = k % 3 != 2 && secant > low && secant < high && low > 0;
+    const Real part = inside_of ? secant : low + (high - low) / 2;
+    if (part <= low || part >= high) break;
+    const Real value = holds_at(part);
+    if (value <= 0) {
+      high = part;
+      below = value;
+      beyond = end;
+      above /= 2;
+    } else {
+      low = part;
+      above = value;
+      below /= 2;
+    }
+  }
+  return std::pair{t + high, std::move(beyond)};
+}
+
+/// Looks into steps that are accurate enough by their own estimates.
+struct Watch {
+  Real span = 1;
+  std::unique_ptr<Insight> insight;
+  Real part = 1;     ///< of a step that does not pass, which is to be tried next
+  int shortest = 0;  ///< steps that were hardly longer than is looked into
+
+  /// Whether the step from y to `next` may be taken; else the run has ended, or `part` is set.
+  template <class Step>
+  bool lets_pass(const System& system, Real t, Real h, const State& y, const State& sizes,
+                 const State& next, Step&& step, Run& run) {
+    constexpr int most_of_shortest = 2000;
+    const Inside inside = insight->look(t, h, y, next);
+    if (inside.kind == Inside::Kind::change)
+      run.changed = locate_change(system, t, h, inside, y, sizes, step, run.work);
+    if (run.changed) return false;
+    // A change that is not there was found on a path that is too inaccurate.
+    if (inside.kind != Inside::Kind::nothing && h > shortest_inspected * span) {
+      run.split = true;
+      part = std::clamp(inside.from, 0.25L, 0.75L);
+      return false;
+    }
+    if (h < 8 * shortest_inspected * span && ++shortest > most_of_shortest)
+      run.end = fmt::format("the equations are not resolved from t = {:.9Lg} on", t);
+    return run.end.empty();
+  }
+};
+
 /// Steps through the times with `step(t, h, y, sizes) -> Trial`, whose error is of order `order` in
 /// h and relative to the tolerance.
 template <class Step>
@@ -117,6 +211,8 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   // At the last of the times, which may be the end itself, and at the one before.
   Real last_slope = size_of(f), earlier_slope = last_slope;
   Real h = std::min(slope > 0 ? 1e-3L / slope : span, span / 50);
+  Watch watch{.span = span,
+              .insight = effort.inspect && system.insight ? system.insight(span) : nullptr};
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
@@ -142,6 +238,11 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       const Real factor = step_factor(trial.error, order);
       if (!std::isfinite(trial.error) || trial.error > 1) {
         h = used * std::clamp(factor, 0.1L, 0.7L);
+        continue;
+      }
+      if (watch.insight && !watch.lets_pass(system, t, used, y, sizes, trial.y, step, run)) {
+        if (run.changed || !run.end.empty()) return run;
+        h = used * watch.part;
         continue;
       }
       y = std::move(trial.y);

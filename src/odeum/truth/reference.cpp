@@ -98,27 +98,39 @@ class Search {
 
   /// On constants that rounding could have moved.
   Run run_moved() const {
+    const Effort effort{.tolerance = 1e-13L, .inspect = found_};
+    if (system_.mode_at) return run_across(family_.for_moved, system_, times_, effort, true);
     System moved = system_;
     moved.rhs = system_.moved_rhs;
     moved.y0 = system_.moved_y0;
-    return family_.for_moved(moved, times_, {.tolerance = 1e-13L});
+    return family_.for_moved(moved, times_, effort);
+  }
+  Run run(Method method, const Effort& effort) const {
+    return run_across(method, system_, times_, effort, false);
   }
 
   Comparison compare(Real tolerance) {
     Comparison c;
-    Effort effort{.tolerance = tolerance};
+    Effort effort{.tolerance = tolerance, .inspect = found_ || tolerance > inspected_};
     if (system_.states > 64) effort.budget *= 4;
-    const Effort of_second{std::max(tolerance, family_.finest), effort.budget};
+    // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
+    Effort of_second{std::max(tolerance, family_.finest), effort.budget, found_};
     const bool again = of_second.tolerance != second_tolerance_;
     // Both at once, and with the first comparison the run on moved constants.
-    const bool with_moved = system_.moved_rhs && !moved_;
+    const bool with_moved = (system_.moved_rhs || system_.mode_at) && !moved_;
     Run moved;
     parallel_for(3, system_.concurrent ? 3 : 1, [&](std::size_t run) {
-      if (run == 0) c.a = family_.first(system_, times_, effort);
-      if (run == 1 && again) second_ = family_.second(system_, times_, of_second);
+      if (run == 0) c.a = this->run(family_.first, effort);
+      if (run == 1 && again) second_ = this->run(family_.second, of_second);
       if (run == 2 && with_moved) moved = run_moved();
     });
     if (with_moved) moved_ = std::move(moved);
+    inspected_ = std::max(inspected_, tolerance);
+    if (c.a.split && !found_) {
+      found_ = of_second.inspect = true;
+      second_ = this->run(family_.second, of_second);
+      if (moved_) moved_ = run_moved();
+    }
     second_tolerance_ = of_second.tolerance;
     c.b = second_;
     c.spent = c.a.work > effort.budget || c.b.work > effort.budget;
@@ -137,7 +149,10 @@ class Search {
 
   /// Explicit methods, unless they would take too long.
   void choose() {
-    const bool series = system_.taylor != nullptr;
+    const auto mode =
+        system_.mode_at ? system_.mode_at(system_.t0, system_.y0, times_.back() - system_.t0, false)
+                        : nullptr;
+    const bool series = system_.taylor || (mode && mode->taylor);
     const Family plain{verner_run, extrapolation_run,
                        "Verner's pair 9(8) and Gragg's extrapolation", verner_run, 0};
     // The weights of extrapolation amplify rounding: where there is a series, it is not needed.
@@ -155,7 +170,7 @@ class Search {
       if ((family.first == taylor_run && !series) ||
           (family.first == radau_run && !system_.has_jacobian()))
         continue;
-      const Run run = family.first(system_, times_, brief);
+      const Run run = this->run(family.first, brief);
       if (run.states.size() > farthest) {
         farthest = run.states.size();
         family_ = family;
@@ -215,6 +230,8 @@ class Search {
   Run second_;                  ///< the last of `second`
   Real second_tolerance_ = -1;  ///< at which it was made
   std::optional<Run> moved_;
+  Real inspected_ = 0;  ///< the loosest tolerance at which steps of `first` were looked into
+  bool found_ = false;  ///< something that the samples of steps had missed
 };
 
 }  // namespace

@@ -18,6 +18,23 @@ namespace odeum::truth {
 using Real = long double;
 using State = std::vector<Real>;
 
+/// What the inside of a step has that its ends do not tell, from a part of the step to another:
+/// nothing; something too narrow for its samples; or a condition that changes.
+struct Inside {
+  enum class Kind { nothing, hidden, change };
+  Kind kind = Kind::nothing;
+  Real from = 0, to = 1;
+};
+/// What the operations of a right-hand side tell beside its values; for one run.
+class Insight {
+ public:
+  virtual ~Insight() = default;
+  /// Looks into the step of h from (t, y) to `next`.
+  virtual Inside look(Real t, Real h, const State& y, const State& next) = 0;
+  /// A bound of the rounding of f at (t, y) in extended precision, by component; false: not known.
+  virtual bool rounding(Real /*t*/, const State& /*y*/, State& /*bound*/) { return false; }
+};
+
 /// An initial value problem in extended precision.
 struct System {
   std::size_t states = 0;
@@ -36,6 +53,13 @@ struct System {
   std::function<void(Real t, const Real* y, Real* f)> moved_rhs;
   State moved_y0;
   bool smooth = true;
+  /// For a run of the length `span`; empty: there is none.
+  std::function<std::unique_ptr<Insight>(Real span)> insight;
+  /// Of equations with kinks: a smooth system that holds from (t, y) on until `holds` is not
+  /// positive,  /// on constants that are moved or not; null: none does, since the solution stays
+  /// where a condition changes.
+  std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
+  std::function<Real(Real t, const Real* y)> holds;
   /// Whether several threads may call the functions at once.
   bool concurrent = false;
   Real rounding = 0x1p-63L;  ///< of the right-hand side, relative: that of double for foreign code
@@ -52,12 +76,16 @@ struct Run {
   /// Where the slope of the solution grows without bound, at a pole or a root: it ends there.
   /// Infinite: nowhere that is known.
   Real ends_at = std::numeric_limits<Real>::infinity();
+  bool split = false;  ///< steps were shortened for what was found inside of them
+  /// The time just after a condition has changed, at which the run ended, and the state there.
+  std::optional<std::pair<Real, State>> changed;
 };
 
 /// What a run may cost and how accurate each of its steps is to be.
 struct Effort {
   Real tolerance = 1e-18L;  ///< per step, relative to the size of the solution
   double budget = 3e9;      ///< operations
+  bool inspect = false;     ///< look into each step
 };
 
 using Method = Run (*)(const System&, const std::vector<Real>& times, const Effort&);
@@ -77,6 +105,10 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
 /// The finest tolerance of the latter where f is exact to extended precision: the weights of its
 /// table amplify rounding by some hundreds.
 inline constexpr Real finest_implicit_extrapolation = 1e-16L;
+
+/// A run across all changes of conditions, in a smooth system between two of them.
+Run run_across(Method method, const System& system, const std::vector<Real>& times,
+               const Effort& effort, bool moved);
 
 /// A computed reference.
 struct Reference {
