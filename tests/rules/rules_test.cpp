@@ -115,6 +115,15 @@ TEST(Inlined, ListsAreComplete) {
   EXPECT_GE(with_odeint.size(), 3U);
 }
 
+// What runs in parallel takes the number of jobs that the user gave.
+TEST(Rules, TheCommandLineAloneAsksForTheNumberOfCores) {
+  std::vector<std::string> found;
+  for (const std::string& file : sources_of(root, {"src/odeum", "adapters"}))
+    if (text_of(root / file).find("hardware_concurrency") != std::string::npos)
+      found.push_back(file);
+  EXPECT_EQ(found, std::vector<std::string>{"src/odeum/cli/session.cpp"});
+}
+
 // A result of a solver on a case depends on own methods that the judge or its study measures with;
 // when their code changes it must not be taken from the store.
 TEST(Rules, KeptResultsDependOnTheMethodsThatTheyAreMeasuredWith) {

@@ -192,10 +192,6 @@ Fields fields_of(const Row& row, bool unlisted = false) {
   return fields;
 }
 template <class Row>
-Fields fields_of(const Row* row) {
-  return fields_of(*row);
-}
-template <class Row>
 std::vector<Fields> fields_of(const std::vector<Row>& rows) {
   std::vector<Fields> all;
   all.reserve(rows.size());

@@ -44,6 +44,7 @@ struct HorizonRow {
   double horizon = record::nan;
 
   static constexpr const char* file = "horizons.csv";
+  static constexpr const char* shown = "case solver mode setting:.2g horizon:.2f status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail), visit("mode", row.mode);

@@ -41,6 +41,8 @@ struct ElementsOrderRow {
   std::string theory;              ///< why this order is expected, or why none is kept
 
   static constexpr const char* file = "elements_orders.csv";
+  static constexpr const char* shown =
+      "problem rule norm claimed_order:.2f measured_order:.2f error_finest:.2e verdict theory";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("rule", row.rule), visit("norm", row.norm);
     visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
@@ -85,6 +87,9 @@ struct ElementsSolverRow {
   double residual = unknown_number;          ///< |b - A x| / |b| in the end
 
   static constexpr const char* file = "elements_solvers.csv";
+  static constexpr const char* shown =
+      "problem divisions solver iterations iterations_bound:.0f condition spectral_radius:.4f "
+      "rate:.4f rate_bound:.4f status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("detail", row.detail), visit("divisions", row.divisions);
@@ -107,6 +112,9 @@ struct ElementsStoppingRow {
   double total = unknown_number;  ///< error of what the solver gave, measured
 
   static constexpr const char* file = "elements_stopping.csv";
+  static constexpr const char* shown =
+      "solver divisions tolerance:.0e iterations error_algebraic:.2e error_discretisation:.2e "
+      "error_total:.2e";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("divisions", row.divisions);
     visit("unknowns", row.unknowns), visit("tolerance", row.tolerance);
@@ -125,6 +133,9 @@ struct ElementsTimeRow {
   double residual = unknown_number;
 
   static constexpr const char* file = "elements_times.csv";
+  static constexpr const char* shown =
+      "solver unknowns iterations setup_ns_min:.3g solve_ns_min:.3g solve_ns_median:.3g "
+      "residual:.1e status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("detail", row.detail), visit("divisions", row.divisions);
@@ -162,8 +173,5 @@ std::vector<ElementsTimeRow> time_solvers(std::size_t most);
 /// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
 /// power of two is taken, default: 128. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
-
-/// The result for a terminal: orders, solvers, stopping and times.
-std::string elements_table(const ElementsResult& result);
 
 }  // namespace odeum::study

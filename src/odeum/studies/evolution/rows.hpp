@@ -42,6 +42,8 @@ struct EvolutionOrderRow {
   judge::OrderFit fit;
 
   static constexpr const char* file = "evolution_orders.csv";
+  static constexpr const char* shown =
+      "problem solver direction claimed_order:.0f measured_order:.2f verdict";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver);
     visit("direction", row.direction), visit("claimed_order", row.claimed_order);
@@ -61,6 +63,8 @@ struct EvolutionCheapestRow {
   double dt = record::nan, error = record::nan, work = record::nan;
 
   static constexpr const char* file = "evolution_cheapest.csv";
+  static constexpr const char* shown =
+      "problem target:.0e solver divisions steps h:.3g dt:.3g error:.1e work:.2g status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("target", row.target), visit("divisions", row.divisions), visit("steps", row.steps);
@@ -77,6 +81,8 @@ struct EvolutionModeRow {
   double measured = record::nan, predicted = record::nan;
 
   static constexpr const char* file = "evolution_modes.csv";
+  static constexpr const char* shown =
+      "problem mass solver quantity waves step:.3g observed predicted";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
     visit("quantity", row.quantity), visit("waves", row.waves), visit("step", row.step);
@@ -91,6 +97,7 @@ struct EvolutionLimitRow {
   double predicted = record::nan, measured = record::nan;
 
   static constexpr const char* file = "evolution_limits.csv";
+  static constexpr const char* shown = "problem mass solver predicted:.5g observed:.5g";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
     visit("predicted", row.predicted), visit("observed", row.measured);

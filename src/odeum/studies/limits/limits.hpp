@@ -24,6 +24,8 @@ struct LargestStep {
   double window = record::nan;  ///< length of the runs
 
   static constexpr const char* file = "largest_steps.csv";
+  static constexpr const char* shown =
+      "case solver largest_stable_step predicted_step eigenvalue status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail);

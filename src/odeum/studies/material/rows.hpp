@@ -30,6 +30,9 @@ struct MaterialRow {
   double added_damping_ratio = not_measured;      ///< damping ratio shown less the nominal one
 
   static constexpr const char* file = "material.csv";
+  static constexpr const char* shown =
+      "scene solver step:.3g sweeps newton static_stiffness_ratio:.3g dynamic_stiffness_ratio:.3g "
+      "damping:.3g added_damping_ratio:.2g status";
   static constexpr int schema = 2;  ///< 2: the names of both stiffness ratios
   static void each(auto& row, auto&& visit) {
     visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
@@ -56,6 +59,8 @@ struct ErrorPartsRow {
   double iteration_left = not_measured, step_left = not_measured;
 
   static constexpr const char* file = "material_error.csv";
+  static constexpr const char* shown =
+      "solver step:.3g sweeps newton total:.2g iteration:.2g time_step:.2g model:.2g status";
   static void each(auto& row, auto&& visit) {
     visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
     visit("time", row.time), visit("step", row.step), visit("sweeps", row.sweeps);

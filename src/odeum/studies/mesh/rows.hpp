@@ -27,6 +27,9 @@ struct MeshRow {
   double factor = record::nan;
 
   static constexpr const char* file = "mesh.csv";
+  static constexpr const char* shown =
+      "springs scaling particles stiffness extension:.4f period:.4f sag:.4f drape:.4f factor:.3f "
+      "status";
   static void each(auto& row, auto&& visit) {
     visit("springs", row.springs), visit("scaling", row.scaling), visit("status", row.status);
     visit("detail", row.detail), visit("particles", row.particles);

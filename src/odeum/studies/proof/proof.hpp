@@ -99,6 +99,8 @@ struct ProofRow {
   int survived() const { return mutants - caught - equivalent; }
 
   static constexpr const char* file = "proofs.csv";
+  static constexpr const char* shown =
+      "solver claimed_order conditions stability_difference:.0e stability caught survived mutants";
   static void each(auto& row, auto&& visit) {
     visit("solver", row.method), visit("family", row.family), visit("claimed_order", row.order);
     visit("claimed_embedded", row.order_embedded), visit("conditions", row.conditions);

@@ -28,6 +28,7 @@ struct StabilityLimit {
   std::string detail;
 
   static constexpr const char* file = "stability_limits.csv";
+  static constexpr const char* shown = "solver axis limit:.7g theory:.7g status";
   static void each(auto& row, auto&& visit) {
     visit("library", row.library), visit("solver", row.solver), visit("axis", row.axis);
     visit("limit", row.limit), visit("theory", row.theory), visit("difference", row.difference);
@@ -76,6 +77,7 @@ struct StableStep {
   double step = record::nan;  ///< limit / |eigenvalue|; infinity: any
 
   static constexpr const char* file = "stability_steps.csv";
+  static constexpr const char* shown = "case solver step eigenvalue limit:.5g status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail), visit("eigenvalue", row.eigenvalue);
