@@ -31,7 +31,7 @@ void isolate(Case& c) {
   for (Entrant& entrant : c.entrants)
     if (entrant.solve)
       entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-        return foreign::solve_isolated(solve, request, n);
+        return isolated::solve_isolated(solve, request, n);
       };
 }
 

@@ -54,8 +54,6 @@ struct StoredOnly {
 template <class T>
 StoredOnly(T&) -> StoredOnly<T>;
 
-using odeum::nan;
-
 using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
 struct Field {
   std::string column;

@@ -15,7 +15,7 @@ struct ReplayRow {
   std::string case_id, library, solver, setting, status, detail;
   std::uint64_t steps = 0, rhs_evaluations = 0;  ///< Bullet's own bodies evaluate none
   /// The largest distance of a particle from the exact motion, m; NaN where no run gave that.
-  double error = record::nan;
+  double error = nan;
   std::string remark, replay;
 
   static constexpr const char* file = "replays.csv";

@@ -19,10 +19,10 @@ using nlohmann::ordered_json;
 /// One run: a line of runs.csv.
 struct RunRow {
   std::string library, solver, status, detail, setting_kind;
-  double setting = record::nan;
+  double setting = nan;
   Counters counters;
-  double result = record::nan;  ///< of a case the error at the end, of a scene the change of energy
-  std::string replay = {};      ///< the address of its page; empty: it has none
+  double result = nan;      ///< of a case the error at the end, of a scene the change of energy
+  std::string replay = {};  ///< the address of its page; empty: it has none
 
   static constexpr const char* file = "runs.csv";
   static void each(auto& row, auto&& visit) {

@@ -13,7 +13,7 @@ namespace {
 /// A series of drift.csv in one line.
 struct DriftSummary {
   DriftRow last;
-  double worst = record::nan, latest = record::nan;
+  double worst = nan, latest = nan;
 
   static void each(auto& row, auto&& visit) {
     DriftRow::each(row.last, visit);

@@ -9,18 +9,16 @@
 
 namespace odeum::study {
 
-inline constexpr double unknown_number = record::nan;
-
 /// One problem solved by linear triangles on one mesh.
 struct ElementsRow {
   std::string problem, rule;  ///< rule: of the quadrature of the load
   std::string status, detail;
   std::size_t divisions = 0;  ///< of a unit length of the region
   std::size_t triangles = 0, unknowns = 0;
-  double h = unknown_number;                                                  ///< longest edge
-  double l2 = unknown_number, h1 = unknown_number, maximum = unknown_number;  ///< errors
-  double centre = unknown_number;  ///< |error| in the middle of the region, where known
-  std::size_t iterations = 0;      ///< of conjugate gradients with a V-cycle, residual 1e-11
+  double h = nan;                            ///< longest edge
+  double l2 = nan, h1 = nan, maximum = nan;  ///< errors
+  double centre = nan;                       ///< |error| in the middle of the region, where known
+  std::size_t iterations = 0;  ///< of conjugate gradients with a V-cycle, residual 1e-11
 
   static constexpr const char* file = "elements.csv";
   static void each(auto& row, auto&& visit) {
@@ -35,10 +33,10 @@ struct ElementsRow {
 /// The order in h of one error of one problem.
 struct ElementsOrderRow {
   std::string problem, rule, norm;  ///< norm: l2, h1, max, max_by_log, centre
-  double claimed_order = unknown_number;
+  double claimed_order = nan;
   judge::OrderFit fit;
-  double finest = unknown_number;  ///< the error on the finest mesh
-  std::string theory;              ///< why this order is expected, or why none is kept
+  double finest = nan;  ///< the error on the finest mesh
+  std::string theory;   ///< why this order is expected, or why none is kept
 
   static constexpr const char* file = "elements_orders.csv";
   static constexpr const char* shown =
@@ -79,12 +77,12 @@ struct ElementsSolverRow {
   std::size_t divisions = 0, unknowns = 0;
   std::size_t iterations = 0;
   /// Highest over lowest eigenvalue of M^-1 A; NaN where the library does not tell.
-  double condition = unknown_number;
-  double spectral_radius = unknown_number;  ///< of I - M^-1 A, for iterations that repeat it
-  double rate = unknown_number;   ///< of the error per iteration, over the second half of them
-  double bound = unknown_number;  ///< the textbook bound of that rate in the energy norm
-  double iterations_bound = unknown_number;  ///< iterations that the bound allows
-  double residual = unknown_number;          ///< |b - A x| / |b| in the end
+  double condition = nan;
+  double spectral_radius = nan;   ///< of I - M^-1 A, for iterations that repeat it
+  double rate = nan;              ///< of the error per iteration, over the second half of them
+  double bound = nan;             ///< the textbook bound of that rate in the energy norm
+  double iterations_bound = nan;  ///< iterations that the bound allows
+  double residual = nan;          ///< |b - A x| / |b| in the end
 
   static constexpr const char* file = "elements_solvers.csv";
   static constexpr const char* shown =
@@ -104,12 +102,11 @@ struct ElementsSolverRow {
 struct ElementsStoppingRow {
   std::string problem, solver;
   std::size_t divisions = 0, unknowns = 0;
-  double tolerance = unknown_number;  ///< of |b - A x| / |b|
+  double tolerance = nan;  ///< of |b - A x| / |b|
   std::size_t iterations = 0;
-  double algebraic = unknown_number;  ///< error of the solver in the energy norm
-  double discretisation =
-      unknown_number;             ///< error of the mesh in it: of the exact discrete solution
-  double total = unknown_number;  ///< error of what the solver gave, measured
+  double algebraic = nan;       ///< error of the solver in the energy norm
+  double discretisation = nan;  ///< error of the mesh in it: of the exact discrete solution
+  double total = nan;           ///< error of what the solver gave, measured
 
   static constexpr const char* file = "elements_stopping.csv";
   static constexpr const char* shown =
@@ -128,9 +125,9 @@ struct ElementsTimeRow {
   std::string problem, solver;
   std::string status, detail;
   std::size_t divisions = 0, unknowns = 0, iterations = 0, repetitions = 0;
-  double setup_ns = unknown_number;  ///< factors, coarser matrices; least
-  double solve_ns_min = unknown_number, solve_ns_median = unknown_number;
-  double residual = unknown_number;
+  double setup_ns = nan;  ///< factors, coarser matrices; least
+  double solve_ns_min = nan, solve_ns_median = nan;
+  double residual = nan;
 
   static constexpr const char* file = "elements_times.csv";
   static constexpr const char* shown =

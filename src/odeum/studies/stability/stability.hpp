@@ -22,8 +22,8 @@ inline constexpr double limit_tolerance = 1e-6;
 struct StabilityLimit {
   std::string library, solver;
   std::string axis;  ///< real, imaginary, oscillator
-  double limit = record::nan, theory = record::nan;
-  double difference = record::nan;  ///< |limit - theory|, 0 where both are infinite
+  double limit = nan, theory = nan;
+  double difference = nan;  ///< |limit - theory|, 0 where both are infinite
   std::string status;  ///< a Status, not_applicable, or differs: from theory, see limit_tolerance
   std::string detail;
 
@@ -71,10 +71,9 @@ struct StableStep {
   std::string case_id, library, solver;
   std::string status, detail;  ///< a Status or not_applicable
   /// The eigenvalue that limits the step; where none does, the largest.
-  std::complex<double> eigenvalue{record::nan, record::nan};
-  double limit =
-      record::nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
-  double step = record::nan;  ///< limit / |eigenvalue|; infinity: any
+  std::complex<double> eigenvalue{nan, nan};
+  double limit = nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
+  double step = nan;   ///< limit / |eigenvalue|; infinity: any
 
   static constexpr const char* file = "stability_steps.csv";
   static constexpr const char* shown = "case solver step eigenvalue limit:.5g status";
