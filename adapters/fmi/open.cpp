@@ -182,10 +182,10 @@ std::shared_ptr<Fmu> read(const std::string& file) {
 
 /// Whatever its code does, it does first in a process of its own. Whether f depends on time.
 bool try_out(Fmu& fmu, const char* name, const Values& values) {
-  const auto [ended, said] = foreign::text_isolated([&]() -> std::string {
+  const auto [ended, said] = isolated::text_isolated([&]() -> std::string {
     try {
       fmu.load(values);
-      foreign::alive();
+      isolated::alive();
       const bool in_time = fmu.description.names_time || depends_on_time(fmu);
       const std::string fault = foreign::Problem(functions_of(fmu, name, in_time)).fault();
       return fault.empty() ? (in_time ? "+t" : "+") : fault;

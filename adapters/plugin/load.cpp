@@ -108,7 +108,7 @@ void add_plugin(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) refuse(file, "is no file");
   // Whatever it does when it is loaded, it does first in a process of its own.
-  const auto [ended, fault] = foreign::text_isolated([&] {
+  const auto [ended, fault] = isolated::text_isolated([&] {
     std::string why;
     const odeum_plugin* const plugin = open(path, why);
     return plugin ? fault_of_plugin(*plugin) : why;

@@ -24,7 +24,7 @@ struct System {
 
 /// The callbacks' result: 0, or 1 once the budget is spent, after which calls are no sign of work.
 int working(int answer) {
-  if (answer == 0) foreign::alive();
+  if (answer == 0) isolated::alive();
   return answer;
 }
 
@@ -231,7 +231,7 @@ Solver solver_of(const odeum_solver& solver, const std::string& library) {
             entrant.unfit = unfit(solver, contest.view);
             if (!entrant.unfit.empty()) return;
             entrant.solve = [&solver, contest](const Request& request) {
-              return foreign::solve_isolated(
+              return isolated::solve_isolated(
                   [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
                   contest.view.dimension);
             };

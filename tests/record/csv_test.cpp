@@ -14,8 +14,6 @@
 namespace odeum::tests {
 namespace {
 
-using record::CsvRow;
-using record::CsvTable;
 using record::format_number;
 using record::format_text;
 
@@ -57,7 +55,7 @@ TEST(Csv, DoesNotDependOnTheLocale) {
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})  // where one is installed
     if (std::setlocale(LC_ALL, name) != nullptr) break;
   EXPECT_EQ(format_number(1234567.25), "1234567.25");
-  EXPECT_EQ(CsvRow().number(0.5).count(1234567).line(), "1,0.5,1234567");
+  EXPECT_EQ((record::Records{{"x", "n"}, {{0.5, 1234567}}}.csv()), "schema,x,n\n1,0.5,1234567\n");
   std::setlocale(LC_ALL, c_before.c_str());
   std::locale::global(before);
 }
@@ -87,24 +85,15 @@ TEST(Csv, LetsNoControlCharacterThrough) {
   EXPECT_EQ(format_text("h\xc3\xa4nging \xe2\x88\x9e"), "h\xc3\xa4nging \xe2\x88\x9e");
 }
 
-TEST(Csv, BuildsATableOfOneLineARow) {
-  CsvTable table("case,error,steps");
-  table.add(CsvRow().text("x,y").number(-0.25).count(std::uint64_t{18446744073709551615U}));
-  table.add(CsvRow().text("z").number(std::nan("")).count(0));
-  EXPECT_EQ(table.text(),
-            "schema,case,error,steps\n1,\"x,y\",-0.25,18446744073709551615\n1,z,nan,0\n");
-}
-
-TEST(Csv, ATableKeepsItsRowsWhereAsked) {
-  CsvTable table("case,error", true), forgetful("case,error");
-  for (CsvTable* each : {&table, &forgetful}) each->add(CsvRow().text("=x").number(0.5));
-  EXPECT_EQ(table.text(), forgetful.text());
-  EXPECT_EQ(table.columns(), (std::vector<std::string>{"case", "error"}));
-  EXPECT_TRUE(forgetful.rows().empty());
-  ASSERT_EQ(table.rows().size(), 1U);
-  EXPECT_EQ(table.rows()[0][0].column, "case");
-  EXPECT_EQ(std::get<std::string>(table.rows()[0][0].value), "=x") << "as it was given";
-  EXPECT_EQ(std::get<double>(table.rows()[0][1].value), 0.5);
+TEST(Csv, RecordsHaveOneLineARow) {
+  const record::Records table{
+      {"case", "error", "steps"},
+      {{"x,y", -0.25, std::uint64_t{18446744073709551615U}}, {"=z", std::nan(""), 0}}};
+  EXPECT_EQ(table.csv(),
+            "schema,case,error,steps\n1,\"x,y\",-0.25,18446744073709551615\n1,'=z,nan,0\n");
+  ASSERT_EQ(table.fields().size(), 2U);
+  EXPECT_EQ(table.fields()[1][0].column, "case");
+  EXPECT_EQ(std::get<std::string>(table.fields()[1][0].value), "=z") << "as it was given";
 }
 
 }  // namespace

@@ -91,6 +91,25 @@ TEST(Rows, AFileHasTheColumnsOfItsRowsAndReadsBackToTheSame) {
     EXPECT_EQ(text_of(folder.path() / file), text_of(again.path() / file)) << file;
 }
 
+// A result of an earlier run is read and written again by each report.
+TEST(Rows, ATextThatASpreadsheetWouldRunStaysTheSameThroughManyRounds) {
+  const TemporaryFolder root;
+  const OutputFolder folder(root.path() / "out");
+  const std::vector<std::string> texts{"=1+1", "-x, \"y\"", "@", "'=x", "''-x", "'quoted'", "'"};
+  std::vector<OtherRow> rows;
+  for (const std::string& text : texts) rows.push_back({text, "odeum", "rk4", -1});
+  write_rows(rows, folder);
+  const std::string first = text_of(folder.path() / "other.csv");
+  EXPECT_NE(first.find("'=1+1,"), std::string::npos) << "disarmed";
+  std::string problem;
+  for (int round = 0; round < 2; ++round)
+    write_rows(read_rows<OtherRow>(folder.path(), problem), folder);
+  EXPECT_EQ(text_of(folder.path() / "other.csv"), first);
+  const std::vector<OtherRow> back = read_rows<OtherRow>(folder.path(), problem);
+  ASSERT_EQ(back.size(), texts.size()) << problem;
+  for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(back[i].case_id, texts[i]);
+}
+
 TEST(Rows, ARecordOfTheJournalKeepsEverythingExactly) {
   AnyResult written = some_rows();
   written.any[1].solver = "line\nbreak, \ttab and 'quote";
@@ -109,7 +128,8 @@ TEST(Rows, MissingFilesAreNoProblemAndBrokenOnesAreNotUsed) {
   const TemporaryFolder root;
   const OutputFolder folder(root.path() / "out");
   std::string problem;
-  EXPECT_TRUE(is_empty(read<AnyResult>(folder.path(), problem)));
+  const auto missing = read<AnyResult>(folder.path(), problem);
+  EXPECT_TRUE(missing.any.empty() && missing.other.empty());
   EXPECT_EQ(problem, "");
   write(some_rows(), folder);
   const std::string whole = text_of(folder.path() / "any.csv");
@@ -166,14 +186,11 @@ TEST(Rows, AnEmptyListMayKeepAnEarlierFile) {
 }
 
 TEST(Table, ChoosesColumnsByNameAndAlignsNumbers) {
-  const Table table = table_of(
-      some_rows().other,
-      {{"solver", "{library}/{solver}"}, {"value", "{value:.1f}"}, {"remark", "{case}: "}});
-  EXPECT_EQ(table.text(),
-            "solver      value  remark\n"
-            "odeum/rk4     1.0  a\n"
-            "odeum/heun    2.0  a\n");
-  EXPECT_ANY_THROW(table_of(some_rows().other, {{"x", "{no_such_column}"}}));
+  EXPECT_EQ(table_of(some_rows().other, "case solver value:.1f").text(),
+            "case  solver      value\n"
+            "a     odeum/rk4     1.0\n"
+            "a     odeum/heun    2.0\n");
+  EXPECT_THROW(table_of(some_rows().other, "no_such_column"), std::out_of_range);
 }
 
 TEST(Table, ShowsADashForWhatIsNotKnown) {
@@ -181,9 +198,30 @@ TEST(Table, ShowsADashForWhatIsNotKnown) {
   rows[0].number = nan;
   rows[0].z = {nan, nan};
   rows[1].z = {1, 2};
-  const Table table =
-      table_of(rows, {{"number", "{number:.1f}"}, {"z", "{z_re:.3g} {z_im:+.3g}i"}});
-  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"-", "-"}, {"0.0", "1 +2i"}}));
+  EXPECT_EQ(table_of(rows, "number:.1f z count").rows,
+            (std::vector<std::vector<std::string>>{{"-", "-", "0"}, {"0.0", "1 +2i", "0"}}));
+}
+
+struct ShownRow {
+  std::string status, detail;
+  static constexpr const char* file = "shown.csv";
+  static constexpr const char* shown = "status";
+  static void each(auto& row, auto&& visit) {
+    visit("status", row.status), visit("detail", row.detail);
+  }
+};
+struct ShownResult {
+  std::vector<ShownRow> first, second;
+  std::vector<OtherRow> hidden;
+  static auto lists(auto& result) { return std::tie(result.first, result.second, result.hidden); }
+};
+
+TEST(Table, AResultShowsTheListsThatSaySoAndHaveRows) {
+  ShownResult result{{{"ok", ""}, {"failed", "why"}}, {}, {{"a", "odeum", "rk4", 1}}};
+  EXPECT_EQ(tables_of(result), "status\nok\nfailed: why\n");
+  result.second = {{"late", ""}};
+  EXPECT_EQ(tables_of(result),
+            "shown.csv\n\nstatus\nok\nfailed: why\n\nshown.csv\n\nstatus\nlate\n");
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ TEST(PageData, ColumnsKeepNumbersAndTexts) {
   ToleranceRow row{"c", "odeum", "a", 1e-3, 0.1234567891234};
   ToleranceRow other{"c", "gsl", "<\x01\">", std::nan(""), std::numeric_limits<double>::infinity()};
   const auto json = nlohmann::json::parse(
-      report::columns_of(std::vector<const ToleranceRow*>{&row, &other, &row},
-                         {"library", "solver", "requested", "achieved", "absent"}));
+      report::columns_json(record::fields_of(std::vector{row, other, row}),
+                           {"library", "solver", "requested", "achieved", "absent"}));
   EXPECT_EQ(json["library"]["words"], (std::vector<std::string>{"odeum", "gsl"}));
   EXPECT_EQ(json["library"]["of"], (std::vector<int>{0, 1, 0}));
   EXPECT_EQ(json["solver"]["words"][1], "<\xEF\xBF\xBD\">");
@@ -30,7 +30,7 @@ TEST(PageData, ColumnsKeepNumbersAndTexts) {
   EXPECT_EQ(json["achieved"][1], "inf");
   EXPECT_NEAR(json["achieved"][0].get<double>() / row.achieved, 1, 1e-7);
   EXPECT_FALSE(json.contains("absent"));
-  EXPECT_EQ(report::columns_of(std::vector<const ToleranceRow*>{}, {"library"}), "{}");
+  EXPECT_EQ(report::columns_json({}, {"library"}), "{}");
 }
 
 TEST(PageData, ScriptsHoldTheRowsOfTheFiles) {

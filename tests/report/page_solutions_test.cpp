@@ -69,7 +69,7 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
   solutions.add(run, request, outcome);
   solutions.add(finer, request, better);
   solutions.add(finer, request, better);
-  const auto json = nlohmann::json::parse(solutions.json());
+  const auto json = solutions.json();
   EXPECT_TRUE(json["exact"]["everywhere"]);
   EXPECT_EQ(json["curves"].size(), 2U) << "equal curves are kept once";
   const auto& found = json["runs"]["odeum/explicit_euler:fixed:80"];

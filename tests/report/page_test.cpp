@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <thread>
 
 #include "odeum/core/machine.hpp"
 #include "support/full_disk.hpp"
@@ -94,9 +97,7 @@ TEST(Page, StandsAlone) {
   Report report(data);
   record::write(data.convergence, report.folder());
   record::write(data.stability, report.folder());
-  const record::CsvTable rows("a", true);
-  record::CsvTable alone("b", true);
-  alone.add(record::CsvRow().number(1));
+  const record::Records rows{{"a"}}, alone{{"b"}, {{1.0}}};
   report.report().table("convergence", "none.csv", rows);
   report.report().table("convergence", "alone", alone);
   report.write();
@@ -126,7 +127,7 @@ TEST(Page, StandsAlone) {
 
 TEST(Page, ATableWithoutRowsHasColumns) {
   Report report{Facts()};
-  const record::CsvTable none("time,y", true);
+  const record::Records none{{"time", "y"}};
   report.report().table("runs", "none", none);
   const json table = report.write().table("none");
   EXPECT_EQ(table["rows"], 0);
@@ -255,6 +256,22 @@ TEST(Page, NamesTheLibrariesThatAreLoaded) {
 #else
   EXPECT_TRUE(loaded.empty());
 #endif
+}
+
+TEST(Page, WritesNoMorePartsAtATimeThanItIsTold) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path() / "out");
+  report::Report report(Facts(), folder, 1);
+  std::atomic<int> now = 0, most = 0;
+  const auto slow = [&] {
+    most = std::max<int>(most, ++now);
+    // So long that a second thread would begin its part in between.
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    --now;
+    return std::vector<record::Fields>{{{"x", 1.0}}};
+  };
+  report.table("a", "a.csv", {{"x", {}}}, std::vector<TablePart>(4, {"", 1, slow}));
+  EXPECT_EQ(most, 1);
 }
 
 TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {

@@ -115,6 +115,15 @@ TEST(Inlined, ListsAreComplete) {
   EXPECT_GE(with_odeint.size(), 3U);
 }
 
+// What runs in parallel takes the number of jobs that the user gave.
+TEST(Rules, TheCommandLineAloneAsksForTheNumberOfCores) {
+  std::vector<std::string> found;
+  for (const std::string& file : sources_of(root, {"src/odeum", "adapters"}))
+    if (text_of(root / file).find("hardware_concurrency") != std::string::npos)
+      found.push_back(file);
+  EXPECT_EQ(found, std::vector<std::string>{"src/odeum/cli/session.cpp"});
+}
+
 // What a study runs follows from what solvers say of themselves (SolverInfo), so that one that is
 // added or taken away changes its own file alone.
 TEST(Rules, NoStudyNamesASolverButForAReason) {

@@ -143,9 +143,9 @@ TEST(Elements, TimesAreOfSolvedSystems) {
 
 TEST(Elements, HaveATableAndRowsForAReport) {
   ElementsResult result = measure_elements({.own = {{"most", "16"}}}, Runner(2));
-  const std::string table = elements_table(result);
-  for (const char* title : {"Orders in the mesh size h", "Iterations until", "Errors of solvers",
-                            "Times to a residual"})
+  const std::string table = record::tables_of(result);
+  for (const char* title : {"elements_orders.csv", "elements_solvers.csv", "elements_stopping.csv",
+                            "elements_times.csv"})
     EXPECT_NE(table.find(title), std::string::npos) << title;
   // Three problems at 8 divisions: squares of two triangles, on the L shape three of four parts of
   // 4; a hexagon of 6 in 64 each.

@@ -8,6 +8,7 @@
 #include "odeum/cases/stage.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

@@ -32,13 +32,13 @@ TEST(Studies, ReadTheirFilesBackToTheSameBytes) {
   const record::OutputFolder folder(root.path() / "out"), again(root.path() / "again");
   for (const auto& study : make_studies()) {
     study->measure(little_of(study->declaration().name), Runner(2));
-    study->write(folder);
+    study->write(folder, 1);
     EXPECT_NE(study->table(), "") << study->declaration().name;
   }
   for (const auto& study : make_studies()) {
     study->add_earlier(folder.path());
     EXPECT_EQ(study->problem(), "") << study->declaration().name;
-    study->write(again);
+    study->write(again, 1);
     for (const std::string& file : study->files()) {
       // Growth of stability has files of its own, and a study that was not asked may have none.
       if (file == "stability_regions.csv" || !std::filesystem::exists(folder.path() / file))
@@ -56,7 +56,7 @@ TEST(Studies, ResultsThatWereKeptMakeTheSameFiles) {
       for (const auto& study : make_studies()) {
         if (study->declaration().name != name) continue;
         study->measure(options, Runner(1, {.store = store, .dependencies = "same"}));
-        study->write(folder);
+        study->write(folder, 1);
         std::string texts;
         for (const std::string& file : study->files()) texts += text_of(folder.path() / file);
         return texts;

@@ -68,9 +68,7 @@ int check_order(const std::string& case_id, const std::string& folder,
   fmt::print("{}: claimed order {}, measured {:.3f} (95 %: {:.3f} to {:.3f}), {}{}{}\n", case_id,
              row.claimed_order, fit.order, fit.low, fit.high, judge::to_string(fit.verdict),
              fit.reason.empty() ? "" : ": ", fit.reason);
-  fmt::print("{:>12}  {:>10}  status\n", "step", "error");
-  for (const study::ConvergenceRow& run : runs)
-    fmt::print("{:12.6g}  {:10.3e}  {} {}\n", run.step, run.error_max, run.status, run.detail);
+  fmt::print("{}", record::table_of(runs, "step:.6g error_max:.3e status").text());
   if (!beside.empty()) print_costs(result);
   fmt::print("the same rows are in {}/convergence.csv\n", folder);
   switch (fit.verdict) {

@@ -29,7 +29,7 @@ struct Held {
 Entrants enroll_isolated(const ErasedContest& contest) {
   return enroll(contest, [n = contest.view.dimension](Entrant& entrant) {
     entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-      return foreign::solve_isolated(solve, request, n);
+      return isolated::solve_isolated(solve, request, n);
     };
   });
 }

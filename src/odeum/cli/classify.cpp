@@ -111,53 +111,50 @@ std::string describe(const fem::PdeMap& map) {
 }
 
 std::string csv_of(const fem::PdeMap& map, const std::string& second) {
-  record::CsvTable table("x," + second + ",type,discriminant,dx_1,d" + second + "_1,dx_2,d" +
-                         second + "_2");
+  record::Records table{{"x", second, "type", "discriminant", "dx_1", "d" + second + "_1", "dx_2",
+                         "d" + second + "_2"}};
   for (std::size_t j = 0; j <= map.divisions; ++j)
     for (std::size_t i = 0; i <= map.divisions; ++i) {
       const PdePoint& point = map.point(i, j);
       const auto place = map.place(i, j);
-      record::CsvRow row;
-      row.number(place[0]).number(place[1]).text(to_string(point.type));
-      row.number(static_cast<double>(point.discriminant));
+      auto& row = table.rows.emplace_back();
+      row = {place[0], place[1], to_string(point.type), static_cast<double>(point.discriminant)};
       for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t d = 0; d < 2; ++d)
-          row.number(k < point.characteristics.size() ? point.characteristics[k][d] : std::nan(""));
-      table.add(row);
+          row.emplace_back(k < point.characteristics.size() ? point.characteristics[k][d] : nan);
     }
-  return table.text();
+  return table.csv();
 }
 
 /// Rectangles of one type: cells of the type of their lower left node, joined along a row.
-record::CsvTable regions_of(const fem::PdeMap& map) {
-  record::CsvTable table("x0,x1,y0,y1,type", true);
+record::Records regions_of(const fem::PdeMap& map) {
+  record::Records table{{"x0", "x1", "y0", "y1", "type"}};
   for (std::size_t j = 0; j < map.divisions; ++j)
     for (std::size_t i = 0, end = 0; i < map.divisions; i = end) {
       const PdeType type = map.point(i, j).type;
       while (end < map.divisions && map.point(end, j).type == type) ++end;
       const auto low = map.place(i, j), high = map.place(end, j + 1);
-      table.add(record::CsvRow().number(low[0]).number(high[0]).number(low[1]).number(high[1]).text(
-          to_string(type)));
+      table.rows.push_back({low[0], high[0], low[1], high[1], to_string(type)});
     }
   return table;
 }
 
 /// Characteristic directions at some points.
-record::CsvTable directions_of(const fem::PdeMap& map) {
-  record::CsvTable table("x,y,dx,dy", true);
+record::Records directions_of(const fem::PdeMap& map) {
+  record::Records table{{"x", "y", "dx", "dy"}};
   const std::size_t stride = std::max<std::size_t>(1, map.divisions / 24);
   for (std::size_t j = stride / 2; j <= map.divisions; j += stride)
     for (std::size_t i = stride / 2; i <= map.divisions; i += stride)
       for (const auto& direction : map.point(i, j).characteristics) {
         const auto [x, y] = map.place(i, j);
-        table.add(record::CsvRow().number(x).number(y).number(direction[0]).number(direction[1]));
+        table.rows.push_back({x, y, direction[0], direction[1]});
       }
   return table;
 }
 
-record::CsvTable changes_of(const fem::PdeMap& map) {
-  record::CsvTable table("x,y", true);
-  for (const auto& [x, y] : map.changes) table.add(record::CsvRow().number(x).number(y));
+record::Records changes_of(const fem::PdeMap& map) {
+  record::Records table{{"x", "y"}};
+  for (const auto& [x, y] : map.changes) table.rows.push_back({x, y});
   return table;
 }
 
@@ -176,8 +173,8 @@ void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
     texts.facts.emplace_back("change of type",
                              fmt::format("at {} points of the grid's lines", map.changes.size()));
   report::Report page({}, folder);
-  const record::CsvTable regions = regions_of(map), directions = directions_of(map),
-                         changes = changes_of(map);
+  const record::Records regions = regions_of(map), directions = directions_of(map),
+                        changes = changes_of(map);
   page.table("runs", "types", regions);
   page.table("runs", "characteristics", directions);
   page.table("runs", "type_changes", changes);

@@ -9,6 +9,7 @@
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/record/table.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
@@ -93,33 +94,17 @@ Listing list_scenes() {
 }
 
 std::string as_table(const Listing& listing) {
-  // One long cell must not move the columns of two hundred lines off the screen.
-  constexpr std::size_t widest = 62;
-  std::vector<std::size_t> widths(listing.shown);
-  for (std::size_t k = 0; k < listing.shown; ++k) {
-    widths[k] = listing.columns[k].size();
-    for (const auto& row : listing.rows)
-      widths[k] = std::max(widths[k], std::min(row[k].size(), widest));
-  }
-  std::string text;
-  const auto line = [&](const std::vector<std::string>& row) {
-    for (std::size_t k = 0; k + 1 < listing.shown; ++k)
-      text += fmt::format("{:<{}}  ", row[k], widths[k]);
-    text += row[listing.shown - 1] + "\n";
-  };
-  line(listing.columns);
-  for (const auto& row : listing.rows) line(row);
-  return text;
+  record::Table table;
+  for (std::size_t k = 0; k < listing.shown; ++k) table.columns.push_back({listing.columns[k]});
+  for (const auto& row : listing.rows)
+    table.rows.emplace_back(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(listing.shown));
+  return table.text();
 }
 
 std::string as_csv(const Listing& listing) {
-  record::CsvTable table(fmt::format("{}", fmt::join(listing.columns, ",")));
-  for (const auto& fields : listing.rows) {
-    record::CsvRow row;
-    for (const std::string& field : fields) row.text(field);
-    table.add(row);
-  }
-  return table.text();
+  record::Records table{listing.columns};
+  for (const auto& row : listing.rows) table.rows.emplace_back(row.begin(), row.end());
+  return table.csv();
 }
 
 std::string as_json(const Listing& listing) {

@@ -236,12 +236,14 @@ void solve(const PoissonOptions& given) {
                              drawn ? "" : ", too many to draw"),
                  solution.summary());
   folder.write("solution.vtk", fem::vtk_of(mesh, texts.title, fields));
-  const record::CsvTable triangles = fem::triangle_rows(drawn ? mesh : fem::TriangleMesh(), fields);
+  const record::Records triangles = fem::triangle_rows(drawn ? mesh : fem::TriangleMesh(), fields);
   report::Report page({}, folder);
   page.table("runs", "triangles", triangles);
   page.fact("runs", trajectories::page_facts("field", texts));
-  page.write({.command_line = "odeum poisson " + given.mesh});
-  remark("index.html, solution.vtk are in {}", given.out);
+  const bool written = page.write({.command_line = "odeum poisson " + given.mesh});
+  remark_on_page(written);
+  remark("{}solution.vtk {} in {}", written ? "index.html, " : "", written ? "are" : "is",
+         given.out);
 }
 
 }  // namespace

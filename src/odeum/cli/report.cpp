@@ -92,7 +92,7 @@ void run_studies(const study::Studies& studies, const Options& options,
     if (partial && options.given.empty()) study->add_earlier(folder.path());
   }
   for (const auto& study : studies)
-    if (study->measured()) study->write(folder);
+    if (study->measured()) study->write(folder, options.jobs_or_cores());
 }
 
 void run(const Options& options) {
@@ -107,7 +107,8 @@ void run(const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
-  report::Report report(report::describe(cases_of(options), all_libraries()), folder);
+  report::Report report(report::describe(cases_of(options), all_libraries()), folder,
+                        options.jobs_or_cores());
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) {
       report.study(study->facts());

@@ -181,10 +181,12 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   texts.facts.emplace_back("Setting", options.settings.step
                                           ? fmt::format("step {}", *options.settings.step)
                                           : "tolerance " + text_of_tolerance(runs.front().request));
-  remark_on_page(trajectories::write_case_page(folder, c, runs, texts));
+  const bool page = trajectories::write_case_page(folder, c, runs, texts);
+  remark_on_page(page);
   std::string text;
-  for (const char* file : {"solution.csv", "trajectory.csv", "steps.csv", "index.html"})
-    text += fmt::format("file    {}\n", (folder.path() / file).string());
+  for (const std::string file : {"solution.csv", "trajectory.csv", "steps.csv", "index.html"})
+    if (page || file != "index.html")
+      text += fmt::format("file    {}\n", (folder.path() / file).string());
   return text;
 }
 

@@ -36,12 +36,12 @@ void add_own_option(CLI::App& command, const study::Option& option, study::Optio
 
 /// Makes the folder a report of this study, beside the studies that it was one of before.
 void show(const study::Study& study, const study::Options& options,
-          const record::OutputFolder& folder) {
+          const record::OutputFolder& folder, unsigned jobs) {
   const bool on_cases = !study.declaration().cases_help.empty();
   report::Report report(
       report::describe(on_cases ? study::select_cases(options.cases) : std::vector<const Case*>(),
                        all_libraries()),
-      folder);
+      folder, jobs);
   for (const auto& other : study::make_studies())
     report.study(other->folder() == study.folder() ? study.facts() : other->facts());
   study.show(report);
@@ -65,8 +65,8 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
-  study.write(folder);
-  show(study, options, folder);
+  study.write(folder, common.jobs_or_cores());
+  show(study, options, folder, common.jobs_or_cores());
   print(study.table());
   remark_on(store.get());
   std::vector<std::string> files = study.files();
@@ -82,6 +82,8 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
 
 /// Takes the globs that match problems of the study `elements` and no case out of `globs`.
 std::vector<std::string> take_elements(std::vector<std::string>& globs) {
+  // Model problems have meshes: they are made where there may be one among the globs.
+  if (globs.empty()) return {};
   const std::vector<std::string> cases = known_ids();
   const auto models = study::model_problems();
   const auto first_taken = std::stable_partition(globs.begin(), globs.end(), [&](const auto& glob) {

@@ -18,6 +18,6 @@ std::string vtk_of(const TriangleMesh& mesh, const std::string& title,
 
 /// A row for each triangle, for a picture: x1, y1, x2, y2, x3, y3 of its nodes, and of each field
 /// the values there, named as the field with 1, 2 and 3 behind.
-record::CsvTable triangle_rows(const TriangleMesh& mesh, const std::vector<NodalField>& fields);
+record::Records triangle_rows(const TriangleMesh& mesh, const std::vector<NodalField>& fields);
 
 }  // namespace odeum::fem

@@ -53,7 +53,6 @@ class Words {
   void expect(const std::string& word) {
     if (const std::string_view got = next(); got != word) refuse("the section", got, word);
   }
-  void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
 
   Place place() const { return place_; }  ///< of the last word
   [[noreturn]] void refuse(const std::string& key, std::string_view got,

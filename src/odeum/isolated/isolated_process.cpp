@@ -2,10 +2,7 @@
 #include "odeum/isolated/isolated_process.hpp"
 
 #include <poll.h>
-#include <stdio_ext.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +12,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <exception>
@@ -25,9 +21,10 @@
 
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/thread_time.hpp"
+#include "odeum/isolated/child_process.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 
-namespace odeum::foreign {
+namespace odeum::isolated {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -59,36 +56,14 @@ Report* own_report = nullptr;
 /// A report in shared memory.
 class Shared {
  public:
-  explicit Shared(std::size_t states) : bytes_(sizeof(Report) + states * sizeof(double)) {
-    void* const memory =
-        mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
-    report_ = new (memory) Report;
-  }
-  ~Shared() { munmap(report_, bytes_); }
-  Shared(const Shared&) = delete;
-  Shared& operator=(const Shared&) = delete;
+  explicit Shared(std::size_t states)
+      : memory_(sizeof(Report) + states * sizeof(double)), report_(new (memory_.get()) Report) {}
   Report& report() { return *report_; }
 
  private:
-  std::size_t bytes_;
+  SharedMemory memory_;
   Report* report_;
 };
-
-/// Prepares the child: it dies with its parent, and its standard output goes to standard error.
-void prepare_child(Report& report, pid_t parent) {
-  own_report = &report;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-  setpgid(0, 0);
-  // What the parent had not yet written is its own to write.
-  __fpurge(stdout);
-  __fpurge(stderr);
-  dup2(STDERR_FILENO, STDOUT_FILENO);
-  const rlimit none{0, 0};
-  setrlimit(RLIMIT_CORE, &none);
-  for (const int number : {SIGINT, SIGTERM, SIGPIPE}) signal(number, SIG_DFL);
-}
 
 /// Waits a little for a process to end; true: it has.
 bool ended(pid_t process, int descriptor, int& state) {
@@ -126,9 +101,7 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
                         longest_silence);
     if (why.empty()) continue;
     over_budget = true;
-    kill(-process, SIGKILL);
-    kill(process, SIGKILL);
-    while (waitpid(process, &state, 0) < 0 && errno == EINTR) continue;
+    end_child(process);
     break;
   }
   if (descriptor >= 0) close(descriptor);
@@ -143,25 +116,27 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
   return {};
 }
 
-/// The work in a process of its own, see wait_for.
+/// The work in a process of its own, see wait_for. The process ends with the thread that waits.
 std::string run_isolated(Report& report, double seconds, bool& over_budget,
                          const std::function<void()>& work) {
-  std::fflush(nullptr);
-  const pid_t parent = getpid(), process = fork();
-  if (process < 0) return fmt::format("no process could be made: {}", std::strerror(errno));
-  if (process > 0) return wait_for(process, report, seconds, over_budget);
-  prepare_child(report, parent);
-  try {
-    work();
-  } catch (const std::exception& error) {
-    report.status = static_cast<int>(Status::refused);
-    report.say(fmt::format("foreign code threw {}", error.what()));
-  } catch (...) {
-    report.status = static_cast<int>(Status::refused);
-    report.say("foreign code threw an object that does not derive from std::exception");
-  }
-  report.done = true;
-  _exit(0);
+  const pid_t parent = getpid();
+  const pid_t process = start_child([&] {
+    own_report = &report;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
+    try {
+      work();
+    } catch (const std::exception& error) {
+      report.status = static_cast<int>(Status::refused);
+      report.say(fmt::format("foreign code threw {}", error.what()));
+    } catch (...) {
+      report.status = static_cast<int>(Status::refused);
+      report.say("foreign code threw an object that does not derive from std::exception");
+    }
+    report.done = true;
+  });
+  return process > 0 ? wait_for(process, report, seconds, over_budget)
+                     : fmt::format("no process could be made: {}", std::strerror(errno));
 }
 
 /// Solves until the memory of the new process is in place and the caches are as in a process that
@@ -256,4 +231,4 @@ std::pair<bool, std::string> text_isolated(const std::function<std::string()>& w
                             std::min<std::size_t>(report.states, room))};
 }
 
-}  // namespace odeum::foreign
+}  // namespace odeum::isolated

@@ -9,7 +9,7 @@
 
 /// Work of foreign code (a plug-in, an FMU) in a process of its own, so that whatever it does costs
 /// nothing but its result.
-namespace odeum::foreign {
+namespace odeum::isolated {
 
 /// Whether this is such a process.
 bool in_isolated_process();
@@ -31,4 +31,4 @@ std::pair<bool, std::string> text_isolated(const std::function<std::string()>& w
                                            std::size_t room = 2000,
                                            double seconds = longest_silence);
 
-}  // namespace odeum::foreign
+}  // namespace odeum::isolated

@@ -187,7 +187,7 @@ class Fitting {
     if (at.rounding_unit > 0)
       reason += fmt::format(", {:.0f} times rounding", floor.level / at.typical_rounding());
     if (!floor.scale.empty()) reason += "; " + floor.scale;
-    fit_.order = fit_.low = fit_.high = OrderFit::nan;
+    fit_.order = fit_.low = fit_.high = nan;
     fit_.points = 0;
     if (const Window before = find_window(points_, floor.first + 1, guess_, tolerance_.settled);
         before.count) {

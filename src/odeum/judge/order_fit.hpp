@@ -2,9 +2,10 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <vector>
+
+#include "odeum/core/numbers.hpp"
 
 namespace odeum::judge {
 
@@ -57,7 +58,6 @@ struct ErrorPoint {
 
 /// A measured order: the slope of log error against log step over the asymptotic window.
 struct OrderFit {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Verdict verdict = Verdict::undetermined;
   NoOrder why = NoOrder::none;
   std::string reason;            ///< a sentence, never empty unless confirmed

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/problem/function_problem.hpp"
 
 /// The test problems of the proofs: small ones with closed solutions, so that all methods and
 /// thousands of mutants can be measured in seconds.
 namespace odeum::proof {
-
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <class P>
 struct TestProblem {

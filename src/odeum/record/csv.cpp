@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/record/csv.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace odeum::record {
+namespace {
+
+// Also after apostrophes of the text's own, so that a reader knows whose the first one is.
+bool begins_a_formula(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of('\'');
+  return begin != std::string_view::npos &&
+         std::string_view("=+-@").find(text[begin]) != std::string_view::npos;
+}
+
+}  // namespace
 
 std::string format_number(double value) {
   if (std::isnan(value)) return "nan";
@@ -18,8 +27,7 @@ std::string format_number(double value) {
 std::string format_text(std::string_view text) {
   std::string field;
   bool quote = false;
-  if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
-    field += '\'';
+  if (begins_a_formula(text)) field += '\'';
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto code = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
     const bool c1 = code(i) == 0xc2 && i + 1 < text.size() && (code(i + 1) & 0xe0) == 0x80;
@@ -31,29 +39,39 @@ std::string format_text(std::string_view text) {
   return quote ? '"' + field + '"' : field;
 }
 
-CsvRow& CsvRow::add(Cell cell) {
-  text_ += ',';
-  text_ += csv_field(cell);
-  cells_.push_back(std::move(cell));
-  return *this;
+std::string text_of_field(std::string field) {
+  return field.starts_with('\'') && begins_a_formula(field) ? field.substr(1) : field;
 }
 
-CsvTable::CsvTable(std::string_view columns, bool keeps_rows)
-    : text_("schema,"), keeps_rows_(keeps_rows) {
-  text_.append(columns) += '\n';
-  while (!columns.empty()) {
-    const std::size_t end = std::min(columns.find(','), columns.size());
-    columns_.emplace_back(columns.substr(0, end));
-    columns.remove_prefix(std::min(end + 1, columns.size()));
+std::string csv_header(const Fields& blank) {
+  std::string line = "schema";
+  for (const Field& field : blank) line += ',' + field.column;
+  return line + '\n';
+}
+
+std::string csv_line(int schema, const Fields& row) {
+  std::string line = std::to_string(schema);
+  for (const Field& field : row) line += ',' + csv_field(field.value);
+  return line + '\n';
+}
+
+std::vector<Fields> Records::fields() const {
+  std::vector<Fields> all;
+  for (const std::vector<Cell>& row : rows) {
+    Fields& fields = all.emplace_back();
+    for (std::size_t i = 0; i < columns.size(); ++i) fields.push_back({columns[i], row[i]});
   }
+  return all;
 }
 
-void CsvTable::add(const CsvRow& row) {
-  text_ += row.line();
-  text_ += '\n';
-  if (!keeps_rows_) return;
-  Fields& fields = rows_.emplace_back();
-  for (std::size_t i = 0; i < columns_.size(); ++i) fields.push_back({columns_[i], row.cells()[i]});
+std::string Records::csv() const {
+  std::string text = "schema";
+  for (const std::string& column : columns) text += ',' + column;
+  for (const std::vector<Cell>& row : rows) {
+    text += '\n' + std::to_string(csv_schema);
+    for (const Cell& cell : row) text += ',' + csv_field(cell);
+  }
+  return text + '\n';
 }
 
 }  // namespace odeum::record

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <concepts>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,43 +19,20 @@ std::string format_number(double value);
 /// breaks, terminal escapes, those of Latin-1 in UTF-8 too) replaced by spaces, and an apostrophe
 /// before a leading = + - @, which spreadsheets would run as a formula.
 std::string format_text(std::string_view text);
+/// The text of such a field, without its quotes: the apostrophe is taken off.
+std::string text_of_field(std::string field);
 
-/// One row of a CSV file, built field by field.
-class CsvRow {
- public:
-  CsvRow() : text_(std::to_string(csv_schema)) {}
-  CsvRow& text(std::string_view value) { return add(std::string(value)); }
-  CsvRow& number(double value) { return add(value); }
-  CsvRow& count(std::signed_integral auto value) { return add(static_cast<std::int64_t>(value)); }
-  CsvRow& count(std::unsigned_integral auto value) {
-    return add(static_cast<std::uint64_t>(value));
-  }
-  /// The line, without its end.
-  const std::string& line() const { return text_; }
-  const std::vector<Cell>& cells() const { return cells_; }
-
- private:
-  CsvRow& add(Cell cell);
-  std::string text_;
-  std::vector<Cell> cells_;
+/// Rows whose columns are known at run time alone.
+struct Records {
+  std::vector<std::string> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  ///< as many cells each as there are columns
+  std::vector<Fields> fields() const;
+  /// The text of a file: a header, then a line a row.
+  std::string csv() const;
 };
 
-/// A whole file whose columns are known at run time alone: a header line (`schema` and the columns)
-/// and rows.
-class CsvTable {
- public:
-  /// `columns` without `schema`, separated by commas. `keeps_rows`: for rows().
-  explicit CsvTable(std::string_view columns, bool keeps_rows = false);
-  void add(const CsvRow& row);
-  const std::string& text() const { return text_; }
-  const std::vector<std::string>& columns() const { return columns_; }
-  const std::vector<Fields>& rows() const { return rows_; }
-
- private:
-  std::string text_;
-  std::vector<std::string> columns_;
-  bool keeps_rows_;
-  std::vector<Fields> rows_;
-};
+/// The lines of a file, with their ends.
+std::string csv_header(const Fields& blank);
+std::string csv_line(int schema, const Fields& row);
 
 }  // namespace odeum::record

@@ -54,8 +54,6 @@ struct StoredOnly {
 template <class T>
 StoredOnly(T&) -> StoredOnly<T>;
 
-using odeum::nan;
-
 using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
 struct Field {
   std::string column;
@@ -190,10 +188,6 @@ Fields fields_of(const Row& row, bool unlisted = false) {
   Fields fields;
   Row::each(row, detail::Lister{fields, unlisted});
   return fields;
-}
-template <class Row>
-Fields fields_of(const Row* row) {
-  return fields_of(*row);
 }
 template <class Row>
 std::vector<Fields> fields_of(const std::vector<Row>& rows) {

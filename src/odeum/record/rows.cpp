@@ -13,7 +13,7 @@ namespace {
 
 constexpr char separator = '\x1f';
 
-/// Reads back what csv_text and CsvTable wrote: a header, then rows of as many fields. Points into
+/// Reads back what csv_text wrote: a header, then rows of as many fields. Points into
 /// the text.
 class CsvSource : public FieldSource {
  public:
@@ -29,7 +29,9 @@ class CsvSource : public FieldSource {
   }
   bool broken() const { return broken_; }
   bool has(const std::string& column) const { return columns_.contains(column); }
-  std::string next(const std::string& column) override { return row_[columns_.at(column)]; }
+  std::string next(const std::string& column) override {
+    return text_of_field(row_[columns_.at(column)]);
+  }
   bool keeps_unlisted() const override { return false; }
 
  private:
@@ -67,18 +69,6 @@ bool CsvSource::read_row() {
 }
 
 }  // namespace
-
-std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>& rows) {
-  std::string text = "schema";
-  for (const Field& field : blank) text += ',' + field.column;
-  text += '\n';
-  for (const Fields& row : rows) {
-    text += std::to_string(schema);
-    for (const Field& field : row) text += ',' + csv_field(field.value);
-    text += '\n';
-  }
-  return text;
-}
 
 std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
                      const Fields& blank, const std::function<void(FieldSource&)>& read) {

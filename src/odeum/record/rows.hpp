@@ -33,9 +33,6 @@ constexpr int schema_of() {
   return csv_schema;
 }
 
-/// The text of a file: a header with the columns of `blank`, then a line a row.
-std::string csv_text(int schema, const Fields& blank, const std::vector<Fields>& rows);
-
 /// Calls `read` for every row of folder/name, which must have the columns of `blank`. Returns a
 /// sentence why the file cannot be used; empty where it was read or does not exist.
 std::string read_csv(const std::filesystem::path& folder, const std::string& name, int schema,
@@ -68,14 +65,21 @@ Group group_of(const Row& row) {
 
 }  // namespace detail
 
+/// The text of a row's file: a header, then a line a row.
+template <class Row>
+std::string csv_text(const std::vector<Row>& rows) {
+  std::string text = csv_header(fields_of(Row()));
+  for (const Row& row : rows) text += csv_line(detail::schema_of<Row>(), fields_of(row));
+  return text;
+}
+
 /// Writes folder/Row::file. Where there are no rows and the Row has `keeps_earlier`, an existing
 /// file is left unchanged.
 template <class Row>
 void write_rows(const std::vector<Row>& rows, const OutputFolder& folder) {
   if constexpr (requires { Row::keeps_earlier; })
     if (rows.empty()) return;
-  folder.write(Row::file,
-               detail::csv_text(detail::schema_of<Row>(), fields_of(Row()), fields_of(rows)));
+  folder.write(Row::file, csv_text(rows));
 }
 
 /// The rows of folder/Row::file from an earlier run, all or none; none where there is no file.
@@ -130,12 +134,6 @@ Result read(const std::filesystem::path& folder, std::string& problem) {
   for_each_list(result,
                 [&]<class Row>(std::vector<Row>& rows) { rows = read_rows<Row>(folder, problem); });
   return result;
-}
-
-template <class Result>
-bool is_empty(const Result& result) {
-  return std::apply([](const auto&... list) { return (list.empty() && ...); },
-                    Result::lists(result));
 }
 
 /// The names of the files.

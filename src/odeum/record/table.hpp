@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "odeum/record/row.hpp"
+#include "odeum/record/rows.hpp"
 
 namespace odeum::record {
 
@@ -20,21 +22,36 @@ struct Table {
   std::string text() const;
 };
 
-/// A column of a table made from rows: `cell` is a format in fmt's syntax in which the columns of
-/// the file stand by name, as in "{library}/{solver}" or "{error:.1e}". A trailing ": " of the
-/// result is removed.
-struct TableColumn {
-  std::string heading, cell;
-};
-
 namespace detail {
-Table make_table(const std::vector<TableColumn>& columns, const std::vector<Fields>& rows);
+Table make_table(std::string_view columns, const std::vector<Fields>& rows);
 }
 
-/// Throws fmt::format_error where a format names an unknown column.
+/// The named columns of rows. `columns`: names of the file's columns, separated by spaces; a number
+/// may have a format of fmt behind a colon, as in "case solver error:.1e status", and is written as
+/// .4g without. The library stands before the solver, a detail behind its status, a reason behind
+/// its verdict, and both parts of a complex number are one column. Throws std::out_of_range for an
+/// unknown name.
 template <class Row>
-Table table_of(const std::vector<Row>& rows, const std::vector<TableColumn>& columns) {
-  return detail::make_table(columns, fields_of(rows));
+Table table_of(const std::vector<Row>& rows, std::string_view columns) {
+  std::vector<Fields> fields{fields_of(Row())};
+  for (const Row& row : rows) fields.push_back(fields_of(row));
+  return detail::make_table(columns, fields);
+}
+
+/// The tables of a result for a terminal: of each list that has rows, and a Row that says with
+/// `shown` which columns. Where there are several, each has the name of its file above it.
+template <class Result>
+std::string tables_of(const Result& result) {
+  std::vector<std::pair<std::string, std::string>> tables;
+  for_each_list(result, [&]<class Row>(const std::vector<Row>& rows) {
+    if constexpr (requires { Row::shown; })
+      if (!rows.empty()) tables.emplace_back(Row::file, table_of(rows, Row::shown).text());
+  });
+  if (tables.size() == 1) return tables.front().second;
+  std::string text;
+  for (const auto& [file, table] : tables)
+    text += (text.empty() ? "" : "\n") + file + "\n\n" + table;
+  return text;
 }
 
 }  // namespace odeum::record

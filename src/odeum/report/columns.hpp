@@ -14,12 +14,6 @@ namespace odeum::report {
 std::string columns_json(const std::vector<record::Fields>& rows,
                          const std::vector<std::string>& names);
 
-/// `rows`: a list of rows, or of pointers to them.
-template <class Row>
-std::string columns_of(const std::vector<Row>& rows, const std::vector<std::string>& names) {
-  return columns_json(record::fields_of(rows), names);
-}
-
 /// A number as in columns_json.
 std::string json_number(double value);
 

@@ -9,7 +9,6 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <thread>
 
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
@@ -131,8 +130,8 @@ void keep_origin(ordered_json& studies, const ordered_json& earlier) {
 
 }  // namespace
 
-Report::Report(Facts facts, const record::OutputFolder& folder)
-    : facts_(std::move(facts)), folder_(folder) {}
+Report::Report(Facts facts, const record::OutputFolder& folder, unsigned jobs)
+    : facts_(std::move(facts)), folder_(folder), jobs_(jobs) {}
 
 void Report::table(const std::string& study, const std::string& file, const record::Fields& blank,
                    const std::vector<TablePart>& parts) {
@@ -154,7 +153,7 @@ void Report::table(const std::string& study, const std::string& file, const reco
     rows += parts[i].rows;
   }
   entry["rows"] = rows;
-  parallel_for(parts.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+  parallel_for(parts.size(), jobs_, [&](std::size_t i) {
     const std::vector<record::Fields> fields = parts[i].fields();
     folder_.write(fmt::format("data/{}.js", data_name(i)),
                   data_script(data_name(i), columns_json(fields, columns)));
@@ -173,13 +172,12 @@ void Report::table(const std::string& study, const std::string& file, const reco
   tables_.push_back(text_of(entry));
 }
 
-void Report::table(const std::string& study, const std::string& file,
-                   const record::CsvTable& rows) {
+void Report::table(const std::string& study, const std::string& file, const record::Records& rows) {
   record::Fields blank;
-  for (const std::string& column : rows.columns()) blank.push_back({column, std::string()});
+  for (const std::string& column : rows.columns) blank.push_back({column, {}});
   std::vector<TablePart> parts;
-  if (!rows.rows().empty())
-    parts.push_back({"", rows.rows().size(), [&rows] { return rows.rows(); }});
+  if (!rows.rows.empty())
+    parts.push_back({"", rows.rows.size(), [&rows] { return rows.fields(); }});
   table(study, file, blank, parts);
 }
 

@@ -50,9 +50,11 @@ struct TablePart {
 /// may be moved. It holds nothing of how a thing looks: see reports/viewer.
 class Report {
  public:
-  Report(Facts facts, const record::OutputFolder& folder);
+  /// `jobs`: parts of tables that are written at a time.
+  Report(Facts facts, const record::OutputFolder& folder, unsigned jobs = 1);
 
   const Facts& facts() const { return facts_; }
+  unsigned jobs() const { return jobs_; }
   void study(StudyFacts study) { studies_.push_back(std::move(study)); }
   /// The rows of a study's file. Those of a file with many rows of several cases are loaded case by
   /// case.
@@ -80,7 +82,7 @@ class Report {
   /// ending is the name of rows for the page alone.
   void table(const std::string& study, const std::string& file, const record::Fields& blank,
              const std::vector<TablePart>& parts);
-  void table(const std::string& study, const std::string& file, const record::CsvTable& rows);
+  void table(const std::string& study, const std::string& file, const record::Records& rows);
   /// Further data for the views, a JSON text, as a script of its own: data/<name>.js.
   void data(const std::string& name, const std::string& json);
   /// An entry of page.json, of manifest.json.
@@ -100,6 +102,7 @@ class Report {
 
   Facts facts_;
   const record::OutputFolder& folder_;
+  unsigned jobs_;
   std::vector<StudyFacts> studies_;
   std::map<std::string, std::string> facts_more_, manifest_;            // JSON by key
   std::vector<std::string> tables_;                                     // JSON of an entry each

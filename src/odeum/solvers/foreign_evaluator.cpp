@@ -2,15 +2,10 @@
 #include "odeum/solvers/foreign_evaluator.hpp"
 
 #include <poll.h>
-#include <stdio_ext.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
 #include <new>
 #include <utility>
 
@@ -26,24 +21,14 @@ struct Evaluator::Memory {
 };
 
 Evaluator::Evaluator(Work work, std::size_t most)
-    : work_(std::move(work)), most_(most), bytes_(sizeof(Memory) + 2 * most * sizeof(double)) {
-  void* const memory =
-      mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  memory_ = new (memory) Memory;
-}
+    : work_(std::move(work)),
+      most_(most),
+      shared_(sizeof(Memory) + 2 * most * sizeof(double)),
+      memory_(new (shared_.get()) Memory) {}
 
-Evaluator::~Evaluator() {
-  stop();
-  munmap(memory_, bytes_);
-}
+Evaluator::~Evaluator() { stop(); }
 
 void Evaluator::serve(int socket) {
-  __fpurge(stdout);
-  __fpurge(stderr);
-  dup2(STDERR_FILENO, STDOUT_FILENO);
-  for (const int number : {SIGTERM, SIGPIPE}) signal(number, SIG_DFL);
-  signal(SIGINT, SIG_IGN);  // the parent ends it
   char word = 0;
   while (read(socket, &word, 1) == 1) {
     try {
@@ -53,7 +38,6 @@ void Evaluator::serve(int socket) {
     }
     if (write(socket, &word, 1) != 1) break;
   }
-  _exit(0);
 }
 
 bool Evaluator::start() {
@@ -62,12 +46,10 @@ bool Evaluator::start() {
   ++starts_;
   int pair[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0) return false;
-  std::fflush(nullptr);
-  process_ = fork();
-  if (process_ == 0) {
+  process_ = isolated::start_child([&] {
     close(pair[0]);
     serve(pair[1]);
-  }
+  });
   close(pair[1]);
   socket_ = pair[0];
   return process_ > 0;
@@ -75,16 +57,14 @@ bool Evaluator::start() {
 
 void Evaluator::stop() {
   if (socket_ >= 0) close(std::exchange(socket_, -1));
-  if (process_ <= 0) return;
-  kill(process_, SIGKILL);
-  waitpid(std::exchange(process_, -1), nullptr, 0);
+  if (process_ > 0) isolated::end_child(std::exchange(process_, -1));
 }
 
 bool Evaluator::ask() {
   char word = 1;
   if (send(socket_, &word, 1, MSG_NOSIGNAL) != 1) return false;
   pollfd wait{.fd = socket_, .events = POLLIN, .revents = 0};
-  return poll(&wait, 1, static_cast<int>(1000 * longest_silence)) == 1 &&
+  return poll(&wait, 1, static_cast<int>(1000 * isolated::longest_silence)) == 1 &&
          read(socket_, &word, 1) == 1;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <sys/types.h>
-
 #include <cstddef>
 #include <functional>
 #include <mutex>
+
+#include "odeum/isolated/child_process.hpp"
 
 namespace odeum::foreign {
 
@@ -34,8 +34,8 @@ class Evaluator {
   Work work_;
   std::size_t most_;
   std::mutex mutex_;
-  Memory* memory_ = nullptr;
-  std::size_t bytes_ = 0;
+  isolated::SharedMemory shared_;
+  Memory* memory_;
   pid_t process_ = -1;
   int socket_ = -1;
   int starts_ = 0;

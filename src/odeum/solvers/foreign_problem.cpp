@@ -104,7 +104,7 @@ int Problem::dense(double t, const double* y, double* j) const {
 }
 
 int Problem::direct(int function, double t, const double* in, double* out) const {
-  alive();
+  isolated::alive();
   switch (function) {
     case f:
       return p_.rhs(p_.data, t, in, out);
@@ -123,7 +123,7 @@ int Problem::direct(int function, double t, const double* in, double* out) const
 
 void Problem::evaluate(Function function, double t, const double* in, std::size_t n_in, double* out,
                        std::size_t n_out) const {
-  if (!in_isolated_process())
+  if (!isolated::in_isolated_process())
     evaluator_->call(function, t, in, n_in, out, n_out);
   else if (direct(function, t, in, out) != 0)
     std::fill_n(out, n_out, nan);
@@ -143,7 +143,7 @@ void Problem::time_derivative(double t, const double* y, double* dfdt) const {
 
 void Problem::acceleration(double t, const double* q, const double* v, double* a) const {
   const std::size_t m = size() / 2;
-  if (in_isolated_process() && v == q + m) return evaluate(second, t, q, 2 * m, a, m);
+  if (isolated::in_isolated_process() && v == q + m) return evaluate(second, t, q, 2 * m, a, m);
   thread_local std::vector<double> y;
   y.assign(q, q + m);
   y.insert(y.end(), v, v + m);

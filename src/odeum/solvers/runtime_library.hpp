@@ -29,7 +29,7 @@ class LoadError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Adds the plug-in in a shared object (foreign/plugin.h). Throws LoadError where it cannot
+/// Adds the plug-in in a shared object (api/plugin.h). Throws LoadError where it cannot
 /// be used, or has the name of a library that is there.
 void add_plugin(const std::string& file);
 

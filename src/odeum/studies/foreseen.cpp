@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/foreseen.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace odeum::study {
@@ -19,6 +21,22 @@ double foreseen_work(const std::vector<Cost>& coarser, const Request& next) {
     growth = std::pow(1 / next.tolerance.relative / last.setting, rate);
   }
   return 0.75 * growth * last.work;
+}
+
+void Foreseen::add(const Request& request, std::uint64_t work, double ns) {
+  const double setting = request.mode == Mode::fixed ? static_cast<double>(request.steps)
+                                                     : 1 / request.tolerance.relative;
+  work_.push_back({setting, static_cast<double>(work)});
+  ns_.push_back({setting, ns});
+}
+
+std::string Foreseen::excess(const Request& next) const {
+  const char* const because = "not run: by coarser settings it takes more than";
+  if (work(next) > static_cast<double>(next.budget.evaluations))
+    return fmt::format("{} {} evaluations and products", because, next.budget.evaluations);
+  if (foreseen_work(ns_, next) > 1e9 * next.budget.seconds)
+    return fmt::format("{} {} s", because, next.budget.seconds);
+  return {};
 }
 
 }  // namespace odeum::study

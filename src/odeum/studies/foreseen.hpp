@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "odeum/core/request.hpp"
@@ -15,5 +17,20 @@ struct Cost {
 
 /// A lower bound of the next setting's cost, extrapolated from the last ones; 0 where unknown.
 double foreseen_work(const std::vector<Cost>& coarser, const Request& next);
+
+/// The costs of a solver's settings, from coarse to fine.
+class Foreseen {
+ public:
+  /// A setting that was solved; `ns` where the time counts too.
+  void add(const Request& request, std::uint64_t work, double ns = 0);
+  /// See foreseen_work, in evaluations and products.
+  double work(const Request& next) const { return foreseen_work(work_, next); }
+  bool empty() const { return work_.empty(); }
+  /// Why the next one is not run; empty: it may be within its budget.
+  std::string excess(const Request& next) const;
+
+ private:
+  std::vector<Cost> work_, ns_;
+};
 
 }  // namespace odeum::study

@@ -2,9 +2,10 @@
 #pragma once
 #include <chrono>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
+
+#include "odeum/core/numbers.hpp"
 
 /// Measurement of times.
 namespace odeum::study {
@@ -29,15 +30,15 @@ class Pinned {
 double calibration_ns();
 
 /// Seconds of processor time that the calling thread, and processes that it waited for (see
-/// core/isolated_times.hpp), have used so far. Its quotient with wall time
+/// isolated/isolated_times.hpp), have used so far. Its quotient with wall time
 /// shows whether another program had the processor in between, which calibrations before and after
 /// do not.
 double thread_seconds();
 
 /// The conditions of the machine while times were taken, see PrecisionRow.
 struct Conditions {
-  double drift = std::numeric_limits<double>::quiet_NaN();
-  double processor_share = std::numeric_limits<double>::quiet_NaN();
+  double drift = nan;
+  double processor_share = nan;
   std::string measured;  ///< when, UTC
 };
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/record/rows.hpp"
+#include "odeum/record/table.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/studies/runner.hpp"
 
@@ -72,7 +72,7 @@ class Study {
   /// Adds the rows of earlier runs that were not measured now, of cases and solvers that still
   /// exist.
   virtual void add_earlier(const std::filesystem::path& folder) = 0;
-  virtual void write(const record::OutputFolder& folder) const = 0;
+  virtual void write(const record::OutputFolder& folder, unsigned jobs) const = 0;
   /// The files that write() writes.
   virtual std::vector<std::string> files() const = 0;
   /// The result for a terminal.
@@ -105,11 +105,13 @@ bool is_known(const std::string& case_id, const std::string& solver);
 template <class Result>
 struct StudyFunctions {
   Result (*measure)(const Options& options, const Runner& runner);
-  std::string (*table)(const Result& result);
+  /// The result for a terminal; null: record::tables_of.
+  std::string (*table)(const Result& result) = nullptr;
   /// Hands a report more than the rows; null: there is no more.
   void (*show_more)(report::Report& report, const Result& result) = nullptr;
   /// Writes files beside those of the rows; null: there are none.
-  void (*write_more)(const Result& result, const record::OutputFolder& folder) = nullptr;
+  void (*write_more)(const Result& result, const record::OutputFolder& folder,
+                     unsigned jobs) = nullptr;
 };
 
 /// A study whose result is a struct of lists of rows, see record/rows.hpp.
@@ -125,12 +127,14 @@ class StudyOf final : public Study {
   void add_earlier(const std::filesystem::path& folder) override {
     record::add_earlier(result_, record::read<Result>(folder, problem_), is_known);
   }
-  void write(const record::OutputFolder& folder) const override {
+  void write(const record::OutputFolder& folder, unsigned jobs) const override {
     record::write(result_, folder);
-    if (functions_.write_more) functions_.write_more(result_, folder);
+    if (functions_.write_more) functions_.write_more(result_, folder, jobs);
   }
   std::vector<std::string> files() const override { return record::files_of<Result>(); }
-  std::string table() const override { return functions_.table(result_); }
+  std::string table() const override {
+    return functions_.table ? functions_.table(result_) : record::tables_of(result_);
+  }
   void show(report::Report& report) const override {
     record::for_each_list(result_, [&]<class Row>(const std::vector<Row>& rows) {
       if (!record::is_compressed<Row>()) report.rows(folder(), rows);

@@ -12,10 +12,6 @@
 namespace odeum::trajectories {
 namespace {
 
-record::CsvRow row_of(const Case& c, const std::string& library, const std::string& solver) {
-  return record::CsvRow().text(c.id).text(library).text(solver);
-}
-
 std::vector<double> exact_at(const Case& c, double t) {
   std::vector<double> y(c.y0.size(), nan);
   if (t == c.t0) return c.y0;
@@ -55,17 +51,18 @@ ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs) {
   return exact;
 }
 
-record::CsvTable case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
-                                 const ExactStates& exact) {
-  std::string columns = "case,library,solver,time";
-  for (const std::string& name : component_names(c)) columns += "," + name;
-  record::CsvTable table(columns + ",energy,error", true);
+record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
+                                const ExactStates& exact) {
+  record::Records table{{"case", "library", "solver", "time"}};
+  for (const std::string& name : component_names(c)) table.columns.push_back(name);
+  table.columns.insert(table.columns.end(), {"energy", "error"});
   const std::size_t n = c.y0.size();
   const auto add = [&](const std::string& library, const std::string& solver, double t,
                        const double* y, double error) {
-    record::CsvRow row = row_of(c, library, solver).number(t);
-    for (std::size_t i = 0; i < n; ++i) row.number(y[i]);
-    table.add(row.number(c.energy ? c.energy(y) : nan).number(error));
+    auto& row = table.rows.emplace_back();
+    row = {c.id, library, solver, t};
+    row.insert(row.end(), y, y + n);
+    row.insert(row.end(), {c.energy ? c.energy(y) : nan, error});
   };
   for (const CaseRun& run : runs) {
     const SolverInfo& info = run.entrant->info;
@@ -80,55 +77,50 @@ record::CsvTable case_trajectory(const Case& c, const std::vector<CaseRun>& runs
   return table;
 }
 
-record::CsvTable case_solution(const Case& c, const std::vector<CaseRun>& runs) {
-  record::CsvTable table("case,library,solver,status,time,component,value,exact,error,name");
+record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs) {
+  record::Records table{{"case", "library", "solver", "status", "time", "component", "value",
+                         "exact", "error", "name"}};
   const std::vector<std::string> names = component_names(c);
   const std::size_t n = c.y0.size();
   for (const CaseRun& run : runs) {
     if (run.outcome.status != Status::ok) continue;
+    const SolverInfo& info = run.entrant->info;
     const double t = run.request.stops.back();
     const std::vector<double> exact = exact_at(c, t);
     const double* const y = run.outcome.states.data() + (run.reached(n) - 1) * n;
     for (std::size_t i = 0; i < n; ++i)
-      table.add(row_of(c, run.entrant->info.library, run.entrant->info.method)
-                    .text(to_string(run.outcome.status))
-                    .number(t)
-                    .count(i)
-                    .number(y[i])
-                    .number(exact[i])
-                    .number(y[i] - exact[i])
-                    .text(names[i]));
+      table.rows.push_back({c.id, info.library, info.method, to_string(run.outcome.status), t, i,
+                            y[i], exact[i], y[i] - exact[i], names[i]});
   }
   return table;
 }
 
-record::CsvTable case_steps(const Case& c, const std::vector<CaseRun>& runs) {
-  record::CsvTable table("case,library,solver,time,step", true);
+record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs) {
+  record::Records table{{"case", "library", "solver", "time", "step"}};
   for (const CaseRun& run : runs) {
+    const SolverInfo& info = run.entrant->info;
     double before = c.t0;
     for (const double t : run.outcome.step_ends) {
-      table.add(row_of(c, run.entrant->info.library, run.entrant->info.method)
-                    .number(t)
-                    .number(t - before));
+      table.rows.push_back({c.id, info.library, info.method, t, t - before});
       before = t;
     }
   }
   return table;
 }
 
-record::CsvTable case_schemes(const Case& c, const std::vector<CaseRun>& runs) {
-  std::string columns = "case,library,solver,time";
-  for (const std::string& name : component_names(c)) columns += "," + name;
-  record::CsvTable table(columns, true);
+record::Records case_schemes(const Case& c, const std::vector<CaseRun>& runs) {
+  record::Records table{{"case", "library", "solver", "time"}};
+  for (const std::string& name : component_names(c)) table.columns.push_back(name);
   std::vector<double> state(c.y0.size());
   for (const CaseRun& run : runs) {
     if (std::isnan(difference_to_scheme(c, run))) continue;
+    const SolverInfo& info = run.entrant->info;
     const double h = run.step(c.t0);
     for (const double t : run.request.stops) {
-      c.scheme(run.entrant->info.id(), h, std::round((t - c.t0) / h), state.data());
-      record::CsvRow row = row_of(c, run.entrant->info.library, run.entrant->info.method).number(t);
-      for (const double value : state) row.number(value);
-      table.add(row);
+      c.scheme(info.id(), h, std::round((t - c.t0) / h), state.data());
+      auto& row = table.rows.emplace_back();
+      row = {c.id, info.library, info.method, t};
+      row.insert(row.end(), state.begin(), state.end());
     }
   }
   return table;

@@ -32,16 +32,16 @@ ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
 
 /// A row for each output of each solver, and for each exact state (library `truth`): case, library,
 /// solver, time, the components by name, energy, error.
-record::CsvTable case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
-                                 const ExactStates& exact);
+record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
+                                const ExactStates& exact);
 /// The end of each run: case, library, solver, status, time, component, value, exact, error, name.
-record::CsvTable case_solution(const Case& c, const std::vector<CaseRun>& runs);
+record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
 /// The accepted steps of adaptive runs of own solvers: case, library, solver, time, step.
-record::CsvTable case_steps(const Case& c, const std::vector<CaseRun>& runs);
+record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
 
 /// The scheme's own closed form at the outputs of each run that has one: case, library, solver,
 /// time, the components by name.
-record::CsvTable case_schemes(const Case& c, const std::vector<CaseRun>& runs);
+record::Records case_schemes(const Case& c, const std::vector<CaseRun>& runs);
 
 /// Largest difference between a run at a fixed step and the scheme's own closed form, over the
 /// outputs; NaN where none is known.

@@ -10,6 +10,27 @@ namespace odeum::trajectories {
 
 inline constexpr const char* replayed_case = "cloth11_two_way";
 
+/// A replay of the report.
+struct ReplayRow {
+  std::string case_id, library, solver, setting, status, detail;
+  std::uint64_t steps = 0, rhs_evaluations = 0;  ///< Bullet's own bodies evaluate none
+  /// The largest distance of a particle from the exact motion, m; NaN where no run gave that.
+  double error = nan;
+  std::string remark, replay;
+
+  static constexpr const char* file = "replays.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail), visit("setting", row.setting);
+    visit("steps", row.steps), visit("rhs_evaluations", row.rhs_evaluations);
+    visit("error", row.error), visit("remark", row.remark), visit("replay", row.replay);
+  }
+};
+
+/// The replays of a case with a scene, in replay/, and their rows.
+std::vector<ReplayRow> write_replays(const Case& c, const record::OutputFolder& folder,
+                                     unsigned jobs);
+
 /// Runs the cloth with own integrators and those of Bullet, beside the exact motion, and writes
 /// their replays, with the error as colour, into replay/ and rows of them into the report. Nothing
 /// where the report has no cloth. Throws Interrupted.

@@ -25,7 +25,8 @@ struct Shown {
   double tolerance;
   const char* why;
 };
-/// The first is drawn as exact: the truth is known at four times, where it is held against it.
+/// The first is taken for the exact motion where it succeeds: the truth is known at four times,
+/// where it is held against it.
 constexpr Shown shown_runs[] = {
     {"odeum/verner98", 0, 1e-12, "exact"},
     {"odeum/cash_karp54", 0, 1e-3, "an explicit pair with step control"},
@@ -55,22 +56,6 @@ Request request_of(const Case& c, const Shown& what) {
   return request;
 }
 
-/// A replay of the report.
-struct ReplayRow {
-  std::string case_id, library, solver, setting, status, detail;
-  std::uint64_t steps = 0, rhs_evaluations = 0;  ///< Bullet's own bodies evaluate none
-  double error = 0;  ///< the largest distance of a particle from the exact motion, m
-  std::string remark, replay;
-
-  static constexpr const char* file = "replays.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail), visit("setting", row.setting);
-    visit("steps", row.steps), visit("rhs_evaluations", row.rhs_evaluations);
-    visit("error", row.error), visit("remark", row.remark), visit("replay", row.replay);
-  }
-};
-
 scene::RunResult frames_of(const Case& c, const scene::SceneProblem& problem, const Run& run) {
   scene::RunResult result;
   result.status = run.outcome.status;
@@ -94,7 +79,7 @@ scene::RunResult frames_of(const Case& c, const scene::SceneProblem& problem, co
 
 std::vector<std::vector<double>> distances(const scene::RunResult& run,
                                            const scene::RunResult& exact) {
-  std::vector<std::vector<double>> all;
+  std::vector<std::vector<double>> all;  // none where the exact motion has no frames
   for (std::size_t k = 0; k < std::min(run.frames.size(), exact.frames.size()); ++k) {
     const std::vector<double>&a = run.frames[k].y, &b = exact.frames[k].y;
     auto& frame = all.emplace_back();
@@ -124,11 +109,8 @@ std::string setting_of(const Case& c, const Run& run) {
 
 }  // namespace
 
-void add_replays(report::Report& report, const record::OutputFolder& folder, unsigned jobs) {
-  const auto& cases = report.facts().cases;
-  if (std::none_of(cases.begin(), cases.end(), [](const auto& c) { return c.id == replayed_case; }))
-    return;
-  const Case& c = study::find_case(replayed_case);
+std::vector<ReplayRow> write_replays(const Case& c, const record::OutputFolder& folder,
+                                     unsigned jobs) {
   const scene::SceneProblem problem(*c.problem.scene);
   std::vector<Run> runs;
   for (const Shown& what : shown_runs)
@@ -137,7 +119,10 @@ void add_replays(report::Report& report, const record::OutputFolder& folder, uns
         runs.push_back({&what, &entrant, request_of(c, what), {}});
   parallel_for(runs.size(), jobs,
                [&](std::size_t i) { runs[i].outcome = runs[i].entrant->solve(runs[i].request); });
-  const scene::RunResult exact = frames_of(c, problem, runs.front());
+  scene::RunResult exact;
+  for (const Run& run : runs)
+    if (run.what == shown_runs && run.outcome.status == Status::ok)
+      exact = frames_of(c, problem, run);
   std::vector<ReplayRow> rows;
   for (const Run& run : runs) {
     const scene::RunResult result = frames_of(c, problem, run);
@@ -157,11 +142,19 @@ void add_replays(report::Report& report, const record::OutputFolder& folder, uns
     for (const auto& frame : errors)
       for (const double error : frame) row.error = std::fmax(row.error, error);
     // The run that is drawn as exact is held against the truth itself.
-    if (&run == &runs.front()) row.error = from_truth(c, run);
+    if (run.what == shown_runs) row.error = from_truth(c, run);
     rows.push_back(std::move(row));
     folder.write(file, replay_page(*c.problem.scene, result, {id, setting_of(c, run)}, errors));
   }
   record::write_rows(rows, folder);
+  return rows;
+}
+
+void add_replays(report::Report& report, const record::OutputFolder& folder, unsigned jobs) {
+  const auto& cases = report.facts().cases;
+  if (std::none_of(cases.begin(), cases.end(), [](const auto& c) { return c.id == replayed_case; }))
+    return;
+  const auto rows = write_replays(study::find_case(replayed_case), folder, jobs);
   report.study({.name = "replays",
                 .command = "report",
                 .help = "runs of the cloth, replayed in step",

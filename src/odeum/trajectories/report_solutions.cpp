@@ -49,7 +49,8 @@ class Chosen {
   std::set<Key> known_;
 };
 
-std::string drawn(const Case& c, double end, const std::vector<DrawnRun>& runs, unsigned jobs) {
+nlohmann::ordered_json drawn(const Case& c, double end, const std::vector<DrawnRun>& runs,
+                             unsigned jobs) {
   std::vector<Request> requests;
   std::set<double> times;
   for (const DrawnRun& run : runs) {
@@ -95,13 +96,12 @@ void add_solutions(report::Report& report, const std::vector<std::string>& cases
     progress.advance();
     if (!cases.empty() && std::find(cases.begin(), cases.end(), facts.id) == cases.end()) continue;
     const Case& c = study::find_case(facts.id);
-    std::string sets;
+    nlohmann::ordered_json sets = nlohmann::ordered_json::array();
     for (const auto& [end, chosen] : chosen_of(c, converged, timed))
-      if (!chosen.runs.empty())
-        sets += (sets.empty() ? "" : ",") + drawn(c, end, chosen.runs, jobs);
+      if (!chosen.runs.empty()) sets.push_back(drawn(c, end, chosen.runs, jobs));
     if (sets.empty()) continue;
     const std::string name = fmt::format("solutions-{}", kept.size());
-    report.data(name, "{\"sets\":[" + sets + "]}");
+    report.data(name, nlohmann::ordered_json{{"sets", sets}}.dump());
     kept[facts.id] = name;
   }
   report.fact("solutions", kept);

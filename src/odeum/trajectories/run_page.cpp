@@ -19,10 +19,10 @@ using nlohmann::ordered_json;
 /// One run: a line of runs.csv.
 struct RunRow {
   std::string library, solver, status, detail, setting_kind;
-  double setting = record::nan;
+  double setting = nan;
   Counters counters;
-  double result = record::nan;  ///< of a case the error at the end, of a scene the change of energy
-  std::string replay = {};      ///< the address of its page; empty: it has none
+  double result = nan;      ///< of a case the error at the end, of a scene the change of energy
+  std::string replay = {};  ///< the address of its page; empty: it has none
 
   static constexpr const char* file = "runs.csv";
   static void each(auto& row, auto&& visit) {
@@ -56,14 +56,13 @@ report::Facts facts_of(const auto& runs) {
 }
 
 /// The time, position and velocity that are plotted, of each run and exact where that is known.
-record::CsvTable plotted(const scene::Scene& scene, const scene::SceneProblem& problem,
-                         const std::vector<SceneRun>& runs, const scene::Plot& plot) {
-  record::CsvTable table("library,solver,time,position,velocity", true);
+record::Records plotted(const scene::Scene& scene, const scene::SceneProblem& problem,
+                        const std::vector<SceneRun>& runs, const scene::Plot& plot) {
+  record::Records table{{"library", "solver", "time", "position", "velocity"}};
   const std::size_t at = 3 * plot.particle + plot.coordinate;
   const auto add = [&](const std::string& library, const std::string& solver, double t,
                        const std::vector<double>& y) {
-    table.add(record::CsvRow().text(library).text(solver).number(t).number(y[at]).number(
-        y[y.size() / 2 + at]));
+    table.rows.push_back({library, solver, t, y[at], y[y.size() / 2 + at]});
   };
   for (const SceneRun& run : runs)
     for (const scene::Frame& frame : run.outcome.frames)
@@ -105,12 +104,11 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
                      const std::vector<CaseRun>& runs, const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
   const ExactStates exact = exact_states(c, runs);
-  const record::CsvTable solution = case_solution(c, runs),
-                         trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs),
-                         schemes = case_schemes(c, runs);
-  folder.write("solution.csv", solution.text());
-  folder.write("trajectory.csv", trajectory.text());
-  folder.write("steps.csv", steps.text());
+  const record::Records trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs),
+                        schemes = case_schemes(c, runs);
+  folder.write("solution.csv", case_solution(c, runs).csv());
+  folder.write("trajectory.csv", trajectory.csv());
+  folder.write("steps.csv", steps.csv());
   page.table("runs", "trajectory.csv", trajectory);
   page.table("runs", "steps.csv", steps);
   page.table("runs", "schemes", schemes);
@@ -137,19 +135,14 @@ bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
                       const scene::SceneProblem& problem, const std::vector<SceneRun>& runs,
                       const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
-  record::CsvTable energies("library,solver,time,kinetic,potential,total", true);
+  record::Records energies{{"library", "solver", "time", "kinetic", "potential", "total"}};
   std::vector<RunRow> rows;
   for (const SceneRun& run : runs) {
     const SolverInfo& info = run.entrant->info;
     const auto& frames = run.outcome.frames;
     for (const scene::Frame& frame : frames)
-      energies.add(record::CsvRow()
-                       .text(info.library)
-                       .text(info.method)
-                       .number(frame.t)
-                       .number(frame.kinetic)
-                       .number(frame.potential)
-                       .number(frame.kinetic + frame.potential));
+      energies.rows.push_back({info.library, info.method, frame.t, frame.kinetic, frame.potential,
+                               frame.kinetic + frame.potential});
     rows.push_back(
         row_of(info, run.request, 0, run.outcome.status, run.outcome.detail, run.outcome.counters));
     rows.back().result = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
@@ -161,8 +154,7 @@ bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
   page.table("runs", "energies", energies);
   ordered_json json = page_facts("scene", texts);
   const auto plot = plot_of(scene);
-  const record::CsvTable table =
-      plot ? plotted(scene, problem, runs, *plot) : record::CsvTable("time");
+  const record::Records table = plot ? plotted(scene, problem, runs, *plot) : record::Records();
   if (plot) {
     page.table("runs", "plotted", table);
     json["plot"] = {{"particle", plot->particle},

@@ -6,17 +6,45 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "odeum/record/csv.hpp"
+#include "odeum/record/rows.hpp"
 #include "odeum/report/text.hpp"
 
 namespace odeum::trajectories {
 namespace {
 
-void add_particle(record::CsvRow& row, const scene::Frame& frame, std::size_t i) {
-  row.count(frame.ids[i]);
-  const std::size_t half = frame.y.size() / 2;
-  for (const std::size_t from : {3 * i, half + 3 * i})
-    for (std::size_t d = 0; d < 3; ++d) row.number(frame.y[from + d]);
+struct ParticleRow {
+  std::size_t id = 0;
+  double y[6] = {};  ///< position, m; velocity, m/s
+
+  static void each(auto& row, auto&& visit) {
+    visit("particle", row.id);
+    constexpr const char* names[] = {"x", "y", "z", "vx", "vy", "vz"};
+    for (std::size_t d = 0; d < 6; ++d) visit(names[d], row.y[d]);
+  }
+};
+struct TimedParticleRow {
+  double t = 0;
+  ParticleRow particle;
+  static void each(auto& row, auto&& visit) {
+    visit("time", row.t), ParticleRow::each(row.particle, visit);
+  }
+};
+struct EnergyRow {
+  double t = 0, kinetic = 0, potential = 0;
+  scene::Vec3 momentum = {};
+  static void each(auto& row, auto&& visit) {
+    visit("time", row.t), visit("kinetic", row.kinetic), visit("potential", row.potential);
+    visit("total", row.kinetic + row.potential), visit("momentum_x", row.momentum[0]);
+    visit("momentum_y", row.momentum[1]), visit("momentum_z", row.momentum[2]);
+  }
+};
+
+ParticleRow particle_of(const scene::Frame& frame, std::size_t i) {
+  ParticleRow row{.id = frame.ids[i]};
+  std::copy_n(frame.y.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, row.y);
+  std::copy_n(frame.y.begin() + static_cast<std::ptrdiff_t>(frame.y.size() / 2 + 3 * i), 3,
+              row.y + 3);
+  return row;
 }
 
 std::string vtk_file(const scene::Scene& scene, const scene::Frame& frame,
@@ -46,38 +74,25 @@ std::string vtk_file(const scene::Scene& scene, const scene::Frame& frame,
 }  // namespace
 
 std::string final_csv(const scene::RunResult& run) {
-  record::CsvTable table("particle,x,y,z,vx,vy,vz");
+  std::vector<ParticleRow> rows;
   const scene::Frame& frame = run.frames.back();
-  for (std::size_t i = 0; i < frame.ids.size(); ++i) {
-    record::CsvRow row;
-    add_particle(row, frame, i);
-    table.add(row);
-  }
-  return table.text();
+  for (std::size_t i = 0; i < frame.ids.size(); ++i) rows.push_back(particle_of(frame, i));
+  return record::csv_text(rows);
 }
 
 std::string trajectory_csv(const scene::RunResult& run) {
-  record::CsvTable table("time,particle,x,y,z,vx,vy,vz");
+  std::vector<TimedParticleRow> rows;
   for (const scene::Frame& frame : run.frames)
-    for (std::size_t i = 0; i < frame.ids.size(); ++i) {
-      record::CsvRow row;
-      row.number(frame.t);
-      add_particle(row, frame, i);
-      table.add(row);
-    }
-  return table.text();
+    for (std::size_t i = 0; i < frame.ids.size(); ++i)
+      rows.push_back({frame.t, particle_of(frame, i)});
+  return record::csv_text(rows);
 }
 
 std::string energy_csv(const scene::RunResult& run) {
-  record::CsvTable table("time,kinetic,potential,total,momentum_x,momentum_y,momentum_z");
-  for (const scene::Frame& frame : run.frames) {
-    record::CsvRow row;
-    row.number(frame.t).number(frame.kinetic).number(frame.potential);
-    row.number(frame.kinetic + frame.potential);
-    for (const double component : frame.momentum) row.number(component);
-    table.add(row);
-  }
-  return table.text();
+  std::vector<EnergyRow> rows;
+  for (const scene::Frame& frame : run.frames)
+    rows.push_back({frame.t, frame.kinetic, frame.potential, frame.momentum});
+  return record::csv_text(rows);
 }
 
 std::vector<std::size_t> chosen_frames(const scene::RunResult& run, std::size_t most) {

@@ -2,13 +2,11 @@
 #include "odeum/trajectories/solutions.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/report/columns.hpp"
 #include "odeum/report/text.hpp"
@@ -17,10 +15,11 @@
 namespace odeum::trajectories {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::uint64_t outputs = 100;
 constexpr int fine = 1000;     // levels over the range of a component
 constexpr int unknown = 9999;  // of a logarithm
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 int logarithm(double error) {
   if (std::isnan(error)) return unknown;
@@ -184,13 +183,12 @@ std::vector<int> Solutions::levels(const double* y) const {
 
 // The number of a list of curves; one that lies within a level of an earlier one is that one.
 std::size_t Solutions::curve(std::vector<int> values) {
-  for (std::size_t i = 0; i < kept_.size(); ++i)
-    if (std::equal(values.begin(), values.end(), kept_[i].begin(), kept_[i].end(),
+  for (std::size_t i = 0; i < curves_.size(); ++i)
+    if (std::equal(values.begin(), values.end(), curves_[i].begin(), curves_[i].end(),
                    [](int a, int b) { return std::abs(a - b) <= 1; }))
       return i;
-  curves_.push_back(fmt::format("[{}]", fmt::join(values, ",")));
-  kept_.push_back(std::move(values));
-  return kept_.size() - 1;
+  curves_.push_back(std::move(values));
+  return curves_.size() - 1;
 }
 
 void Solutions::add(const DrawnRun& run, const Request& request, const Outcome& outcome) {
@@ -220,37 +218,42 @@ void Solutions::add(const DrawnRun& run, const Request& request, const Outcome& 
                         : fmt::format("adaptive:{}", std::lround(-std::log10(run.tolerance))));
   if (!some_error) errors.clear();
   if (energies.size() != reached) energies.clear();
-  runs_.push_back(fmt::format("{}:[{},{},[{}],[{}]]", nlohmann::json(key).dump(),
-                              fixed ? run.steps : outputs, curve(std::move(values)),
-                              fmt::join(errors, ","), fmt::join(energies, ",")));
+  runs_[key] = {fixed ? run.steps : outputs, curve(std::move(values)), errors, energies};
 }
 
-std::string Solutions::json() const {
-  nlohmann::json names = nlohmann::json::array();
+Json Solutions::json() const {
+  // Rounded as the numbers of tables.
+  const auto number = [](double value) { return Json::parse(report::json_number(value)); };
+  Json names = Json::array(), low = names, high = names, times = names;
   const auto all = component_names(case_);
-  for (const std::size_t i : components_) names.push_back(report::plain(all[i]));
-  std::vector<std::string> low, high, times, exact;
   for (std::size_t k = 0; k < components_.size(); ++k) {
-    low.push_back(report::json_number(low_[k]));
-    high.push_back(report::json_number(high_[k]));
+    names.push_back(report::plain(all[components_[k]]));
+    low.push_back(number(low_[k]));
+    high.push_back(number(high_[k]));
   }
+  std::vector<int> exact;
   // Some 400 of the exact states: between them the eye sees no corner.
   const std::size_t known = exact_.times.size(), every = std::max<std::size_t>(1, known / 400);
   for (std::size_t j = 0; j < known; j = j + 1 < known ? std::min(j + every, known - 1) : known) {
-    times.push_back(report::json_number(exact_.times[j]));
-    for (const int level : levels(exact_.states.data() + j * exact_.size))
-      exact.push_back(std::to_string(level));
+    times.push_back(number(exact_.times[j]));
+    for (const int level : levels(exact_.states.data() + j * exact_.size)) exact.push_back(level);
   }
-  return fmt::format(
-      "{{\"start\":{},\"end\":{},\"outputs\":{},\"fine\":{},\"names\":{},\"low\":[{}],\"high\":[{}]"
-      ",\"exact\":{{\"everywhere\":{},\"floor\":{},"
-      "\"source\":{},\"times\":[{}],\"values\":[{}]}},\"first\":[{}],\"curves\":[{}],\"runs\":{{{}}"
-      "}}}",
-      report::json_number(case_.t0), report::json_number(end_), outputs, fine, names.dump(),
-      fmt::join(low, ","), fmt::join(high, ","), exact_.everywhere,
-      report::json_number(exact_.floor), nlohmann::json(report::plain(exact_.source)).dump(),
-      fmt::join(times, ","), fmt::join(exact, ","), fmt::join(levels(case_.y0.data()), ","),
-      fmt::join(curves_, ","), fmt::join(runs_, ","));
+  return {{"start", number(case_.t0)},
+          {"end", number(end_)},
+          {"outputs", outputs},
+          {"fine", fine},
+          {"names", names},
+          {"low", low},
+          {"high", high},
+          {"exact",
+           {{"everywhere", exact_.everywhere},
+            {"floor", number(exact_.floor)},
+            {"source", report::plain(exact_.source)},
+            {"times", times},
+            {"values", exact}}},
+          {"first", levels(case_.y0.data())},
+          {"curves", curves_},
+          {"runs", runs_}};
 }
 
 }  // namespace odeum::trajectories

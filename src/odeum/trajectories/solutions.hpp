@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -46,13 +47,13 @@ ExactCurve exact_curve(const Case& c, std::vector<double> times);
 
 /// Runs with a common end as JSON: the drawn components in thousandths of their range, errors and
 /// energy errors as hundredths of their decimal logarithm. Made for
-/// reports/viewer/page/solution.js.
+/// reports/viewer/solution.js.
 class Solutions {
  public:
   Solutions(const Case& c, double end, ExactCurve exact);
   /// Adds a run with its outcome; nothing where it has no output.
   void add(const DrawnRun& run, const Request& request, const Outcome& outcome);
-  std::string json() const;
+  nlohmann::ordered_json json() const;
 
  private:
   std::vector<int> levels(const double* y) const;
@@ -64,8 +65,8 @@ class Solutions {
   std::vector<std::size_t> components_, measured_;
   std::vector<double> low_, high_;
   double energy_scale_ = 0;
-  std::vector<std::string> curves_, runs_;
-  std::vector<std::vector<int>> kept_;  // the curves as numbers
+  std::vector<std::vector<int>> curves_;
+  nlohmann::ordered_json runs_ = nlohmann::ordered_json::object();
 };
 
 }  // namespace odeum::trajectories

@@ -69,7 +69,7 @@ std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std:
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
   const std::size_t room = (stops.size() + 100) * (n + 3) * 32 + 4096;
-  const auto [ended, text] = text_isolated(
+  const auto [ended, text] = isolated::text_isolated(
       [&] { return truth::to_text(truth::compute_reference(system, stops, given.scale)); }, room,
       most_seconds);
   std::optional<truth::Reference> reference;

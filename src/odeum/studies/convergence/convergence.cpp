@@ -9,6 +9,7 @@
 
 #include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 
 namespace odeum::study {
 namespace {

@@ -73,6 +73,8 @@ struct OrderRow {
   judge::OrderFit fit;
 
   static constexpr const char* file = "orders.csv";
+  static constexpr const char* shown =
+      "case solver mode claimed_order:.3g measured_order:.3f verdict";
   static constexpr int schema = 2;  ///< 2: why there is no order
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/extended_order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/order_reason.hpp"
 
 #include <fmt/format.h>
 
@@ -49,14 +49,14 @@ void explain_failure(const Rows& rows, OrderFit& fit) {
                     : fmt::format(": {}, {}", (*other)->status, (*other)->detail);
 }
 
-void add_cost(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs, OrderFit& fit) {
+void add_cost(const Pair& pair, const Rows& rows, const Foreseen& foreseen, OrderFit& fit) {
   const auto first = std::find_if(rows.begin(), rows.end(), over_budget);
-  if (first == rows.end() || costs.empty()) return;
+  if (first == rows.end() || foreseen.empty()) return;
   Request next;
   next.mode = pair.mode;
   next.steps = (*first)->steps;
   next.tolerance = (*first)->tolerance;
-  const double work = foreseen_work(costs, next);
+  const double work = foreseen.work(next);
   fit.why = NoOrder::budget_ends;
   fit.reason += pair.mode == Mode::fixed
                     ? fmt::format("; {} steps take", next.steps)
@@ -101,14 +101,14 @@ std::span<const OrderClass> order_classes() { return all_order_classes; }
 double claimed_order(const Pair& pair) {
   const SolverInfo& info = pair.entrant->info;
   const bool varies = pair.mode == Mode::adaptive && info.adaptive_order;
-  return varies || above_kinks(pair) ? OrderFit::nan : info.order;
+  return varies || above_kinks(pair) ? nan : info.order;
 }
 
-void explain(const Pair& pair, const Rows& rows, const std::vector<Cost>& costs, OrderFit& fit) {
+void explain(const Pair& pair, const Rows& rows, const Foreseen& foreseen, OrderFit& fit) {
   if (fit.verdict == Verdict::failed) {
     explain_failure(rows, fit);
   } else if (fit.verdict == Verdict::undetermined) {
-    add_cost(pair, rows, costs, fit);
+    add_cost(pair, rows, foreseen, fit);
   } else if (fit.verdict == Verdict::not_applicable) {
     if (above_kinks(pair))
       fit.reason =

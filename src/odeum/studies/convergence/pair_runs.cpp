@@ -9,6 +9,9 @@
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
+#include "odeum/studies/convergence/extended_order.hpp"
+#include "odeum/studies/convergence/order_reason.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 
 namespace odeum::study {
 namespace {
@@ -70,7 +73,7 @@ class PairRuns {
         rounding_unit_(measures.gain * half_unit * pair.entrant->info.rounding) {}
 
   /// Runs from coarse to fine, until errors are rounding.
-  void climb(const std::vector<Request>& requests) {
+  void run_until_rounding(const std::vector<Request>& requests) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const Request& request : requests) {
       runs_.push_back(measure(request, run_unless_over_budget(request)));
@@ -85,11 +88,11 @@ class PairRuns {
 
   /// Runs extra settings where the order is open: finer steps until errors are rounding, else
   /// steps between those run.
-  void look_again(const Request& like) {
+  void run_extra_settings(const Request& like) {
     if (order_is_open() && at_floor_ == 0)
-      run_extra(settings_beyond(pair_, like, telling_steps()), true);
+      run_between(settings_beyond(pair_, like, informative_step_counts()), true);
     if (order_is_open())
-      run_extra(settings_between(pair_, like, telling_steps(), at_floor_ > 0), false);
+      run_between(settings_between(pair_, like, informative_step_counts(), at_floor_ > 0), false);
   }
 
   std::uint64_t steps_of_least_error() const {
@@ -115,7 +118,7 @@ class PairRuns {
                                                    : judge::adaptive_tolerance(claimed));
     std::vector<const ConvergenceRow*> rows;
     for (const Run& run : runs_) rows.push_back(&run.row);
-    explain(pair_, rows, costs_, fit);
+    explain(pair_, rows, foreseen_, fit);
     return fit;
   }
 
@@ -148,20 +151,21 @@ class PairRuns {
   }
 
   /// Those solved, down to the smallest error.
-  std::vector<std::uint64_t> telling_steps() const {
-    std::vector<std::uint64_t> telling;
+  std::vector<std::uint64_t> informative_step_counts() const {
+    std::vector<std::uint64_t> informative;
     const std::uint64_t end = steps_of_least_error();
     for (const Run& run : runs_)
-      if (std::isfinite(run.point.error) && run.row.steps <= end) telling.push_back(run.row.steps);
-    return telling;
+      if (std::isfinite(run.point.error) && run.row.steps <= end)
+        informative.push_back(run.row.steps);
+    return informative;
   }
 
-  void run_extra(const std::vector<Request>& requests, bool until_rounding) {
+  void run_between(const std::vector<Request>& requests, bool until_rounding) {
     const bool small = pair_.c->y0.size() <= dense_dimension_limit;
     double spent = 0;
     for (const Request& request : requests) {
       const double left = static_cast<double>(request.budget.evaluations) - spent;
-      if (foreseen_work(costs_, request) > left) break;
+      if (foreseen_.work(request) > left) break;
       std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
       const Outcome outcome = pair_.entrant->solve(request);
       runs_.push_back(measure(request, outcome));
@@ -193,16 +197,9 @@ class PairRuns {
       outcome.detail = fmt::format(
           "not run: a coarser setting was over the budget of {} evaluations and products",
           request.budget.evaluations);
-    else if (foreseen_work(costs_, request) > static_cast<double>(request.budget.evaluations))
-      outcome.detail =
-          fmt::format("not run: by coarser settings it takes more than {} evaluations and products",
-                      request.budget.evaluations);
-    else
+    else if (outcome.detail = foreseen_.excess(request); outcome.detail.empty())
       outcome = pair_.entrant->solve(request);
-    if (outcome.status == Status::ok)
-      costs_.push_back({pair_.mode == Mode::fixed ? static_cast<double>(request.steps)
-                                                  : 1 / request.tolerance.relative,
-                        static_cast<double>(outcome.counters.work)});
+    if (outcome.status == Status::ok) foreseen_.add(request, outcome.counters.work);
     return outcome;
   }
 
@@ -235,12 +232,13 @@ class PairRuns {
   double rounding_unit_;
   std::vector<Run> runs_;
   int at_floor_ = 0;  ///< number of finest runs whose errors no longer fell, near rounding
-  std::vector<Cost> costs_;
+  Foreseen foreseen_;
 };
 
 /// Extra measurement in extended precision where double does not determine the order, if pair and
 /// case have it.
-void look_closer(const Pair& pair, std::uint64_t end_of_double, judge::OrderFit& fit) {
+void refit_in_extended_precision(const Pair& pair, std::uint64_t end_of_double,
+                                 judge::OrderFit& fit) {
   if (fit.verdict != judge::Verdict::undetermined) return;
   std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
   // Without a number where no run gave an error, or all of them are rounding.
@@ -273,12 +271,12 @@ ConvergenceResult not_measured(const Pair& pair, const std::string& reason) {
 ConvergenceResult converge_pair(const Pair& pair, const CaseMeasures& measures, bool quick) {
   PairRuns runs(pair, measures);
   const std::vector<Request> requests = convergence_settings(pair, quick);
-  runs.climb(requests);
+  runs.run_until_rounding(requests);
   if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();
-  runs.look_again(requests.front());
+  runs.run_extra_settings(requests.front());
   const std::uint64_t end = runs.steps_of_least_error();
   ConvergenceResult result = std::move(runs).result();
-  look_closer(pair, end, result.orders.front().fit);
+  refit_in_extended_precision(pair, end, result.orders.front().fit);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/convergence/pair_runs.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,24 +82,25 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
 }
 
 std::vector<Request> settings_between(const Pair& pair, Request request,
-                                      std::vector<std::uint64_t> telling, bool to_rounding) {
+                                      std::vector<std::uint64_t> informative, bool to_rounding) {
   const bool small = pair.c->y0.size() <= dense_dimension_limit;
   const bool smooth = pair.c->has_tag("smooth");
   if (pair.mode != Mode::fixed || (small ? !smooth && !to_rounding : !smooth || !to_rounding))
     return {};
   constexpr std::size_t most_of_long_runs = 5;
-  if (!small && telling.size() > most_of_long_runs)
-    telling.erase(telling.begin(), telling.end() - most_of_long_runs);
+  if (!small && informative.size() > most_of_long_runs)
+    informative.erase(informative.begin(), informative.end() - most_of_long_runs);
   std::vector<Request> requests;
   const std::uint64_t multiple = multiple_of(*pair.c);
-  for (std::size_t i = 0; i + 1 < telling.size(); ++i) {
-    const auto coarse = static_cast<double>(telling[i]), fine = static_cast<double>(telling[i + 1]);
-    request.steps = telling[i];
+  for (std::size_t i = 0; i + 1 < informative.size(); ++i) {
+    const auto coarse = static_cast<double>(informative[i]),
+               fine = static_cast<double>(informative[i + 1]);
+    request.steps = informative[i];
     for (const double share : {0.25, 0.5, 0.75}) {
       const double wanted = coarse * std::pow(fine / coarse, share);
       const auto between = multiple * static_cast<std::uint64_t>(
                                           std::llround(wanted / static_cast<double>(multiple)));
-      if (between <= request.steps || between >= telling[i + 1]) continue;
+      if (between <= request.steps || between >= informative[i + 1]) continue;
       request.steps = between;
       requests.push_back(request);
     }
@@ -108,16 +109,16 @@ std::vector<Request> settings_between(const Pair& pair, Request request,
 }
 
 std::vector<Request> settings_beyond(const Pair& pair, Request request,
-                                     const std::vector<std::uint64_t>& telling) {
+                                     const std::vector<std::uint64_t>& informative) {
   const bool small = pair.c->y0.size() <= dense_dimension_limit;
   const bool smooth = pair.c->has_tag("smooth");
-  if (pair.mode != Mode::fixed || telling.empty() || (!small && !smooth)) return {};
+  if (pair.mode != Mode::fixed || informative.empty() || (!small && !smooth)) return {};
   // Where runs are cheap to a sixteenth of the step.
   std::uint64_t& budget = request.budget.evaluations;
   budget = small ? cheap_evaluations : 3 * budget;
   std::vector<Request> requests;
   const std::uint64_t multiple = multiple_of(*pair.c);
-  const double units = static_cast<double>(telling.back()) / static_cast<double>(multiple);
+  const double units = static_cast<double>(informative.back()) / static_cast<double>(multiple);
   for (int k = 1; k <= (small ? 8 : 4); ++k) {
     request.steps =
         multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));

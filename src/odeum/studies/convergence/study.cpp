@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "odeum/record/table.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/convergence/summary.hpp"
@@ -18,13 +17,7 @@ std::string table(const ConvergenceResult& result) {
   const auto wrong = std::count_if(
       result.rows.begin(), result.rows.end(),
       [](const ConvergenceRow& row) { return row.judged.answer == judge::Answer::wrong; });
-  const std::string text = record::table_of(result.orders, {{"case", "{case}"},
-                                                            {"solver", "{library}/{solver}"},
-                                                            {"mode", "{mode}"},
-                                                            {"claimed", "{claimed_order:.3g}"},
-                                                            {"measured", "{measured_order:.3f}"},
-                                                            {"verdict", "{verdict}: {reason}"}})
-                               .text();
+  const std::string text = record::tables_of(result);
   if (wrong == 0) return text;
   return text + fmt::format("{} {} ok with a wrong answer: column answer of {}\n", wrong,
                             wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);

@@ -14,15 +14,15 @@ struct DriftRow {
   std::string case_id, library, solver;
   std::string status;  ///< a Status at that time, or not_applicable
   std::string detail;
-  double step = record::nan, time = record::nan;
+  double step = nan, time = nan;
   /// `energy`, an invariant of the case, or on a harmonic oscillator `amplitude` and `phase`;
   /// `none` where there is none.
   std::string invariant = "none";
   /// |value - exact| / |exact|, or |value - exact| where the exact value is 0. Of the phase: the
   /// lag over the exact angle, which is the relative error of the frequency.
-  double relative_error = record::nan;
+  double relative_error = nan;
   /// In the case's units; of the phase: the lag in radians, > 0 behind.
-  double value = record::nan;
+  double value = nan;
 
   static constexpr const char* file = "drift.csv";
   static void each(auto& row, auto&& visit) {
@@ -38,12 +38,13 @@ struct HorizonRow {
   std::string case_id, library, solver;
   std::string status, detail;
   Mode mode = Mode::fixed;
-  double setting = record::nan;  ///< step, or tolerance
+  double setting = nan;  ///< step, or tolerance
   /// When the largest error of a component reaches 1e-3, by linear interpolation of its logarithm
   /// between times at which the truth is known; NaN where the solve failed before.
-  double horizon = record::nan;
+  double horizon = nan;
 
   static constexpr const char* file = "horizons.csv";
+  static constexpr const char* shown = "case solver mode setting:.2g horizon:.2f status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail), visit("mode", row.mode);

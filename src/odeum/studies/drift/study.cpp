@@ -4,7 +4,6 @@
 
 #include "odeum/proof/facts.hpp"
 #include "odeum/proof/structure_check.hpp"
-#include "odeum/record/table.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/studies/drift/drift.hpp"
 
@@ -14,7 +13,7 @@ namespace {
 /// A series of drift.csv in one line.
 struct DriftSummary {
   DriftRow last;
-  double worst = record::nan, latest = record::nan;
+  double worst = nan, latest = nan;
 
   static void each(auto& row, auto&& visit) {
     DriftRow::each(row.last, visit);
@@ -39,23 +38,11 @@ std::vector<DriftSummary> summarise(const std::vector<DriftRow>& rows) {
 }
 
 std::string table(const DriftResult& result) {
-  std::string text = record::table_of(summarise(result.rows), {{"case", "{case}"},
-                                                               {"solver", "{library}/{solver}"},
-                                                               {"invariant", "{invariant}"},
-                                                               {"to time", "{time:.4g}"},
-                                                               {"worst", "{worst:.2e}"},
-                                                               {"last", "{latest:.2e}"},
-                                                               {"status", "{status}: {detail}"}})
-                         .text();
-  if (!result.horizons.empty())
-    text += '\n' + record::table_of(result.horizons, {{"case", "{case}"},
-                                                      {"solver", "{library}/{solver}"},
-                                                      {"mode", "{mode}"},
-                                                      {"setting", "{setting:.2g}"},
-                                                      {"1e-3 at", "{horizon:.2f}"},
-                                                      {"status", "{status}: {detail}"}})
-                       .text();
-  return text;
+  const std::string horizons = record::tables_of(result);
+  return record::table_of(summarise(result.rows),
+                          "case solver invariant time worst:.2e latest:.2e status")
+             .text() +
+         (horizons.empty() ? "" : "\n" + horizons);
 }
 
 /// Which own solvers keep the symplectic form, by running them, for the diagram of energies.

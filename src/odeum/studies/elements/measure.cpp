@@ -25,7 +25,7 @@ double centre_error(const fem::Levels::Level& level, const std::vector<double>& 
                     double value) {
   for (std::size_t i = 0; i < nodal.size(); ++i)
     if (fem::distance(level.mesh.nodes[i], {0.5, 0.5}) < 1e-9) return std::abs(nodal[i] - value);
-  return unknown_number;
+  return nan;
 }
 
 void add_field(const ModelProblem& model, std::size_t divisions, const fem::TriangleMesh& mesh,

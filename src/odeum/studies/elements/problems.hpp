@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "odeum/core/numbers.hpp"
 #include "odeum/fem/hierarchy.hpp"
 
 namespace odeum::study {
@@ -20,8 +20,8 @@ struct ModelProblem {
   const fem::Rule* rule = &fem::degree_5_rule();
   std::function<double(fem::Point)> value = {};  ///< of the solution; empty: the centre's alone
   std::function<fem::Point(fem::Point)> gradient = {};
-  double scale = 1;                                                ///< largest |u|
-  double centre_value = std::numeric_limits<double>::quiet_NaN();  ///< u(1/2, 1/2)
+  double scale = 1;           ///< largest |u|
+  double centre_value = nan;  ///< u(1/2, 1/2)
   fem::TriangleMesh coarsest;
   std::size_t divisions = 2;  ///< of a unit length in the coarsest mesh
   std::function<fem::Point(fem::Point)> onto_boundary = {};

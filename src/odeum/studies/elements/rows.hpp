@@ -9,18 +9,16 @@
 
 namespace odeum::study {
 
-inline constexpr double unknown_number = record::nan;
-
 /// One problem solved by linear triangles on one mesh.
 struct ElementsRow {
   std::string problem, rule;  ///< rule: of the quadrature of the load
   std::string status, detail;
   std::size_t divisions = 0;  ///< of a unit length of the region
   std::size_t triangles = 0, unknowns = 0;
-  double h = unknown_number;                                                  ///< longest edge
-  double l2 = unknown_number, h1 = unknown_number, maximum = unknown_number;  ///< errors
-  double centre = unknown_number;  ///< |error| in the middle of the region, where known
-  std::size_t iterations = 0;      ///< of conjugate gradients with a V-cycle, residual 1e-11
+  double h = nan;                            ///< longest edge
+  double l2 = nan, h1 = nan, maximum = nan;  ///< errors
+  double centre = nan;                       ///< |error| in the middle of the region, where known
+  std::size_t iterations = 0;  ///< of conjugate gradients with a V-cycle, residual 1e-11
 
   static constexpr const char* file = "elements.csv";
   static void each(auto& row, auto&& visit) {
@@ -35,12 +33,14 @@ struct ElementsRow {
 /// The order in h of one error of one problem.
 struct ElementsOrderRow {
   std::string problem, rule, norm;  ///< norm: l2, h1, max, max_by_log, centre
-  double claimed_order = unknown_number;
+  double claimed_order = nan;
   judge::OrderFit fit;
-  double finest = unknown_number;  ///< the error on the finest mesh
-  std::string theory;              ///< why this order is expected, or why none is kept
+  double finest = nan;  ///< the error on the finest mesh
+  std::string theory;   ///< why this order is expected, or why none is kept
 
   static constexpr const char* file = "elements_orders.csv";
+  static constexpr const char* shown =
+      "problem rule norm claimed_order:.2f measured_order:.2f error_finest:.2e verdict theory";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("rule", row.rule), visit("norm", row.norm);
     visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
@@ -77,14 +77,17 @@ struct ElementsSolverRow {
   std::size_t divisions = 0, unknowns = 0;
   std::size_t iterations = 0;
   /// Highest over lowest eigenvalue of M^-1 A; NaN where the library does not tell.
-  double condition = unknown_number;
-  double spectral_radius = unknown_number;  ///< of I - M^-1 A, for iterations that repeat it
-  double rate = unknown_number;   ///< of the error per iteration, over the second half of them
-  double bound = unknown_number;  ///< the textbook bound of that rate in the energy norm
-  double iterations_bound = unknown_number;  ///< iterations that the bound allows
-  double residual = unknown_number;          ///< |b - A x| / |b| in the end
+  double condition = nan;
+  double spectral_radius = nan;   ///< of I - M^-1 A, for iterations that repeat it
+  double rate = nan;              ///< of the error per iteration, over the second half of them
+  double bound = nan;             ///< the textbook bound of that rate in the energy norm
+  double iterations_bound = nan;  ///< iterations that the bound allows
+  double residual = nan;          ///< |b - A x| / |b| in the end
 
   static constexpr const char* file = "elements_solvers.csv";
+  static constexpr const char* shown =
+      "problem divisions solver iterations iterations_bound:.0f condition spectral_radius:.4f "
+      "rate:.4f rate_bound:.4f status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("detail", row.detail), visit("divisions", row.divisions);
@@ -99,14 +102,16 @@ struct ElementsSolverRow {
 struct ElementsStoppingRow {
   std::string problem, solver;
   std::size_t divisions = 0, unknowns = 0;
-  double tolerance = unknown_number;  ///< of |b - A x| / |b|
+  double tolerance = nan;  ///< of |b - A x| / |b|
   std::size_t iterations = 0;
-  double algebraic = unknown_number;  ///< error of the solver in the energy norm
-  double discretisation =
-      unknown_number;             ///< error of the mesh in it: of the exact discrete solution
-  double total = unknown_number;  ///< error of what the solver gave, measured
+  double algebraic = nan;       ///< error of the solver in the energy norm
+  double discretisation = nan;  ///< error of the mesh in it: of the exact discrete solution
+  double total = nan;           ///< error of what the solver gave, measured
 
   static constexpr const char* file = "elements_stopping.csv";
+  static constexpr const char* shown =
+      "solver divisions tolerance:.0e iterations error_algebraic:.2e error_discretisation:.2e "
+      "error_total:.2e";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("divisions", row.divisions);
     visit("unknowns", row.unknowns), visit("tolerance", row.tolerance);
@@ -120,11 +125,14 @@ struct ElementsTimeRow {
   std::string problem, solver;
   std::string status, detail;
   std::size_t divisions = 0, unknowns = 0, iterations = 0, repetitions = 0;
-  double setup_ns = unknown_number;  ///< factors, coarser matrices; least
-  double solve_ns_min = unknown_number, solve_ns_median = unknown_number;
-  double residual = unknown_number;
+  double setup_ns = nan;  ///< factors, coarser matrices; least
+  double solve_ns_min = nan, solve_ns_median = nan;
+  double residual = nan;
 
   static constexpr const char* file = "elements_times.csv";
+  static constexpr const char* shown =
+      "solver unknowns iterations setup_ns_min:.3g solve_ns_min:.3g solve_ns_median:.3g "
+      "residual:.1e status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("detail", row.detail), visit("divisions", row.divisions);
@@ -162,8 +170,5 @@ std::vector<ElementsTimeRow> time_solvers(std::size_t most);
 /// alone are measured; `most`, divisions of a unit length in the finest mesh, of which the largest
 /// power of two is taken, default: 128. Throws Interrupted.
 ElementsResult measure_elements(const Options& options, const Runner& runner = Runner());
-
-/// The result for a terminal: orders, solvers, stopping and times.
-std::string elements_table(const ElementsResult& result);
 
 }  // namespace odeum::study

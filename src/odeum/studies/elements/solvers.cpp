@@ -67,7 +67,7 @@ struct Tools {
 struct Bound {
   double rate = 0, factor = 1;
   double iterations() const {
-    return rate < 1 ? std::ceil(std::log(reduction / factor) / std::log(rate)) : unknown_number;
+    return rate < 1 ? std::ceil(std::log(reduction / factor) / std::log(rate)) : nan;
   }
 };
 Bound cg_bound(double condition) {

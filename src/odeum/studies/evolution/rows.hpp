@@ -17,12 +17,11 @@ struct EvolutionRow {
   std::string status, detail;
   std::size_t divisions = 0, unknowns = 0;  ///< divisions of the edge
   std::size_t steps = 0;
-  double dt = record::nan;
-  double error = record::nan;        ///< against the solution of the equation
-  double error_space = record::nan;  ///< of the exact solution of the system of elements against it
-  double error_time = record::nan;   ///< of the run against the exact solution of the system
-  double work =
-      record::nan;  ///< multiplications of products, factorisations and solutions with factors
+  double dt = nan;
+  double error = nan;        ///< against the solution of the equation
+  double error_space = nan;  ///< of the exact solution of the system of elements against it
+  double error_time = nan;   ///< of the run against the exact solution of the system
+  double work = nan;  ///< multiplications of products, factorisations and solutions with factors
 
   static constexpr const char* file = "evolution.csv";
   static void each(auto& row, auto&& visit) {
@@ -38,10 +37,12 @@ struct EvolutionRow {
 /// error is small.
 struct EvolutionOrderRow {
   std::string problem, solver, direction;  ///< direction: time, space
-  double claimed_order = record::nan;
+  double claimed_order = nan;
   judge::OrderFit fit;
 
   static constexpr const char* file = "evolution_orders.csv";
+  static constexpr const char* shown =
+      "problem solver direction claimed_order:.0f measured_order:.2f verdict";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver);
     visit("direction", row.direction), visit("claimed_order", row.claimed_order);
@@ -55,12 +56,14 @@ struct EvolutionOrderRow {
 /// The pair of mesh and step with the least work of a solver for an error.
 struct EvolutionCheapestRow {
   std::string problem, solver, status;  ///< status: ok, not_reached
-  double target = record::nan;
+  double target = nan;
   std::size_t divisions = 0, steps = 0;
-  double h = record::nan;  ///< length of the edges along the axes
-  double dt = record::nan, error = record::nan, work = record::nan;
+  double h = nan;  ///< length of the edges along the axes
+  double dt = nan, error = nan, work = nan;
 
   static constexpr const char* file = "evolution_cheapest.csv";
+  static constexpr const char* shown =
+      "problem target:.0e solver divisions steps h:.3g dt:.3g error:.1e work:.2g status";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
     visit("target", row.target), visit("divisions", row.divisions), visit("steps", row.steps);
@@ -72,11 +75,13 @@ struct EvolutionCheapestRow {
 /// the fastest mode of a jump; wave: `speed`, that of a wave against the equation's, from one step.
 struct EvolutionModeRow {
   std::string problem, mass, solver, quantity;
-  std::size_t waves = 0;      ///< half waves in x and in y; 0: the fastest mode
-  double step = record::nan;  ///< heat: eigenvalue times dt, wave: frequency times dt
-  double measured = record::nan, predicted = record::nan;
+  std::size_t waves = 0;  ///< half waves in x and in y; 0: the fastest mode
+  double step = nan;      ///< heat: eigenvalue times dt, wave: frequency times dt
+  double measured = nan, predicted = nan;
 
   static constexpr const char* file = "evolution_modes.csv";
+  static constexpr const char* shown =
+      "problem mass solver quantity waves step:.3g observed predicted";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
     visit("quantity", row.quantity), visit("waves", row.waves), visit("step", row.step);
@@ -88,9 +93,10 @@ struct EvolutionModeRow {
 /// Euler) or frequency (wave, leapfrog) of the elements, and measured by bisection.
 struct EvolutionLimitRow {
   std::string problem, mass, solver;
-  double predicted = record::nan, measured = record::nan;
+  double predicted = nan, measured = nan;
 
   static constexpr const char* file = "evolution_limits.csv";
+  static constexpr const char* shown = "problem mass solver predicted:.5g observed:.5g";
   static void each(auto& row, auto&& visit) {
     visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
     visit("predicted", row.predicted), visit("observed", row.measured);

@@ -27,7 +27,7 @@ struct StiffWindow : SpectrumAlong {
   explicit StiffWindow(const Case& each) : c(each), length(c.stops.back() - c.t0) {
     // The horizon, halved until the largest eigenvalue within it allows it.
     while (follow() && std::abs(largest) * length > longest_window) length /= 2;
-    if (!reason.empty()) length = record::nan;
+    if (!reason.empty()) length = nan;
   }
 
  private:
@@ -38,7 +38,7 @@ struct StiffWindow : SpectrumAlong {
 };
 
 struct Prediction {
-  double step = record::nan;
+  double step = nan;
   std::complex<double> eigenvalue;
 };
 
@@ -52,7 +52,7 @@ double limit_along(const SolverInfo& info, const std::complex<double>& z) {
     amplification = [&](double x) { return info.amplification(x * re, x * im); };
   else if (undamped)
     amplification = info.oscillator_amplification;
-  if (!amplification) return record::nan;
+  if (!amplification) return nan;
   return judge::find_limit([&](double x) {
            return judge::Growth{std::log(amplification(x)), judge::growth_rounding};
          })
@@ -62,14 +62,14 @@ double limit_along(const SolverInfo& info, const std::complex<double>& z) {
 /// The smallest of the steps that the eigenvalues allow. Small eigenvalues never limit the step and
 /// are left out.
 Prediction predict(const StiffWindow& window, const SolverInfo& info) {
-  Prediction least{record::nan, window.largest};
+  Prediction least{nan, window.largest};
   std::map<double, double> by_angle;  // most eigenvalues are real or close in angle
   for (const std::complex<double>& z : window.eigenvalues) {
     if (std::abs(z) < 0.05 * std::abs(window.largest)) continue;
     const double angle = std::round(std::arg(z) * 1e4);
     const auto [place, is_new] = by_angle.try_emplace(angle, 0);
     if (is_new) place->second = limit_along(info, z);
-    if (std::isnan(place->second)) return {record::nan, window.largest};
+    if (std::isnan(place->second)) return {nan, window.largest};
     const double step = place->second / std::abs(z);
     if (!(step >= least.step)) least = {step, z};
   }

@@ -15,15 +15,17 @@ struct LargestStep {
   std::string case_id, library, solver;
   std::string status;  ///< ok, a Status where no step was bounded, or not_applicable
   std::string detail;
-  double largest_stable_step = record::nan;
+  double largest_stable_step = nan;
   /// The step that the method's stability function allows for the eigenvalues of the Jacobian along
   /// the solution; infinity: any step; NaN: no function is known.
-  double predicted_step = record::nan;
+  double predicted_step = nan;
   /// The eigenvalue that limits the step; without a prediction, the largest.
-  std::complex<double> eigenvalue{record::nan, record::nan};
-  double window = record::nan;  ///< length of the runs
+  std::complex<double> eigenvalue{nan, nan};
+  double window = nan;  ///< length of the runs
 
   static constexpr const char* file = "largest_steps.csv";
+  static constexpr const char* shown =
+      "case solver largest_stable_step predicted_step eigenvalue status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail);

@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/record/table.hpp"
 #include "odeum/studies/limits/limits.hpp"
 
 namespace odeum::study {
-namespace {
-
-std::string table(const LimitsResult& result) {
-  return record::table_of(result.rows, {{"case", "{case}"},
-                                        {"solver", "{library}/{solver}"},
-                                        {"measured", "{largest_stable_step:.4g}"},
-                                        {"predicted", "{predicted_step:.4g}"},
-                                        {"eigenvalue", "{eigenvalue_re:.3g} {eigenvalue_im:+.3g}i"},
-                                        {"remark", "{status}: {detail}"}})
-      .text();
-}
-
-}  // namespace
-
 // A report runs own solvers on every stiff case; peers on a decay, a relaxation and a vibration.
 std::unique_ptr<Study> make_limits() {
   return make_study<LimitsResult>(
@@ -27,7 +12,7 @@ std::unique_ptr<Study> make_limits() {
        .report = {{.solvers = {"odeum/*"}},
                   {.cases = {"prothero_robinson_1e3_smooth", "vdp_mu1000", "stiff_chain2_k1e4"},
                    .solvers = {"!odeum/*"}}}},
-      {.measure = measure_limits, .table = table});
+      {.measure = measure_limits});
 }
 
 }  // namespace odeum::study

@@ -119,12 +119,12 @@ std::vector<Quantity> shape_of(const Stage& stage, const double* y, const double
     for (std::size_t i = 0; i < particles; ++i) low = std::min(low, at[3 * i + 1]);
     return low;
   };
-  double apart = not_measured;
+  double apart = nan;
   if (exact)
     apart = rms_distance({y, y + 3 * particles}, {exact, exact + 3 * particles}, particles);
-  return {{"energy", stage.problem.energy(y), exact ? stage.problem.energy(exact) : not_measured},
+  return {{"energy", stage.problem.energy(y), exact ? stage.problem.energy(exact) : nan},
           {"drape", apart, 0},
-          {"lowest", lowest(y), exact ? lowest(exact) : not_measured}};
+          {"lowest", lowest(y), exact ? lowest(exact) : nan}};
 }
 
 /// Of the free one.

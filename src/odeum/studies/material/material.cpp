@@ -181,7 +181,7 @@ void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entr
   if (found.reason.empty()) {
     const double w = specimen.frequency(), nominal = specimen.damping_ratio();
     row.dynamic_stiffness_ratio = found.omega_squared / (w * w);
-    row.damping = nominal > 0 ? found.decay / (2 * nominal * w) : not_measured;
+    row.damping = nominal > 0 ? found.decay / (2 * nominal * w) : nan;
     row.added_damping_ratio = found.decay / (2 * std::sqrt(found.omega_squared)) - nominal;
   } else {
     remark(row, found.reason);

@@ -35,7 +35,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
   std::map<std::uint64_t, Reached> converged;
   for (const std::uint64_t steps : plan.steps) converged[steps] = run(steps, plan.converged);
   std::optional<std::vector<double>> limit;
-  double step_left = not_measured;
+  double step_left = nan;
   std::string no_limit;
   const std::size_t n = plan.steps.size();
   const Reached &a = converged[plan.steps[n - 3]], &b = converged[plan.steps[n - 2]],

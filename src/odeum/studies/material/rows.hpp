@@ -12,24 +12,25 @@
 /// written and read by that.
 namespace odeum::study {
 
-inline constexpr double not_measured = record::nan;
-
 /// What a solver makes of springs of known stiffness and damping: a line of material.csv.
 struct MaterialRow {
   std::string scene;  ///< one_mass, hanging_chain
   std::string library, solver;
   /// A Status, `unstable`, `not_applicable`, or `unmeasured` where it ran but numbers are missing.
   std::string status, detail;
-  double step = not_measured;   ///< s
-  std::uint64_t sweeps = 0;     ///< option of the engine; 0: its own
-  std::uint64_t newton = 0;     ///< option of the engine; 0: its own
-  double phase = not_measured;  ///< step times the slowest mode's frequency, radians
-  double static_stiffness_ratio = not_measured;   ///< stiffness shown at rest / nominal
-  double dynamic_stiffness_ratio = not_measured;  ///< stiffness shown by the slowest mode / nominal
-  double damping = not_measured;                  ///< damping shown by the slowest mode / nominal
-  double added_damping_ratio = not_measured;      ///< damping ratio shown less the nominal one
+  double step = nan;                     ///< s
+  std::uint64_t sweeps = 0;              ///< option of the engine; 0: its own
+  std::uint64_t newton = 0;              ///< option of the engine; 0: its own
+  double phase = nan;                    ///< step times the slowest mode's frequency, radians
+  double static_stiffness_ratio = nan;   ///< stiffness shown at rest / nominal
+  double dynamic_stiffness_ratio = nan;  ///< stiffness shown by the slowest mode / nominal
+  double damping = nan;                  ///< damping shown by the slowest mode / nominal
+  double added_damping_ratio = nan;      ///< damping ratio shown less the nominal one
 
   static constexpr const char* file = "material.csv";
+  static constexpr const char* shown =
+      "scene solver step:.3g sweeps newton static_stiffness_ratio:.3g dynamic_stiffness_ratio:.3g "
+      "damping:.3g added_damping_ratio:.2g status";
   static constexpr int schema = 2;  ///< 2: the names of both stiffness ratios
   static void each(auto& row, auto&& visit) {
     visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
@@ -46,16 +47,18 @@ struct MaterialRow {
 /// most their sum.
 struct ErrorPartsRow {
   std::string library, solver, status, detail;
-  double time = not_measured, step = not_measured;  ///< s
-  std::uint64_t sweeps = 0, newton = 0;             ///< as in MaterialRow
-  double total = not_measured;                      ///< run to truth
-  double iteration = not_measured;  ///< run to the same with iterations converged; 0: none
-  double time_step = not_measured;  ///< that to its limit h -> 0
-  double model = not_measured;      ///< that limit to the truth
+  double time = nan, step = nan;         ///< s
+  std::uint64_t sweeps = 0, newton = 0;  ///< as in MaterialRow
+  double total = nan;                    ///< run to truth
+  double iteration = nan;                ///< run to the same with iterations converged; 0: none
+  double time_step = nan;                ///< that to its limit h -> 0
+  double model = nan;                    ///< that limit to the truth
   /// How far the limits may be off: of iterations at this step, and of the step.
-  double iteration_left = not_measured, step_left = not_measured;
+  double iteration_left = nan, step_left = nan;
 
   static constexpr const char* file = "material_error.csv";
+  static constexpr const char* shown =
+      "solver step:.3g sweeps newton total:.2g iteration:.2g time_step:.2g model:.2g status";
   static void each(auto& row, auto&& visit) {
     visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
     visit("time", row.time), visit("step", row.step), visit("sweeps", row.sweeps);
@@ -70,14 +73,14 @@ struct ErrorPartsRow {
 struct LongRunRow {
   std::string scene;  ///< hanging, free
   std::string library, solver, status, detail;
-  std::string setting_kind;       ///< step, tol
-  double setting = not_measured;  ///< s, or relative and absolute tolerance
-  double time = not_measured;     ///< s
+  std::string setting_kind;  ///< step, tol
+  double setting = nan;      ///< s, or relative and absolute tolerance
+  double time = nan;         ///< s
   /// `drape` (RMS distance of particles from the reference, m), `lowest` (lowest height, m),
   /// `energy` (J), `linear_momentum`, `angular_momentum` (change over the first value).
   std::string quantity = "none";
-  double value = not_measured;
-  double reference = not_measured;
+  double value = nan;
+  double reference = nan;
   std::string reference_source =
       "none";  ///< the file of cases/reference, or the methods that agree
 
@@ -94,9 +97,9 @@ struct LongRunRow {
 
 /// What a step of a cloth costs a particle: a line of cloth_cost.csv.
 struct ClothCostRow {
-  std::uint64_t side = 0;  ///< particles along an edge of the square
-  std::string precision;   ///< f64, f32
-  double wall_ns_min = not_measured, wall_ns_median = not_measured;  ///< a particle and step
+  std::uint64_t side = 0;                          ///< particles along an edge of the square
+  std::string precision;                           ///< f64, f32
+  double wall_ns_min = nan, wall_ns_median = nan;  ///< a particle and step
   std::uint64_t repetitions = 0;
   Conditions conditions;
 
@@ -113,16 +116,16 @@ struct ClothCostRow {
 
 /// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
 struct ImplicitWinsRow {
-  double stiffness = not_measured;  ///< N/m
-  double frame = not_measured;      ///< s; of explicit engines NaN, they step as they can
-  std::string engine;               ///< verlet_f32, imex_f32, implicit_f64
+  double stiffness = nan;  ///< N/m
+  double frame = nan;      ///< s; of explicit engines NaN, they step as they can
+  std::string engine;      ///< verlet_f32, imex_f32, implicit_f64
   std::string status, detail;
-  double step = not_measured;                                        ///< s
-  double wall_ns_min = not_measured, wall_ns_median = not_measured;  ///< a simulated second
+  double step = nan;                               ///< s
+  double wall_ns_min = nan, wall_ns_median = nan;  ///< a simulated second
   std::uint64_t repetitions = 0;
   /// RMS distance of particles from a run of RK4 in f64 (m), and of that from one at twice its
   /// step. No independent truth exists at this size.
-  double rk4_distance = not_measured, rk4_left = not_measured;
+  double rk4_distance = nan, rk4_left = nan;
   Conditions conditions;
 
   static constexpr const char* file = "implicit_wins.csv";

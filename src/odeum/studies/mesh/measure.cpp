@@ -123,7 +123,7 @@ class Sheet {
   /// The period at which the lower edge passes `middle` upwards, from rest; NaN where it does not.
   double period_about(double middle) {
     const double h = 0.5 / highest_frequency_;
-    double first = record::nan, height = lower_edge();
+    double first = nan, height = lower_edge();
     for (int step = 0, passed = 0; step < most_steps; ++step) {
       advance(h);
       const double last = std::exchange(height, lower_edge());
@@ -132,7 +132,7 @@ class Sheet {
       if (passed++ == 0) first = time;
       if (passed > periods) return (time - first) / periods;
     }
-    return record::nan;
+    return nan;
   }
 
  private:

@@ -16,17 +16,20 @@ struct MeshRow {
   /// of a thread cut shorter) or `per_count` (k ~ 1 / springs along an edge).
   std::string scaling;
   std::string status, detail;
-  std::size_t particles = 0;       ///< along an edge
-  double stiffness = record::nan;  ///< of a spring, N/m
-  double extension = record::nan;  ///< hung by its upper edge, mean over the lower one, m
-  double period = record::nan;     ///< of its slowest vertical oscillation, s
-  double sag = record::nan;  ///< of its centre line below two opposite edges that are held level, m
+  std::size_t particles = 0;  ///< along an edge
+  double stiffness = nan;     ///< of a spring, N/m
+  double extension = nan;     ///< hung by its upper edge, mean over the lower one, m
+  double period = nan;        ///< of its slowest vertical oscillation, s
+  double sag = nan;  ///< of its centre line below two opposite edges that are held level, m
   /// Of its lowest particle below the two upper corners that hold it, m; NaN without shear springs.
-  double drape = record::nan;
+  double drape = nan;
   /// What every stiffness must be multiplied by for the extension of the coarsest mesh.
-  double factor = record::nan;
+  double factor = nan;
 
   static constexpr const char* file = "mesh.csv";
+  static constexpr const char* shown =
+      "springs scaling particles stiffness extension:.4f period:.4f sag:.4f drape:.4f factor:.3f "
+      "status";
   static void each(auto& row, auto&& visit) {
     visit("springs", row.springs), visit("scaling", row.scaling), visit("status", row.status);
     visit("detail", row.detail), visit("particles", row.particles);

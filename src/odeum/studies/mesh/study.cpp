@@ -1,26 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/record/table.hpp"
 #include "odeum/studies/mesh/rows.hpp"
 
 namespace odeum::study {
-namespace {
-
-std::string table(const MeshResult& result) {
-  return record::table_of(result.rows, {{"springs", "{springs}"},
-                                        {"scaling", "{scaling}"},
-                                        {"particles an edge", "{particles:d}"},
-                                        {"stiffness, N/m", "{stiffness:.4g}"},
-                                        {"extension, m", "{extension:.4f}"},
-                                        {"period, s", "{period:.4f}"},
-                                        {"sag, m", "{sag:.4f}"},
-                                        {"drape, m", "{drape:.4f}"},
-                                        {"factor", "{factor:.3f}"},
-                                        {"status", "{status}: {detail}"}})
-      .text();
-}
-
-}  // namespace
-
 std::unique_ptr<Study> make_mesh() {
   return make_study<MeshResult>(
       {.name = "mesh",
@@ -34,7 +15,7 @@ std::unique_ptr<Study> make_mesh() {
                     .whole = true}},
        .figures = {{"edge", sheet_edge}, {"mass", sheet_mass}},
        .report = {{.own = {{"most", "24"}}}}},
-      {.measure = measure_mesh, .table = table});
+      {.measure = measure_mesh});
 }
 
 }  // namespace odeum::study

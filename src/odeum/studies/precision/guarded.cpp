@@ -109,29 +109,6 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   return trial;
 }
 
-/// What the next setting of a solver costs at least, by those run so far.
-class Foreseen {
- public:
-  void add(const TimedRun& run) {
-    const double setting = run.request.mode == Mode::fixed ? static_cast<double>(run.request.steps)
-                                                           : 1 / run.request.tolerance.relative;
-    work_.push_back({setting, static_cast<double>(run.row.counters.work)});
-    ns_.push_back({setting, run.guarded_ns});
-  }
-  /// Why the next one is not run; empty: it may be within its budget.
-  std::string excess(const Request& next) const {
-    const char* const because = "not run: by coarser settings it takes more than";
-    if (foreseen_work(work_, next) > static_cast<double>(next.budget.evaluations))
-      return fmt::format("{} {} evaluations and products", because, next.budget.evaluations);
-    if (foreseen_work(ns_, next) > 1e9 * next.budget.seconds)
-      return fmt::format("{} {} s", because, next.budget.seconds);
-    return {};
-  }
-
- private:
-  std::vector<Cost> work_, ns_;
-};
-
 /// Tolerances looser than the first, while that still reaches the largest error compared: a solver
 /// that is more accurate than its tolerance gets there by a looser one.
 void run_looser(const TimedCase& stage, TimedSolver& solver) {
@@ -167,7 +144,8 @@ void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
       break;
     }
     solver.trials.push_back(run_guarded(stage, entrant, request));
-    if (solver.trials.back().ok()) foreseen.add(solver.trials.back());
+    if (const TimedRun& run = solver.trials.back(); run.ok())
+      foreseen.add(run.request, run.row.counters.work, run.guarded_ns);
     // Finer settings cost more and are not needed.
     if (solver.trials.back().row.status == to_string(Status::over_budget)) break;
   }

@@ -33,10 +33,10 @@ struct PrecisionRow {
   bool pareto = false;  ///< no other row is both faster and more accurate
   /// How the machine's own speed changed from before the timed runs of the case to after them, as a
   /// fraction: an effect of other programs on times. NaN where nothing was timed.
-  double drift = record::nan;
+  double drift = nan;
   /// Processor time over wall time of the case's timed runs: 1 where no other program ran. NaN
   /// where nothing was timed.
-  double processor_share = record::nan;
+  double processor_share = nan;
   std::string measured;        ///< when the case was measured, UTC
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "odeum/record/table.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/studies/precision/precision.hpp"
 #include "odeum/studies/questions.hpp"
@@ -28,16 +27,9 @@ std::string table(const PrecisionResult& result) {
     else
       lines.push_back(row);
   }
-  return record::table_of(lines, {{"case", "{case}"},
-                                  {"down to error", "{error:.0e}"},
-                                  {"fastest own", "{own}"},
-                                  {"ns", "{own_ns:.0f}"},
-                                  {"fastest peer", "{peer}"},
-                                  {"ns", "{peer_ns:.0f}"},
-                                  {"peer / own", "{ratio:.2f}"},
-                                  {"least", "{ratio_low:.2f}"},
-                                  {"most", "{ratio_high:.2f}"},
-                                  {"reason", "{reason}"}})
+  return record::table_of(lines,
+                          "case error:.0e own own_ns:.0f peer peer_ns:.0f ratio:.2f ratio_low:.2f "
+                          "ratio_high:.2f reason")
       .text();
 }
 

@@ -76,22 +76,21 @@ struct ProofRow {
   /// fails beyond it.
   std::optional<int> conditions, conditions_embedded;
   std::string failing_tree;
-  double code_difference = record::nan;  ///< code against interpreted tableau
+  double code_difference = nan;  ///< code against interpreted tableau
 
-  double stability_difference = record::nan;  ///< code against stability function, relative
+  double stability_difference = nan;  ///< code against stability function, relative
   int stability_points = 0;
-  StabilityClass stability{record::nan, record::nan};
+  StabilityClass stability{nan, nan};
 
-  double symplectic_defect = record::nan, return_defect = record::nan;
+  double symplectic_defect = nan, return_defect = nan;
   double energy_periods = 0;  ///< of symplectic methods
-  double energy_first = record::nan, energy_last = record::nan;
+  double energy_first = nan, energy_last = nan;
 
   /// Whether the estimate is within its band on every test problem: yes, no, or empty without one.
   std::string estimates_well;
 
   int mutants = 0, caught = 0, equivalent = 0;  ///< those that count
-  double smallest_caught =
-      record::nan;  ///< size of change down to which every coefficient is caught
+  double smallest_caught = nan;  ///< size of change down to which every coefficient is caught
 
   bool symplectic() const;
   bool reversible() const;
@@ -99,6 +98,8 @@ struct ProofRow {
   int survived() const { return mutants - caught - equivalent; }
 
   static constexpr const char* file = "proofs.csv";
+  static constexpr const char* shown =
+      "solver claimed_order conditions stability_difference:.0e stability caught survived mutants";
   static void each(auto& row, auto&& visit) {
     visit("solver", row.method), visit("family", row.family), visit("claimed_order", row.order);
     visit("claimed_embedded", row.order_embedded), visit("conditions", row.conditions);

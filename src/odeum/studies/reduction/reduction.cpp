@@ -58,12 +58,11 @@ ReductionRow measure(const Entrant& entrant, double lambda) {
     const Outcome outcome = entrant.solve(request);
     const bool solved = outcome.status == Status::ok;
     if (!solved) last_failure = std::string(to_string(outcome.status)) + ", " + outcome.detail;
-    points.push_back(
-        {.step = horizon / static_cast<double>(steps),
-         .error = solved ? std::abs(outcome.states.back() - std::cos(horizon)) : record::nan,
-         .steps = static_cast<double>(steps),
-         .rounding_unit = std::numeric_limits<double>::epsilon() / 2,
-         .scale = 1});
+    points.push_back({.step = horizon / static_cast<double>(steps),
+                      .error = solved ? std::abs(outcome.states.back() - std::cos(horizon)) : nan,
+                      .steps = static_cast<double>(steps),
+                      .rounding_unit = std::numeric_limits<double>::epsilon() / 2,
+                      .scale = 1});
   }
   row.fit =
       judge::fit_order(points, row.claimed_order, judge::fixed_step_tolerance(row.claimed_order));

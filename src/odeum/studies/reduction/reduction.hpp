@@ -13,12 +13,14 @@ namespace odeum::study {
 /// The order of one solver at one stiffness: a line of order_reduction.csv.
 struct ReductionRow {
   std::string library, solver;
-  double lambda = record::nan;  ///< of y' = lambda (y - cos t) - sin t
-  double claimed_order = record::nan;
+  double lambda = nan;  ///< of y' = lambda (y - cos t) - sin t
+  double claimed_order = nan;
   judge::OrderFit fit;
-  double error_finest = record::nan;  ///< absolute, at the finest step; NaN where that failed
+  double error_finest = nan;  ///< absolute, at the finest step; NaN where that failed
 
   static constexpr const char* file = "order_reduction.csv";
+  static constexpr const char* shown =
+      "solver lambda:.0e claimed_order:.3g measured_order:.3f error_finest:.1e verdict";
   static void each(auto& row, auto&& visit) {
     visit("library", row.library), visit("solver", row.solver), visit("lambda", row.lambda);
     visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);

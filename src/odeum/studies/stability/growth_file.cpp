@@ -26,16 +26,11 @@ std::string growth_text(const StabilityRegion& region) {
 }
 
 void write_growth(const StabilityRegion& region, const record::OutputFolder& folder) {
-  record::CsvTable data("plane,columns,rows,first_low,first_high,second_low,second_high");
-  data.add(record::CsvRow()
-               .text(region.plane)
-               .count(region.columns)
-               .count(region.rows)
-               .number(region.first_low)
-               .number(region.first_high)
-               .number(region.second_low)
-               .number(region.second_high));
-  folder.write(region.growth_file(), data.text() + growth_text(region));
+  const record::Records data{
+      {"plane", "columns", "rows", "first_low", "first_high", "second_low", "second_high"},
+      {{region.plane, region.columns, region.rows, region.first_low, region.first_high,
+        region.second_low, region.second_high}}};
+  folder.write(region.growth_file(), data.csv() + growth_text(region));
 }
 
 }  // namespace odeum::study

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/report/text.hpp"
@@ -145,9 +144,9 @@ std::vector<Loop> outline(const StabilityRegion& region, double level) {
   return March(grid, level).loops();
 }
 
-std::string outlines_json(const std::vector<StabilityRegion>& regions) {
+std::string outlines_json(const std::vector<StabilityRegion>& regions, unsigned jobs) {
   std::vector<nlohmann::ordered_json> list(regions.size());
-  parallel_for(regions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+  parallel_for(regions.size(), jobs, [&](std::size_t i) {
     const StabilityRegion& region = regions[i];
     nlohmann::ordered_json others = nlohmann::ordered_json::object();
     for (const double level : other_levels)

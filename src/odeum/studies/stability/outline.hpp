@@ -17,6 +17,6 @@ std::vector<Loop> outline(const StabilityRegion& region, double level);
 
 /// The outlines of all regions for the page: of the part without growth (`loops`), and of growths
 /// by other factors.
-std::string outlines_json(const std::vector<StabilityRegion>& regions);
+std::string outlines_json(const std::vector<StabilityRegion>& regions, unsigned jobs = 1);
 
 }  // namespace odeum::study

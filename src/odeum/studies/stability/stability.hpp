@@ -22,12 +22,13 @@ inline constexpr double limit_tolerance = 1e-6;
 struct StabilityLimit {
   std::string library, solver;
   std::string axis;  ///< real, imaginary, oscillator
-  double limit = record::nan, theory = record::nan;
-  double difference = record::nan;  ///< |limit - theory|, 0 where both are infinite
+  double limit = nan, theory = nan;
+  double difference = nan;  ///< |limit - theory|, 0 where both are infinite
   std::string status;  ///< a Status, not_applicable, or differs: from theory, see limit_tolerance
   std::string detail;
 
   static constexpr const char* file = "stability_limits.csv";
+  static constexpr const char* shown = "solver axis limit:.7g theory:.7g status";
   static void each(auto& row, auto&& visit) {
     visit("library", row.library), visit("solver", row.solver), visit("axis", row.axis);
     visit("limit", row.limit), visit("theory", row.theory), visit("difference", row.difference);
@@ -70,12 +71,12 @@ struct StableStep {
   std::string case_id, library, solver;
   std::string status, detail;  ///< a Status or not_applicable
   /// The eigenvalue that limits the step; where none does, the largest.
-  std::complex<double> eigenvalue{record::nan, record::nan};
-  double limit =
-      record::nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
-  double step = record::nan;  ///< limit / |eigenvalue|; infinity: any
+  std::complex<double> eigenvalue{nan, nan};
+  double limit = nan;  ///< the largest |z| without growth on the ray of that eigenvalue, measured
+  double step = nan;   ///< limit / |eigenvalue|; infinity: any
 
   static constexpr const char* file = "stability_steps.csv";
+  static constexpr const char* shown = "case solver step eigenvalue limit:.5g status";
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
     visit("status", row.status), visit("detail", row.detail), visit("eigenvalue", row.eigenvalue);

@@ -1,43 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <thread>
-
 #include "odeum/core/parallel.hpp"
-#include "odeum/record/table.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/studies/stability/outline.hpp"
 
 namespace odeum::study {
 namespace {
 
-std::string table(const StabilityResult& result) {
-  std::string text;
-  if (!result.steps.empty())
-    text = record::table_of(result.steps,
-                            {{"case", "{case}"},
-                             {"solver", "{library}/{solver}"},
-                             {"largest step", "{step:.4g}"},
-                             {"by the eigenvalue", "{eigenvalue_re:.3g} {eigenvalue_im:+.3g}i"},
-                             {"limit on its ray", "{limit:.5g}"},
-                             {"status", "{status}: {detail}"}})
-               .text();
-  if (result.steps.empty() || !result.limits.empty())
-    text += record::table_of(result.limits, {{"solver", "{library}/{solver}"},
-                                             {"axis", "{axis}"},
-                                             {"limit", "{limit:.7g}"},
-                                             {"theory", "{theory:.7g}"},
-                                             {"status", "{status}: {detail}"}})
-                .text();
-  return text;
-}
-
-void write_growths(const StabilityResult& result, const record::OutputFolder& folder) {
-  parallel_for(result.regions.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+void write_growths(const StabilityResult& result, const record::OutputFolder& folder,
+                   unsigned jobs) {
+  parallel_for(result.regions.size(), jobs, [&](std::size_t i) {
     if (!result.regions[i].growth.empty()) write_growth(result.regions[i], folder);
   });
 }
 
 void show_outlines(report::Report& report, const StabilityResult& result) {
-  report.data("regions", outlines_json(result.regions));
+  report.data("regions", outlines_json(result.regions, report.jobs()));
 }
 
 }  // namespace
@@ -64,10 +41,7 @@ std::unique_ptr<Study> make_stability() {
                     .most = 4096,
                     .whole = true}},
        .quick_report = {{.own = {{"grid", "65"}, {"peer-grid", "17"}}}}},
-      {.measure = measure_stability,
-       .table = table,
-       .show_more = show_outlines,
-       .write_more = write_growths});
+      {.measure = measure_stability, .show_more = show_outlines, .write_more = write_growths});
 }
 
 }  // namespace odeum::study
