@@ -78,7 +78,7 @@ Case case_of(const Statement& statement) {
   const auto named = [id = statement.id, title = statement.title, tags = statement.tags](Case c) {
     c.id = id;
     c.title = title;
-    c.tags.insert(c.tags.begin(), tags.begin(), tags.end());
+    c.tags.insert(c.tags.end(), tags.begin(), tags.end());
     return c;
   };
   Case c = named(statement.make());
