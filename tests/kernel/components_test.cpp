@@ -172,7 +172,7 @@ TEST(Components, EachIsVisitedOnce) {
     each_component(state, [&](std::size_t n) { ++visits[n]; });
     EXPECT_EQ(visits, std::vector<int>(state.size(), 1));
     EXPECT_EQ(sum_of_components(state, [](std::size_t n) { return static_cast<double>(n); }),
-              static_cast<double>(state.size() * (state.size() - 1) / 2));
+              static_cast<double>(state.size() * (state.size() - 1)) / 2);
   };
   check(std::array<double, few_components>{});
   check(std::array<double, few_components + 1>{});

@@ -14,6 +14,8 @@
 namespace odeum {
 
 inline constexpr std::size_t few_components = 12;
+/// Up to so many the loop is unrolled; more would not fit into the registers.
+inline constexpr std::size_t unrolled_components = 4;
 
 template <class S>
 inline constexpr std::size_t static_size = 0;
@@ -23,7 +25,7 @@ inline constexpr std::size_t static_size<std::array<Real, N>> = N;
 /// f(0), ..., f(size - 1), independent calls; `known`: the size where the type says it, else 0.
 template <std::size_t known, class F>
 [[gnu::always_inline]] inline void each_of(std::size_t size, F&& f) {
-  if constexpr (known > 0 && known <= few_components) {
+  if constexpr (known > 0 && known <= unrolled_components) {
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) { (f(I), ...); }
     (std::make_index_sequence<known>{});
   } else {
