@@ -91,7 +91,7 @@ class Fmus : public testing::TestWithParam<int> {
   Case made(const Values& values = {}) {
     foreign::ProblemCallbacks given = open_fmu(fmu(), values);
     given.id = "model";
-    return cases::foreign_case(std::move(given)).c;
+    return case_of(cases::foreign_statement(std::move(given)));
   }
 
   fs::path folder_ = fs::temp_directory_path() / ("odeum_fmi_test_" + std::to_string(getpid()) +

@@ -117,8 +117,8 @@ TEST(SundialsOrder, ErrorOfImplicitTablesIsControlledOnALinearProblem) {
 /// The largest relative difference between two solvers' states on a case.
 double difference(const Case& c, const std::string& one, const std::string& other) {
   const Request request = fixed(c.settings.coarsest_steps * 4, c.stops);
-  const Outcome a = find(c.entrants, one).solve(request);
-  const Outcome b = find(c.entrants, other).solve(request);
+  const Outcome a = c.entrants.find(one)->solve(request);
+  const Outcome b = c.entrants.find(other)->solve(request);
   EXPECT_EQ(a.status, Status::ok) << one << ": " << a.detail;
   EXPECT_EQ(b.status, Status::ok) << other << ": " << b.detail;
   if (a.states.size() != b.states.size()) return std::numeric_limits<double>::infinity();

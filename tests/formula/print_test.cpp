@@ -39,11 +39,11 @@ TEST(CaseTexts, MistakesHaveTheirPlace) {
   expect_fault("cases: {d: {reference: r, floor: 1}}\n", "5:24: ", "no reference r");
   expect_fault("case: {offer: jacobian}\n", "5:8: ", "did you mean offers?");
   expect_fault("case: {offers: jacobi}\n", "5:16: ", "got jacobi, expected jacobian");
-  expect_fault("cases: {d: {parameters: [z]}}\n", "1:1: ", "no parameter; got z");
-  expect_fault("cases: {d: {meanings: {z: 1}}}\n", "1:1: ", "no parameter; got z");
+  expect_fault("cases: {d: {parameters: [z]}}\n", "5:25: ", "no parameter; got z");
+  expect_fault("cases: {d: {meanings: {z: 1}}}\n", "5:24: ", "no parameter; got z");
   expect_fault("cases: {d: {floor: t}}\n", "5:20: ", "not a constant");
   // Names that were ignored: the case was that of the usual values.
-  expect_fault("cases: {d: {set: {kk: 3}}}\n", "5:19: ", "got --set kk");
+  expect_fault("cases: {d: {set: {kk: 3}}}\n", "5:19: ", "no parameter; got kk");
   expect_fault("cases: {d: {invariants: energie}}\n", "5:25: ", "no invariant; got energie");
 }
 

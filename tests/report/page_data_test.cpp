@@ -2,9 +2,12 @@
 // What the report hands to its scripts.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/report/columns.hpp"
@@ -81,6 +84,22 @@ TEST(PageData, RegionsAreHandedOverWithWhyOneIsMissing) {
 
 ReductionResult two_rows(const Options&, const Runner&) {
   return {{ReductionRow(), ReductionRow()}};
+}
+
+TEST(PageData, WritesNoMorePartsAtATimeThanItIsTold) {
+  const tests::TemporaryFolder root;
+  const record::OutputFolder folder(root.path() / "out");
+  report::Report made(report::Facts(), folder, 1);
+  std::atomic<int> now = 0, most = 0;
+  const auto slow = [&] {
+    most = std::max<int>(most, ++now);
+    // So long that a second thread would begin its part in between.
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    --now;
+    return std::vector<record::Fields>{{{"x", 1.0}}};
+  };
+  made.table("a", "a.csv", {{"x", {}}}, std::vector<report::TablePart>(4, {"", 1, slow}));
+  EXPECT_EQ(most.load(), 1);
 }
 
 TEST(PageData, AStudyTellsWhatOfItWasMeasured) {

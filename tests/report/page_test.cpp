@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <map>
-#include <thread>
 
 #include "odeum/core/machine.hpp"
 #include "support/full_disk.hpp"
@@ -256,22 +253,6 @@ TEST(Page, NamesTheLibrariesThatAreLoaded) {
 #else
   EXPECT_TRUE(loaded.empty());
 #endif
-}
-
-TEST(Page, WritesNoMorePartsAtATimeThanItIsTold) {
-  const tests::TemporaryFolder root;
-  const record::OutputFolder folder(root.path() / "out");
-  report::Report report(Facts(), folder, 1);
-  std::atomic<int> now = 0, most = 0;
-  const auto slow = [&] {
-    most = std::max<int>(most, ++now);
-    // So long that a second thread would begin its part in between.
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    --now;
-    return std::vector<record::Fields>{{{"x", 1.0}}};
-  };
-  report.table("a", "a.csv", {{"x", {}}}, std::vector<TablePart>(4, {"", 1, slow}));
-  EXPECT_EQ(most, 1);
 }
 
 TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {

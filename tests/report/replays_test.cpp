@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "odeum/trajectories/report_parts.hpp"
@@ -14,9 +13,9 @@ namespace {
 /// The cloth of the replays with these of its solvers alone.
 Case cloth_with(const std::vector<std::string>& solvers) {
   Case c = tests::find_case(replayed_case);
-  std::erase_if(c.entrants, [&](const Entrant& entrant) {
-    return std::find(solvers.begin(), solvers.end(), entrant.info.id()) == solvers.end();
-  });
+  Entrants chosen;
+  for (const std::string& id : solvers) chosen.add(tests::find_entrant(c, id));
+  c.entrants = chosen;
   return c;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/printed_text.hpp"
 #include "odeum/cases/reference.hpp"
@@ -14,7 +15,6 @@
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_truth.hpp"
-#include "odeum/formula/case_keys.hpp"
 
 namespace odeum::cases {
 
@@ -46,26 +46,10 @@ const PrintedText* printed_of(std::string_view stem) {
 }
 
 /// Makes a case of a file.
-class TextCase : formula::CaseKeys {
+class TextCase : CaseText {
  public:
   TextCase(const File& file, const std::string& id, const formula::Overrides& set)
-      : CaseKeys(file.name, file.text), file_(file), id_(id) {
-    enter(id);
-    formula::Overrides all;
-    for (const Item& item : mapping("set")) all[item.key] = scalar(*item.value, item.key);
-    problem_ = formula::read_problem(file.name, file.text, all);
-    read_offered();
-    usual_ = problem_.parameters;
-    if (set.empty()) return;
-    for (const auto& [name, value] : set) {
-      if (problem_.parameters.contains(name) &&
-          std::find(offered_.begin(), offered_.end(), name) == offered_.end())
-        throw std::invalid_argument(fmt::format("{} has no parameter {}; expected one of {}", id,
-                                                name, fmt::join(offered_, ", ")));
-      all[name] = value;
-    }
-    problem_ = formula::read_problem(file.name, file.text, all);
-  }
+      : CaseText(file.name, file.text, id, set), file_(file) {}
 
   Case make() {
     require_signs();
@@ -91,57 +75,6 @@ class TextCase : formula::CaseKeys {
   }
 
  private:
-  /// An expression of the parameters.
-  double number(const YamlNode& value, const std::string& key) {
-    formula::Graph graph;
-    formula::Scope scope;
-    for (const auto& [name, known] : problem_.parameters) scope.names[name] = graph.constant(known);
-    try {
-      const formula::Id id = parse_expression(scalar(value, key), scope, graph);
-      if (graph.is_constant(id)) return static_cast<double>(graph[id].value);
-    } catch (const formula::ExpressionError& error) {
-      fail(value.place, "{}: {}", key, error.what());
-    }
-    fail(value.place, "{}: not a constant; got t in it, expected a number", key);
-  }
-  std::vector<double> numbers(const std::string& key) {
-    std::vector<double> all;
-    for (const YamlNode* entry : entries(find(key))) all.push_back(number(*entry, key));
-    return all;
-  }
-  template <class Number>
-  void take_number(const std::string& key, Number& value) {
-    const std::vector<double> given = numbers(key);
-    if (given.size() > 1) fail(find(key)->place, "{}: got a list, expected a number", key);
-    if (!given.empty()) value = static_cast<Number>(given.front());
-  }
-
-  /// The parameters that a user may change: those of `parameters`, of `meanings`, or all.
-  void read_offered() {
-    for (const Item& item : mapping("set"))
-      if (!problem_.parameters.contains(item.key))
-        fail(item.key_place, "set: no parameter; got {}", shown(item.key));
-    offered_ = texts("parameters");
-    const std::vector<Item> meanings = mapping("meanings");
-    if (!has("parameters"))
-      for (const Item& item : meanings) offered_.push_back(item.key);
-    if (!has("parameters") && !has("meanings"))
-      for (const auto& [name, value] : problem_.parameters) offered_.push_back(name);
-    for (const std::string& name : offered_)
-      if (!problem_.parameters.contains(name))
-        fail({}, "{}: no parameter; got {}, expected one", id_, shown(name));
-    for (const Item& item : meanings)
-      if (!problem_.parameters.contains(item.key))
-        fail(item.key_place, "meanings: no parameter; got {}", shown(item.key));
-  }
-
-  void require_signs() {
-    for (const YamlNode* each : entries(find("positive")))
-      require_positive(scalar(*each, "positive"), number(*each, "positive"));
-    for (const YamlNode* each : entries(find("not_negative")))
-      require_not_negative(scalar(*each, "not_negative"), number(*each, "not_negative"));
-  }
-
   void add_parameters() {
     const std::vector<Item> meanings = mapping("meanings");
     for (const std::string& name : offered_) {
@@ -232,11 +165,7 @@ class TextCase : formula::CaseKeys {
   /// A reference holds for the usual parameters; else the closed form, or a computed reference. One
   /// in place of a reference that no longer holds is computed where a run asks for it.
   void set_truth() {
-    const bool usual =
-        std::equal(usual_.begin(), usual_.end(), problem_.parameters.begin(),
-                   [](const auto& a, const auto& b) {
-                     return static_cast<double>(a.second) == static_cast<double>(b.second);
-                   });
+    const bool usual = is_usual();
     const std::vector<std::string> files = texts("reference");
     double floor = 0;
     take_number("floor", floor);
@@ -314,10 +243,6 @@ class TextCase : formula::CaseKeys {
   }
 
   File file_;
-  std::string id_;
-  formula::Problem problem_;
-  std::map<std::string, long double> usual_;
-  std::vector<std::string> offered_;
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;

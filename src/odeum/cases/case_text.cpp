@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cases/case_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "odeum/cases/parameters.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/formula/parser.hpp"
+
+namespace odeum::cases {
+
+CaseText::CaseText(const std::string& file, const std::string& text, const std::string& id,
+                   const formula::Overrides& set)
+    : CaseKeys(file, text), id_(id) {
+  enter(id);
+  formula::Overrides all = own_values(file, text);
+  problem_ = formula::read_problem(file, text, all);
+  usual_ = problem_.parameters;
+  read_offered();
+  if (set.empty()) return;
+  for (const auto& [name, value] : set) {
+    if (problem_.parameters.contains(name) &&
+        std::find(offered_.begin(), offered_.end(), name) == offered_.end())
+      throw std::invalid_argument(fmt::format("{} has no parameter {}; expected one of {}", id,
+                                              name, fmt::join(offered_, ", ")));
+    all[name] = value;
+  }
+  problem_ = formula::read_problem(file, text, all);
+}
+
+formula::Overrides CaseText::own_values(const std::string& file, const std::string& text) {
+  const std::vector<Item> given = mapping("set");
+  if (given.empty()) return {};
+  const auto known = formula::read_problem(file, text).parameters;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : known) names.push_back(name);
+  formula::Overrides values;
+  for (const Item& item : given) {
+    if (!known.contains(item.key))
+      fail(item.key_place, "set: no parameter; got {}, expected one of {}{}", shown(item.key),
+           fmt::join(names, ", "), near_one(item.key, names));
+    values[item.key] = scalar(*item.value, "set: " + item.key);
+  }
+  return values;
+}
+
+double CaseText::number(const YamlNode& value, const std::string& key) {
+  formula::Graph graph;
+  formula::Scope scope;
+  for (const auto& [name, known] : problem_.parameters) scope.names[name] = graph.constant(known);
+  try {
+    const formula::Id id = formula::parse_expression(scalar(value, key), scope, graph);
+    if (graph.is_constant(id)) return static_cast<double>(graph[id].value);
+  } catch (const formula::ExpressionError& error) {
+    fail(value.place, "{}: {}", key, error.what());
+  }
+  fail(value.place, "{}: not a constant; got t in it, expected a number", key);
+}
+
+std::vector<double> CaseText::numbers(const std::string& key) {
+  std::vector<double> all;
+  for (const YamlNode* entry : entries(find(key))) all.push_back(number(*entry, key));
+  return all;
+}
+
+// Those of `parameters`, of `meanings`, or all.
+void CaseText::read_offered() {
+  const std::vector<Item> meanings = mapping("meanings");
+  const auto require = [&](const std::string& name, Place place, const char* in) {
+    if (!problem_.parameters.contains(name))
+      fail(place, "{}: no parameter; got {}, expected one of the file", in, shown(name));
+  };
+  for (const Item& item : meanings) require(item.key, item.key_place, "meanings");
+  offered_ = texts("parameters");
+  for (const std::string& name : offered_) require(name, find("parameters")->place, "parameters");
+  if (has("parameters")) return;
+  for (const Item& item : meanings) offered_.push_back(item.key);
+  if (has("meanings")) return;
+  for (const auto& [name, value] : problem_.parameters) offered_.push_back(name);
+}
+
+void CaseText::require_signs() {
+  for (const YamlNode* each : entries(find("positive")))
+    require_positive(scalar(*each, "positive"), number(*each, "positive"));
+  for (const YamlNode* each : entries(find("not_negative")))
+    require_not_negative(scalar(*each, "not_negative"), number(*each, "not_negative"));
+}
+
+bool CaseText::is_usual() const {
+  return std::equal(usual_.begin(), usual_.end(), problem_.parameters.begin(),
+                    [](const auto& a, const auto& b) {
+                      return static_cast<double>(a.second) == static_cast<double>(b.second);
+                    });
+}
+
+}  // namespace odeum::cases

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/problem.hpp"
+
+namespace odeum::cases {
+
+/// One case of a problem file while it is read: its keys, the problem with the case's parameters,
+/// and numbers that are given as expressions of these.
+class CaseText : protected formula::CaseKeys {
+ protected:
+  /// `set` replaces parameters that the case offers; throws std::invalid_argument for another one.
+  CaseText(const std::string& file, const std::string& text, const std::string& id,
+           const formula::Overrides& set);
+
+  /// The number, or the entries of the list, of a key; none where it is not given.
+  std::vector<double> numbers(const std::string& key);
+  template <class Number>
+  void take_number(const std::string& key, Number& value) {
+    const std::vector<double> given = numbers(key);
+    if (given.size() > 1) fail(find(key)->place, "{}: got a list, expected a number", key);
+    if (!given.empty()) value = static_cast<Number>(given.front());
+  }
+  /// Throws std::invalid_argument where an expression that has to be positive is not.
+  void require_signs();
+  /// Whether the parameters are those of the file.
+  bool is_usual() const;
+
+  std::string id_;
+  formula::Problem problem_;
+  std::vector<std::string> offered_;  ///< parameters that a user may change
+
+ private:
+  double number(const YamlNode& value, const std::string& key);
+  /// The values of `set` below the case.
+  formula::Overrides own_values(const std::string& file, const std::string& text);
+  void read_offered();
+
+  std::map<std::string, long double> usual_;
+};
+
+}  // namespace odeum::cases
