@@ -82,7 +82,6 @@ const Exception exceptions[] = {
     {"gauss4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"gauss4", "rc_circuit", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
-    {"sdirk4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"radau_iia5", "duffing_free", Mode::adaptive, {undetermined}, 5.5, 7.5, mean_step},
     // Local slopes run from 2.9 to 6.3: the verdict depends on the rounding of the step control,
     // which

@@ -29,23 +29,45 @@ class ProblemCommands : public testing::Test {
   void write(const std::string& name, const std::string& text) const {
     tests::write_text(folder_.path() / name, text);
   }
+  /// Writes the problem of a built-in text without its cases, and with a parameter more, so that it
+  /// has code of its own.
+  void write_own(const std::string& name) const {
+    std::string text = tests::text_of(cases + name);
+    text.resize(text.find("\ncase:") + 1);
+    const std::string parameters = "parameters: {";
+    text.insert(text.find(parameters) + parameters.size(), "nothing: 0, ");
+    write(name, text);
+  }
 
   tests::TemporaryFolder folder_;
 };
 
 TEST_F(ProblemCommands, RunSaysWhatWasFoundAndHowGoodTheTruthIs) {
-  expect("run " + cases + "kepler.yaml", 0, "second order, q'' = a(t, q): separable");
-  const std::string run = "run " + cases + "kepler.yaml --solver rk4 --step 0.01";
+  write_own("kepler.yaml");
+  expect("run kepler.yaml", 0, "second order, q'' = a(t, q): separable");
+  const std::string run = "run kepler.yaml --solver rk4 --step 0.01";
   expect(run, 0, "known to ");
   expect(run, 0, "from the cache");
   expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
-  expect("run " + cases + "kepler.yaml --step 0.1", 2, "--solver is required");
-  expect("run " + cases + "kepler.yaml --solver exponential_propagator --step 0.1", 2,
-         "does not fit");
+  expect("run kepler.yaml --step 0.1", 2, "--solver is required");
+  expect("run kepler.yaml --solver exponential_propagator --step 0.1", 2, "does not fit");
+}
+
+// A file says of its cases what a built-in one says: run takes the first.
+TEST_F(ProblemCommands, AFileOfSeveralCasesHasThemAll) {
+  const std::string run = "run " + cases + "kepler.yaml --solver rk4 --step 0.01";
+  expect(run, 0, "kepler_e06_text, the first of 2: kepler_e06_text, kepler_e09_text");
+  expect(run, 0, "against cases/reference/kepler_e06.csv");
+  expect(run, 0, "as a built-in case");
+  expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
+  expect(run + " --set eccentricity=1", 2, "1 - eccentricity: got 0, expected a positive number");
+  expect("converge " + cases + "kepler.yaml --solver odeum/ralston2 --mode fixed --out out", 0,
+         "kepler_e09_text");
 }
 
 TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
-  const std::string run = "run " + cases + "van_der_pol.yaml --solver rk4 --step 0.01";
+  write_own("van_der_pol.yaml");
+  const std::string run = "run van_der_pol.yaml --solver rk4 --step 0.01";
   const auto error = [&](const std::string& variables) {
     const std::string output = odeum(run, variables).output;
     const std::size_t at = output.find("\nerror ");
@@ -62,7 +84,7 @@ TEST_F(ProblemCommands, ConvergeGivesOrdersWithVerdicts) {
   expect("converge " + cases + "brusselator.yaml --solver odeum/rk4 --mode fixed --out out", 0,
          "confirmed");
   const std::string orders = tests::text_of(folder_.path() / "out/orders.csv");
-  EXPECT_NE(orders.find(",brusselator,odeum,rk4,"), std::string::npos) << orders;
+  EXPECT_NE(orders.find(",brusselator2_text,odeum,rk4,"), std::string::npos) << orders;
   // The name of a compiled case is left to it.
   expect("converge --case " + cases + "hires.yaml --solver odeum/sdirk2 --mode adaptive --out out",
          0, "hires_text");
@@ -100,7 +122,8 @@ TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
   expect("converge nowhere.yaml", 2, "nowhere.yaml:1:1: problem: cannot be read");
   expect("run " + cases + "kepler.yaml --set e=2", 2, "none to set of that name");
   expect("run " + cases + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
-  expect("run " + cases + "kepler.yaml --set eccentricity=1", 2, "division by zero");
+  write_own("kepler.yaml");
+  expect("run kepler.yaml --set eccentricity=1", 2, "division by zero");
   expect("run " + cases + "lorenz.yaml --set zz=1", 2, "expected one of: ");
   write("plain.yaml", "states: {x: 1}\nequations: {x: -x}\ntime: {end: 1}\n");
   expect("run plain.yaml --set x=3", 2, "the file has no parameters");

@@ -35,13 +35,14 @@ def fused_in(unit, functions):
 def main(build):
     faults, timed, judged = [], [], []
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        unit, file = pathlib.Path(entry["directory"]) / entry["output"], entry["file"]
-        if entry["output"].startswith("tests/bench/"):
+        output, file = re.search(r" -o (\S+)", entry["command"])[1], entry["file"]
+        unit = pathlib.Path(entry["directory"]) / output
+        if output.startswith("tests/bench/") or output.endswith(".gch"):
             continue
         rule = re.findall(r"-ffp-contract=(\w+)", entry["command"])[-1:]
         if rule not in (["off"], ["fast"]) or (rule == ["fast"]) != bool(TIMED.search(file)):
             faults.append(f"{file}: compiled with contraction {rule}")
-        if not entry["output"].startswith("tests/") and unit.exists():
+        if not output.startswith("tests/") and unit.exists():
             (timed if rule == ["fast"] else judged).append(unit)
     if not timed or not judged:
         faults.append(f"{len(timed)} timed units and {len(judged)} others are built")

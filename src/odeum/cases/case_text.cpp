@@ -29,7 +29,23 @@ CaseText::CaseText(const std::string& file, const std::string& text, const std::
                                               name, fmt::join(offered_, ", ")));
     all[name] = value;
   }
+  take_values(set);
+  require_signs();
   problem_ = formula::read_problem(file, text, all);
+}
+
+// Numbers alone, so that signs are checked before the problem is made of them.
+void CaseText::take_values(const formula::Overrides& set) {
+  for (const auto& [name, value] : set) {
+    formula::Graph graph;
+    try {
+      const formula::Id id = formula::parse_expression(value, {}, graph);
+      if (graph.is_constant(id) && problem_.parameters.contains(name))
+        problem_.parameters[name] = graph[id].value;
+    } catch (const formula::ExpressionError&) {
+      continue;  // the reader of the problem says what is wrong
+    }
+  }
 }
 
 formula::Overrides CaseText::own_values(const std::string& file, const std::string& text) {

@@ -39,6 +39,7 @@ class CaseText : protected formula::CaseKeys {
   /// The values of `set` below the case.
   formula::Overrides own_values(const std::string& file, const std::string& text);
   void read_offered();
+  void take_values(const formula::Overrides& set);
 
   std::map<std::string, long double> usual_;
 };

@@ -45,7 +45,6 @@ const PrintedText* printed_of(std::string_view stem) {
   return nullptr;
 }
 
-/// Makes a case of a file.
 class TextCase : CaseText {
  public:
   TextCase(const File& file, const std::string& id, const formula::Overrides& set)
@@ -70,7 +69,8 @@ class TextCase : CaseText {
     set_truth();
     select_invariants();
     choose_settings();
-    case_.facts = text_facts(problem_, *analysis_, ode_.get(), truth_, case_);
+    case_.facts =
+        text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, case_);
     return std::move(case_);
   }
 
@@ -86,16 +86,19 @@ class TextCase : CaseText {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
-    case_.with_values = [file = file_, id = id_, names = offered_](const Values& values) {
+    // What stays as it is keeps all digits of the file.
+    case_.with_values = [file = file_, id = id_, now = case_.parameters](const Values& values) {
       formula::Overrides set;
-      for (std::size_t k = 0; k < names.size(); ++k)
-        set[names[k]] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
+      for (std::size_t k = 0; k < now.size(); ++k)
+        if (values[k] != now[k].value)
+          set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
       return TextCase(file, id, set).make();
     };
   }
 
   void read_numbers() {
     case_.stops = has("stops") ? numbers("stops") : problem_.stops;
+    add_stops();
     if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
     if (has("thresholds"))
       case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, numbers("thresholds"));
@@ -107,6 +110,17 @@ class TextCase : CaseText {
     take_number("evaluation_budget", settings.evaluation_budget);
     settings.timed_stops = numbers("timed_stops");
     take_number("timed_floor", settings.timed_floor);
+  }
+
+  /// Sets the problem's stops, where its truth is to be known, to those of the case and of timed
+  /// studies.
+  void add_stops() {
+    std::vector<double>& stops = problem_.stops;
+    stops = case_.stops;
+    const std::vector<double> timed = numbers("timed_stops");
+    stops.insert(stops.end(), timed.begin(), timed.end());
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   }
 
   /// Takes the code of a built-in text, or compiles the problem.
@@ -173,10 +187,9 @@ class TextCase : CaseText {
       fail(find("reference")->place, "{}: floor: got none, expected the error of the reference",
            id_);
     if (!files.empty() && usual) {
-      case_.truth = reference_truth(files.front(), floor, file_.folder);
+      case_.truth = reference(files.front(), floor);
       for (std::size_t k = 1; k < files.size(); ++k)
-        case_.truth.at = [before = case_.truth.at,
-                          more = reference_truth(files[k], floor, file_.folder).at](
+        case_.truth.at = [before = case_.truth.at, more = reference(files[k], floor).at](
                              double t, double* y) { return before(t, y) || more(t, y); };
       if (!problem_.exact.empty())
         case_.truth.at = [before = case_.truth.at, between = closed_form(problem_).truth.at](
@@ -206,13 +219,15 @@ class TextCase : CaseText {
                         .floor = truth_.extended_floor});
   }
 
+  Truth reference(const std::string& name, double floor) const {
+    try {
+      return reference_truth(name, floor, file_.folder);
+    } catch (const std::runtime_error& error) {
+      fail(find("reference")->place, "reference: {}", error.what());
+    }
+  }
+
   void compute_truth() {
-    const std::vector<double>& timed = case_.settings.timed_stops;
-    problem_.stops = case_.stops;
-    problem_.stops.insert(problem_.stops.end(), timed.begin(), timed.end());
-    std::sort(problem_.stops.begin(), problem_.stops.end());
-    problem_.stops.erase(std::unique(problem_.stops.begin(), problem_.stops.end()),
-                         problem_.stops.end());
     require_code();
     truth_ = truth_of(ode_);
     case_.truth = truth_.truth;

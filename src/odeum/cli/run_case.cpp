@@ -231,13 +231,12 @@ int run_case(const RunOptions& options) {
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
   const Cases given = load_problem(options.what, options.problems.sets);
+  const Case& c = *given.front();
   if (given.size() > 1) {
     std::vector<std::string> ids;
-    for (const Case* c : given) ids.push_back(c->id);
-    throw UsageError("{} has {} cases, {}; run takes a file with one, studies take them all",
-                     options.what, ids.size(), fmt::join(ids, ", "));
+    for (const Case* each : given) ids.push_back(each->id);
+    print("case       {}, the first of {}: {}\n", c.id, ids.size(), fmt::join(ids, ", "));
   }
-  const Case& c = *given.front();
   std::string text =
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
   for (const auto& [name, fact] : c.facts)

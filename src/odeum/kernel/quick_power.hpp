@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 // Timed units round these in their own way (CMakeLists.txt), so that there they are other
 // functions.
@@ -91,11 +91,10 @@ class FixedPower {
 /// square; made at first use, since making one costs as much as several steps of a small problem.
 template <int percent>
 const FixedPower& power_of_square(int k) {
-  static const auto all = [] {
-    std::vector<FixedPower> made;
-    for (int j = 1; j <= 32; ++j) made.emplace_back(-0.005 * percent / j);
-    return made;
-  }();
+  static const auto all = []<std::size_t... J>(std::index_sequence<J...>) {
+    return std::array{FixedPower(-0.005 * percent / static_cast<double>(J + 1))...};
+  }
+  (std::make_index_sequence<32>{});
   return all.at(static_cast<std::size_t>(k - 1));
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/linear/sparse_system.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/SparseLU>
 #include <stdexcept>
 #include <utility>
@@ -162,7 +160,7 @@ void require_pattern(const Sparsity& pattern) {
   }
   if (!sound)
     throw std::invalid_argument(
-        fmt::format("sparsity: each row's columns must rise and lie below {}", n));
+        "sparsity: each row's columns must rise and lie below the number of unknowns");
 }
 
 /// A band is factorised at two to three multiplications a nanosecond, Eigen's sparse LU takes some
