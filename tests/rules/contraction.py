@@ -10,7 +10,7 @@ import re
 import subprocess
 import sys
 
-TIMED = re.compile(r"/adapters/odeint/|/inlined(_odeint)?/|/scene/springs/|_lanes\.cpp$")
+TIMED = re.compile(r"/adapters/odeint/|/inlined(_odeint)?/|/scene/springs/(?!grid_matrix)|_lanes\.cpp$")
 FUSED = re.compile(r"\t(vfn?m|fn?m)(add|sub|la|ls)")
 
 

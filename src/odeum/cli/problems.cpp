@@ -12,6 +12,7 @@
 #include "odeum/cases/foreign_case.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/session.hpp"
+#include "odeum/formula/compile.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
 #include "odeum/solvers/runtime_library.hpp"

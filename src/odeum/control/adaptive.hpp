@@ -59,10 +59,10 @@ struct StepMade {
 
 /// The mean over the components of (e_i / (abs_i + rel max(|y_i|, |y_new_i|)))^2: 1 at the
 /// tolerance (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new
-/// is not.
+/// is not. Always inlined: timed units round it in their own way.
 template <class S>
-double scaled_error_square(const S& error, const S& y, const S& y_new,
-                           const ErrorScale<S>& error_scale) {
+[[gnu::always_inline]] inline double scaled_error_square(const S& error, const S& y, const S& y_new,
+                                                         const ErrorScale<S>& error_scale) {
   const double sum = sum_of_components(y, [&](std::size_t i) {
     const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
     const double scaled = error[i] * (1 / scale);

@@ -49,8 +49,10 @@ std::string tables_of(const Result& result) {
   });
   if (tables.size() == 1) return tables.front().second;
   std::string text;
-  for (const auto& [file, table] : tables)
-    text += (text.empty() ? "" : "\n") + file + "\n\n" + table;
+  for (const auto& [file, table] : tables) {
+    if (!text.empty()) text += '\n';
+    text.append(file).append("\n\n").append(table);
+  }
   return text;
 }
 
