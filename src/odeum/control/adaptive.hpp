@@ -71,8 +71,8 @@ template <class S>
   return sum * (1 / static_cast<double>(y.size()));
 }
 template <class S>
-double scaled_error_norm(const S& error, const S& y, const S& y_new,
-                         const ErrorScale<S>& error_scale) {
+[[gnu::always_inline]] inline double scaled_error_norm(const S& error, const S& y, const S& y_new,
+                                                       const ErrorScale<S>& error_scale) {
   return std::sqrt(scaled_error_square(error, y, y_new, error_scale));
 }
 

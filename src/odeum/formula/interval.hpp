@@ -24,11 +24,11 @@ using Intervals = std::array<Interval, lanes>;
 class Enclosure {
  public:
   struct Step {
-    Op op;
-    std::uint32_t a, b, c;  ///< positions of the arguments; a: the index of a state
-    Interval value;         ///< of a constant
+    Op op = Op::constant;
+    std::uint32_t a = 0, b = 0, c = 0;  ///< positions of the arguments; a: the index of a state
+    Interval value = {};                ///< of a constant
     /// Not a sum or a product, and no quotient by a constant: what can be narrow.
-    bool is_function;
+    bool is_function = false;
   };
 
   Enclosure(const Graph& graph, const std::vector<Id>& roots);

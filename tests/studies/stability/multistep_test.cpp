@@ -60,7 +60,7 @@ struct Stage {
     return outcome;
   }
 
-  judge::LimitFound limit(double re, double im) {
+  judge::LimitFound limit(double re, double im) const {
     GrowthMeter meter(probe, probe.entrants[0], false, limit_length);
     return judge::find_limit([&](double x) { return meter.measure(re * x, im * x); });
   }
