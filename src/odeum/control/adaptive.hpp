@@ -63,11 +63,12 @@ struct StepMade {
 template <class S>
 [[gnu::always_inline]] inline double scaled_error_square(const S& error, const S& y, const S& y_new,
                                                          const ErrorScale<S>& error_scale) {
-  const double sum = sum_of_components(y, [&](std::size_t i) {
-    const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
-    const double scaled = error[i] * (1 / scale);
-    return scaled * scaled + 0 * y_new[i];
-  });
+  const double sum = sum_of_components(
+      y, [&](std::size_t i) __attribute__((always_inline)) {
+        const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
+        const double scaled = error[i] * (1 / scale);
+        return scaled * scaled + 0 * y_new[i];
+      });
   return sum * (1 / static_cast<double>(y.size()));
 }
 template <class S>
