@@ -83,6 +83,28 @@ std::vector<double> CaseText::numbers(const std::string& key) {
   return all;
 }
 
+std::vector<double> CaseText::stops() {
+  if (!has("stops")) return problem_.stops;
+  std::vector<double> all = numbers("stops");
+  auto before = static_cast<double>(problem_.t0);
+  for (const double stop : all) {
+    if (!(stop > before))
+      fail(find("stops")->place, "stops: got {}, expected a time after {}", stop, before);
+    before = stop;
+  }
+  if (all.empty()) fail(find("stops")->place, "stops: got none, expected one at least");
+  return all;
+}
+
+std::vector<double> CaseText::thresholds() {
+  std::vector<double> all = numbers("thresholds");
+  const auto bad = [](double threshold) { return !(threshold > 0); };
+  if (all.size() != problem_.states.size() || std::any_of(all.begin(), all.end(), bad))
+    fail(find("thresholds")->place, "thresholds: expected {} positive numbers, one for each state",
+         problem_.states.size());
+  return all;
+}
+
 // Those of `parameters`, of `meanings`, or all.
 void CaseText::read_offered() {
   const std::vector<Item> meanings = mapping("meanings");

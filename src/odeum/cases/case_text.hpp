@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "odeum/formula/case_keys.hpp"
@@ -23,8 +24,17 @@ class CaseText : protected formula::CaseKeys {
   void take_number(const std::string& key, Number& value) {
     const std::vector<double> given = numbers(key);
     if (given.size() > 1) fail(find(key)->place, "{}: got a list, expected a number", key);
-    if (!given.empty()) value = static_cast<Number>(given.front());
+    if (given.empty()) return;
+    const double number = given.front();
+    if (!(number >= 0 && number <= 1e15) || (std::is_integral_v<Number> && !(number >= 1)))
+      fail(find(key)->place, "{}: got {}, expected a number from {} to 1e15", key, number,
+           std::is_integral_v<Number> ? 1 : 0);
+    value = static_cast<Number>(number);
   }
+  /// Those of the case, else of the problem; they ascend from its start.
+  std::vector<double> stops();
+  /// One positive number for each state.
+  std::vector<double> thresholds();
   /// Throws std::invalid_argument where an expression that has to be positive is not.
   void require_signs();
   /// Whether the parameters are those of the file.

@@ -97,11 +97,11 @@ class TextCase : CaseText {
   }
 
   void read_numbers() {
-    case_.stops = has("stops") ? numbers("stops") : problem_.stops;
+    case_.stops = stops();
     add_stops();
     if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
     if (has("thresholds"))
-      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, numbers("thresholds"));
+      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, thresholds());
     StudySettings& settings = case_.settings;
     settings.no_fixed_steps = text("no_fixed_steps", "");
     take_number("steps_multiple", settings.steps_multiple);
