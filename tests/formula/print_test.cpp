@@ -42,8 +42,9 @@ TEST(CaseTexts, MistakesHaveTheirPlace) {
   expect_fault("cases: {d: {parameters: [z]}}\n", "5:25: ", "no parameter; got z");
   expect_fault("cases: {d: {meanings: {z: 1}}}\n", "5:24: ", "no parameter; got z");
   expect_fault("cases: {d: {floor: t}}\n", "5:20: ", "not a constant");
-  expect_fault("cases: {d: {steps_multiple: -3}}\n", "5:29: ", "got -3, expected a number from 1");
-  expect_fault("cases: {d: {evaluation_budget: 1e40}}\n", "5:32: ", "expected a number from 1");
+  expect_fault("cases: {d: {steps_multiple: -3}}\n", "5:29: ", "got -3, expected a whole number");
+  expect_fault("cases: {d: {evaluation_budget: 1e40}}\n", "5:32: ", "expected a whole number");
+  expect_fault("cases: {d: {steps_multiple: 2.5}}\n", "5:29: ", "got 2.5, expected a whole");
   expect_fault("cases: {d: {stops: [1, 0.5]}}\n", "5:20: ", "got 0.5, expected a time after 1");
   expect_fault("cases: {d: {thresholds: [1, 2]}}\n", "5:25: ", "expected 1 positive numbers");
   // Names that were ignored: the case was that of the usual values.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -25,10 +26,11 @@ class CaseText : protected formula::CaseKeys {
     const std::vector<double> given = numbers(key);
     if (given.size() > 1) fail(find(key)->place, "{}: got a list, expected a number", key);
     if (given.empty()) return;
+    constexpr bool whole = std::is_integral_v<Number>;
     const double number = given.front();
-    if (!(number >= 0 && number <= 1e15) || (std::is_integral_v<Number> && !(number >= 1)))
-      fail(find(key)->place, "{}: got {}, expected a number from {} to 1e15", key, number,
-           std::is_integral_v<Number> ? 1 : 0);
+    if (!(number >= (whole ? 1 : 0) && number <= 1e15) || (whole && number != std::floor(number)))
+      fail(find(key)->place, "{}: got {}, expected a{} number from {} to 1e15", key, number,
+           whole ? " whole" : "", whole ? 1 : 0);
     value = static_cast<Number>(number);
   }
   /// Those of the case, else of the problem; they ascend from its start.
