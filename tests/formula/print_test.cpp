@@ -111,6 +111,8 @@ TEST(CaseTexts, OfAUserSayAllThatBuiltInOnesDo) {
   EXPECT_THROW(c.with_values({-1}), std::invalid_argument);
   EXPECT_EQ(case_of(statements[1]).settings.no_fixed_steps, "it is an example");
   EXPECT_THROW(made("", problem, {{"kk", "1"}}), InputError);
+  // Values that are given again stay: k and m, in the order of their names.
+  EXPECT_EQ(made("", problem, {{"k", "3"}}).with_values({3, 5}).y0, (std::vector<double>{9, 5}));
 }
 
 // A text with the equations and all keys of a built-in one is the same case: the same rows, byte

@@ -48,7 +48,7 @@ const PrintedText* printed_of(std::string_view stem) {
 class TextCase : CaseText {
  public:
   TextCase(const File& file, const std::string& id, const formula::Overrides& set)
-      : CaseText(file.name, file.text, id, set), file_(file) {}
+      : CaseText(file.name, file.text, id, set), file_(file), set_(set) {}
 
   Case make() {
     require_signs();
@@ -87,8 +87,9 @@ class TextCase : CaseText {
     }
     if (offered_.empty()) return;
     // What stays as it is keeps all digits of the file.
-    case_.with_values = [file = file_, id = id_, now = case_.parameters](const Values& values) {
-      formula::Overrides set;
+    case_.with_values = [file = file_, id = id_, now = case_.parameters,
+                         given = set_](const Values& values) {
+      formula::Overrides set = given;
       for (std::size_t k = 0; k < now.size(); ++k)
         if (values[k] != now[k].value)
           set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
@@ -112,11 +113,9 @@ class TextCase : CaseText {
     take_number("timed_floor", settings.timed_floor);
   }
 
-  /// Sets the problem's stops, where its truth is to be known, to those of the case and of timed
-  /// studies.
+  /// The problem's truth is to be known at the stops of the case and of timed studies.
   void add_stops() {
-    std::vector<double>& stops = problem_.stops;
-    stops = case_.stops;
+    std::vector<double>& stops = problem_.stops = case_.stops;
     const std::vector<double> timed = numbers("timed_stops");
     stops.insert(stops.end(), timed.begin(), timed.end());
     std::sort(stops.begin(), stops.end());
@@ -258,6 +257,7 @@ class TextCase : CaseText {
   }
 
   File file_;
+  formula::Overrides set_;
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
