@@ -174,6 +174,33 @@ TEST_F(RunCommand, TellsThePageOfABodyInAPlane) {
   EXPECT_EQ(page()["energy"], false);
 }
 
+// y falls to 0.25 at t = 7.5 and stays there, where its truth ends. The runs ended at t = 5,
+// without a word.
+TEST_F(RunCommand, GoesWhereItWasSentWhateverIsKnownThere) {
+  const std::string text = folder_.path() / "slide.yaml";
+  write_text(text,
+             "states: {y: 1}\nequations: {y: 'if(y > 0.25, -0.1, 0.1)'}\n"
+             "time: {end: 20, stops: [2, 5, 10, 20]}\n");
+  const auto expect = [&](const std::string& setting, const std::string& known) {
+    const Result result = run(text + " --solver " + setting);
+    EXPECT_EQ(result.code, 0) << result.output;
+    EXPECT_NE(result.output.find("to t = 20\n"), std::string::npos) << result.output;
+    // A step of rk4 passes the switch by less than its rate times h, 0.01.
+    EXPECT_NEAR(number_after(result.output, "state "), 0.25, 0.01) << result.output;
+    EXPECT_NE(result.output.find(known + "; no truth is known from there to t = 20"),
+              std::string::npos)
+        << result.output;
+    EXPECT_LT(number_after(result.output, "error "), 0.01) << result.output;
+  };
+  expect("rk4 --step 0.1", "at t = 5");
+  expect("dormand_prince54 --tol 1e-3", "at t = 5");
+  expect("rk4 --step 0.1 --every 0.5", "at t = 7.5");
+  // No step ends on a time at which the truth is known.
+  const Result none = run(text + " --solver rk4 --step 0.7");
+  EXPECT_NE(none.output.find("error   unknown: no truth at t = 20"), std::string::npos)
+      << none.output;
+}
+
 // At all outputs, so that the exact solution is a line and each output has its error.
 TEST_F(RunCommand, KnowsTheTruthAtEveryOutput) {
   ASSERT_EQ(run("lotka_volterra --solver rk4 --step 0.01 --every 0.1" + out()).code, 0);

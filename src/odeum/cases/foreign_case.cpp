@@ -52,7 +52,7 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   if (reference && !reference->times.empty()) {
     const TextTruth known = truth_from(std::move(*reference), c.stops, c.scale, given.source);
     c.truth = known.truth;
-    if (!known.stops.empty()) c.stops = known.stops;
+    cut_stops(c, known.stops);
     words = known.words;
     return true;
   }

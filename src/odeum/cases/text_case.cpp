@@ -233,7 +233,7 @@ class TextCase : CaseText {
     std::vector<double> known;
     std::copy_if(truth_.stops.begin(), truth_.stops.end(), std::back_inserter(known),
                  [&](double stop) { return stop <= case_.stops.back(); });
-    if (!known.empty()) case_.stops = known;
+    cut_stops(case_, known);
   }
 
   /// Leaves those that `invariants` names.

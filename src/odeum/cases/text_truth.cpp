@@ -164,6 +164,12 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
   return result;
 }
 
+void cut_stops(Case& c, const std::vector<double>& known) {
+  if (known.empty()) return;
+  if (known.back() < c.stops.back()) c.asked_end = c.stops.back();
+  c.stops = known;
+}
+
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
   return truth_from(*kept_or_computed(content_of(ode), ode->size(), problem.stops, problem.scale,

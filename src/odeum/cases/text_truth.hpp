@@ -32,6 +32,10 @@ std::optional<truth::Reference> kept_or_computed(
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
                      const std::vector<double>& scale, const std::string& what);
 
+/// Leaves those stops of a case at which its truth is known, if there are any; `asked_end` keeps
+/// where it was to end.
+void cut_stops(Case& c, const std::vector<double>& known);
+
 /// The truth of a problem with a closed form; `extended` too.
 TextTruth closed_form(const formula::Problem& problem);
 /// A computed one, at the problem's stops as far as it is known.

@@ -76,13 +76,29 @@ Case changed(const Case& c, const Sets& sets) {
   }
 }
 
+// Where the truth ends before the run does, the last time on its grid at which the error is known.
+void stop_at_last_truth(Request& request, const Case& c) {
+  if (c.end() == c.stops.back()) return;
+  const double end = request.stops.back();
+  for (std::size_t k = c.stops.size(); k-- > 0;) {
+    if (c.stops[k] >= end) continue;
+    Request with = request;
+    with.stops = {c.stops[k], end};
+    if (with.mode == Mode::fixed && !FixedGrid(c.t0, with).fits()) continue;
+    request = with;
+    request.over_stops = true;
+    return;
+  }
+}
+
 CaseRun prepare(const Case& c, const std::string& solver, const RunOptions& options) {
   const Entrant& entrant = find_entrant(c.entrants, c.id, solver);
-  CaseRun run{&entrant,
-              make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info),
-              {}};
+  CaseRun run{
+      &entrant, make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info), {}};
   if (!options.out.empty() || options.settings.every)
     ask_for_output(run.request, options.settings, c.t0, c.y0.size());
+  else
+    stop_at_last_truth(run.request, c);
   return run;
 }
 
@@ -100,26 +116,38 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   }
   times.erase(times.upper_bound(end), times.end());
   std::vector<double> state(c.y0.size());
-  if (c.has_tag("stiff") && c.truth.at(end, state.data())) return c.truth;
+  const auto known = [&](double t) { return c.truth.at(t, state.data()); };
+  if (c.has_tag("stiff") && known(end)) return c.truth;
+  // What ended the truth once would end it again.
+  if (c.end() > c.stops.back() &&
+      std::all_of(times.begin(), times.upper_bound(c.stops.back()), known))
+    return c.truth;
   return cases::truth_at(c, {times.begin(), times.end()});
 }
 
-// The error at the end, and whether the tolerance explains it.
+// The error at the end, or at the last output at which it is known, and whether the tolerance
+// explains it.
 std::string error_text(const Case& c, const Request& request, const Outcome& outcome) {
   const judge::Judge judge(c, request.stops);
-  const std::vector<judge::StopError> errors = judge.errors(outcome);
-  if (std::isnan(errors.back().error_max))
-    return fmt::format("error   unknown: no truth at t = {}: {}\n", request.stops.back(),
-                       c.truth.source);
+  std::vector<judge::StopError> errors = judge.errors(outcome);
+  const double end = request.stops.back();
+  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
+  if (errors.empty())
+    return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
+  const std::vector<double> stops(
+      request.stops.begin(), request.stops.begin() + static_cast<std::ptrdiff_t>(errors.size()));
   const bool fixed = request.mode == Mode::fixed;
   const judge::JudgedAnswer judged =
       fixed ? judge::judge_fixed_answer(errors, judge.scale())
-            : judge::judge_answer(
-                  errors, judge::measure_amplification(c, request.stops, request.tolerance),
-                  request.tolerance.relative, static_cast<double>(outcome.counters.steps),
-                  c.truth.floor, judge.scale());
-  std::string text = fmt::format("error   {:.6g} (rms {:.6g}) against {}\n",
-                                 errors.back().error_max, errors.back().error_rms, c.truth.source);
+            : judge::judge_answer(errors, judge::measure_amplification(c, stops, request.tolerance),
+                                  request.tolerance.relative,
+                                  static_cast<double>(outcome.counters.steps), c.truth.floor,
+                                  judge.scale());
+  std::string text =
+      fmt::format("error   {:.6g} (rms {:.6g}) ", errors.back().error_max, errors.back().error_rms);
+  if (stops.back() < end)
+    text += fmt::format("at t = {}; no truth is known from there to t = {}; ", stops.back(), end);
+  text += fmt::format("against {}\n", c.truth.source);
   if (judged.answer == judge::Answer::not_applicable) return text;
   text += fmt::format("answer  {}", to_string(judged.answer));
   if (!judged.reason.empty())
@@ -199,7 +227,7 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = f
     if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
     const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
     print(code_of(c, entrant,
-                  make_request(options.settings, c.t0, c.stops.back(), c.y0.size(), entrant.info)));
+                  make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
     return success;
   }
   std::vector<CaseRun> runs;

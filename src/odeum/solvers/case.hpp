@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,8 +85,11 @@ struct Case {
   std::vector<double> y0;
   /// Names of the components, as columns of files have them; empty: see component_names.
   std::vector<std::string> components;
-  /// Where the error is measured; the last is the horizon. On the grid of every fixed-step run.
+  /// Where the error is measured; the last is the horizon of studies. On the grid of every
+  /// fixed-step run.
   std::vector<double> stops;
+  /// Where the stops were cut, since no truth is known beyond them: the time that was asked for.
+  double asked_end = -std::numeric_limits<double>::infinity();
   Truth truth;
   /// The components whose error is reported; empty: all of them.
   std::vector<std::size_t> measured;
@@ -116,6 +120,8 @@ struct Case {
   std::string plane;
   std::function<Probe()> probe;
 
+  /// Where a run ends that is not told otherwise, whatever is known there.
+  double end() const { return std::max(stops.back(), asked_end); }
   const std::vector<double>& timed_stops() const {
     return settings.timed_stops.empty() ? stops : settings.timed_stops;
   }
