@@ -122,8 +122,11 @@ class Solve {
   /// Whether the solve goes on after a call of the plug-in.
   bool sound(int answer, double t) {
     if (system_.guarded.guard().tripped()) return false;
-    if (answer != 0) return fail(Status::newton_failed, t, fmt::format("returned {}", answer));
-    return true;
+    if (answer == 0) return true;
+    // Of the reason nothing is known, and no other status would be true of every method.
+    return fail(Status::refused, t,
+                fmt::format("{} returned {}, which says that it failed",
+                            request_.mode == Mode::fixed ? "step" : "solve", answer));
   }
   bool fence_holds(double t) {
     return y_.intact() || fail(Status::refused, t, "wrote outside of its state");

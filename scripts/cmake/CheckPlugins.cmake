@@ -54,12 +54,13 @@ expect(2 "list solvers --plugin ${at}/libmy_rk4.so --plugin ${at}/libmy_rk4.so" 
 # What fails in a run: the other solver's row is as without it.
 foreach(fault IN ITEMS "crash|crashed: Segmentation fault" "exit_process|ended its process with exit code 0"
         "exit_late|ended its process with exit code 3" "corrupt|crashed" "nonsense|not finite" "past_state|wrote outside of its state"
-        "fail|returned 7" "null_create|create returned a null pointer" "hang|no right-hand side within its budget for 5 s")
+        "fail|status refused: euler: step returned 7" "null_create|create returned a null pointer" "hang|no right-hand side within its budget for 5 s")
   string(REPLACE "|" ";" fault "${fault}")
   list(GET fault 0 name)
   list(GET fault 1 sentence)
   expect(3 "run lotka_volterra --plugin ${at}/libbad_${name}.so --solver bad/euler --step 0.01" "${sentence}")
 endforeach()
+expect(3 "run lotka_volterra --plugin ${at}/libbad_fail.so --solver bad/euler --tol 1e-3" "status refused: euler: solve returned 7")
 expect(3 "run lotka_volterra --plugin ${at}/libbad_backwards.so --solver bad/euler --tol 1e-3" "moved t backwards")
 # It goes on to evaluate after its budget.
 expect(0 "converge --plugin ${at}/libbad_ignore_budget.so --mode fixed --case lotka_volterra --solver bad/euler --out ${FOLDER}/out"

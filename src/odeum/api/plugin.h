@@ -7,8 +7,9 @@
  * The shared object exports one function, `odeum_plugin_entry`, which returns a description that
  * stays valid. Names are of a-z, 0-9 and _. Times and states are double, states have `dimension`
  * numbers, matrices are row-major unless it is said otherwise. Callbacks that return int return 0
- * on success. Every solve is made in a process of its own: what is changed there is not seen by
- * another solve.
+ * on success. A solver's step() or solve() that returns another number ends its run as `refused`,
+ * with that number in its detail. Every solve is made in a process of its own: what is changed there
+ * is not seen by another solve.
  */
 #ifndef ODEUM_PLUGIN_H
 #define ODEUM_PLUGIN_H
