@@ -179,6 +179,26 @@ TEST(SundialsFault, FixedPointIterationThatDivergesIsReported) {
   EXPECT_NE(outcome.detail.find("CV_CONV_FAILURE"), std::string::npos) << outcome.detail;
 }
 
+// Where backward Euler's equation can be solved it is: the adapter asked for corrections below
+// 1e-14, which is less than the rounding of a predictor of 1 - h k = 1e6, and for at most 50
+// iterations.
+TEST(SundialsFault, HeldStepsFailWhereTheirIterationDoes) {
+  const auto solve = [](const char* id, double k) {
+    return find(entrants<Decay>({1}, Decay{-k}), id).solve(fixed(10, {10}));
+  };
+  // Rounding of the first step's predictor, h k times 2^-53, is what remains of the state.
+  for (const double k : {1e2, 1e4, 1e6}) {
+    const Outcome outcome = solve("cvode/bdf_held_1", k);
+    ASSERT_EQ(outcome.status, Status::ok) << k << ": " << outcome.detail;
+    EXPECT_NEAR(outcome.states.at(0), std::pow(1 + k, -10), 1e-15 * k) << k;
+  }
+  const Outcome contracts = solve("cvode/adams_held_1", 0.99);
+  ASSERT_EQ(contracts.status, Status::ok) << contracts.detail;
+  // A remainder of 1e-14 of the first step is a hundred times as much before the rest contracts.
+  EXPECT_NEAR(contracts.states.at(0), std::pow(1.99, -10), 1e-11);
+  EXPECT_EQ(solve("cvode/adams_held_1", 1.01).status, Status::newton_failed);
+}
+
 TEST(SundialsNewton, KrylovServesLargeProblemsWithoutAMatrix) {
   const auto list = entrants<ManyDecays>(std::vector<double>(200, 1.0));
   for (const std::string id : {"cvode/bdf", "arkode/arkstep_sdirk_5_3_4"}) {
