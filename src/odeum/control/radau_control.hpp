@@ -60,7 +60,7 @@ class RadauTrial {
   /// power the remainder was the larger one, and took the order from runs on smooth problems.
   double newton_fraction() const {
     constexpr double exponent = (2.0 * order + 1) / (order + 1.0) - 1;
-    return std::max(10 * std::numeric_limits<double>::epsilon() / tolerance_.relative,
+    return std::max(std::numeric_limits<double>::epsilon() / tolerance_.relative,
                     std::min(0.03, std::pow(tolerance_.relative, exponent)));
   }
 
