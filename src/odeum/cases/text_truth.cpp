@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "odeum/core/build_info.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/truth/text_system.hpp"
 
 namespace odeum::cases {
 namespace {
 
-namespace fs = std::filesystem;
 using formula::TextOde;
 using truth::Real;
 
@@ -98,22 +95,11 @@ std::optional<truth::Reference> kept_or_computed(
     const std::function<std::optional<truth::Reference>()>& compute) {
   content +=
       fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
-  const std::string folder = formula::cache_folder();
-  const fs::path file = fs::path(folder) / (formula::content_key(content) + ".reference");
-  if (!folder.empty()) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    if (auto held = truth::from_text(text, states)) return held;
-  }
+  const std::string name = formula::content_key(content) + ".reference";
+  if (const auto text = formula::kept_text(name))
+    if (auto held = truth::from_text(*text, states)) return held;
   std::optional<truth::Reference> reference = compute();
-  if (reference && !folder.empty()) {
-    const fs::path part = file.string() + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out << truth::to_text(*reference);
-    out.close();
-    std::error_code ignored;
-    if (out.good()) fs::rename(part, file, ignored);
-  }
+  if (reference) formula::keep_text(name, truth::to_text(*reference));
   return reference;
 }
 

@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 
+#include "odeum/formula/cache.hpp"
+
 namespace odeum::formula {
 
 /// A shared object that was loaded.
@@ -30,14 +32,9 @@ struct Compiled {
 };
 
 /// Compiles a C text with the system's compiler ($CC, else cc, gcc or clang in $PATH), which is
-/// started without a shell, and loads it. Kept in the cache folder under a hash of text, compiler,
-/// flags and processor, beside the text, which is compared.
+/// started without a shell and within limits (limited_program.hpp), and loads it. Kept in the cache
+/// folder under a hash of text, compiler, flags and processor, beside the text, which is compared,
+/// and a hash of the object: one that is not as it was made is made again.
 Compiled compile_c(const std::string& text);
-
-/// The folder in which the program keeps what it computed: $XDG_CACHE_HOME/odeum, else
-/// $HOME/.cache/odeum, made for its owner alone. Empty where there is none that can be used.
-std::string cache_folder();
-/// 32 hexadecimal digits that identify a text.
-std::string content_key(const std::string& text);
 
 }  // namespace odeum::formula

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/formula/cache.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "odeum/input/text_file.hpp"
+
+namespace odeum::formula {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view unfinished = "work-";
+
+std::string host() {
+  char name[256] = {};
+  ::gethostname(name, sizeof name - 1);
+  return content_key(name).substr(0, 8);
+}
+
+/// Whether a process still works on it. Those of other machines, which may share the folder, are
+/// told by their age: no run works on one for an hour.
+bool abandoned(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  const std::string here = std::string(unfinished) + host() + '-';
+  pid_t process = 0;
+  if (name.starts_with(here)) {
+    std::from_chars(name.data() + here.size(), name.data() + name.size(), process);
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) return true;
+  }
+  std::error_code gone;
+  const auto written = entry.last_write_time(gone);
+  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(1);
+}
+
+bool sweep(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const fs::path& path = entry.path();
+    if ((path.filename().string().starts_with(unfinished) || path.extension() == ".part") &&
+        abandoned(entry))
+      fs::remove_all(path, ignored);
+  }
+  return true;
+}
+
+std::string sealed(const std::string& name, const std::string& text) {
+  return text + content_key(name + '\n' + text) + '\n';
+}
+
+}  // namespace
+
+std::string content_key(const std::string& text) {
+  std::uint64_t a = 0xcbf29ce484222325U, b = 0x84222325cbf29ce4U;  // FNV-1a, twice
+  for (const char c : text) {
+    a = (a ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    b = (b ^ static_cast<unsigned char>(c) ^ (a >> 40)) * 0x100000001b3U;
+  }
+  return fmt::format("{:016x}{:016x}", a, b);
+}
+
+std::string cache_folder() {
+  const auto environment = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return std::string(value ? value : "");
+  };
+  fs::path base = environment("XDG_CACHE_HOME");
+  if (base.empty() && !environment("HOME").empty()) base = environment("HOME") + "/.cache";
+  if (!base.is_absolute()) return "";
+  const fs::path folder = base / "odeum";
+  std::error_code failed;
+  fs::create_directories(base, failed);
+  ::mkdir(folder.c_str(), 0700);
+  struct stat status {};
+  // Code is loaded from here: no other user may have put it there.
+  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+      status.st_uid != ::geteuid() || (status.st_mode & 022U) != 0)
+    return "";
+  if ((status.st_mode & 077U) != 0 && ::chmod(folder.c_str(), 0700) != 0) return "";
+  [[maybe_unused]] static const bool swept = sweep(folder);
+  return folder.string();
+}
+
+std::string unfinished_in(const fs::path& folder) {
+  return (folder / fmt::format("{}{}-{}-XXXXXX", unfinished, host(), ::getpid())).string();
+}
+
+void keep_text(const std::string& name, const std::string& text) {
+  const std::string folder = cache_folder();
+  if (folder.empty()) return;
+  std::string part = unfinished_in(folder);
+  const int file = ::mkstemp(part.data());
+  if (file < 0) return;
+  const std::string all = sealed(name, text);
+  std::size_t done = 0;
+  while (done < all.size()) {
+    const ssize_t written = ::write(file, all.data() + done, all.size() - done);
+    if (written < 0 && errno != EINTR) break;
+    if (written > 0) done += static_cast<std::size_t>(written);
+  }
+  if (::close(file) != 0 || done < all.size() ||
+      ::rename(part.c_str(), (fs::path(folder) / name).c_str()) != 0)
+    ::unlink(part.c_str());
+}
+
+std::optional<std::string> kept_text(const std::string& name) {
+  const std::string folder = cache_folder();
+  if (folder.empty()) return std::nullopt;
+  std::optional<std::string> all = text_of_file(fs::path(folder) / name);
+  constexpr std::size_t seal = 33;  // the hash and its line's end
+  if (!all || all->size() < seal) return std::nullopt;
+  const std::string text = all->substr(0, all->size() - seal);
+  if (*all != sealed(name, text)) return std::nullopt;
+  return text;
+}
+
+}  // namespace odeum::formula

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the program keeps between runs, and the compiler that it starts: damage, strangers, limits.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Cache : public testing::Test {
+ protected:
+  Cache() {
+    tests::write_text(folder_.path() / "a.yaml",
+                      "states: {y: 1}\nequations: {y: -y*cos(t)}\ntime: {end: 2}\n");
+  }
+  std::string command(const std::string& variables, const std::string& file = "a") const {
+    const std::string folder = folder_.path().string();
+    return "export XDG_CACHE_HOME='" + folder + "' " + variables +
+           " && exec '" ODEUM_BINARY "' run '" + folder + "/" + file +
+           ".yaml' --solver rk4 --step 0.01";
+  }
+  std::string run(const std::string& variables = "", const std::string& file = "a") const {
+    const tests::Result result = tests::shell(command(variables, file));
+    EXPECT_EQ(result.code, 0) << result.output;
+    return result.output;
+  }
+  fs::path cache() const { return folder_.path() / "odeum"; }
+  /// The only entry with this extension, or one more than those.
+  fs::path entry(const std::string& extension, const fs::path& but = {}) const {
+    for (const auto& each : fs::directory_iterator(cache()))
+      if (each.path().extension() == extension && each.path() != but) return each.path();
+    return {};
+  }
+  void script(const std::string& text) const {
+    tests::write_text(folder_.path() / "cc", "#!/bin/sh\n" + text);
+    fs::permissions(folder_.path() / "cc", fs::perms::owner_all);
+  }
+  std::size_t unfinished() const {
+    std::size_t found = 0;
+    for (const auto& each : fs::directory_iterator(cache()))
+      found += each.path().filename().string().starts_with("work-") ? 1 : 0;
+    return found;
+  }
+  tests::TemporaryFolder folder_;
+};
+
+// One digit of the reference gave an error of 0.01 against a truth "known to 1e-14".
+TEST_F(Cache, ADamagedReferenceIsMadeAgain) {
+  const std::string first = run();
+  const fs::path file = entry(".reference");
+  std::string text = tests::text_of(file);
+  const std::string whole = text;
+  text[text.find("0.", text.find("\n0.5 ") + 5) + 3] ^= 1;
+  ASSERT_NE(text, whole);
+  tests::write_text(file, text);
+  const std::string second = run();
+  EXPECT_EQ(second.substr(second.find("\nerror ")), first.substr(first.find("\nerror ")));
+  EXPECT_EQ(tests::text_of(file), whole);
+}
+
+// Another problem's object was loaded and run in its place.
+TEST_F(Cache, AnotherObjectIsMadeAgain) {
+  const std::string first = run();
+  const fs::path object = entry(".so");
+  tests::write_text(folder_.path() / "b.yaml",
+                    "states: {y: 1}\nequations: {y: y*cos(t)}\ntime: {end: 2}\n");
+  run("", "b");
+  fs::copy_file(entry(".so", object), object, fs::copy_options::overwrite_existing);
+  const std::string second = run();
+  EXPECT_EQ(second.find("from the cache"), std::string::npos) << second;
+  EXPECT_EQ(second.substr(second.find("\nstate ")), first.substr(first.find("\nstate ")));
+  EXPECT_NE(run().find("from the cache"), std::string::npos);
+}
+
+TEST_F(Cache, AFolderInWhichOthersMayWriteIsNotUsed) {
+  fs::create_directory(cache());
+  ASSERT_EQ(::chmod(cache().c_str(), 0777), 0);
+  run();
+  EXPECT_TRUE(fs::is_empty(cache()));
+}
+
+TEST_F(Cache, ACompilerThatDoesNotEndIsEnded) {
+  script("sleep 30 & sleep 30\n");
+  const auto start = std::chrono::steady_clock::now();
+  const std::string output =
+      run("CC='" + (folder_.path() / "cc").string() + "' ODEUM_COMPILER_SECONDS=0.3");
+  EXPECT_NE(output.find("interpreted"), std::string::npos) << output;
+  EXPECT_NE(output.find("did not end within 0.3 s"), std::string::npos) << output;
+  // A third of what the compiler would take.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST_F(Cache, ACompilerEndsWithTheProgram) {
+  const std::string alive = (folder_.path() / "alive").string();
+  script("(while true; do echo >> '" + alive + "'; sleep 0.02; done) & sleep 30\n");
+  // The program is killed once its compiler works: nothing of the compiler goes on.
+  const tests::Result result = tests::shell(
+      "(" + command("CC='" + (folder_.path() / "cc").string() + "'") + ") & program=$!; n=0; " +
+      "while [ ! -s '" + alive +
+      "' ] && [ $n -lt 500 ]; do sleep 0.02; n=$((n+1)); done; kill -9 $program; sleep 0.2");
+  ASSERT_TRUE(fs::exists(alive)) << result.output;
+  const auto size = fs::file_size(alive);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(fs::file_size(alive), size);
+  // What was left is removed by the next run, which does not read it.
+  EXPECT_EQ(unfinished(), 1U);
+  EXPECT_NE(run().find("compiled by"), std::string::npos);
+  EXPECT_EQ(unfinished(), 0U);
+}
+
+}  // namespace
+}  // namespace odeum
