@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
 #include "odeum/solvers/foreign_problem.hpp"
@@ -67,7 +69,23 @@ Variable variable_of(const Node& node, const Node& typed) {
   return v;
 }
 
-void read_variables(const Node& root, Description& d) {
+/// Of a variable without a name, or one that starts at what is no finite number; empty: none.
+std::string fault_of(const Variable& v) {
+  if (v.name.empty())
+    return fmt::format("the variable of value reference {} has no name", v.reference);
+  std::istringstream values(v.type == "String" ? "" : v.start);
+  for (std::string value; values >> value;) {
+    const char* const first = value.c_str();
+    char* end = nullptr;
+    if (!std::isfinite(std::strtod(first, &end)) && *end == 0)
+      return fmt::format("variable {}: start: got \"{}\", expected a finite number", v.name,
+                         foreign::cleaned(first));
+  }
+  return {};
+}
+
+void read_variables(const Node& root, const std::string& xml, Description& d) {
+  std::set<std::string> names;
   for (const Node& node : root.child("ModelVariables").children()) {
     if (node.type() != pugi::node_element) continue;
     Node typed = node;
@@ -77,6 +95,14 @@ void read_variables(const Node& root, Description& d) {
     if (d.version == 3 && std::strcmp(node.name(), "Clock") == 0)
       refuse("the model has clocks, that is, events, which are not followed");
     d.variables.push_back(variable_of(node, typed));
+    const Variable& v = d.variables.back();
+    std::string fault = fault_of(v);
+    if (fault.empty() && !names.insert(v.name).second)
+      fault = fmt::format("variable {}: there are two of that name", v.name);
+    if (fault.empty()) continue;
+    const auto at = std::min(static_cast<std::size_t>(node.offset_debug()), xml.size());
+    const auto end = xml.begin() + static_cast<std::ptrdiff_t>(at);
+    refuse(fmt::format("line {}: {}", 1 + std::count(xml.begin(), end, '\n'), fault));
   }
 }
 
@@ -204,7 +230,7 @@ Description read_description(const std::string& xml) {
         "differential equation alone");
   refuse_events(root, d.version);
   read_experiment(root, d);
-  read_variables(root, d);
+  read_variables(root, xml, d);
   read_structure(root, d);
   return d;
 }

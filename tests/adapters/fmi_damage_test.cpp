@@ -47,6 +47,12 @@ TEST_P(DamagedFmus, BrokenDescriptionsAreRefused) {
                      "modelIdentifier");
   expect_refused_xml("stopTime=\"8\"", "stopTime=\"-8\"", "is no interval");
   expect_refused_xml("stopTime=\"8\"", "stopTime=\"soon\"", "expected a number");
+  expect_refused_xml("name=\"mu\"", "name=\"a\"", "variable a: there are two of that name");
+  expect_refused_xml("name=\"mu\"", "name=\"\"",
+                     "line 12: the variable of value reference 5 has no name");
+  for (const char* start : {"nan", "-inf", "1e999"})
+    expect_refused_xml("start=\"2\"", "start=\"" + std::string(start) + "\"",
+                       "start: got \"" + std::string(start) + "\", expected a finite number");
   if (three()) {
     expect_refused_xml("derivative=\"3\"", "derivative=\"99\"", "no variable has the reference 99");
     expect_refused_xml("<ModelStructure>", "<ModelStructure><EventIndicator valueReference=\"1\"/>",

@@ -188,6 +188,16 @@ TEST_F(CommandLine, FilesThatCannotBeWrittenAreFour) {
   EXPECT_NE(result.output.find("in use by"), std::string::npos) << result.output;
 }
 
+// The signal of that limit ended the program, and a part of the file stayed there.
+TEST_F(CommandLine, ALimitOfFileSizesIsFourAndLeavesNothing) {
+  const Result result = shell(
+      "ulimit -f 2; odeum run free_fall --solver rk4 --step 0.001 --every 0.001 --out " + in("x"));
+  EXPECT_EQ(result.code, 4) << result.output;
+  EXPECT_NE(result.output.find("File too large"), std::string::npos) << result.output;
+  for (const auto& entry : std::filesystem::directory_iterator(in("x")))
+    EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
+}
+
 TEST_F(CommandLine, AClosedPipeIsQuiet) {
   const Result result =
       shell("odeum list solvers --format json | head -n 1; echo ${PIPESTATUS[0]}");

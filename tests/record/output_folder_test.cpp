@@ -79,6 +79,13 @@ TEST(OutputFolder, RefusesASecondHolderAndNamesTheFirst) {
   EXPECT_EQ(error_of([&] { const OutputFolder again(temporary.path()); }), "");
 }
 
+TEST(OutputFolder, RemovesWhatAKilledRunLeftUnfinished) {
+  const TemporaryFolder temporary;
+  write_text(temporary.path() / ".odeum.tmp", "half a li");
+  const OutputFolder next(temporary.path());
+  EXPECT_FALSE(fs::exists(temporary.path() / ".odeum.tmp"));
+}
+
 TEST(OutputFolder, IsFreeAgainWhenItsHolderIsKilled) {
   const TemporaryFolder temporary;
   int ready[2];
@@ -116,7 +123,7 @@ TEST(OutputFolder, ReplacesALinkAndDoesNotFollowIt) {
   write_text(outside.path() / "precious", "keep");
   const OutputFolder folder(temporary.path());
   fs::create_symlink(outside.path() / "precious", folder.path() / "a.csv");
-  fs::create_symlink(outside.path() / "precious", folder.path() / "a.csv.tmp");
+  fs::create_symlink(outside.path() / "precious", folder.path() / ".odeum.tmp");
   folder.write("a.csv", "new");
   EXPECT_EQ(text_of(outside.path() / "precious"), "keep");
   EXPECT_FALSE(fs::is_symlink(folder.path() / "a.csv"));

@@ -16,6 +16,8 @@
 namespace odeum::record {
 namespace {
 
+constexpr const char* unfinished = ".odeum.tmp";
+
 [[noreturn]] void fail(const std::string& what, const std::filesystem::path& path) {
   throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
 }
@@ -65,6 +67,7 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
   const std::string holder = fmt::format("process {} on {}", ::getpid(), host);
   if (::ftruncate(lock_.get(), 0) != 0 || !write_all(lock_, holder))
     fail("cannot write", lock_path);
+  std::filesystem::remove(path_ / unfinished, error);  // of a run that was killed
 }
 
 OutputFolder::~OutputFolder() {
@@ -87,9 +90,8 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
   if (error)
     throw FileError(
         fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
-  // There is one run per folder, so a leftover of a killed run is replaced.
-  auto temporary = target;
-  temporary += ".tmp";
+  // There is one run per folder, and it writes one file at a time.
+  const auto temporary = path_ / unfinished;
   OpenFile file(create(temporary));
   try {
     // A full disk is reported by the writing, or when the file is synced.
