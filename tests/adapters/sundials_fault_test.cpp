@@ -179,6 +179,13 @@ TEST(SundialsFault, FixedPointIterationThatDivergesIsReported) {
   EXPECT_NE(outcome.detail.find("CV_CONV_FAILURE"), std::string::npos) << outcome.detail;
 }
 
+/// y' = 2 t from 0: state and slope are of no size at the start.
+struct FromRest {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double t, const double*, double* dydt) const { dydt[0] = 2 * t; }
+  void jacobian(double, const double*, double* j) const { j[0] = 0; }
+};
+
 // Where backward Euler's equation can be solved it is: the adapter asked for corrections below
 // 1e-14, which is less than the rounding of a predictor of 1 - h k = 1e6, and for at most 50
 // iterations.
@@ -191,6 +198,11 @@ TEST(SundialsFault, HeldStepsFailWhereTheirIterationDoes) {
     const Outcome outcome = solve("cvode/bdf_held_1", k);
     ASSERT_EQ(outcome.status, Status::ok) << k << ": " << outcome.detail;
     EXPECT_NEAR(outcome.states.at(0), std::pow(1 + k, -10), 1e-15 * k) << k;
+  }
+  for (const char* id : {"cvode/bdf_held_1", "cvode/adams_held_1"}) {
+    const Outcome from_rest = find(entrants<FromRest>({0}), id).solve(fixed(10, {1}));
+    ASSERT_EQ(from_rest.status, Status::ok) << id << ": " << from_rest.detail;
+    EXPECT_NEAR(from_rest.states.at(0), 1.1, 1e-10) << id;  // the sum of 2 i h^2, to its iteration
   }
   const Outcome contracts = solve("cvode/adams_held_1", 0.99);
   ASSERT_EQ(contracts.status, Status::ok) << contracts.detail;
