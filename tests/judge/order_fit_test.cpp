@@ -152,6 +152,29 @@ TEST(OrderFit, AnOrderThatFinerStepsDenyIsNotConfirmed) {
   EXPECT_NEAR(late(26).order, 2, 0.15);
 }
 
+// Slopes that were measured with wrong methods, from the claimed order to the finest steps: fits
+// through all of them, or of two terms, confirmed the claim.
+TEST(OrderFit, SlopesThatFallAwayFromTheClaimDoNotConfirmIt) {
+  const auto fit = [](double claimed, const std::vector<double>& finest, double ratio) {
+    std::vector<double> slopes(3, claimed);
+    slopes.insert(slopes.end(), finest.begin(), finest.end());
+    double error = 1e-2;
+    auto points = ladder(ratio, static_cast<int>(slopes.size()) + 1, [&](double) { return error; });
+    for (std::size_t i = 1; i < points.size(); ++i)
+      points[i].error = error *= std::pow(ratio, -slopes[i - 1]);
+    return fit_fixed(points, claimed);
+  };
+  for (const double ratio : {1.26, std::sqrt(2), 2.0}) {
+    for (const auto& finest : std::vector<std::vector<double>>{
+             {3.71, 3.42, 3.17}, {3.83, 3.65, 3.29}, {4.05, 3.71, 2.78}, {3.94, 3.84, 3.74}})
+      EXPECT_NE(fit(4, finest, ratio).verdict, Verdict::confirmed) << ratio << ' ' << finest.back();
+    EXPECT_NE(fit(2, {2.0, 1.6, 1.4}, ratio).verdict, Verdict::confirmed) << ratio;
+    // What right methods show: a scatter, and slopes that come from below.
+    EXPECT_EQ(fit(4, {3.95, 4.04, 3.93}, ratio).verdict, Verdict::confirmed) << ratio;
+    EXPECT_EQ(fit(4, {3.9, 3.95, 3.98}, ratio).verdict, Verdict::confirmed) << ratio;
+  }
+}
+
 // Slopes that have settled beside the claim, nearer to it than to any other order.
 TEST(OrderFit, SlopesNearTheClaimDenyNothing) {
   const auto slope = [](double p) {

@@ -51,6 +51,14 @@ Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, doubl
 bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, double order,
                    double near);
 
+/// True where the finest three local slopes of points [0, end), and so of those among them that are
+/// far above rounding, fall one after the other from about `order` to below it, by more than the
+/// order's tolerance in all, and end more than that below it: a term of lower order takes over,
+/// which a fit through all slopes averages away. Not of adaptive runs, whose slopes scatter as
+/// much.
+bool falls_away(const std::vector<ErrorPoint>& points, std::size_t end, double order,
+                const FitTolerance& tolerance);
+
 /// Errors by the first two terms of their expansion, e = C h^p |1 + D h|: for errors whose local
 /// slopes still change, so that (log h, log e) is not yet a straight line.
 struct TwoTermFit {

@@ -61,8 +61,10 @@ class Fitting {
     const ErrorFloor floor = find_floor(points_, certain_end_, guess_, tolerance_.stray);
     if (std::isnan(claimed_))
       return verdict(Verdict::not_applicable, "the order varies during a run, so none is claimed");
-    if (window.count && confirms(window)) return verdict(Verdict::confirmed, "");
-    if (!settled_lower(window) && confirmed_by_two_terms()) return fit_;
+    if (!falls_away(points_, certain_end_, claimed_, tolerance_)) {
+      if (window.count && confirms(window)) return verdict(Verdict::confirmed, "");
+      if (!settled_lower(window) && confirmed_by_two_terms()) return fit_;
+    }
     if (floor.first < certain_end_) return floors(floor);
     return settled_elsewhere(window);
   }

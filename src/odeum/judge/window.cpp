@@ -39,6 +39,23 @@ Slopes slopes_of(const std::vector<ErrorPoint>& points, std::size_t first, std::
   return slopes;
 }
 
+/// Whether the finest three local slopes of points [0, end) fall away, see falls_away().
+bool fall_to(const std::vector<ErrorPoint>& points, std::size_t end, double order,
+             const FitTolerance& tolerance) {
+  std::vector<double> slopes;  // from the finest
+  while (end > 0 && slopes.size() < 3) {
+    std::size_t i = end - 1;
+    while (i > 0 && points[i].step < slope_span * points[end - 1].step) --i;
+    if (points[i].step < slope_span * points[end - 1].step) return false;
+    slopes.push_back(local_slope(points[i], points[end - 1]));
+    end = i + 1;
+  }
+  const double near = tolerance.order;
+  return slopes.size() == 3 && slopes[0] < slopes[1] && slopes[1] < slopes[2] &&
+         slopes[2] - slopes[0] > near && order - slopes[0] > near &&
+         slopes[2] < order + tolerance.apart;
+}
+
 }  // namespace
 
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n) {
@@ -88,6 +105,15 @@ bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, 
   const double last = std::abs(distance[k]);
   const double rate = (std::abs(distance[k - 1]) - last) / (x[k - 1] - x[k]);
   return last - rate * how_much_finer <= near;
+}
+
+bool falls_away(const std::vector<ErrorPoint>& points, std::size_t end, double order,
+                const FitTolerance& tolerance) {
+  if (std::isinf(tolerance.whole) || !fall_to(points, end, order, tolerance)) return false;
+  // A thirtieth of the error changes a slope between neighbours by more than a tolerance.
+  constexpr double visible = 30;
+  while (end > 0 && points[end - 1].error <= visible * points[end - 1].certain_error()) --end;
+  return fall_to(points, end, order, tolerance);
 }
 
 Window find_window(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
