@@ -64,7 +64,9 @@ expect(3 "run lotka_volterra --plugin ${at}/libbad_fail.so --solver bad/euler --
 expect(3 "run lotka_volterra --plugin ${at}/libbad_backwards.so --solver bad/euler --tol 1e-3" "moved t backwards")
 # It goes on to evaluate after its budget.
 expect(0 "converge --plugin ${at}/libbad_ignore_budget.so --mode fixed --case lotka_volterra --solver bad/euler --out ${FOLDER}/out"
-       "bad/euler fixed 1 - undetermined.*no right-hand side within its budget for 5 s and was ended")
+       "bad/euler fixed 1 - undetermined.*no right-hand side within its budget for 5 s.* and was ended")
+# In a run, whose budget is 600 s.
+expect(3 "run lotka_volterra --plugin ${at}/libbad_ignore_budget.so --solver bad/euler --step 0.01" "at one time for ever, and was ended")
 expect(0 "converge --plugin ${at}/libbad_crash.so --mode fixed --case lotka_volterra --case bad_decay --solver bad/euler --solver odeum/rk4 --out ${FOLDER}/out"
        "lotka_volterra bad/euler fixed 1 - failed" "lotka_volterra odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed"
        "bad_decay odeum/rk4 fixed 4 [34]\\.[0-9]+ confirmed")

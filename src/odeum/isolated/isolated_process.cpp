@@ -94,7 +94,8 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
       why = "interrupted";
     else if (since(last_sign) > longest_silence)
       why = fmt::format(
-          "foreign code evaluated no right-hand side within its budget for {} s and was ended",
+          "foreign code evaluated no right-hand side within its budget for {} s, or went on at one "
+          "time for ever, and was ended",
           longest_silence);
     else if (since(start) > seconds + longest_silence)
       why = fmt::format("foreign code did not return within {} s after the budget and was ended",
