@@ -5,6 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "odeum/record/compress.hpp"
@@ -81,9 +83,23 @@ TEST(OutputFolder, RefusesASecondHolderAndNamesTheFirst) {
 
 TEST(OutputFolder, RemovesWhatAKilledRunLeftUnfinished) {
   const TemporaryFolder temporary;
-  write_text(temporary.path() / ".odeum.tmp", "half a li");
+  write_text(temporary.path() / ".odeum0.tmp", "half a li");
   const OutputFolder next(temporary.path());
-  EXPECT_FALSE(fs::exists(temporary.path() / ".odeum.tmp"));
+  EXPECT_FALSE(fs::exists(temporary.path() / ".odeum0.tmp"));
+}
+
+TEST(OutputFolder, ThreadsWriteTheirFilesAtTheSameTime) {
+  const TemporaryFolder temporary;
+  const OutputFolder folder(temporary.path());
+  const std::string text(100'000, 'x');
+  const auto write = [&](const std::string& name) {
+    for (int k = 0; k < 10; ++k) folder.write(name, text + name);
+  };
+  std::thread other(write, "in/a.csv");
+  write("b.csv");
+  other.join();
+  for (const std::string name : {"in/a.csv", "b.csv"})
+    EXPECT_EQ(text_of(folder.path() / name), text + name);
 }
 
 TEST(OutputFolder, IsFreeAgainWhenItsHolderIsKilled) {
@@ -123,7 +139,7 @@ TEST(OutputFolder, ReplacesALinkAndDoesNotFollowIt) {
   write_text(outside.path() / "precious", "keep");
   const OutputFolder folder(temporary.path());
   fs::create_symlink(outside.path() / "precious", folder.path() / "a.csv");
-  fs::create_symlink(outside.path() / "precious", folder.path() / ".odeum.tmp");
+  fs::create_symlink(outside.path() / "precious", folder.path() / ".odeum0.tmp");
   folder.write("a.csv", "new");
   EXPECT_EQ(text_of(outside.path() / "precious"), "keep");
   EXPECT_FALSE(fs::is_symlink(folder.path() / "a.csv"));

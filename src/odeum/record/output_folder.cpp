@@ -6,6 +6,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -16,7 +17,22 @@
 namespace odeum::record {
 namespace {
 
-constexpr const char* unfinished = ".odeum.tmp";
+/// The file that this thread is writing, until it is whole.
+std::string unfinished() {
+  static std::atomic<int> threads{0};
+  thread_local const int number = threads++;
+  return fmt::format(".odeum{}.tmp", number);
+}
+
+/// Removes what a killed run was writing.
+void sweep(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".odeum") && name.ends_with(".tmp"))
+      std::filesystem::remove(entry.path(), ignored);
+  }
+}
 
 [[noreturn]] void fail(const std::string& what, const std::filesystem::path& path) {
   throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
@@ -67,7 +83,7 @@ OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) 
   const std::string holder = fmt::format("process {} on {}", ::getpid(), host);
   if (::ftruncate(lock_.get(), 0) != 0 || !write_all(lock_, holder))
     fail("cannot write", lock_path);
-  std::filesystem::remove(path_ / unfinished, error);  // of a run that was killed
+  sweep(path_);
 }
 
 OutputFolder::~OutputFolder() {
@@ -90,8 +106,8 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
   if (error)
     throw FileError(
         fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
-  // There is one run per folder, and it writes one file at a time.
-  const auto temporary = path_ / unfinished;
+  // There is one run per folder, and each of its threads writes one file at a time.
+  const auto temporary = path_ / unfinished();
   OpenFile file(create(temporary));
   try {
     // A full disk is reported by the writing, or when the file is synced.
