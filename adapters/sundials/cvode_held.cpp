@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "odeum/kernel/iteration.hpp"
 #include "sundials/cvode.hpp"
 #include "sundials/newton.hpp"
 
@@ -14,9 +15,9 @@ namespace {
 
 constexpr double never_missed = 1e6;  // a tolerance
 
-// Error weights relative to 1, or the largest component of the state or of its change over a step
-// at the present slope where that is larger: the predictor's rounding is that of their sum, and
-// corrections are no smaller.
+// Error weights relative to the largest component of the state and of its change over a step at the
+// present slope: the predictor's rounding is that of their sum, and corrections are no smaller.
+// From rest, where both are of no size, relative to 1.
 int weigh(N_Vector y, N_Vector weights, void* data) {
   const auto& session = *static_cast<Session*>(data);
   void* const cvode = session.integrator();
@@ -29,7 +30,9 @@ int weigh(N_Vector y, N_Vector weights, void* data) {
       steps > 0 ? CVodeGetDky(cvode, t, 1, weights) : Session::rhs(t, y, weights, data);
   if (failed != 0) return -1;
   const double h = FixedGrid(session.t0(), session.request()).h();
-  const double size = std::max({N_VMaxNorm(y), h * N_VMaxNorm(weights), 1.0});
+  double size = std::max(N_VMaxNorm(y), h * N_VMaxNorm(weights));
+  if (steps == 0) size = std::max(size, 1.0);
+  if (size < smallest_state) size = 1;
   N_VConst(1 / (never_missed * size), weights);
   return 0;
 }
