@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   int result = success;
   add_list(app);
   add_run(app, result);
+  add_advise(app, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
   for (const auto& study : studies) add_study(app, *study);
   add_report(app);

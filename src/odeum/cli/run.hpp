@@ -74,6 +74,9 @@ std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose);
 /// exit code.
 int run_scene(const SceneSource& source, const RunOptions& options);
 
+/// The case with the values of --set. Throws UsageError.
+Case with_sets(const Case& c, const std::vector<std::string>& sets);
+
 /// The same for a case.
 int run_case(const RunOptions& options);
 

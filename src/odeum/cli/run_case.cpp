@@ -248,6 +248,10 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = f
 
 }  // namespace
 
+Case with_sets(const Case& c, const std::vector<std::string>& sets) {
+  return sets.empty() ? c : changed(c, parse_sets(sets));
+}
+
 int run_case(const RunOptions& options) {
   const Case& original = find_case(options.what);
   const auto sets = parse_sets(options.problems.sets);

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/advise/race.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "odeum/advise/search.hpp"
+#include "odeum/core/glob.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
+
+namespace odeum::advise {
+namespace {
+
+constexpr std::size_t most_finalists = 12;
+constexpr double finalist_factor = 3, finalist_ns = 3e4, most_rounds = 25;
+
+bool selected(const SolverInfo& info, const Wishes& wishes) {
+  const auto& libraries = wishes.libraries;
+  if (!libraries.empty() &&
+      std::find(libraries.begin(), libraries.end(), info.library) == libraries.end())
+    return false;
+  return wishes.solvers.empty() || any_glob_matches(wishes.solvers, info.id());
+}
+
+void enter(const Case& c, const Wishes& wishes, Advice& advice) {
+  bool any = false;
+  for (std::size_t k = 0; k < c.entrants.size(); ++k) {
+    if (!selected(c.entrants.info(k), wishes)) continue;
+    any = true;
+    const Entrant& entrant = c.entrants[k];
+    const std::string id = entrant.info.id();
+    if (!entrant.unfit.empty()) {
+      advice.not_tried[entrant.unfit].push_back(id);
+      continue;
+    }
+    if (entrant.info.adaptive) advice.candidates.push_back({&entrant, Mode::adaptive});
+    if (!entrant.info.fixed) continue;
+    if (c.settings.no_fixed_steps.empty())
+      advice.candidates.push_back({&entrant, Mode::fixed});
+    else if (!entrant.info.adaptive)
+      advice.not_tried[c.settings.no_fixed_steps].push_back(id);
+  }
+  if (!any) throw std::invalid_argument("no solver has that name and library");
+  if (advice.candidates.empty())
+    throw std::invalid_argument("no solver fits: " + advice.not_tried.begin()->first);
+}
+
+/// Those that may be the fastest, and of each other library and family the cheapest.
+std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates) {
+  std::vector<std::size_t> by_cost;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (candidates[k].found) by_cost.push_back(k);
+  std::stable_sort(by_cost.begin(), by_cost.end(), [&](std::size_t a, std::size_t b) {
+    return candidates[a].found->ns < candidates[b].found->ns;
+  });
+  double least = infinity;
+  std::size_t racing = 0;
+  std::set<std::string> seen;
+  std::vector<std::size_t> chosen;
+  for (const std::size_t k : by_cost) {
+    const Candidate& candidate = candidates[k];
+    const SolverInfo& info = candidate.entrant->info;
+    if (candidate.closed_form()) {
+      chosen.push_back(k);
+      continue;
+    }
+    least = std::min(least, candidate.found->ns);
+    const bool near =
+        candidate.found->ns <= finalist_factor * least + finalist_ns && racing++ < most_finalists;
+    const bool of_library = seen.insert(info.library).second,
+               of_family = seen.insert("family " + info.family).second;
+    if (near || of_library || of_family) chosen.push_back(k);
+  }
+  return chosen;
+}
+
+/// Interleaved rounds over all that are timed.
+void time_them(Advice& advice, Search& search, double seconds) {
+  double once = 0;
+  for (const std::size_t k : advice.timed) once += 1e-9 * advice.candidates[k].found->ns + 2e-5;
+  const auto rounds = static_cast<std::size_t>(std::clamp(0.15 * seconds / once, 2.0, most_rounds));
+  const study::Pinned pinned;
+  const study::ConditionsMeter meter;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    if (round > 1 && search.late(0.97)) break;
+    for (const std::size_t k : advice.timed) {
+      if (interrupted) throw Interrupted();
+      Candidate& candidate = advice.candidates[k];
+      Request request = candidate.found->request;
+      request.budget.watched = false;
+      const double guess = candidate.times.ns.empty() ? candidate.found->ns : candidate.times.min();
+      Status status = Status::ok;
+      const double ns =
+          study::time_call([&] { status = candidate.entrant->solve(request).status; }, guess);
+      // It ended well under the guard; without a time it can't be advised.
+      candidate.times.ns.push_back(status == Status::ok ? ns : infinity);
+    }
+  }
+  const study::Conditions conditions = meter.end();
+  advice.disturbed = study::disturbed(conditions.drift, conditions.processor_share);
+}
+
+/// Why there is no answer, before any run.
+std::string unknown(const Case& c, const Wishes& wishes) {
+  std::vector<double> state(c.y0.size());
+  double known = c.t0;
+  for (const double stop : c.stops) {
+    if (!c.truth.at || !c.truth.at(stop, state.data()))
+      return known == c.t0
+                 ? "the solution is not known at any stop: " + c.truth.source
+                 : fmt::format("the solution is known only to t = {}: {}", known, c.truth.source);
+    known = stop;
+  }
+  if (wishes.error <= c.truth.floor)
+    return fmt::format("the solution itself is known to {:.2g} only, so that {:g} can't be told",
+                       c.truth.floor, wishes.error);
+  return {};
+}
+
+std::string nobody(const Advice& advice) {
+  double least = infinity;
+  std::string id;
+  for (const Candidate& candidate : advice.candidates)
+    for (const Trial& trial : candidate.trials)
+      if (trial.status == Status::ok && trial.error < least && !candidate.closed_form()) {
+        least = trial.error;
+        id = candidate.entrant->info.id();
+      }
+  if (id.empty()) return "nobody here reaches that: no run ended within its time";
+  return fmt::format("nobody here reaches that{}: best is {} with an error of {:.3g}",
+                     advice.cut ? " within the seconds given" : "", id, least);
+}
+
+}  // namespace
+
+Advice advise(const Case& c, const Wishes& wishes) {
+  Advice advice;
+  advice.floor = c.truth.floor;
+  enter(c, wishes, advice);
+  if (advice.failure = unknown(c, wishes); !advice.failure.empty()) return advice;
+  Search search(c, wishes);
+  search.all(advice.candidates);
+  advice.cut = search.late(0.7);
+  for (const std::size_t k : finalists(advice.candidates)) {
+    if (search.late(0.8)) break;
+    search.refine(advice.candidates[k]);
+  }
+  advice.timed = finalists(advice.candidates);
+  time_them(advice, search, wishes.seconds);
+  std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
+    return advice.candidates[a].times.min() < advice.candidates[b].times.min();
+  });
+  const auto first = std::find_if(advice.timed.begin(), advice.timed.end(), [&](std::size_t k) {
+    return !advice.candidates[k].closed_form();
+  });
+  if (first == advice.timed.end()) {
+    advice.failure = nobody(advice);
+    return advice;
+  }
+  advice.winner = *first;
+  const Candidate& winner = advice.candidates[advice.winner];
+  const double fineness = winner.found->fineness;
+  advice.repeated = search.run(winner, fineness, true);
+  const auto multiple = static_cast<double>(c.settings.steps_multiple);
+  if (winner.mode == Mode::adaptive)
+    advice.twice = search.run(winner, fineness / 10);
+  else if (std::fmod(fineness, 2 * multiple) == 0)
+    advice.twice = search.run(winner, fineness / 2);
+  return advice;
+}
+
+}  // namespace odeum::advise

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <chrono>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/judge/errors.hpp"
+#include "odeum/studies/stopwatch.hpp"
+
+/// Which solver, at which setting, has an error on a case in the least time: by runs on that case.
+/// Nothing about a case or a solver is stored or learned.
+namespace odeum::advise {
+
+struct Wishes {
+  double error = 0;     ///< the largest at the case's stops, in the units of its errors
+  double seconds = 20;  ///< for the answer
+  std::vector<std::string> libraries;  ///< empty: all
+  std::vector<std::string> solvers;    ///< globs on library/method; empty: all
+};
+
+/// A run that was made.
+struct Trial {
+  Request request;
+  /// Steps, or 1 / relative tolerance: the larger, the finer.
+  double fineness = 0;
+  Status status = Status::ok;
+  double error = nan;  ///< the largest at the stops; NaN where the run failed
+  double ns = 0;       ///< processor time under the guard, less what the guard takes
+  Counters counters;
+
+  bool reaches(double asked) const { return status == Status::ok && error <= asked; }
+};
+
+/// A solver in one mode.
+struct Candidate {
+  const Entrant* entrant;
+  Mode mode;
+  std::vector<Trial> trials = {};   ///< in the order of their runs
+  std::optional<Trial> found = {};  ///< the coarsest that reaches the error
+  std::string dropped = {};         ///< why it is not searched further; empty: it is not dropped
+  study::Times times = {};          ///< of `found`, with the bare right-hand side
+
+  /// By how much the error falls where the fineness grows tenfold, in powers of ten.
+  double slope() const;
+  /// It solves linear problems by their closed form, and is no method that steps.
+  bool closed_form() const;
+};
+
+struct Advice {
+  std::string failure;  ///< why there is no answer, a sentence; empty: there is one
+  double floor = 0;     ///< error of the truth
+  std::vector<Candidate> candidates;
+  std::size_t winner = 0;          ///< in `candidates`
+  std::vector<std::size_t> timed;  ///< the same, by least time
+  Trial repeated;  ///< the winner's run with no stop but the end, as `odeum run` makes it
+  std::optional<Trial>
+      twice;  ///< the winner with the step twice as long, or ten times the tolerance
+  std::map<std::string, std::vector<std::string>> not_tried;  ///< solvers by reason
+  bool cut = false;        ///< the seconds were over before the race was
+  bool disturbed = false;  ///< other programs ran, or the processor's speed changed
+};
+
+/// Makes the race. `c` has to know its truth at its stops. Throws Interrupted, and
+/// std::invalid_argument where no solver is selected or none fits.
+Advice advise(const Case& c, const Wishes& wishes);
+
+}  // namespace odeum::advise

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/advise/race.hpp"
+
+/// The setting of each candidate for the error asked.
+namespace odeum::advise {
+
+/// Finds settings by runs under the guard. Not thread-safe: runs are timed.
+class Search {
+ public:
+  Search(const Case& c, const Wishes& wishes);
+
+  /// Every candidate, those first that seem cheapest by their first run.
+  void all(std::vector<Candidate>& candidates);
+  /// Until the coarsest setting that reaches the error is known to an eighth of a decade of error,
+  /// and the settings beside it keep to twice the error.
+  void refine(Candidate& candidate);
+  /// A run that is only looked at.
+  Trial run(const Candidate& candidate, double fineness, bool only_end = false) const;
+  bool late(double share) const;
+
+ private:
+  void take(Candidate& candidate, double fineness);
+  void search(Candidate& candidate, std::size_t most, double decades);
+  double next(const Candidate& candidate, double decades) const;
+  double first(const Candidate& candidate) const;
+  double in_range(const Candidate& candidate, double fineness) const;
+  void drop_if_slow(Candidate& candidate) const;
+  void settle(Candidate& candidate);
+
+  const Case& c_;
+  Wishes wishes_;
+  judge::Judge judge_, end_judge_;
+  double best_ns_ = infinity, cap_seconds_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace odeum::advise

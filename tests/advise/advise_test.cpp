@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// odeum advise as a user runs it.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum {
+namespace {
+
+using tests::Result;
+using tests::shell;
+
+/// The number after a word at the start of a line.
+double number_after(const std::string& text, const std::string& word) {
+  double value = -1;
+  const std::size_t at = text.find("\n" + word);
+  if (at != std::string::npos) std::sscanf(text.c_str() + at + 1 + word.size(), "%lf", &value);
+  return value;
+}
+
+/// The advice keeps to the error, and its command gives the error and the counts that it says.
+void expect_true(const std::string& arguments, double asked) {
+  const Result result = shell("odeum advise " + arguments + " --format json");
+  ASSERT_EQ(result.code, 0) << result.output;
+  const auto advice = nlohmann::json::parse(result.output);
+  for (const char* key :
+       {"solver", "setting_kind", "setting", "absolute", "error", "error_low", "error_high",
+        "time_ns", "time_low", "time_high", "limited_by", "runners_up", "not_tried", "command"})
+    EXPECT_TRUE(advice.contains(key)) << key;
+  EXPECT_LE(advice["error"], asked);
+  EXPECT_GT(advice["time_ns"], 0);
+  EXPECT_NE(advice["solver"], "odeum/exponential_propagator");
+  const std::string command = advice["command"];
+  const Result run = shell(command);
+  EXPECT_EQ(run.code, 0) << command << "\n" << run.output;
+  EXPECT_EQ(number_after(run.output, "cost "), advice["command_evaluations"]) << run.output;
+  // `odeum run` prints six digits.
+  const double error = advice["command_error"];
+  EXPECT_NEAR(number_after(run.output, "error "), error, 1e-5 * error) << run.output;
+}
+
+TEST(Advise, ItsCommandMakesTheRunAgain) {
+  expect_true("kepler_e06 --error 1e-5 --solver 'odeum/dorm*' 'gsl/rk*'", 1e-5);
+  // Fixed steps win, and a propagator that is no method in this race is faster.
+  expect_true("damped_oscillator_underdamped --error 1e-6 --library odeum", 1e-6);
+}
+
+TEST(Advise, AnswersForTextsAndTheirParameters) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "a decay.yaml").string();
+  tests::write_text(file,
+                    "states: {y: 1}\nparameters: {k: 1}\nequations: {y: -k*y^2}\ntime: {end: 1}\n");
+  expect_true("'" + file + "' --set k=2 --error 1e-6 --solver 'odeum/rk*' 'odeum/dorm*'", 1e-6);
+}
+
+TEST(Advise, SaysWhereNobodyReachesTheError) {
+  const Result none =
+      shell("odeum advise kepler_e06 --error 1e-12 --solver odeum/explicit_euler --seconds 0.3");
+  EXPECT_EQ(none.code, 1) << none.output;
+  EXPECT_NE(none.output.find("nobody here reaches that"), std::string::npos) << none.output;
+  // The reference has 25 digits and is read as doubles.
+  const Result floor = shell("odeum advise kepler_e06 --error 1e-20");
+  EXPECT_EQ(floor.code, 1) << floor.output;
+  EXPECT_NE(floor.output.find("the solution itself is known to"), std::string::npos)
+      << floor.output;
+}
+
+TEST(Advise, RefusesWhatIsNoQuestion) {
+  for (const std::string arguments :
+       {"kepler_e06 --error 0", "kepler_e06 --error nan", "kepler_e06",
+        "kepler_e06 --error 1e-3 --library nobody", "kepler_e06 --error 1e-3 --solver bullet/*"})
+    EXPECT_EQ(shell("odeum advise " + arguments).code, 2) << arguments;
+}
+
+}  // namespace
+}  // namespace odeum
