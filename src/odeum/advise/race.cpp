@@ -131,7 +131,8 @@ std::string nobody(const Advice& advice) {
         least = trial.error;
         id = candidate.entrant->info.id();
       }
-  if (id.empty()) return "nobody here reaches that: no run ended within its time";
+  if (id.empty())
+    return "not known: no run ended within its share of the seconds; --seconds gives more";
   return fmt::format("nobody here reaches that{}: best is {} with an error of {:.3g}",
                      advice.cut ? " within the seconds given" : "", id, least);
 }

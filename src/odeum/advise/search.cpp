@@ -161,13 +161,22 @@ void Search::search(Candidate& candidate, std::size_t most, double decades) {
   settle(candidate);
 }
 
-void Search::settle(Candidate& candidate) {
+void Search::settle(Candidate& candidate) const {
   candidate.found.reset();
   if (const Trial* coarsest = bracket_of(candidate, wishes_.error).reaches)
     candidate.found = *coarsest;
 }
 
 void Search::all(std::vector<Candidate>& candidates) {
+  // Where each solve takes long, not all have their turn: first those of orders 4 to 8 with a
+  // controller. That orders them, and drops none.
+  const auto rank = [](const Candidate& candidate) {
+    const double claimed = candidate.entrant->info.order;
+    const double apart = std::isnan(claimed) ? 4 : std::max({0.0, 4 - claimed, claimed - 8});
+    return apart + (candidate.mode == Mode::fixed ? 0.5 : 0);
+  };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
   cap_seconds_ = wishes_.seconds / (4.0 * static_cast<double>(candidates.size()));
   Progress progress("advise", 2.0 * static_cast<double>(candidates.size()));
   std::vector<std::pair<double, std::size_t>> order;  // by the cost foreseen
@@ -188,7 +197,8 @@ void Search::all(std::vector<Candidate>& candidates) {
   constexpr std::size_t most_solves = 8;
   constexpr double half_a_decade = 0.5;
   for (const auto& [cost, k] : order) {
-    if (late(0.7)) break;
+    // Nobody has ended a run: coarser ones are tried below, with more time.
+    if (late(0.7) || (cost == infinity && !std::isfinite(best_ns_))) break;
     search(candidates[k], most_solves, half_a_decade);
     progress.advance();
   }

@@ -26,7 +26,7 @@ class Search {
   double first(const Candidate& candidate) const;
   double in_range(const Candidate& candidate, double fineness) const;
   void drop_if_slow(Candidate& candidate) const;
-  void settle(Candidate& candidate);
+  void settle(Candidate& candidate) const;
 
   const Case& c_;
   Wishes wishes_;
