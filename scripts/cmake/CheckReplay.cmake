@@ -9,7 +9,7 @@ endif()
 foreach(scene IN ITEMS spinning_pair fountain cloth_on_sphere)
   set(out ${FOLDER}/${scene})
   file(REMOVE_RECURSE ${out})
-  execute_process(COMMAND ${ODEUM} run ${scene} --until 0.3 --out ${out} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${ODEUM} run ${scene} --until 0.3 --no-truth --out ${out} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   execute_process(
     COMMAND ${CHROMIUM} --headless --no-sandbox --disable-gpu-sandbox --use-angle=swiftshader
             --enable-unsafe-swiftshader --disable-dev-shm-usage --user-data-dir=${FOLDER}/profile

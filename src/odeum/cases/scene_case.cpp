@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/scene_case.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "odeum/cases/stage.hpp"
+#include "odeum/cases/study_steps.hpp"
+#include "odeum/truth/scene_system.hpp"
 
 namespace odeum::cases {
 namespace {
 
-ErasedContest stage_of(const std::shared_ptr<const scene::SceneProblem>& problem) {
+Contest<scene::SceneProblem> contest_of(const std::shared_ptr<const scene::SceneProblem>& problem) {
   Contest<scene::SceneProblem> contest;
   contest.problem = problem;
   contest.y0 = {problem, &problem->start()};
   contest.scene = problem->plain_scene();
-  return erase(contest);
+  return contest;
 }
 
 // The exact motion in closed form, as a solver without steps.
@@ -41,10 +49,140 @@ Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
   return entrant;
 }
 
+/// Components by particle, positions before velocities.
+std::vector<std::string> names_of(std::size_t particles) {
+  std::vector<std::string> names;
+  for (const char* const prefix : {"", "v"})
+    for (std::size_t i = 0; i < particles; ++i)
+      for (const char axis : {'x', 'y', 'z'})
+        names.push_back(fmt::format("{}{}{}", prefix, axis, i));
+  return names;
+}
+
+Facts facts_of(const scene::Structure& s) {
+  Facts facts;
+  facts.emplace_back("particles", fmt::format("{}, {} of them fixed", s.particles, s.fixed));
+  for (const scene::TermInfo& term : s.terms)
+    facts.emplace_back("term",
+                       fmt::format("{}: {} {}, {}", term.name, term.count, term.unit, term.law));
+  facts.emplace_back("kernel", s.kernel);
+  return facts;
+}
+
+std::vector<std::string> tags_of(const scene::Structure& s) {
+  return {"autonomous",
+          "second_order",
+          "mechanical",
+          "scene",
+          s.linear ? "linear" : "nonlinear",
+          s.smooth ? "without_kinks" : "kinked"};
+}
+
+/// What a solve may cost: some seconds of a processor, as foreseen from the number of terms, so
+/// that it is the same on each machine.
+std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual) {
+  constexpr double operations = 2e10;
+  const double evaluations = operations / truth::work_of(problem);
+  return std::min(usual, static_cast<std::uint64_t>(std::max(evaluations, 2000.0)));
+}
+
+Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene) {
+  if (!scene.emitters.empty())
+    throw InputError(fmt::format(
+        "{}: emitters: the number of particles changes during the run, and a study needs a state "
+        "of one size; expected a scene without emitters (odeum run takes this one)",
+        file));
+  const auto problem = std::make_shared<const scene::SceneProblem>(scene);
+  const scene::Structure& structure = problem->structure();
+  Case c;
+  c.equation = "m q'' = the sum of the scene's forces";
+  c.source = file;
+  c.facts = facts_of(structure);
+  c.y0 = problem->start();
+  c.components = names_of(structure.particles);
+  for (std::size_t i = 0; i < 3 * structure.particles; ++i)
+    if (problem->bodies().free(i / 3)) c.measured.push_back(i);
+  for (const int quarter : {1, 2, 3, 4}) c.stops.push_back(*scene.duration * quarter / 4);
+  c.energy = [problem](const double* y) { return problem->energy(y); };
+  c.problem = erase(contest_of(problem));
+  c.entrants = enroll_scene(problem);
+  c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
+  const TextTruth known = scene_truth(problem, c.stops, text, file);
+  c.truth = known.truth;
+  c.facts.emplace_back("truth", known.words);
+  if (known.stops.empty()) {
+    c.settings.no_convergence = "no truth is known: " + known.words;
+    choose_steps(c, structure.smooth, false);
+    return c;
+  }
+  c.stops = known.stops;
+  // A trial step of an implicit method factors a large matrix: only where explicit ones have
+  // failed.
+  constexpr std::size_t small = 64;
+  if (problem->size() <= small)
+    choose_steps(c, structure.smooth, true);
+  else
+    choose_steps(c, structure.smooth, true, most_trial_steps);
+  c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
+  return c;
+}
+
 }  // namespace
 
+double extent_of(const double* y, std::size_t particles) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3 && particles > 0; ++axis) {
+    double low = y[axis], high = y[axis];
+    for (std::size_t i = 1; i < particles; ++i) {
+      low = std::min(low, y[3 * i + axis]);
+      high = std::max(high, y[3 * i + axis]);
+    }
+    largest = std::max(largest, high - low);
+  }
+  return largest;
+}
+
+TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
+                      const std::vector<double>& times, const std::string& content,
+                      const std::string& what) {
+  if (problem->structure().closed_form) {
+    TextTruth known;
+    known.truth.at = [problem](double t, double* y) {
+      problem->closed_form(t, problem->start().data(), y);
+      return true;
+    };
+    double largest = 0;
+    std::vector<double> y(problem->size());
+    for (const double t : times) {
+      known.truth.at(t, y.data());
+      for (const double x : y) largest = std::max(largest, std::abs(x));
+    }
+    known.truth.floor = 4 * 0x1p-53 * largest;  // of a few operations
+    known.truth.source = "the closed form of free particles";
+    known.words = fmt::format("closed form of free particles; known to {:.1e}", known.truth.floor);
+    known.stops = times;
+    known.known_until = times.back();
+    return known;
+  }
+  const auto reference = kept_or_computed("scene " + content, problem->size(), times, {}, [&] {
+    return std::optional(truth::compute_reference(truth::system_of(problem), times, {}));
+  });
+  return truth_from(*reference, times, {}, what);
+}
+
+Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene) {
+  const scene::SceneProblem problem(scene);
+  std::string title = scene.name.empty() ? id : scene.name;
+  return {.id = std::move(id),
+          .title = std::move(title),
+          .tags = tags_of(problem.structure()),
+          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene)] {
+            return make_scene(file, text, scene);
+          }};
+}
+
 Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {
-  Entrants entrants = enroll(stage_of(problem));
+  Entrants entrants = enroll(erase(contest_of(problem)));
   entrants.add(closed_form(problem));
   return entrants;
 }

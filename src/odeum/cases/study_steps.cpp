@@ -45,7 +45,7 @@ std::uint64_t enough_steps(const Case& c, const std::string& method, std::uint64
   const std::uint64_t unit = c.settings.steps_multiple;
   for (std::uint64_t steps = unit * ((15 + unit) / unit); steps <= most; steps *= 2) {
     Request request{.steps = steps, .stops = c.stops};
-    request.budget.evaluations = 5'000'000;
+    request.budget.evaluations = 10 * c.settings.evaluation_budget;
     const Outcome outcome = solver->solve(request);
     if (outcome.status == Status::ok && is_close(outcome)) return steps;
   }
@@ -67,7 +67,7 @@ std::uint64_t enough_for_all(const Case& c, std::initializer_list<const char*> m
 
 }  // namespace
 
-void choose_steps(Case& c, bool smooth, bool known) {
+void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many) {
   StudySettings& s = c.settings;
   const std::uint64_t multiple = steps_multiple(c.t0, c.stops);
   if (multiple == 0) {
@@ -76,7 +76,7 @@ void choose_steps(Case& c, bool smooth, bool known) {
   }
   s.steps_multiple = multiple;
   if (!known) return;
-  constexpr std::uint64_t most = 40'000, many = 1000;
+  constexpr std::uint64_t most = most_trial_steps;
   const std::uint64_t by_explicit = enough_steps(c, "rk4", most);
   // Newton's method may need smaller steps than the solution does.
   const std::uint64_t by_implicit =

@@ -32,9 +32,12 @@ std::string quoted(const std::string& word) {
 }
 
 Case case_of(const AdviseOptions& options) {
-  Case c = is_problem_file(options.what)
-               ? *load_problem(options.what, options.problems.sets).front()
-               : with_sets(find_case(options.what), options.problems.sets);
+  const std::vector<std::string>& sets = options.problems.sets;
+  const bool is_text = is_problem_file(options.what);
+  const auto scene = is_text ? std::nullopt : find_scene(options.what);
+  Case c = is_text ? *load_problem(options.what, sets).front()
+           : scene ? load_scene(*scene, sets)
+                   : with_sets(find_case(options.what), sets);
   std::vector<double> state(c.y0.size());
   if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
     c.truth = cases::truth_at(c, c.stops);
@@ -49,6 +52,8 @@ int advise_on(const AdviseOptions& options, const CLI::App& command) {
   const Case c = case_of(options);
   advise::Asked asked{quoted(options.what), {}};
   for (const std::string& set : options.problems.sets) asked.more += " --set " + quoted(set);
+  // A scene's truth may be known for a part of its duration alone.
+  if (c.has_tag("scene")) asked.more += fmt::format(" --until {}", c.stops.back());
   for (const std::string& file : command.get_option("--plugin")->results())
     asked.more += " --plugin " + quoted(file);
   advise::Advice advice;
@@ -68,9 +73,9 @@ void add_advise(CLI::App& app, int& result) {
   const auto options = std::make_shared<AdviseOptions>();
   CLI::App* command = app.add_subcommand(
       "advise", "which solver, at which setting, has an error on a problem in the least time");
-  command->add_option("problem", options->what, "a case, a problem's file, or an FMU")
+  command->add_option("problem", options->what, "a case, a scene, a problem's file, or an FMU")
       ->required()
-      ->type_name("CASE|PROBLEM.yaml|MODEL.fmu");
+      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
   command
       ->add_option("--error", options->wishes.error,
                    "the largest error at the problem's stops, in the units of its errors")

@@ -10,11 +10,13 @@
 #include <stdexcept>
 
 #include "odeum/cases/foreign_case.hpp"
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/formula/compile.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
+#include "odeum/scene/read/reader.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
@@ -23,10 +25,6 @@ namespace {
 std::string& mark() {
   static std::string text;
   return text;
-}
-
-bool has_yaml_name(const std::string& word) {
-  return word.ends_with(".yaml") || word.ends_with(".yml");
 }
 
 formula::Overrides overrides_of(const std::vector<std::string>& sets) {
@@ -39,6 +37,16 @@ formula::Overrides overrides_of(const std::vector<std::string>& sets) {
       throw UsageError("--set: {} is given twice", shown(set.substr(0, equal)));
   }
   return overrides;
+}
+
+bool has_yaml_name(const std::string& word) {
+  return word.ends_with(".yaml") || word.ends_with(".yml");
+}
+
+std::optional<SceneSource> scene_that_is_there(const std::string& word) {
+  std::error_code ignored;
+  const auto scene = find_scene(word);
+  return scene && (scene->text || std::filesystem::exists(word, ignored)) ? scene : std::nullopt;
 }
 
 bool is_fmu(const std::string& word) { return word.ends_with(".fmu"); }
@@ -70,12 +78,24 @@ Cases load_fmu(const std::string& path, const std::vector<std::string>& sets) {
 
 }  // namespace
 
+std::optional<SceneSource> find_scene(const std::string& what) {
+  std::error_code ignored;
+  const SceneSource file{what, std::nullopt};
+  if (has_yaml_name(what)) return file;
+  for (const std::string& id : known_ids())
+    if (id == what) return std::nullopt;
+  for (const cases::SceneText& scene : cases::all_scenes())
+    if (scene.name == what) return SceneSource{what, std::string(scene.text)};
+  if (std::filesystem::exists(what, ignored)) return file;
+  return std::nullopt;
+}
+
 void add_problem_options(CLI::App& command, ProblemOptions& options, bool words) {
   if (words)
     command
         .add_option("problem", options.words,
-                    "cases, with * and ?, and files of your own problems and FMUs")
-        ->type_name("CASE|PROBLEM.yaml|MODEL.fmu");
+                    "cases, with * and ?, scenes, and files of your own problems and FMUs")
+        ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
   command
       .add_option("--set", options.sets,
                   "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
@@ -116,18 +136,38 @@ Cases load_problem(const std::string& path, const std::vector<std::string>& sets
   }
 }
 
+const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets) {
+  if (!sets.empty()) throw UsageError("--set: a scene has no parameters; change its file");
+  scene::ReadOptions options;
+  options.need_solver = false;
+  try {
+    const std::string text =
+        source.text ? *source.text : read_text_file(source.file, "scene", options.most_bytes);
+    scene::ReadScene read = scene::read_scene(source.file, text, options);
+    for (const std::string& warning : read.warnings) remark(warning + " (warning)");
+    mark() += " " + formula::content_key(text);
+    return add_user_case(cases::scene_statement(unused_id(stem_of(source.file), "_scene"),
+                                                source.file, text, std::move(read.scene)));
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
 std::vector<std::string> load_problems(const ProblemOptions& options,
                                        const std::vector<std::string>& case_globs) {
   std::vector<std::string> globs, words = options.words;
   words.insert(words.end(), case_globs.begin(), case_globs.end());
   bool loaded = false;
   for (const std::string& word : words) {
-    if (!has_yaml_name(word) && !is_problem_file(word)) {
+    const auto scene = is_problem_file(word) ? std::nullopt : scene_that_is_there(word);
+    // A file that is not there is thought to be a problem's.
+    if (!scene && !has_yaml_name(word) && !is_problem_file(word)) {
       globs.push_back(word);
       continue;
     }
-    for (const Case* c : load_problem(word, options.sets)) {
-      remark("{:<9}  {} ({})", "problem", c->title, c->source);
+    for (const Case* c :
+         scene ? Cases{&load_scene(*scene, options.sets)} : load_problem(word, options.sets)) {
+      remark("{:<9}  {} ({})", scene ? "scene" : "problem", c->title, c->source);
       for (const auto& [name, fact] : c->facts) remark("{:<9}  {}", name, fact);
       globs.push_back(c->id);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace odeum::cli {
 
-/// Cases and problem files that a command was given, and values for the parameters of the latter.
+/// Cases, problem files and scenes that a command was given, and values for parameters.
 struct ProblemOptions {
   std::vector<std::string> words;  ///< cases and files
   std::vector<std::string> sets;   ///< name=value
@@ -20,13 +21,27 @@ void add_problem_options(CLI::App& command, ProblemOptions& options, bool words 
 /// its name.
 bool is_problem_file(const std::string& path);
 
+/// The source of a scene: a file, or a built-in text.
+struct SceneSource {
+  std::string file;                 ///< the name in errors
+  std::optional<std::string> text;  ///< empty: read the file
+};
+
+/// The scene of that name: a file name with a scene's extension, else a built-in scene unless a
+/// case has its name, else an existing file; nothing otherwise.
+std::optional<SceneSource> find_scene(const std::string& what);
+
 /// Makes the cases of a problem file, one at least, or of an FMU. Throws UsageError for a file that
 /// is no problem, and for a value that is none.
 using Cases = std::vector<const Case*>;
 Cases load_problem(const std::string& path, const std::vector<std::string>& sets);
 
-/// The globs on cases that words and `case_globs` come to, with the problem files among them
-/// loaded.
+/// Makes the case of a scene. Throws UsageError for a text that is wrong, for emitters, whose
+/// particles change in number, and for `sets`, since a scene has no parameters.
+const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets);
+
+/// The globs on cases that words and `case_globs` come to, with the problem files and scenes among
+/// them loaded.
 std::vector<std::string> load_problems(const ProblemOptions& options,
                                        const std::vector<std::string>& case_globs);
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cli/run.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
 #include <memory>
 
 namespace odeum::cli {
@@ -43,6 +47,48 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
 
 }  // namespace
 
+std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose) {
+  using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
+  const auto count = [](Counts& counts, const std::string& name) {
+    for (auto& [known, number] : counts)
+      if (known == name) return void(++number);
+    counts.emplace_back(name, 1);
+  };
+  const auto text_of_counts = [](const Counts& counts) {
+    std::string text;
+    for (const auto& [name, number] : counts)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);
+    return text;
+  };
+  Counts libraries;
+  std::map<std::string, Counts> families, reasons;
+  std::map<std::string, std::vector<std::string>> unfit_ids;
+  std::vector<std::string> fitting;
+  for (const Entrant& entrant : entrants) {
+    if (!entrant.unfit.empty()) {
+      count(reasons[entrant.unfit], "of " + entrant.info.library);
+      unfit_ids[entrant.unfit].push_back(entrant.info.id());
+      continue;
+    }
+    count(libraries, entrant.info.library);
+    count(families[entrant.info.library], entrant.info.family);
+    fitting.push_back(entrant.info.id());
+  }
+  std::vector<std::string> lines{fmt::format("fits       {} of {} solvers{}", fitting.size(),
+                                             entrants.size(),
+                                             verbose ? "" : ", which --verbose lists")};
+  for (const auto& [library, number] : libraries)
+    lines.push_back(
+        fmt::format("  {:<8} {}: {}", library, number, text_of_counts(families[library])));
+  if (verbose) lines.push_back(fmt::format("  {}", fmt::join(fitting, " ")));
+  for (const auto& [reason, counts] : reasons)
+    lines.push_back(fmt::format(
+        "unfit      {}: {}",
+        verbose ? fmt::format("{}", fmt::join(unfit_ids[reason], " ")) : text_of_counts(counts),
+        reason));
+  return lines;
+}
+
 void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
@@ -70,6 +116,9 @@ void add_run(CLI::App& app, int& result) {
       ->type_name("DIR");
   command->add_flag("--verbose", options->verbose,
                     "name every solver that fits a scene or problem file, and that does not");
+  command->add_flag_callback(
+      "--no-truth", [options] { options->truth = false; },
+      "compute no truth where none is known: the run alone, without its error");
   command->add_flag("--code", options->code,
                     "print a C++ program that makes this run with the installed package");
   command->add_option("--max-particles", options->limits.most_particles, "of a scene")

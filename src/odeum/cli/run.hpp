@@ -50,21 +50,12 @@ struct RunOptions {
   std::string out;
   bool verbose = false;
   bool code = false;  ///< print a program instead of running
+  bool truth = true;  ///< compare with one that is computed where none is known
   RunSettings settings;
   ProblemOptions problems;  ///< values of parameters, of a case or a problem file
   scene::ReadOptions limits;
   std::size_t megabytes = 64;
 };
-
-/// The source of a scene: a file, or a built-in text.
-struct SceneSource {
-  std::string file;                 ///< the name in errors
-  std::optional<std::string> text;  ///< empty: read the file
-};
-
-/// The scene of that name: a file name with a scene's extension, else a built-in scene unless a
-/// case has its name, else an existing file; nothing otherwise.
-std::optional<SceneSource> find_scene(const std::string& what);
 
 /// The number of solvers that fit, by library and family, and of the others by reason, in lines;
 /// `verbose` adds their ids.

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <ctime>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/trajectories/scene_files.hpp"
+#include "odeum/trajectories/scene_verdict.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -44,7 +46,27 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   return lines;
 }
 
-Lines describe_result(const Entrant& entrant, const Request& request, const scene::RunResult& run) {
+/// The processor's time, by steps and by frames, and what a cost in evaluations does not tell.
+std::string text_of_cost(const Request& request, const scene::RunResult& run, double seconds) {
+  const Counters& counters = run.counters;
+  std::string text = fmt::format("cost       {} evaluations, {} Jacobians",
+                                 counters.rhs_evaluations, counters.jacobian_evaluations);
+  if (counters.work > counters.rhs_evaluations)
+    text +=
+        fmt::format(", {} products in linear solvers", counters.work - counters.rhs_evaluations);
+  const std::uint64_t steps = request.mode == Mode::fixed ? request.steps : counters.steps;
+  text += fmt::format("\ntime       {:.3g} s of the processor", seconds);
+  if (steps > 0)
+    text += fmt::format(", {:.3g} ms a step", 1e3 * seconds / static_cast<double>(steps));
+  if (run.frames.size() > 1)
+    text += fmt::format(", {:.3g} ms a frame of {:.4g} s",
+                        1e3 * seconds / static_cast<double>(run.frames.size() - 1),
+                        run.frames[1].t - run.frames[0].t);
+  return text;
+}
+
+Lines describe_result(const Entrant& entrant, const Request& request, const scene::RunResult& run,
+                      double seconds, const std::string& excess) {
   Lines lines{"solver     " + entrant.info.id()};
   const double end = request.stops.back();
   lines.push_back(request.mode == Mode::fixed
@@ -53,10 +75,10 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
                       : fmt::format("tol        {}, {} steps and {} rejected to t = {}",
                                     text_of_tolerance(request), run.counters.steps,
                                     run.counters.rejected_steps, run.t));
-  lines.push_back(fmt::format("status     {}{}{}", to_string(run.status),
-                              run.detail.empty() ? "" : ": ", run.detail));
-  lines.push_back(fmt::format("cost       {} evaluations, {} Jacobians",
-                              run.counters.rhs_evaluations, run.counters.jacobian_evaluations));
+  lines.push_back(fmt::format("status     {}{}{}{}", to_string(run.status),
+                              run.detail.empty() ? "" : ": ", run.detail,
+                              excess.empty() ? "" : ", but it has blown up: " + excess));
+  lines.push_back(text_of_cost(request, run, seconds));
   if (run.solves > 1)
     lines.push_back(
         fmt::format("solves     {}: {} births, {} deaths", run.solves, run.births, run.deaths));
@@ -67,6 +89,54 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
   lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
                               last.momentum[0], last.momentum[1], last.momentum[2]));
   return lines;
+}
+
+/// The errors of a run in m, and whether the run has diverged.
+std::pair<std::string, bool> text_of_errors(const SceneRun& run, const SceneProblem& problem,
+                                            const cases::TextTruth& known) {
+  const trajectories::SceneErrors e = trajectories::scene_errors(problem, run.outcome, known.truth);
+  const std::string id = run.entrant->info.id();
+  if (e.until == 0) return {fmt::format("error      {}: unknown", id), false};
+  std::string text = fmt::format(
+      "error      {}: {:.3g} m at most, at t = {:.4g}; {:.3g} m at most and {:.3g} m on average at "
+      "t = {:.4g}",
+      id, e.largest, e.largest_at, e.end_largest, e.end_mean, e.until);
+  if (e.until < run.outcome.t) text += ", the last time at which the motion is known";
+  const double part = e.size > 0 ? e.largest / e.size : 0;
+  constexpr double whole = 1, tenth = 0.1;
+  if (part >= whole)
+    return {
+        text + fmt::format("\nanswer     wrong: {} has diverged, by more than the {:.3g} m that "
+                           "the scene is large",
+                           id, e.size),
+        true};
+  text += fmt::format("\nanswer     {}: {:.2g} % of the scene's size of {:.3g} m{}", id, 100 * part,
+                      e.size, part > tenth ? ", which is no prediction of its motion" : "");
+  return {text, false};
+}
+
+/// Prints the errors of the runs that ended well; false: each of them has diverged.
+bool print_errors(const std::vector<SceneRun>& runs, const Scene& scene,
+                  const std::shared_ptr<const SceneProblem>& problem, const std::string& text) {
+  if (!scene.emitters.empty()) {
+    print("error      unknown: particles are emitted, and no truth is computed for that\n");
+    return true;
+  }
+  std::vector<const scene::RunResult*> ended;
+  for (const SceneRun& run : runs)
+    if (run.outcome.status == Status::ok) ended.push_back(&run.outcome);
+  const std::vector<double> times = trajectories::times_to_judge(ended);
+  if (times.empty()) return true;
+  const cases::TextTruth known = cases::scene_truth(problem, times, text, scene.name);
+  print("truth      {}\n", known.words);
+  bool any_close = false;
+  for (const SceneRun& run : runs) {
+    if (run.outcome.status != Status::ok) continue;
+    const auto [line, wrong] = text_of_errors(run, *problem, known);
+    print("{}\n", line);
+    any_close = any_close || !wrong;
+  }
+  return any_close;
 }
 
 std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(lines, "\n")); }
@@ -125,7 +195,8 @@ void write_files(const record::OutputFolder& folder, const std::string& in, cons
   trajectories::write_vtk_series(folder, scene, run, in);
 }
 
-int run_read(const scene::ReadScene& read, const SceneSource& source, const RunOptions& options) {
+int run_read(const scene::ReadScene& read, const SceneSource& source,
+             const std::string& source_text, const RunOptions& options) {
   Scene scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
   scene.name = name_of(scene, source.file);
@@ -152,12 +223,15 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
   std::vector<SceneRun> runs;
   bool any_ok = false;
   for (const Entrant* entrant : chosen) {
+    const std::clock_t begin = std::clock();
     runs.push_back(run_one(scene, *entrant, settings));
     if (interrupted) return interrupted_code;
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     SceneRun& one = runs.back();
-    const Lines result = describe_result(*entrant, one.request, one.outcome);
+    const std::string excess = trajectories::excess_of_energy(scene, *whole, one.outcome);
+    const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
-    any_ok = any_ok || one.outcome.status == Status::ok;
+    any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty());
     if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
@@ -171,63 +245,12 @@ int run_read(const scene::ReadScene& read, const SceneSource& source, const RunO
     remark_on_page(trajectories::write_scene_page(*folder, scene, *whole, runs, texts));
     print("files      {}\n", (folder->path() / "index.html").string());
   }
+  // After the files, since it may take longer than the runs.
+  if (options.truth) any_ok = print_errors(runs, scene, whole, source_text) && any_ok;
   return any_ok ? success : solver_failed;
 }
 
 }  // namespace
-
-Lines describe_fits(const Entrants& entrants, bool verbose) {
-  using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
-  const auto count = [](Counts& counts, const std::string& name) {
-    for (auto& [known, number] : counts)
-      if (known == name) return void(++number);
-    counts.emplace_back(name, 1);
-  };
-  const auto text_of_counts = [](const Counts& counts) {
-    std::string text;
-    for (const auto& [name, number] : counts)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);
-    return text;
-  };
-  Counts libraries;
-  std::map<std::string, Counts> families, reasons;
-  std::map<std::string, Lines> unfit_ids;
-  Lines fitting;
-  for (const Entrant& entrant : entrants) {
-    if (!entrant.unfit.empty()) {
-      count(reasons[entrant.unfit], "of " + entrant.info.library);
-      unfit_ids[entrant.unfit].push_back(entrant.info.id());
-      continue;
-    }
-    count(libraries, entrant.info.library);
-    count(families[entrant.info.library], entrant.info.family);
-    fitting.push_back(entrant.info.id());
-  }
-  Lines lines{fmt::format("fits       {} of {} solvers{}", fitting.size(), entrants.size(),
-                          verbose ? "" : ", which --verbose lists")};
-  for (const auto& [library, number] : libraries)
-    lines.push_back(
-        fmt::format("  {:<8} {}: {}", library, number, text_of_counts(families[library])));
-  if (verbose) lines.push_back(fmt::format("  {}", fmt::join(fitting, " ")));
-  for (const auto& [reason, counts] : reasons)
-    lines.push_back(fmt::format(
-        "unfit      {}: {}",
-        verbose ? fmt::format("{}", fmt::join(unfit_ids[reason], " ")) : text_of_counts(counts),
-        reason));
-  return lines;
-}
-
-std::optional<SceneSource> find_scene(const std::string& what) {
-  std::error_code ignored;
-  const SceneSource file{what, std::nullopt};
-  if (what.ends_with(".yaml") || what.ends_with(".yml")) return file;
-  for (const std::string& id : known_ids())
-    if (id == what) return std::nullopt;
-  for (const cases::SceneText& scene : cases::all_scenes())
-    if (scene.name == what) return SceneSource{what, std::string(scene.text)};
-  if (std::filesystem::exists(what, ignored)) return file;
-  return std::nullopt;
-}
 
 int run_scene(const SceneSource& source, const RunOptions& options) {
   scene::ReadOptions read_options = options.limits;
@@ -236,9 +259,11 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
     throw UsageError("--set: a scene has no parameters; change its file");
   if (options.settings.every) require_positive("--every", *options.settings.every);
   try {
-    return run_read(source.text ? scene::read_scene(source.file, *source.text, read_options)
-                                : scene::read_scene_file(source.file, read_options),
-                    source, options);
+    const std::string text = source.text
+                                 ? *source.text
+                                 : read_text_file(source.file, "scene", read_options.most_bytes,
+                                                  "--max-megabytes raises it");
+    return run_read(scene::read_scene(source.file, text, read_options), source, text, options);
   } catch (const std::length_error& error) {
     throw UsageError(error.what());
   } catch (const InputError& error) {

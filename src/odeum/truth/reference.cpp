@@ -73,6 +73,7 @@ class Search {
     // Looser ones where that costs too much, or where rounding adds up in the many steps.
     if (!in_double && (whole ? best.worst > 1e-13L * size_of(best) : best.spent))
       ladder = {2e-18L, 1e-16L, 1e-14L};
+    if (in_double && best.spent) ladder = {1e-11L, 1e-9L, 1e-7L};
     // The same steps again where stability limits them, not the tolerance.
     const bool limited = best.a.work < 1.3 * brief_work_;
     if (!in_double && whole && limited && best.worst <= 1e-15L * size_of(best))

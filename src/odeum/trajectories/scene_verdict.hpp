@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "odeum/scene/problem/scene_problem.hpp"
+#include "odeum/scene/run/run.hpp"
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::trajectories {
+
+/// The errors of a scene's run at its frames, as far as the truth is known.
+struct SceneErrors {
+  double largest = 0;      ///< of a free particle at any frame, m
+  double largest_at = 0;   ///< the time of that, s
+  double end_largest = 0;  ///< at the last frame with a known truth, m
+  double end_mean = 0;     ///< there, over the free particles, m
+  double until = 0;        ///< the time of that frame, s; 0: no truth at any frame
+  double size = 0;         ///< of the scene: the largest extent of exact positions, m
+};
+SceneErrors scene_errors(const scene::SceneProblem& problem, const scene::RunResult& run,
+                         const Truth& truth);
+
+/// The times of the runs' frames at which a truth is worth its cost, ascending: each, or every
+/// so-manyth where there are many of many particles; the last of each run is among them.
+std::vector<double> times_to_judge(const std::vector<const scene::RunResult*>& runs);
+
+/// Why the energy at a frame is more than the scene can have, as a sentence; empty where it is not,
+/// or where that is not known: with emitters and with negative damping. Springs, drag, contacts and
+/// magnetic fields add nothing to the energy of the start; wind adds at most c w^2 / 4 a second to
+/// a particle. A method's own error of energy may be as large as the energy of the start above rest
+/// and the work of gravity over the scene's size.
+std::string excess_of_energy(const scene::Scene& scene, const scene::SceneProblem& problem,
+                             const scene::RunResult& run);
+
+}  // namespace odeum::trajectories

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes as problems of every command: truth, errors in m, runs that blow up.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "odeum/cases/scene_case.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum::tests {
+namespace {
+
+using scene::Scene;
+using scene::SceneProblem;
+
+Scene spring_scene(double until) {
+  Scene scene;
+  scene.duration = until;
+  scene.particles = {{.position = {0, 0, 0}, .fixed = true}, {.position = {1.5, 0, 0}, .mass = 2}};
+  scene.springs = {{.a = 0, .b = 1, .stiffness = 8, .rest_length = 1}};
+  return scene;
+}
+
+TEST(SceneTruth, OfASpringIsItsCosine) {
+  const auto problem = std::make_shared<const SceneProblem>(spring_scene(3));
+  const auto known = cases::scene_truth(problem, {1, 2, 3}, "SceneTruth spring", "spring");
+  ASSERT_EQ(known.stops.size(), 3U);
+  EXPECT_LT(known.truth.floor, 1e-14);
+  std::vector<double> y(12);
+  for (const double t : {1.0, 2.0, 3.0}) {
+    ASSERT_TRUE(known.truth.at(t, y.data()));
+    // x = 1 + cos(2 t) / 2; the floor, and the rounding of the cosine.
+    EXPECT_NEAR(y[3], 1 + std::cos(2 * t) / 2, known.truth.floor + 2e-16);
+    EXPECT_NEAR(y[9], -std::sin(2 * t), known.truth.floor + 2e-16);
+  }
+}
+
+// Equal springs in line pull to both sides, so that what rounding does to each cancels where all
+// coordinates move in one proportion: steps shrank to nothing within the first thousandth of it.
+TEST(SceneTruth, GoesOnWhereForcesOfSpringsCancel) {
+  Scene scene;
+  scene.duration = 1;
+  scene.gravity = {0, 0, -9.8};
+  for (int i = 0; i < 8; ++i)
+    scene.particles.push_back({.position = {0.2 * i, 0, 0}, .mass = 0.1, .fixed = i == 0});
+  for (std::size_t i = 0; i + 1 < 8; ++i)
+    scene.springs.push_back({.a = i, .b = i + 1, .stiffness = 300, .rest_length = 0.2});
+  const auto problem = std::make_shared<const SceneProblem>(scene);
+  const auto known = cases::scene_truth(problem, {0.5, 1}, "SceneTruth line", "line");
+  EXPECT_EQ(known.known_until, 1) << known.words;
+  EXPECT_LT(known.truth.floor, 1e-12);
+}
+
+TEST(SceneCommands, ConvergeTakesAScene) {
+  const TemporaryFolder folder;
+  const Result result = shell("odeum converge magnetic_helix --quick --solver odeum/rk4 --out " +
+                              folder.path().string());
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("magnetic_helix  odeum/rk4  fixed"), std::string::npos)
+      << result.output;
+  EXPECT_NE(result.output.find("confirmed"), std::string::npos) << result.output;
+}
+
+TEST(SceneCommands, AdviseTakesAScene) {
+  const Result result = shell("odeum advise spinning_pair --error 1e-3 --solver odeum/rk4");
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(result.output.starts_with("odeum/rk4")) << result.output;
+  EXPECT_NE(result.output.find("odeum run spinning_pair"), std::string::npos) << result.output;
+}
+
+TEST(SceneCommands, AStudyNamesWhatASceneWithEmittersLacks) {
+  const Result result = shell("odeum converge fountain --solver odeum/rk4 --out /dev/null/no");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_NE(result.output.find("the number of particles changes during the run"), std::string::npos)
+      << result.output;
+}
+
+// It went from 7 J to 4,092,743 J with "status ok" and code 0.
+TEST(SceneCommands, ARunThatBlowsUpIsNotOk) {
+  const Result result =
+      shell("odeum run flag --solver odeum/ros2 --step 0.016666667 --until 1 --no-truth");
+  EXPECT_EQ(result.code, 3) << result.output;
+  EXPECT_NE(result.output.find("it has blown up: the energy is"), std::string::npos)
+      << result.output;
+}
+
+TEST(SceneCommands, ARunHasItsErrorInMetres) {
+  const Result result = shell("odeum run spinning_pair");
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("error      odeum/rk4: 3.8"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("of the scene's size of 1 m"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("ms a step"), std::string::npos) << result.output;
+}
+
+}  // namespace
+}  // namespace odeum::tests
