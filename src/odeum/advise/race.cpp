@@ -143,7 +143,10 @@ Advice advise(const Case& c, const Wishes& wishes) {
   Advice advice;
   advice.floor = c.truth.floor;
   enter(c, wishes, advice);
-  if (advice.failure = unknown(c, wishes); !advice.failure.empty()) return advice;
+  if (advice.failure = unknown(c, wishes); !advice.failure.empty()) {
+    advice.candidates.clear();  // none was raced, and so none was dropped
+    return advice;
+  }
   Search search(c, wishes);
   search.all(advice.candidates);
   advice.cut = search.late(0.7);

@@ -70,12 +70,10 @@ Facts facts_of(const scene::Structure& s) {
 }
 
 std::vector<std::string> tags_of(const scene::Structure& s) {
-  return {"autonomous",
-          "second_order",
-          "mechanical",
-          "scene",
-          s.linear ? "linear" : "nonlinear",
-          s.smooth ? "without_kinks" : "kinked"};
+  std::vector<std::string> tags{"autonomous", "second_order", "mechanical", "scene",
+                                s.linear ? "linear" : "nonlinear"};
+  if (!s.smooth) tags.emplace_back("kinked");
+  return tags;
 }
 
 /// What a solve may cost: some seconds of a processor, as foreseen from the number of terms, so
@@ -97,6 +95,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   Case c;
   c.equation = "m q'' = the sum of the scene's forces";
   c.source = file;
+  c.tags = tags_of(structure);
   c.facts = facts_of(structure);
   c.y0 = problem->start();
   c.components = names_of(structure.particles);
@@ -115,7 +114,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
     choose_steps(c, structure.smooth, false);
     return c;
   }
-  c.stops = known.stops;
+  cut_stops(c, known.stops);
   // A trial step of an implicit method factors a large matrix: only where explicit ones have
   // failed.
   constexpr std::size_t small = 64;
@@ -171,11 +170,10 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
 }
 
 Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene) {
-  const scene::SceneProblem problem(scene);
   std::string title = scene.name.empty() ? id : scene.name;
   return {.id = std::move(id),
           .title = std::move(title),
-          .tags = tags_of(problem.structure()),
+          .tags = {},
           .make = [file = std::move(file), text = std::move(text), scene = std::move(scene)] {
             return make_scene(file, text, scene);
           }};

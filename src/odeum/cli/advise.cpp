@@ -35,7 +35,10 @@ Case case_of(const AdviseOptions& options) {
   const std::vector<std::string>& sets = options.problems.sets;
   const bool is_text = is_problem_file(options.what);
   const auto scene = is_text ? std::nullopt : find_scene(options.what);
-  Case c = is_text ? *load_problem(options.what, sets).front()
+  const Cases given = is_text ? load_problem(options.what, sets) : Cases{};
+  if (given.size() > 1)
+    remark("case       {}, the first of {} in {}", given.front()->id, given.size(), options.what);
+  Case c = is_text ? *given.front()
            : scene ? load_scene(*scene, sets)
                    : with_sets(find_case(options.what), sets);
   std::vector<double> state(c.y0.size());
@@ -52,8 +55,8 @@ int advise_on(const AdviseOptions& options, const CLI::App& command) {
   const Case c = case_of(options);
   advise::Asked asked{quoted(options.what), {}};
   for (const std::string& set : options.problems.sets) asked.more += " --set " + quoted(set);
-  // A scene's truth may be known for a part of its duration alone.
-  if (c.has_tag("scene")) asked.more += fmt::format(" --until {}", c.stops.back());
+  // The truth is known up to there.
+  if (c.end() > c.stops.back()) asked.more += fmt::format(" --until {}", c.stops.back());
   for (const std::string& file : command.get_option("--plugin")->results())
     asked.more += " --plugin " + quoted(file);
   advise::Advice advice;

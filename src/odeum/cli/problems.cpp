@@ -159,9 +159,10 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
   words.insert(words.end(), case_globs.begin(), case_globs.end());
   bool loaded = false;
   for (const std::string& word : words) {
-    const auto scene = is_problem_file(word) ? std::nullopt : scene_that_is_there(word);
-    // A file that is not there is thought to be a problem's.
-    if (!scene && !has_yaml_name(word) && !is_problem_file(word)) {
+    const bool is_text = is_problem_file(word);
+    const auto scene = is_text ? std::nullopt : scene_that_is_there(word);
+    // A file that does not exist is taken for a problem's.
+    if (!scene && !is_text && !has_yaml_name(word)) {
       globs.push_back(word);
       continue;
     }

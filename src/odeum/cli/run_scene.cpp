@@ -228,7 +228,9 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     if (interrupted) return interrupted_code;
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     SceneRun& one = runs.back();
-    const std::string excess = trajectories::excess_of_energy(scene, *whole, one.outcome);
+    std::string excess;
+    if (one.outcome.status == Status::ok)
+      excess = trajectories::excess_of_energy(scene, *whole, one.outcome);
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
     any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty());
