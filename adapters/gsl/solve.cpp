@@ -130,10 +130,26 @@ void walk_fixed(const Method& method, gsl_odeiv2_driver& driver, double t0, cons
   }
 }
 
+/// gsl_odeiv2_driver_apply, which takes as many calls of the evolution as steps, with their ends.
+int step_to(gsl_odeiv2_driver& driver, double& t, double stop, std::vector<double>& y,
+            Outcome& outcome) {
+  driver.n = 0;
+  while (t < stop) {
+    const int error = gsl_odeiv2_evolve_apply(driver.e, driver.c, driver.s, driver.sys, &t, stop,
+                                              &driver.h, y.data());
+    if (error != GSL_SUCCESS) return error;
+    if (driver.n > driver.nmax) return GSL_EMAXITER;
+    ++driver.n;
+    outcome.step_ends.push_back(t);
+  }
+  return GSL_SUCCESS;
+}
+
 void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
                    const Request& request, std::vector<double>& y, Outcome& outcome) {
   for (const double stop : request.stops) {
-    const int error = gsl_odeiv2_driver_apply(&driver, &t, stop, y.data());
+    const int error = request.record_steps ? step_to(driver, t, stop, y, outcome)
+                                           : gsl_odeiv2_driver_apply(&driver, &t, stop, y.data());
     outcome.counters.steps += driver.n;  // of this call, accepted
     outcome.counters.rejected_steps = driver.e->failed_steps;
     if (error != GSL_SUCCESS)

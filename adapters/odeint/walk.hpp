@@ -59,6 +59,7 @@ void walk_controlled(Controlled& stepper, System system, double t, double h, con
       if (stepper.try_step(system, y, t, proposed) == boost::numeric::odeint::success) {
         ++outcome.counters.steps;
         if (last) t = stop;
+        if (request.record_steps) outcome.step_ends.push_back(t);
         h = last ? std::max(h, proposed) : proposed;
       } else {
         ++outcome.counters.rejected_steps;
@@ -84,6 +85,7 @@ void walk_dense(Dense& stepper, System system, double t0, double first_step, con
       if (t + h > horizon) stepper.initialize(Y(stepper.current_state()), t, horizon - t);
       stepper.do_step(system);
       ++outcome.counters.steps;
+      if (request.record_steps) outcome.step_ends.push_back(stepper.current_time());
     }
     // The end of a step needs no interpolation.
     if (stepper.current_time() <= stop + smallest_step(t0, stop))

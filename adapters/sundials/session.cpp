@@ -115,12 +115,22 @@ void Session::set_tolerances() {
         "setting the tolerances");
 }
 
+// The same steps, one a call.
+void Session::step_to(double stop, Outcome& outcome) {
+  while (t_ < stop) {
+    check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_ONE_STEP), "integrating");
+    outcome.step_ends.push_back(t_);
+  }
+}
+
 void Session::run_adaptive(Outcome& outcome) {
   set_tolerances();
   for (const double stop : request_.stops) {
     check(module_.set_stop_time(integrator_, module_.interpolates_stops ? t_end() : stop),
           "setting the stop time");
-    check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
+    if (request_.record_steps) step_to(stop, outcome);
+    if (t_ != stop)
+      check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
     outcome.record(t_, state_.data(), state_.size());
   }
 }

@@ -66,6 +66,7 @@ class Session {
   static void hear(int code, const char* module, const char* function, char* message, void* data);
   void run_fixed(Outcome& outcome);
   void run_adaptive(Outcome& outcome);
+  void step_to(double stop, Outcome& outcome);
   void set_tolerances();
 
   const Module& module_;

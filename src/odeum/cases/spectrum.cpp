@@ -117,6 +117,11 @@ double largest(const std::vector<std::complex<double>>& values) {
 
 }  // namespace
 
+std::vector<std::complex<double>> outermost_eigenvalues(const Case& c, double t,
+                                                        const std::vector<double>& y) {
+  return eigenvalues_at(c, {t, y});
+}
+
 Spectrum spectrum_of(const Case& c) {
   if (!c.problem.view.rhs || c.y0.empty()) return {};
   Spectrum start{eigenvalues_at(c, {c.t0, c.y0}), c.t0};

@@ -19,4 +19,8 @@ struct Spectrum {
 };
 Spectrum spectrum_of(const Case& c);
 
+/// The same at any state.
+std::vector<std::complex<double>> outermost_eigenvalues(const Case& c, double t,
+                                                        const std::vector<double>& y);
+
 }  // namespace odeum::report

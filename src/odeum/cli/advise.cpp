@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
-#include <string_view>
 
 #include "odeum/advise/answer.hpp"
 #include "odeum/cli/run.hpp"
@@ -19,46 +16,18 @@ struct AdviseOptions {
   ProblemOptions problems;
 };
 
-/// As one word of a shell.
-std::string quoted(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) ||
-           std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-Case case_of(const AdviseOptions& options) {
-  const std::vector<std::string>& sets = options.problems.sets;
-  const bool is_text = is_problem_file(options.what);
-  const auto scene = is_text ? std::nullopt : find_scene(options.what);
-  const Cases given = is_text ? load_problem(options.what, sets) : Cases{};
-  if (given.size() > 1)
-    remark("case       {}, the first of {} in {}", given.front()->id, given.size(), options.what);
-  Case c = is_text ? *given.front()
-           : scene ? load_scene(*scene, sets)
-                   : with_sets(find_case(options.what), sets);
-  std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
-    c.truth = cases::truth_at(c, c.stops);
-  return c;
-}
-
 int advise_on(const AdviseOptions& options, const CLI::App& command) {
   require_positive("--error", options.wishes.error);
   require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
-  const Case c = case_of(options);
-  advise::Asked asked{quoted(options.what), {}};
-  for (const std::string& set : options.problems.sets) asked.more += " --set " + quoted(set);
+  Case c = case_of(options.what, options.problems.sets);
+  std::vector<double> state(c.y0.size());
+  if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
+    c.truth = cases::truth_at(c, c.stops);
+  advise::Asked asked{quoted(options.what), words_of(options.problems.sets, command)};
   // The truth is known up to there.
   if (c.end() > c.stops.back()) asked.more += fmt::format(" --until {}", c.stops.back());
-  for (const std::string& file : command.get_option("--plugin")->results())
-    asked.more += " --plugin " + quoted(file);
   advise::Advice advice;
   try {
     advice = advise::advise(c, options.wishes);

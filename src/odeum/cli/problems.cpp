@@ -6,12 +6,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 #include "odeum/cases/foreign_case.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/text_case.hpp"
+#include "odeum/cli/run.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/formula/compile.hpp"
 #include "odeum/input/text_file.hpp"
@@ -151,6 +154,35 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
   } catch (const InputError& error) {
     throw UsageError(error.what());
   }
+}
+
+Case case_of(const std::string& what, const std::vector<std::string>& sets) {
+  const bool is_text = is_problem_file(what);
+  if (const auto scene = is_text ? std::nullopt : find_scene(what)) return load_scene(*scene, sets);
+  if (!is_text) return with_sets(find_case(what), sets);
+  const Cases given = load_problem(what, sets);
+  if (given.size() > 1)
+    remark("case       {}, the first of {} in {}", given.front()->id, given.size(), what);
+  return *given.front();
+}
+
+std::string quoted(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) ||
+           std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
+  std::string words;
+  for (const std::string& set : sets) words += " --set " + quoted(set);
+  for (const std::string& file : command.get_option("--plugin")->results())
+    words += " --plugin " + quoted(file);
+  return words;
 }
 
 std::vector<std::string> load_problems(const ProblemOptions& options,

@@ -40,6 +40,15 @@ Cases load_problem(const std::string& path, const std::vector<std::string>& sets
 /// particles change in number, and for `sets`, since a scene has no parameters.
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets);
 
+/// The case of a command that takes one problem: a case, a scene, or the first of a problem's file,
+/// with a remark where that has others. Throws UsageError.
+Case case_of(const std::string& what, const std::vector<std::string>& sets);
+
+/// As one word of a shell.
+std::string quoted(const std::string& word);
+/// The words that say `sets`, and the plug-ins of `command`, each after a space.
+std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
+
 /// The globs on cases that words and `case_globs` come to, with the problem files and scenes among
 /// them loaded.
 std::vector<std::string> load_problems(const ProblemOptions& options,

@@ -8,7 +8,6 @@
 #include <memory>
 
 namespace odeum::cli {
-namespace {
 
 void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
   CLI::Option* step = command.add_option("--step", settings.step, "fixed step")->type_name("H");
@@ -44,8 +43,6 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
     settings.absolute_given = true;
   });
 }
-
-}  // namespace
 
 std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose) {
   using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
@@ -128,7 +125,8 @@ void add_run(CLI::App& app, int& result) {
       ->type_name("N")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command->callback([options, &result] {
+  command->callback([options, command, &result] {
+    options->more = words_of(options->problems.sets, *command);
     options->limits.most_bytes = options->megabytes * 1'000'000;
     if (is_problem_file(options->what)) {
       result = run_problem(*options);

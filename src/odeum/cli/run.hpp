@@ -24,6 +24,8 @@ struct RunSettings {
 
 /// Throws UsageError for a value of an option that is not positive and finite.
 void require_positive(const char* option, double value);
+/// Adds --step, --tol, --rtol and --atol.
+void add_step_and_tolerances(CLI::App& command, RunSettings& settings);
 /// Whether a step or a tolerance is given.
 bool has_setting(const RunSettings& settings);
 /// The settings for a case: without one the tolerance that its author asks for, and a tolerance
@@ -53,6 +55,7 @@ struct RunOptions {
   bool truth = true;  ///< compare with one that is computed where none is known
   RunSettings settings;
   ProblemOptions problems;  ///< values of parameters, of a case or a problem file
+  std::string more;         ///< the words of --set and --plugin, each after a space
   scene::ReadOptions limits;
   std::size_t megabytes = 64;
 };

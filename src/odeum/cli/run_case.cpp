@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "odeum/advise/why_answer.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/input/yaml_tree.hpp"
@@ -192,6 +193,20 @@ std::string describe(const Case& c, const CaseRun& run) {
   return text;
 }
 
+// Why a run failed: in a few seconds' time where it cost little, and the command that says more.
+std::string why_text(const Case& c, const CaseRun& run, const RunOptions& options) {
+  constexpr std::uint64_t cheap = 500'000;
+  constexpr double seconds = 5;
+  Request request = run.request;
+  request.stops = {request.stops.back()};
+  const std::string solver = run.entrant->info.id();
+  std::string text;
+  if (run.outcome.counters.work < cheap)
+    text = "why     " + advise::first_line(advise::why(c, solver, request, seconds)) + "\n";
+  return text + fmt::format("more    odeum why {}{} --solver {} {}\n", quoted(options.what),
+                            options.more, solver, advise::setting_of(request, c));
+}
+
 /// Writes the files of the runs and their page; returns the lines that name them.
 std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const RunOptions& options,
                         bool from_file) {
@@ -240,6 +255,7 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = f
     run.outcome = run.entrant->solve(run.request);
     if (interrupted) return interrupted_code;
     print(describe(c, run));
+    if (run.outcome.status != Status::ok) print(why_text(c, run, options));
     any_ok = any_ok || run.outcome.status == Status::ok;
   }
   if (!options.out.empty()) print(write_files(c, runs, options, from_file));

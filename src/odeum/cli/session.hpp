@@ -84,6 +84,7 @@ void add_study_options(CLI::App& command, StudyOptions& options);
 void add_list(CLI::App& app);
 void add_run(CLI::App& app, int& result);
 void add_advise(CLI::App& app, int& result);
+void add_why(CLI::App& app, int& result);
 void add_report(CLI::App& app);
 void add_verify(CLI::App& app, int& result);
 void add_classify(CLI::App& app);

@@ -10,4 +10,12 @@ namespace odeum {
 /// where the QR iteration does not converge.
 std::vector<std::complex<double>> eigenvalues(const std::vector<double>& matrix, std::size_t n);
 
+/// An eigenvalue with the absolute values of its eigenvector's components.
+struct Eigenpair {
+  std::complex<double> value;
+  std::vector<double> sizes;
+};
+/// The same of a matrix by rows, with eigenvectors of length 1.
+std::vector<Eigenpair> eigenpairs(const std::vector<double>& matrix, std::size_t n);
+
 }  // namespace odeum

@@ -36,7 +36,7 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
                                 const ExactStates& exact);
 /// The end of each run: case, library, solver, status, time, component, value, exact, error, name.
 record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
-/// The accepted steps of adaptive runs of own solvers: case, library, solver, time, step.
+/// The accepted steps of adaptive runs, where they are recorded: case, library, solver, time, step.
 record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
 
 /// The scheme's own closed form at the outputs of each run that has one: case, library, solver,

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "odeum/advise/inquiry.hpp"
+
+namespace odeum::advise {
+namespace {
+
+/// Steps this much longer under a tolerance a hundred times as loose: a method of order 20
+/// has 1.25.
+constexpr double follows_tolerance = 1.15;
+/// From here on an eigenvalue is taken to be at the edge: methods that double steps, and those of
+/// several orders, have another edge than their steps of one length.
+constexpr double at_the_edge = 0.4;
+/// Without a known edge, in h |lambda|.
+constexpr double beyond_accuracy = 0.4;
+constexpr double least_share = 0.1;
+
+double rate_of(const Inquiry& q, const std::vector<double>& f) {
+  double rate = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double least = q.adaptive() ? q.run.request.tolerance.absolute(i) : 0;
+    if (q.sizes[i] > least) rate = std::max(rate, std::abs(f[i]) / q.sizes[i]);
+  }
+  return rate;
+}
+
+/// The eigenvalue that uses most of the region.
+void find_binding(Inquiry& q, Sample& s) {
+  s.binding = s.spectrum.fastest;
+  // The outermost ones: few directions are measured.
+  for (const std::complex<double>& z : s.spectrum.all) {
+    if (std::abs(z) < 0.2 * std::abs(s.spectrum.fastest) || z.imag() < 0) continue;
+    if (z.real() > 1e-6 * std::abs(z)) continue;
+    const double used = s.at.h * std::abs(z) / q.region.edge(z);
+    if (std::isnan(used) || used <= s.used) continue;
+    s.used = used;
+    s.binding = z;
+  }
+}
+
+std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
+  for (const Kink& kink : q.kinks)
+    if (std::abs(kink.t - s.at.t) <= 2 * s.at.h) return Cause::kink;
+  if (std::isnan(s.looser)) return {};
+  if (s.looser > follows_tolerance) return Cause::accuracy;
+  const double product = s.at.h * std::abs(s.binding);
+  if (s.used > at_the_edge || (std::isnan(s.used) && product > beyond_accuracy))
+    return Cause::stability;
+  return {};
+}
+
+std::string text_of(const Inquiry& q, const std::optional<std::size_t>& component) {
+  return component ? q.names[*component] : "the state";
+}
+
+/// The component whose error a single step has most of, at most of the samples.
+std::string deciding_component(const Inquiry& q) {
+  constexpr std::size_t most = 16;
+  std::vector<const Sample*> chosen;
+  for (const Sample& s : q.samples)
+    if (s.cause == Cause::accuracy) chosen.push_back(&s);
+  const std::size_t apart = 1 + chosen.size() / most;
+  std::map<std::size_t, int> votes;
+  for (std::size_t k = 0; k < chosen.size() && q.left() > 0.2 * q.seconds; k += apart) {
+    const std::vector<double> error =
+        step_error(q.c, q.why.solver, chosen[k]->at, q.run.request.tolerance, Mode::adaptive);
+    if (!error.empty()) ++votes[std::max_element(error.begin(), error.end()) - error.begin()];
+  }
+  if (votes.empty()) return {};
+  const auto first = std::max_element(
+      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return q.names[first->first];
+}
+
+double middle(std::vector<double> values) {
+  std::erase_if(values, [](double x) { return std::isnan(x); });
+  if (values.empty()) return nan;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+/// The most frequent component of the fastest eigenvalue, by steps.
+std::optional<std::size_t> who(const std::vector<const Sample*>& samples) {
+  std::map<std::size_t, double> weights;
+  for (const Sample* s : samples)
+    if (s->spectrum.component) weights[*s->spectrum.component] += s->weight;
+  if (weights.empty()) return {};
+  return std::max_element(weights.begin(), weights.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, double to) {
+  Segment segment{.from = samples.front()->at.t, .to = to, .cause = samples.front()->cause};
+  std::vector<double> h, fastest, rate, used;
+  for (const Sample* s : samples) {
+    segment.steps += s->weight;
+    h.push_back(s->at.h);
+    fastest.push_back(std::abs(s->binding));
+    rate.push_back(s->rate);
+    used.push_back(s->used);
+  }
+  segment.h = middle(h);
+  segment.fastest = middle(fastest);
+  segment.rate = middle(rate);
+  segment.used = middle(used);
+  if (const auto component = who(samples)) segment.component = q.names[*component];
+  return segment;
+}
+
+/// Those of one cause after the other; what has less than `least` of the steps joins the one
+/// before.
+std::vector<Segment> segments_of(const Inquiry& q, double least) {
+  std::vector<std::vector<const Sample*>> parts;
+  double total = 0;
+  for (const Sample& s : q.samples) total += s.weight;
+  double held = 0;
+  for (const Sample& s : q.samples) {
+    const bool same = !parts.empty() && (s.cause == parts.back().front()->cause || !(s.at.h > 0));
+    if (!same && (parts.empty() || held >= least * total)) {
+      parts.emplace_back();
+      held = 0;
+    }
+    parts.back().push_back(&s);
+    held += s.weight;
+  }
+  std::vector<Segment> segments;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    segments.push_back(segment_of(
+        q, parts[k], k + 1 < parts.size() ? parts[k + 1].front()->at.t : q.samples.back().at.t));
+  return segments;
+}
+
+std::string stability_text(const Inquiry& q, const std::vector<const Sample*>& bound) {
+  std::vector<double> size, real, rate, used;
+  for (const Sample* s : bound) {
+    size.push_back(std::abs(s->binding));
+    real.push_back(std::abs(s->binding.real()));
+    rate.push_back(s->rate);
+    used.push_back(s->used);
+  }
+  const double fastest = middle(size);
+  std::string text = fmt::format(
+      "{} {} at {:.2g} per unit of time, the solution changes at {:.2g}", text_of(q, who(bound)),
+      middle(real) > 0.5 * fastest ? "decays" : "oscillates", fastest, middle(rate));
+  if (const double share = middle(used); !std::isnan(share))
+    text += fmt::format(", and a step takes {:.2g} of the stability region", share);
+  return text;
+}
+
+}  // namespace
+
+void sample(Inquiry& q, const Run& along, double h) {
+  const std::size_t n = q.c.y0.size();
+  // An eigenvalue problem takes some n^3.
+  const double room = 4e6 / std::pow(static_cast<double>(std::max<std::size_t>(n, 27)), 3);
+  const auto most = static_cast<std::size_t>(std::clamp(room, 6.0, 200.0));
+  const std::size_t apart = std::max<std::size_t>(1, along.moments.size() / most);
+  for (std::size_t k = 0; k < along.moments.size(); k += apart) {
+    if (q.left() < 0.4 * q.seconds) break;
+    Sample s{.at = along.moments[k]};
+    const std::vector<double> f = slope(q.c, s.at.t, s.at.y);
+    if (!is_finite(f.data(), n)) continue;
+    if (h > 0)
+      s.at.h = h;
+    else if (&along != &q.run)
+      s.at.h = q.run.step_at(s.at.t);
+    s.rate = rate_of(q, f);
+    s.spectrum = spectrum_at(q.c, s.at.t, s.at.y, q.sizes, q.trust_jacobian);
+    find_binding(q, s);
+    if (q.looser && s.at.t < q.looser->ends.back()) {
+      const auto [from, to] = q.run.around(s.at.t);
+      s.looser = q.run.steps_in(from, to) / q.looser->steps_in(from, to);
+      if (q.looser_by < 1) s.looser = 1 / s.looser;
+    }
+    q.samples.push_back(std::move(s));
+  }
+  for (std::size_t k = 0; k < q.samples.size(); ++k) {
+    const auto step = [&](std::size_t at) {
+      return h > 0 ? (q.samples[at].at.t - q.c.t0) / h : static_cast<double>(q.samples[at].at.step);
+    };
+    const double before = k == 0 ? step(0) : 0.5 * (step(k - 1) + step(k));
+    const double all =
+        h > 0 ? (along.ends.back() - q.c.t0) / h : static_cast<double>(along.steps());
+    const double after = k + 1 == q.samples.size() ? all : 0.5 * (step(k) + step(k + 1));
+    q.samples[k].weight = after - before;
+  }
+}
+
+void share_out(Inquiry& q) {
+  double total = 0;
+  for (Sample& s : q.samples) {
+    s.cause = cause_of(q, s);
+    total += s.weight;
+  }
+  if (q.samples.empty()) return;
+  constexpr std::size_t most_rows = 12;
+  double least = 0.01;
+  do q.why.segments = segments_of(q, least);
+  while (q.why.segments.size() > most_rows && (least *= 2) < 0.5);
+  for (const Cause cause : {Cause::stability, Cause::accuracy}) {
+    std::vector<const Sample*> bound;
+    double share = 0;
+    for (const Sample& s : q.samples) {
+      if (s.cause != cause) continue;
+      bound.push_back(&s);
+      share += s.weight / total;
+    }
+    if (share < least_share) continue;
+    if (cause == Cause::stability) {
+      q.add(cause, share, bound.front()->at.t, stability_text(q, bound));
+      continue;
+    }
+    std::vector<double> longer;
+    for (const Sample* s : bound) longer.push_back(s->looser);
+    const std::string component = deciding_component(q);
+    q.add(cause, share, bound.front()->at.t,
+          fmt::format("{}under {} the tolerance they are {:.2g} times as long",
+                      component.empty() ? "" : component + " has the largest error of a step; ",
+                      q.looser_by > 1 ? "100 times" : "a hundredth of",
+                      q.looser_by > 1 ? middle(longer) : 1 / middle(longer)));
+  }
+}
+
+}  // namespace odeum::advise

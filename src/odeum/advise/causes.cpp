@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/advise/inquiry.hpp"
+
+namespace odeum::advise {
+namespace {
+
+/// Evaluations of a trace in an interval.
+double evaluations_in(const Trace& trace, double from, double to) {
+  return static_cast<double>(std::count_if(trace.times.begin(), trace.times.end(),
+                                           [&](double t) { return t >= from && t <= to; }));
+}
+
+/// The length of the step in which half of the time lies.
+double usual_step(const Run& run) {
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < run.ends.size(); ++k) steps.push_back(run.ends[k] - run.ends[k - 1]);
+  std::sort(steps.begin(), steps.end());
+  double sum = 0;
+  for (const double h : steps)
+    if (sum += h; sum >= 0.5 * (run.ends.back() - run.ends.front())) return h;
+  return nan;
+}
+
+/// The time scale y_i / f_i at some of the last moments, where |y_i| is largest at the end.
+struct Growing {
+  std::size_t component = 0;
+  std::vector<double> t, scale, size, slope;
+};
+Growing growing(const Case& c, const Run& run) {
+  Growing g;
+  const Moment& end = run.moments.back();
+  for (std::size_t i = 0; i < end.y.size(); ++i)
+    if (std::abs(end.y[i]) > std::abs(end.y[g.component])) g.component = i;
+  for (const Moment& at : run.moments) {
+    const double y = at.y[g.component], f = slope(c, at.t, at.y)[g.component];
+    if (!std::isfinite(f) || f == 0 || !std::isfinite(y)) continue;
+    g.t.push_back(at.t);
+    g.scale.push_back(y / f);
+    g.size.push_back(std::abs(y));
+    g.slope.push_back(std::abs(f));
+  }
+  return g;
+}
+
+/// A pole (t* - t)^-p has y / f = (t* - t) / p, a straight line in t. Returns t*, and where it was
+/// looked at last.
+struct Pole {
+  double at;
+  std::size_t last;
+};
+std::optional<Pole> pole_of(const Growing& g) {
+  std::vector<std::size_t> late;  // over two decades of size, and short of the rounding of t
+  for (std::size_t k = 0; k < g.t.size(); ++k)
+    if (g.scale[k] > 1e-9 * std::abs(g.t[k]) && g.size[k] > 3 * g.size.front()) late.push_back(k);
+  if (late.size() < 4) return {};
+  const std::size_t first = late.front(), last = late.back(), half = late[late.size() / 2];
+  if (!(g.size[last] > 30 * g.size[first])) return {};
+  const double slope = (g.scale[last] - g.scale[half]) / (g.t[last] - g.t[half]);
+  if (!(slope < -0.02) || !(g.scale[last] < 0.3 * g.scale[first])) return {};
+  const double at = g.t[last] - g.scale[last] / slope;
+  // The middle ones lie on the same line.
+  const std::size_t between = late[late.size() * 3 / 4];
+  const double expected = slope * (g.t[between] - at);
+  if (std::abs(g.scale[between] - expected) > 0.3 * expected) return {};
+  return Pole{at, last};
+}
+
+void look_for_domain(Inquiry& q, const Run& run) {
+  const NotFinite& bad = run.trace.first_bad;
+  if (std::isnan(bad.t) || bad.y.empty()) return;
+  const Case& c = q.c;
+  std::vector<double> size(c.y0.size()), least(c.y0.size(), infinity);
+  const Moment* last = nullptr;
+  for (const Moment& at : run.moments) {
+    if (!is_finite(at.y.data(), at.y.size())) continue;
+    for (std::size_t i = 0; i < size.size(); ++i) {
+      size[i] = std::max(size[i], std::abs(at.y[i]));
+      least[i] = std::min(least[i], at.y[i]);
+    }
+    if (at.t <= bad.t) last = &at;
+  }
+  if (!last) return;
+  const auto finite = [&](double t, const std::vector<double>& y) {
+    const std::vector<double> f = slope(c, t, y);
+    return is_finite(f.data(), f.size());
+  };
+  const std::string value = fmt::format("{}'s right-hand side is {} at t = {:.6g}",
+                                        q.names[bad.component], bad.value, bad.t);
+  const double failed = run.ok() ? nan : run.ends.back();
+  if (!finite(bad.t, last->y)) {
+    if (finite(last->t, last->y) && bad.t != last->t)
+      q.add(Cause::domain, nan, bad.t, value + ", whatever the state is near there");
+    return;
+  }
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    if (!(std::abs(bad.y[i]) <= 100 * size[i] + 1)) continue;
+    std::vector<double> y = bad.y;
+    y[i] = last->y[i];
+    if (!is_finite(y.data(), y.size()) || !finite(bad.t, y)) continue;
+    const bool negative = bad.y[i] < 0 && c.y0[i] >= 0;
+    q.add(Cause::domain, nan, std::isnan(failed) ? bad.t : failed,
+          fmt::format("{} where {} = {:.3g}{}; with {} = {:.3g} it is finite", value, q.names[i],
+                      bad.y[i],
+                      negative && least[i] >= 0 ? ", below 0, where no step before ended" : "",
+                      q.names[i], last->y[i]));
+    return;
+  }
+}
+
+void look_for_singular_slope(Inquiry& q, const Run& run) {
+  const Moment &end = run.moments.back(), &start = run.moments.front();
+  const std::vector<double> now = slope(q.c, end.t, end.y), then = slope(q.c, start.t, start.y);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    double size = 0, usual = std::abs(then[i]);
+    for (const Moment& at : run.moments) {
+      size = std::max(size, std::abs(at.y[i]));
+      if (at.t < start.t + 0.9 * (end.t - start.t))
+        usual = std::max(usual, std::abs(slope(q.c, at.t, at.y)[i]));
+    }
+    const double left = q.run.request.stops.back() - end.t;
+    // It would leave its size many times in what is left.
+    if (std::isfinite(now[i]) && std::abs(now[i]) > 1e3 * usual &&
+        std::abs(now[i]) * left > 100 * size) {
+      q.add(Cause::singular, nan, end.t,
+            fmt::format("the slope of {} grows beyond all bounds at t = {:.8g}, where it is {:.2g} "
+                        "and {} = {:.3g}: the solution ends there",
+                        q.names[i], end.t, now[i], q.names[i], end.y[i]));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void look_for_kinks(Inquiry& q) {
+  const Run& run = q.run;
+  const double end = run.ends.back();
+  const bool ends = q.found(Cause::pole) || q.found(Cause::growth) || q.found(Cause::singular);
+  const auto near_end = [&](double t) {
+    return std::abs(end - t) < 1e-6 * std::max(1.0, std::abs(t));
+  };
+  for (std::size_t k = 0; k + 1 < run.moments.size() && q.left() > 0.5 * q.seconds; ++k) {
+    const Moment &from = run.moments[k], &to = run.moments[k + 1];
+    // Less is the rounding of t.
+    if (!(to.t - from.t > 1e5 * epsilon * std::abs(to.t))) continue;
+    const auto kink = kink_between(q.c, from, to);
+    if (kink && !(ends && near_end(kink->t))) q.kinks.push_back(*kink);
+  }
+  if (q.kinks.empty()) return;
+  // The evaluations around them beyond those that the same time takes elsewhere.
+  const auto total = static_cast<double>(run.trace.times.size());
+  const double each =
+      total / static_cast<double>(run.steps() + run.outcome.counters.rejected_steps);
+  const double wide = usual_step(run);
+  double excess = 0, most = 0;
+  const Kink* worst = &q.kinks.front();
+  for (const Kink& kink : q.kinks) {
+    const double own =
+        std::max(0.0, evaluations_in(run.trace, kink.t - wide, kink.t + wide) - 2 * each);
+    excess += own;
+    if (own > most) most = own, worst = &kink;
+  }
+  const double share = std::min(1.0, excess / total);
+  if (share < 0.1 && (run.ok() || !near_end(worst->t))) {
+    q.kinks.clear();
+    return;
+  }
+  const std::size_t others = q.kinks.size() - 1;
+  q.add(
+      Cause::kink, share, worst->t,
+      fmt::format(
+          "{} of {}'s right-hand side {} at t = {:.8g}{}", worst->jump ? "the value" : "the slope",
+          q.names[worst->component], worst->jump ? "jumps" : "has a kink", worst->t,
+          others > 0 ? fmt::format(", as at {} other time{}", others, others > 1 ? "s" : "") : ""));
+}
+
+void look_at_jacobian(Inquiry& q) {
+  const std::size_t count = q.run.moments.size();
+  std::optional<WrongEntry> wrong;
+  std::size_t k = 0;
+  for (; k < count && !wrong; k += 1 + count / 8)
+    wrong = wrong_jacobian(q.c, q.run.moments[k].t, q.run.moments[k].y);
+  if (!wrong) return;
+  q.trust_jacobian = false;
+  if (q.run.outcome.counters.jacobian_evaluations == 0) return;  // this run does not ask for it
+  Case without = q.c;
+  OdeView& view = without.problem.view;
+  view.jacobian = nullptr;
+  view.jacobian_entries = nullptr;
+  view.jacobian_times = nullptr;
+  view.shifted_solver = nullptr;
+  const Outcome other = q.make(without, q.why.solver, q.run.request, 0, 0.3).outcome;
+  std::string text = fmt::format(
+      "the Jacobian given is wrong: the derivative of {}' by {} is {:.6g}, where differences of "
+      "the right-hand side give {:.6g}",
+      q.names[wrong->row], q.names[wrong->column], wrong->given, wrong->differenced);
+  double share = nan;
+  if (other.status == Status::ok) {
+    const auto before = static_cast<double>(q.run.outcome.counters.rhs_evaluations),
+               after = static_cast<double>(other.counters.rhs_evaluations);
+    if (q.run.ok()) share = std::max(0.0, 1 - after / before);
+    text += fmt::format("; with differences the run takes {} steps", other.counters.steps);
+  }
+  q.add(Cause::wrong_jacobian, share, q.c.t0, text);
+}
+
+void look_at_tolerances(Inquiry& q) {
+  const Tolerance& tolerance = q.run.request.tolerance;
+  const Outcome& outcome = q.run.outcome;
+  double tightest = infinity;
+  std::size_t who = 0;
+  for (std::size_t i = 0; i < q.sizes.size(); ++i) {
+    if (!(q.sizes[i] > 0) || !std::isfinite(q.sizes[i])) continue;
+    const double in_roundings =
+        (tolerance.absolute(i) + tolerance.relative * q.sizes[i]) / (epsilon * q.sizes[i]);
+    if (in_roundings < tightest) tightest = in_roundings, who = i;
+  }
+  constexpr double few = 20;
+  const bool struggles =
+      !q.run.ok() || outcome.counters.rejected_steps * 10 > outcome.counters.steps;
+  // Or the same digits under a looser tolerance, but for the rounding of the steps.
+  const auto no_better = [&] {
+    if (!q.run.ok()) return false;
+    Request looser = q.run.request;
+    looser.tolerance = tolerance.with_relative(tolerance.relative * 3 * few / tightest);
+    const Run other = q.make(q.c, q.why.solver, looser, 0, 0.2);
+    const double rounding =
+        few * epsilon * q.sizes[who] * std::sqrt(static_cast<double>(outcome.counters.steps));
+    return other.ok() && std::abs(other.outcome.states[who] - outcome.states[who]) <= rounding;
+  };
+  if (tightest < few && (struggles || no_better()))
+    q.add(Cause::rounding, nan, nan,
+          fmt::format("the tolerance asks for {:.2g} roundings of {}, and each operation makes one",
+                      tightest, q.names[who]));
+  if (!q.trusted || !q.run.ok()) return;
+  // An absolute tolerance above all that a component ever is, and an error of it that shows.
+  const std::vector<double>&exact = q.trusted->moments.back().y, &end = q.run.moments.back().y;
+  if (q.trusted->moments.back().t != q.run.moments.back().t) return;
+  std::size_t worst = q.sizes.size();
+  double most = std::max(1e-3, 10 * tolerance.relative);
+  for (std::size_t i = 0; i < q.sizes.size(); ++i) {
+    if (!(q.sizes[i] > 0) || !(q.sizes[i] < tolerance.absolute(i))) continue;
+    const double error = std::abs(end[i] - exact[i]) / q.sizes[i];
+    if (error > most) most = error, worst = i;
+  }
+  if (worst < q.sizes.size())
+    q.add(Cause::absolute, nan, nan,
+          fmt::format("{} is never larger than {:.2g}, below its absolute tolerance of {:.2g}, so "
+                      "that its error is not held: it is {:.2g} of its size at the end",
+                      q.names[worst], q.sizes[worst], tolerance.absolute(worst), most));
+}
+
+void look_at_end(Inquiry& q, const Run& run) {
+  if (run.moments.size() < 4) {
+    look_for_domain(q, run);
+    return;
+  }
+  const Growing g = growing(q.c, run);
+  if (const auto pole = pole_of(g)) {
+    q.add(Cause::pole, nan, pole->at,
+          fmt::format("{} grows beyond all bounds at t = {:.6g}: it is {:.3g} at t = {:.8g}, and "
+                      "the time in which it doubles falls in proportion to what is left",
+                      q.names[g.component], pole->at, g.size[pole->last], g.t[pole->last]));
+    return;
+  }
+  // Far beyond what it began with, and ever at the same rate.
+  if (g.t.size() > 4 && g.size.back() > 1e100) {
+    q.add(Cause::growth, nan, g.t.back(),
+          fmt::format("{} itself grows without end, by a factor of e in {:.3g}, and is {:.2g} at t "
+                      "= {:.4g}",
+                      q.names[g.component], g.scale.back(), g.size.back(), g.t.back()));
+    return;
+  }
+  look_for_domain(q, run);
+  if (!q.found(Cause::domain)) look_for_singular_slope(q, run);
+}
+
+}  // namespace odeum::advise

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <numbers>
+
+#include "odeum/advise/local.hpp"
+#include "odeum/cases/catalogue.hpp"
+#include "odeum/studies/stability/growth_meter.hpp"
+
+namespace odeum::advise {
+namespace {
+
+constexpr double nearest = 1e-2, farthest = 1e3, ratio = 1.2, width = 1.005;
+
+}  // namespace
+
+Region::Region(const std::string& solver) : solver_(solver) {
+  for (const auto& [id, oscillator] :
+       {std::pair{"dahlquist_complex", false}, std::pair{"damped_oscillator_underdamped", true},
+        std::pair{"damped_oscillator_undamped", true}}) {
+    probe_ = known_case(id).probe();
+    entrant_ = probe_.entrants.find(solver);
+    oscillator_ = oscillator;
+    if (entrant_ && entrant_->unfit.empty() && entrant_->info.fixed) return;
+  }
+  entrant_ = nullptr;
+}
+
+judge::Growth Region::at(std::complex<double> z) const {
+  study::GrowthMeter meter(probe_, *entrant_, oscillator_, study::region_length);
+  // A solver of undamped oscillators ignores the second number.
+  return oscillator_ ? meter.measure(std::abs(z), -z.real() / std::abs(z))
+                     : meter.measure(z.real(), z.imag());
+}
+
+double Region::growth(std::complex<double> z) const {
+  return entrant_ && z != 0.0 ? at(z).log_per_step : nan;
+}
+
+double Region::measure(std::complex<double> direction) const {
+  const auto grows = [&](double x) { return at(x * direction).grows(); };
+  double inside = 0, outside = nearest;
+  while (!grows(outside)) {
+    inside = outside;
+    outside *= ratio;
+    if (outside > farthest) return infinity;
+  }
+  if (inside == 0) return 0;
+  while (outside > width * inside) {
+    const double middle = std::sqrt(inside * outside);
+    (grows(middle) ? outside : inside) = middle;
+  }
+  return inside;
+}
+
+double Region::edge(std::complex<double> lambda) {
+  if (!entrant_ || lambda == 0.0) return nan;
+  if (oscillator_ && lambda.real() > 0) return nan;
+  // To half a degree.
+  const long degrees =
+      std::lround(2 * std::abs(std::arg(lambda)) * 180 / std::numbers::pi_v<double>);
+  const auto [at, fresh] = known_.try_emplace(degrees, nan);
+  if (fresh) {
+    const double angle = static_cast<double>(degrees) * std::numbers::pi_v<double> / 360;
+    at->second = measure(degrees == 180 ? std::complex<double>(0, 1) : std::polar(1.0, angle));
+  }
+  return at->second;
+}
+
+}  // namespace odeum::advise

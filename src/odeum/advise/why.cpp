@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/advise/why.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "odeum/advise/inquiry.hpp"
+
+namespace odeum::advise {
+const char* name_of(Cause cause) {
+  constexpr std::array names{"accuracy", "stability",  "kink",           "pole",     "growth",
+                             "singular", "domain",     "wrong_jacobian", "rounding", "absolute",
+                             "energy",   "too_coarse", "newton",         "unfit"};
+  return names[static_cast<std::size_t>(cause)];
+}
+
+Inquiry::Inquiry(const Case& given, const std::string& solver, const Request& request,
+                 double seconds_given)
+    : c(given), seconds(seconds_given), names(component_names(given)), region(solver) {
+  why.solver = solver;
+  why.request = request;
+  run.request = request;
+}
+
+double Inquiry::left() const {
+  return seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
+                  double share) const {
+  request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 20'000'000);
+  request.budget.seconds = std::max(0.05, 0.5 * share * left());
+  return record(on, solver, request, moments);
+}
+
+void Inquiry::add(Cause cause, double share, double from, std::string text) {
+  why.findings.push_back({cause, share, from, std::move(text)});
+}
+
+bool Inquiry::found(Cause cause) const {
+  return std::any_of(why.findings.begin(), why.findings.end(),
+                     [&](const Finding& each) { return each.cause == cause; });
+}
+
+namespace {
+
+/// Of an adaptive run.
+void look_at_steps(Inquiry& q) {
+  Request looser = q.run.request;
+  q.looser_by = looser.tolerance.relative > 1e-3 ? 0.01 : 100;
+  looser.tolerance = looser.tolerance.with_relative(q.looser_by * looser.tolerance.relative);
+  q.looser = q.make(q.c, q.why.solver, looser, 0, 0.3);
+  look_for_kinks(q);
+  look_at_tolerances(q);
+  sample(q, q.run, 0);
+  share_out(q);
+  const bool explained =
+      std::any_of(q.why.findings.begin(), q.why.findings.end(), [](const Finding& finding) {
+        return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
+      });
+  if (q.run.ok() || q.run.outcome.status == Status::over_budget || !q.trusted || explained) return;
+  // Its own states may have been far from the solution already.
+  q.samples.clear();
+  sample(q, *q.trusted, 0);
+  std::erase_if(q.samples, [&](const Sample& s) { return s.at.t > q.run.ends.back(); });
+  look_at_edge(q);
+}
+
+}  // namespace
+
+Why why(const Case& c, const std::string& solver, const Request& request, double seconds) {
+  Inquiry q(c, solver, request, seconds);
+  const Entrant* const entrant = c.entrants.find(solver);
+  if (!entrant || !entrant->unfit.empty()) {
+    q.add(Cause::unfit, nan, nan, entrant ? entrant->unfit : "no such solver");
+    try_others(q);
+    choose(q);
+    return q.why;
+  }
+  q.info = entrant->info;
+  q.run = q.make(c, solver, request, 200, 0.3);
+  q.why.outcome = q.run.outcome;
+  q.why.outcome.states.clear();
+  q.why.reached = q.run.ok() ? request.stops.back() : q.run.ends.back();
+  q.why.exact_steps = q.run.exact;
+  q.why.error = q.error_at_end(request, q.run.outcome);
+  if (q.run.outcome.status == Status::refused) q.add(Cause::unfit, nan, nan, q.run.outcome.detail);
+  try_others(q);
+  // A run that was cut short says nothing about the end of the solution where others reach it; nor
+  // does a fixed step.
+  const bool unpaid = q.run.outcome.status == Status::over_budget;
+  if (!q.run.ok() && !q.found(Cause::unfit) && !(q.trusted && (unpaid || !q.adaptive())))
+    look_at_end(q, q.adaptive() ? q.run : farthest(q));
+  look_at_jacobian(q);
+  if (q.adaptive()) {
+    look_at_steps(q);
+  } else if (q.trusted) {
+    sample(q, *q.trusted, (request.stops.back() - c.t0) / static_cast<double>(request.steps));
+    look_at_fixed_step(q);
+  }
+  // Causes of a failure are found first and stay so. Of a run that ended the largest share leads;
+  // that the error test bounds steps is as it should be, and a defect comes before it.
+  if (q.run.ok() || unpaid)
+    std::stable_sort(q.why.findings.begin(), q.why.findings.end(),
+                     [](const Finding& a, const Finding& b) {
+                       const auto weight = [](const Finding& f) {
+                         if (std::isnan(f.share)) return 0.6;
+                         return f.cause == Cause::accuracy ? 0.5 * f.share : f.share;
+                       };
+                       return weight(a) > weight(b);
+                     });
+  try_settings(q);
+  choose(q);
+  q.why.difference = q.difference(q.run);
+  q.why.seconds = seconds - q.left();
+  return q.why;
+}
+
+}  // namespace odeum::advise

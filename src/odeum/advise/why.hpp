@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "odeum/advise/local.hpp"
+#include "odeum/advise/recording.hpp"
+
+/// What a run spends its steps on, why it failed, and what does better: by this run, by measuring
+/// along it, and by other runs. Nothing is concluded from a name, a family or a tag.
+namespace odeum::advise {
+
+enum class Cause {
+  accuracy,        ///< the error test: a looser tolerance gives longer steps
+  stability,       ///< a step at or beyond the edge of the stability region
+  kink,            ///< the right-hand side is not smooth somewhere
+  pole,            ///< the solution grows beyond all bounds at a finite time
+  growth,          ///< the solution itself grows beyond the largest number
+  singular,        ///< its slope grows beyond all bounds, and it does not
+  domain,          ///< the right-hand side is not defined at a state that the solver tried
+  wrong_jacobian,  ///< differences of the right-hand side deny the one given
+  rounding,        ///< the tolerance is at the rounding of the state
+  absolute,        ///< an absolute tolerance is above the size of a component
+  energy,          ///< each step multiplies the energy of an undamped motion
+  too_coarse,      ///< a fixed step that does not resolve the solution
+  newton,          ///< the iteration of an implicit step does not converge
+  unfit,           ///< the solver can't make this run
+};
+const char* name_of(Cause cause);
+
+struct Finding {
+  Cause cause;
+  double share = nan;  ///< of the run's steps, or of its evaluations for a kink; NaN: of no part
+  double from = nan;   ///< since when
+  std::string text;    ///< a sentence without its end
+};
+
+/// Steps one after the other that the same bounds.
+struct Segment {
+  double from = 0, to = 0;
+  double steps = 0;
+  std::optional<Cause> cause = {};   ///< empty: the start, or nothing that was measured
+  double h = nan;                    ///< the middle one
+  double fastest = nan, rate = nan;  ///< |lambda| and the solution's own rate of change, per time
+  double used = nan;                 ///< h |lambda| over the edge
+  std::string component = {};
+};
+
+/// Another run that was made.
+struct Other {
+  std::string solver;
+  Request request;
+  Status status = Status::ok;
+  Counters counters = {};
+  double reached = nan;
+  double error = nan;  ///< where the solution is known
+  /// From the run that is trusted at its end, over the sizes of the components, the largest.
+  double difference = nan;
+};
+
+struct Why {
+  std::string solver;
+  Request request;
+  Outcome outcome;
+  double error = nan, reached = nan;
+  double difference = nan;  ///< see Other
+  bool exact_steps = true;
+  std::vector<Finding> findings;  ///< the main one first
+  std::vector<Segment> segments;
+  std::vector<Other> others;
+  std::optional<std::size_t> better;  ///< in `others`: what to do
+  std::string advice;                 ///< what no option of `odeum run` can say; may be empty
+  double seconds = 0;
+};
+
+/// `solver` is one that the case has; `request` that of `odeum run`, its budget aside. Throws
+/// Interrupted.
+Why why(const Case& c, const std::string& solver, const Request& request, double seconds);
+
+/// The first line: what and how much of it.
+std::string first_line(const Why& why);
+
+}  // namespace odeum::advise

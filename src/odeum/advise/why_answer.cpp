@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/advise/why_answer.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace odeum::advise {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double step_of(const Request& request, const Case& c) {
+  return (request.stops.back() - c.t0) / static_cast<double>(request.steps);
+}
+
+std::string command_of(const Why& why, const Case& c, const Asked& asked) {
+  if (!why.better) return {};
+  const Other& other = why.others[*why.better];
+  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.solver,
+                     setting_of(other.request, c));
+}
+
+std::string number(double value, const char* format = "{:.3g}") {
+  return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
+}
+
+std::string counts_of(const Counters& counters) {
+  return fmt::format("{} steps, {} rejected, {} evaluations, {} Jacobians", counters.steps,
+                     counters.rejected_steps, counters.rhs_evaluations,
+                     counters.jacobian_evaluations);
+}
+
+const char* word_of(const std::optional<Cause>& cause) {
+  return cause ? name_of(*cause) : "unknown";
+}
+
+std::string table_of(const Why& why) {
+  if (why.segments.empty()) return {};
+  std::string text =
+      fmt::format("{:<12}{:<12}{:>9}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n", "from", "to", "steps",
+                  "bound by", "step", "|lambda|", "rate", "of edge", "component");
+  for (const Segment& s : why.segments)
+    text += fmt::format("{:<12.5g}{:<12.5g}{:>9.0f}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n", s.from,
+                        s.to, s.steps, word_of(s.cause), number(s.h), number(s.fastest),
+                        number(s.rate), number(s.used), s.component);
+  return text;
+}
+
+/// What the better run does better.
+std::string compared(const Why& why) {
+  if (!why.better) return why.advice.empty() ? "" : "; " + why.advice;
+  const Other& other = why.others[*why.better];
+  const Counters &ours = why.outcome.counters, &theirs = other.counters;
+  if (other.request.stops.back() < why.request.stops.back())
+    return fmt::format("; up to t = {:.6g} {} takes {} steps", other.request.stops.back(),
+                       other.solver, theirs.steps);
+  if (why.outcome.status != Status::ok)
+    return fmt::format("; it takes {} steps to t = {:.4g}, where {} takes {} to the end",
+                       ours.steps, why.reached, other.solver, theirs.steps);
+  if (other.difference < 0.5 * why.difference && why.difference > 1e-3)
+    return fmt::format("; it ends {:.2g} of the solution's size away, {} {:.1g} in {} steps",
+                       why.difference, other.solver, other.difference, theirs.steps);
+  if (theirs.steps < ours.steps)
+    return fmt::format("; {} steps where {} takes {}", ours.steps, other.solver, theirs.steps);
+  return fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, other.solver,
+                     theirs.rhs_evaluations);
+}
+
+}  // namespace
+
+std::string setting_of(const Request& request, const Case& c) {
+  std::string text;
+  const Tolerance &tolerance = request.tolerance, usual = c.tolerance.requested(tolerance.relative);
+  if (request.mode == Mode::fixed) {
+    text = fmt::format("--step {}", step_of(request, c));
+  } else if (tolerance.absolutes() == usual.absolutes()) {
+    text = fmt::format("--tol {}", tolerance.relative);
+  } else {
+    std::vector<double> absolutes = tolerance.absolutes();
+    if (absolutes.empty()) absolutes.push_back(tolerance.relative);
+    text = fmt::format("--rtol {} --atol {}", tolerance.relative, fmt::join(absolutes, ","));
+  }
+  if (request.stops.back() != c.end()) text += fmt::format(" --until {}", request.stops.back());
+  return text;
+}
+
+std::string first_line(const Why& why) {
+  const std::vector<Finding>& findings = why.findings;
+  std::string text;
+  if (findings.empty()) {
+    text =
+        why.outcome.status == Status::ok
+            ? "nothing that was measured binds or harms this run"
+            : fmt::format("the run ends {} at t = {:.6g}, and nothing that was measured says why",
+                          to_string(why.outcome.status), why.reached);
+  } else if (const Finding& main = findings.front();
+             std::isnan(main.share) ||
+             (why.request.mode == Mode::fixed && main.cause != Cause::kink)) {
+    text = main.text;
+  } else if (main.cause == Cause::accuracy || main.cause == Cause::stability) {
+    text = fmt::format("from t = {:.4g} on, {:.0f} % of the steps are bound by {}: {}", main.from,
+                       100 * main.share,
+                       main.cause == Cause::accuracy ? "the error test" : "stability", main.text);
+  } else {
+    text =
+        fmt::format("{}: {:.0f} % of the evaluations are spent on it", main.text, 100 * main.share);
+  }
+  return text + compared(why);
+}
+
+std::string text_of(const Why& why, const Case& c, const Asked& asked) {
+  std::string text = first_line(why) + "\n";
+  text += fmt::format("run       {} {}\n", why.solver, setting_of(why.request, c));
+  text += fmt::format("status    {}{}{}\n", to_string(why.outcome.status),
+                      why.outcome.detail.empty() ? "" : ": ", why.outcome.detail);
+  text +=
+      fmt::format("cost      {} to t = {:.6g}{}\n", counts_of(why.outcome.counters), why.reached,
+                  std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error));
+  for (const Finding& finding : why.findings)
+    text +=
+        fmt::format("{:<10}{}{}\n", name_of(finding.cause),
+                    std::isnan(finding.share) ? "" : fmt::format("{:.0f} %: ", 100 * finding.share),
+                    finding.text);
+  text += table_of(why);
+  if (!why.exact_steps)
+    text +=
+        "steps     their ends are not told by the solver: they are taken from its evaluations\n";
+  for (const Other& other : why.others)
+    text += fmt::format("tried     {} {}: {}, {}{}\n", other.solver, setting_of(other.request, c),
+                        to_string(other.status), counts_of(other.counters),
+                        std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error));
+  if (!why.advice.empty()) text += fmt::format("besides   {}\n", why.advice);
+  const std::string command = command_of(why, c, asked);
+  return text + (command.empty() ? "next      none of those tried does better\n"
+                                 : fmt::format("next      {}\n", command));
+}
+
+Json json_of(const Why& why, const Case& c, const Asked& asked) {
+  const auto counters = [](Json& json, const Counters& of) {
+    json["steps"] = of.steps;
+    json["rejected_steps"] = of.rejected_steps;
+    json["evaluations"] = of.rhs_evaluations;
+    json["jacobians"] = of.jacobian_evaluations;
+  };
+  Json json;
+  json["summary"] = first_line(why);
+  json["solver"] = why.solver;
+  json["setting"] = setting_of(why.request, c);
+  json["status"] = to_string(why.outcome.status);
+  json["detail"] = why.outcome.detail;
+  json["reached"] = why.reached;
+  json["error"] = why.error;
+  json["difference"] = why.difference;
+  counters(json, why.outcome.counters);
+  json["causes"] = Json::array();
+  for (const Finding& finding : why.findings)
+    json["causes"].push_back({{"cause", name_of(finding.cause)},
+                              {"share", finding.share},
+                              {"from", finding.from},
+                              {"text", finding.text}});
+  json["segments"] = Json::array();
+  for (const Segment& s : why.segments)
+    json["segments"].push_back({{"from", s.from},
+                                {"to", s.to},
+                                {"steps", s.steps},
+                                {"bound_by", word_of(s.cause)},
+                                {"step", s.h},
+                                {"fastest", s.fastest},
+                                {"rate", s.rate},
+                                {"of_edge", s.used},
+                                {"component", s.component}});
+  json["exact_steps"] = why.exact_steps;
+  json["others"] = Json::array();
+  for (const Other& other : why.others) {
+    Json each{{"solver", other.solver},
+              {"setting", setting_of(other.request, c)},
+              {"status", to_string(other.status)},
+              {"error", other.error},
+              {"difference", other.difference}};
+    counters(each, other.counters);
+    json["others"].push_back(each);
+  }
+  json["advice"] = why.advice;
+  json["command"] = command_of(why, c, asked);
+  return json;
+}
+
+}  // namespace odeum::advise

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// odeum why on runs whose causes are known by how they were made, and as a user runs it.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "advise/made_failures.hpp"
+#include "odeum/advise/why_answer.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum {
+namespace {
+
+using tests::MadeFailure;
+using tests::Result;
+using tests::shell;
+
+// Far more than the answers take, so that they do not depend on the machine.
+constexpr double seconds = 300;
+
+/// What is missing, and what is said that is not so; empty: right.
+std::string fault_of(const MadeFailure& made) {
+  const Case c = tests::made_case(made);
+  const advise::Why why = advise::why(c, made.solver, tests::made_request(made, c), seconds);
+  std::set<advise::Cause> said;
+  for (const advise::Finding& finding : why.findings) said.insert(finding.cause);
+  std::string fault;
+  for (const advise::Cause cause : made.causes)
+    if (!said.contains(cause)) fault += fmt::format("; {} is not said", name_of(cause));
+  for (const advise::Cause cause : said)
+    if (!made.causes.contains(cause) && !made.also.contains(cause))
+      fault += fmt::format("; {} is not so", name_of(cause));
+  if (!fault.empty()) fault = made.name + fault + "\n" + text_of(why, c, {made.name, ""});
+  return fault;
+}
+
+TEST(Why, SaysTheCausesOfMadeFailures) {
+  std::size_t right = 0, composed = 0;
+  std::string faults;
+  for (const MadeFailure& made : tests::made_failures()) {
+    const std::string fault = fault_of(made);
+    right += fault.empty();
+    composed += made.causes.size() > 1;
+    faults += fault;
+    // What is denied by measurement is never said.
+    EXPECT_EQ(fault.find("is not so"), std::string::npos) << fault;
+  }
+  EXPECT_GE(tests::made_failures().size(), 40U);
+  EXPECT_GE(composed, tests::made_failures().size() / 3);
+  EXPECT_GE(right, 36U) << faults;
+}
+
+/// What it says as a user runs it, and what its command gives.
+TEST(Why, ItsCommandMakesTheBetterRun) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "stiff one.yaml").string();
+  tests::write_text(file,
+                    "states: {x: 1, y: 1}\nparameters: {k: 1}\n"
+                    "equations: {x: -x, y: -k*(y - x^2)}\ntime: {end: 5}\n");
+  const Result result = shell("odeum why '" + file +
+                              "' --set k=1e4 --solver dormand_prince54 --tol 1e-6 --format json");
+  ASSERT_EQ(result.code, 0) << result.output;
+  const auto why = nlohmann::json::parse(result.output);
+  EXPECT_EQ(why["causes"][0]["cause"], "stability");
+  EXPECT_GT(why["causes"][0]["share"], 0.9);
+  EXPECT_EQ(why["status"], "ok");
+  const std::string summary = why["summary"], command = why["command"];
+  EXPECT_NE(summary.find("y decays at 1e+04"), std::string::npos) << summary;
+  const Result run = shell(command);
+  EXPECT_EQ(run.code, 0) << command << "\n" << run.output;
+  // A method for stiff problems takes no more steps than the slow component needs.
+  const std::string steps = run.output.substr(run.output.find("tol "));
+  int count = 0;
+  ASSERT_EQ(std::sscanf(steps.substr(steps.find(',')).c_str(), ", %d steps", &count), 1) << steps;
+  EXPECT_LT(count, why["steps"].get<int>() / 50);
+}
+
+TEST(Why, EndsARunThatFailed) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "pole.yaml").string();
+  tests::write_text(file, "states: {y: 1}\nequations: {y: y^2}\ntime: {end: 2}\n");
+  const Result run =
+      shell("odeum run " + file + " --solver dormand_prince54 --tol 1e-6 --no-truth");
+  EXPECT_EQ(run.code, 3) << run.output;
+  EXPECT_NE(run.output.find("\nwhy     y grows beyond all bounds at t = 1"), std::string::npos)
+      << run.output;
+  EXPECT_NE(run.output.find("\nmore    odeum why " + file), std::string::npos) << run.output;
+}
+
+TEST(Why, RefusesWhatIsNoQuestion) {
+  for (const std::string arguments :
+       {"kepler_e06 --solver rk4", "kepler_e06 --tol 1e-3", "kepler_e06 --solver rk4 --step 0",
+        "kepler_e06 --solver nobody --tol 1e-3"})
+    EXPECT_EQ(shell("odeum why " + arguments).code, 2) << arguments;
+}
+
+}  // namespace
+}  // namespace odeum
