@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: a table of runs, one a few lines
 #include "advise/made_failures.hpp"
 
 namespace odeum::tests {
@@ -244,6 +245,108 @@ const std::vector<MadeFailure>& made_failures() {
        .solver = "odeum/dormand_prince54",
        .relative = 1e-9,
        .causes = {accuracy, stability}},
+      {.name = "stiff_then_square_root_of_a_negative",
+       .text = "states: {c: 1, y: 1}\nequations: {c: -sqrt(c) - 0.1, y: -1e4*(y - c)}\n"
+               "time: {end: 5}\n",
+       .solver = "odeum/tsitouras54",
+       .causes = {domain, stability},
+       .also = {accuracy}},
+      {.name = "switch_then_pole",
+       .text = "states: {x: 0, y: 0.5}\n"
+               "equations: {x: 'if(t > 0.3, 5, 0) - x', y: y^2}\ntime: {end: 3}\n",
+       .solver = "odeum/verner65",
+       .relative = 1e-9,
+       .causes = {kink, pole},
+       .also = {accuracy}},
+      {.name = "wrong_jacobian_and_a_switch",
+       .text = "states: {x: 1, y: 1}\n"
+               "equations: {x: -x, y: '-1e3*(y - x^2) + if(t > 1, 300, 0)'}\ntime: {end: 2}\n",
+       .solver = "odeum/rodas4",
+       .causes = {wrong_jacobian, kink},
+       .also = {accuracy, stability},
+       .wrong_jacobian = 0.7},
+      {.name = "wrong_jacobian_then_pole",
+       .text = "states: {x: 1, y: 1}\nequations: {x: x^2, y: -1e3*(y - cos(t))}\ntime: {end: 2}\n",
+       .solver = "cvode/bdf",
+       .causes = {wrong_jacobian, pole},
+       .also = {accuracy, stability},
+       .wrong_jacobian = 3},
+      {.name = "absolute_and_stiff_at_the_end",
+       .text = "states: {a: 0, b: 1}\n"
+               "equations: {a: 1e-8*cos(40*t)*(1 - tanh(20*(t - 2)))/2, b: -t^8*10*(b - cos(t))}\n"
+               "time: {end: 3}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-4,
+       .absolute = {1e-6},
+       .causes = {absolute, stability},
+       .also = {accuracy}},
+      {.name = "absolute_and_wrong_jacobian",
+       .text = "states: {a: 0, b: 1}\nequations: {a: 1e-8*cos(40*t), b: -b}\ntime: {end: 3}\n",
+       .solver = "odeum/radau_iia5",
+       .relative = 1e-4,
+       .absolute = {1e-6},
+       .causes = {absolute, wrong_jacobian},
+       .also = {accuracy},
+       .wrong_jacobian = 40},
+      {.name = "energy_of_one_stability_of_another",
+       .text = "states: {q: 1, v: 0, y: 1}\nequations: {q: v, v: -q, y: -90*(y - q)}\n"
+               "time: {end: 20}\n",
+       .solver = "odeum/explicit_euler",
+       .step = 0.025,
+       .causes = {energy, stability}},
+      {.name = "rounding_and_a_switch",
+       .text = "states: {x: 1, y: 0}\nequations: {x: -y, y: 'x + if(t > 3, 1, 0)'}\n"
+               "time: {end: 6}\n",
+       .solver = "odeum/dormand_prince853",
+       .relative = 4e-16,
+       .absolute = {1e-20},
+       .causes = {rounding, kink},
+       .also = {accuracy}},
+      {.name = "bounces_of_a_fast_circle",
+       .text = "states: {x: 1, y: 0, z: 0}\nequations: {x: -30*y, y: 30*x, z: abs(y) - z}\n"
+               "time: {end: 3}\n",
+       .solver = "odeum/verner98",
+       .relative = 1e-9,
+       .causes = {kink, accuracy}},
+      {.name = "accuracy_then_pole",
+       .text = "states: {x: 1, y: 0, z: 1}\nequations: {x: -50*y, y: 50*x, z: z^2}\n"
+               "time: {end: 2}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-8,
+       .causes = {accuracy, pole}},
+      {.name = "accuracy_then_log_of_a_negative",
+       .text = "states: {x: 1, y: 0, c: 1}\n"
+               "equations: {x: -50*y, y: 50*x, c: -1 - 0.001*sqrt(c)}\ntime: {end: 2}\n",
+       .solver = "gsl/rk8pd",
+       .relative = 1e-8,
+       .causes = {accuracy, domain}},
+      {.name = "heat_with_a_switch",
+       .text = "parameters: {n: 20}\nstates: {u[1..n]: sin(pi*i/(n + 1))}\n"
+               "equations: {u[1..n]: '441*(u[i-1] - 2*u[i] + u[i+1]) + if(t > 0.05, 50, 0)'}\n"
+               "boundaries: {u[0]: 0, u[n+1]: 0}\ntime: {end: 0.1}\n",
+       .solver = "odeint/runge_kutta_dopri5",
+       .relative = 1e-6,
+       .causes = {stability, kink},
+       .also = {accuracy}},
+      {.name = "growth_beside_a_fast_decay",
+       .text = "states: {x: 1, z: 0}\nequations: {x: 100*x, z: -1e4*(z - 1)}\ntime: {end: 10}\n",
+       .solver = "odeum/dormand_prince54",
+       .causes = {growth, stability},
+       .also = {accuracy}},
+      {.name = "square_root_of_a_negative_and_a_switch",
+       .text = "states: {c: 1, x: 0}\n"
+               "equations: {c: -sqrt(c) - 0.1, x: 'if(t > 0.5, 1, 0) - x'}\ntime: {end: 5}\n",
+       .solver = "odeum/dormand_prince853",
+       .relative = 1e-9,
+       .causes = {domain, kink},
+       .also = {accuracy}},
+      {.name = "pole_to_rounding",
+       .text = "states: {y: 1}\nequations: {y: y^2}\ntime: {end: 2}\n",
+       .solver = "odeum/verner98",
+       .relative = 4e-16,
+       .absolute = {1e-20},
+       .causes = {pole, rounding},
+       .also = {accuracy}},
   };
   return all;
 }

@@ -45,7 +45,7 @@ void find_binding(Inquiry& q, Sample& s) {
 
 std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
   for (const Kink& kink : q.kinks)
-    if (std::abs(kink.t - s.at.t) <= 2 * s.at.h) return Cause::kink;
+    if (std::abs(kink.t - s.at.t) <= std::max(2 * s.at.h, q.kink_reach)) return Cause::kink;
   if (std::isnan(s.looser)) return {};
   if (s.looser > follows_tolerance) return Cause::accuracy;
   const double product = s.at.h * std::abs(s.binding);

@@ -151,12 +151,26 @@ void look_for_kinks(Inquiry& q) {
     const auto kink = kink_between(q.c, from, to);
     if (kink && !(ends && near_end(kink->t))) q.kinks.push_back(*kink);
   }
+  const double wide = q.kink_reach = usual_step(run);
+  if (!run.ok() && !ends) {
+    // The run may have stopped short of one.
+    Moment ahead = run.moments.back();
+    const std::vector<double> f = slope(q.c, ahead.t, ahead.y);
+    for (std::size_t i = 0; i < f.size(); ++i) ahead.y[i] += wide * f[i];
+    ahead.t += wide;
+    if (const auto kink = kink_between(q.c, run.moments.back(), ahead)) q.kinks.push_back(*kink);
+  }
+  // Those that no error test sees, as the last digit of a function, are none.
+  const Tolerance& tolerance = run.request.tolerance;
+  std::erase_if(q.kinks, [&](const Kink& kink) {
+    const std::size_t i = kink.component;
+    return kink.effect(wide) < 0.1 * (tolerance.absolute(i) + tolerance.relative * q.sizes[i]);
+  });
   if (q.kinks.empty()) return;
   // The evaluations around them beyond those that the same time takes elsewhere.
   const auto total = static_cast<double>(run.trace.times.size());
   const double each =
       total / static_cast<double>(run.steps() + run.outcome.counters.rejected_steps);
-  const double wide = usual_step(run);
   double excess = 0, most = 0;
   const Kink* worst = &q.kinks.front();
   for (const Kink& kink : q.kinks) {
@@ -166,7 +180,8 @@ void look_for_kinks(Inquiry& q) {
     if (own > most) most = own, worst = &kink;
   }
   const double share = std::min(1.0, excess / total);
-  if (share < 0.1 && (run.ok() || !near_end(worst->t))) {
+  constexpr double least_share = 0.04;
+  if (share < least_share && (run.ok() || !near_end(worst->t))) {
     q.kinks.clear();
     return;
   }

@@ -40,6 +40,7 @@ struct Inquiry {
   std::vector<double> sizes;   ///< by component, the largest along the solution
   std::vector<Sample> samples;
   std::vector<Kink> kinks;
+  double kink_reach = 0;           ///< how far from one its steps are taken to be short for it
   std::vector<std::string> names;  ///< of the components
   bool trust_jacobian = true;
   Region region;

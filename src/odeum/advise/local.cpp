@@ -194,7 +194,8 @@ std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment
   const double power = std::log(bends[bends.size() - 4].size / bends.back().size) / std::log(64.0);
   // A pole of f bends ever more.
   if (power > 1.35 || power < -0.2) return {};
-  return Kink{f.time(0.5 * (low + high)), *component, power < 0.35, bends.back().size};
+  return Kink{f.time(0.5 * (low + high)), *component, power < 0.35, bends.back().size,
+              f.time(high) - f.time(low)};
 }
 
 Vector step_error(const Case& c, const std::string& solver, const Moment& at,

@@ -63,7 +63,10 @@ struct Kink {
   double t = 0;
   std::size_t component = 0;
   bool jump = false;  ///< of the value itself; else of its derivative
-  double size = 0;    ///< of the jump
+  double size = 0;    ///< how far f is from a straight line over `width`, around t
+  double width = 0;
+  /// What it adds to the error of a step h over it.
+  double effect(double h) const { return size * h * (jump ? 1 : h / width); }
 };
 /// Searches between two states of a run: the irregular part of f that does not shrink as an
 /// interval around it does.

@@ -46,7 +46,9 @@ void set_ends(Run& run, double t0) {
     for (std::uint64_t i = 1; i <= std::min(run.outcome.counters.steps, grid.steps()); ++i)
       run.ends.push_back(grid.t(i));
   } else if (!run.outcome.step_ends.empty() || run.outcome.counters.steps == 0) {
-    run.ends.insert(run.ends.end(), run.outcome.step_ends.begin(), run.outcome.step_ends.end());
+    // A peer may take steps below the rounding of t.
+    for (const double t : run.outcome.step_ends)
+      if (t > run.ends.back()) run.ends.push_back(t);
   } else {
     run.ends = estimated_ends(run.trace, run.outcome, t0);
     run.exact = false;

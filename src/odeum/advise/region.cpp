@@ -9,7 +9,7 @@
 namespace odeum::advise {
 namespace {
 
-constexpr double nearest = 1e-2, farthest = 1e3, ratio = 1.2, width = 1.005;
+constexpr double first_distance = 1e-2, last_distance = 1e3, ratio = 1.2, width = 1.005;
 
 }  // namespace
 
@@ -38,11 +38,11 @@ double Region::growth(std::complex<double> z) const {
 
 double Region::measure(std::complex<double> direction) const {
   const auto grows = [&](double x) { return at(x * direction).grows(); };
-  double inside = 0, outside = nearest;
+  double inside = 0, outside = first_distance;
   while (!grows(outside)) {
     inside = outside;
     outside *= ratio;
-    if (outside > farthest) return infinity;
+    if (outside > last_distance) return infinity;
   }
   if (inside == 0) return 0;
   while (outside > width * inside) {

@@ -12,7 +12,7 @@ constexpr double gravity = 9.81, coarsest_stiffness = 200;  // m/s^2, N/m
 constexpr std::size_t coarsest = 6, finest = 96;
 /// A sheet is at rest where no particle accelerates more than this part of gravity.
 constexpr double at_rest = 1e-5;
-constexpr int most_steps = 400'000, periods = 4;
+constexpr int most_sheet_steps = 400'000, periods = 4;
 
 enum class Hold { upper_edge, two_edges, two_corners };
 
@@ -100,7 +100,7 @@ class Sheet {
   /// maximum (Cundall 1976). False where the sheet does not come to rest.
   bool relax() {
     double before = 0;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_sheet_steps; ++step) {
       // Half the stable step: a stop near the limit would add to the fastest modes.
       advance(1 / highest_frequency_);
       double kinetic = 0, largest = 0;
@@ -124,7 +124,7 @@ class Sheet {
   double period_about(double middle) {
     const double h = 0.5 / highest_frequency_;
     double first = nan, height = lower_edge();
-    for (int step = 0, passed = 0; step < most_steps; ++step) {
+    for (int step = 0, passed = 0; step < most_sheet_steps; ++step) {
       advance(h);
       const double last = std::exchange(height, lower_edge());
       if (last >= middle || height < middle) continue;
