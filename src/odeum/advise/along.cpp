@@ -17,7 +17,7 @@ constexpr double follows_tolerance = 1.15;
 /// several orders, have another edge than their steps of one length.
 constexpr double at_the_edge = 0.4;
 /// Without a known edge, in h |lambda|.
-constexpr double beyond_accuracy = 0.4;
+constexpr double beyond_accuracy = 0.4, most_of_a_region = 50;
 constexpr double least_share = 0.1;
 
 double rate_of(const Inquiry& q, const std::vector<double>& f) {
@@ -48,8 +48,13 @@ std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
     if (std::abs(kink.t - s.at.t) <= std::max(2 * s.at.h, q.kink_reach)) return Cause::kink;
   if (std::isnan(s.looser)) return {};
   if (s.looser > follows_tolerance) return Cause::accuracy;
+  if (s.used > at_the_edge) return Cause::stability;
+  // Without a known edge: within what regions have, where another solver's steps are much longer.
   const double product = s.at.h * std::abs(s.binding);
-  if (s.used > at_the_edge || (std::isnan(s.used) && product > beyond_accuracy))
+  const bool others_pass = std::any_of(q.others.begin(), q.others.end(), [&](const Run& other) {
+    return s.at.t < other.ends.back() && other.step_at(s.at.t) > 3 * s.at.h;
+  });
+  if (std::isnan(s.used) && product > beyond_accuracy && product < most_of_a_region && others_pass)
     return Cause::stability;
   return {};
 }
@@ -97,7 +102,12 @@ std::optional<std::size_t> who(const std::vector<const Sample*>& samples) {
 }
 
 Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, double to) {
-  Segment segment{.from = samples.front()->at.t, .to = to, .cause = samples.front()->cause};
+  std::map<std::optional<Cause>, double> causes;
+  for (const Sample* s : samples) causes[s->cause] += s->weight;
+  const auto most =
+      std::max_element(causes.begin(), causes.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  Segment segment{.from = samples.front()->at.t, .to = to, .cause = most->first};
   std::vector<double> h, fastest, rate, used;
   for (const Sample* s : samples) {
     segment.steps += s->weight;

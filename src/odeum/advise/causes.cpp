@@ -9,12 +9,6 @@
 namespace odeum::advise {
 namespace {
 
-/// Evaluations of a trace in an interval.
-double evaluations_in(const Trace& trace, double from, double to) {
-  return static_cast<double>(std::count_if(trace.times.begin(), trace.times.end(),
-                                           [&](double t) { return t >= from && t <= to; }));
-}
-
 /// The length of the step in which half of the time lies.
 double usual_step(const Run& run) {
   std::vector<double> steps;
@@ -171,11 +165,16 @@ void look_for_kinks(Inquiry& q) {
   const auto total = static_cast<double>(run.trace.times.size());
   const double each =
       total / static_cast<double>(run.steps() + run.outcome.counters.rejected_steps);
+  std::vector<double> times = run.trace.times;
+  std::sort(times.begin(), times.end());
+  const auto evaluations_before = [&](double t) {
+    return static_cast<double>(std::lower_bound(times.begin(), times.end(), t) - times.begin());
+  };
   double excess = 0, most = 0;
   const Kink* worst = &q.kinks.front();
   for (const Kink& kink : q.kinks) {
-    const double own =
-        std::max(0.0, evaluations_in(run.trace, kink.t - wide, kink.t + wide) - 2 * each);
+    const double own = std::max(
+        0.0, evaluations_before(kink.t + wide) - evaluations_before(kink.t - wide) - 2 * each);
     excess += own;
     if (own > most) most = own, worst = &kink;
   }

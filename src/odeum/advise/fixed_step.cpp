@@ -22,27 +22,31 @@ double blown_up(const Inquiry& q) {
   return q.run.ok() ? most : infinity;
 }
 
-/// Whether the method itself feeds or damps an undamped motion, by its amplification at the
-/// fastest eigenvalue that lies on the imaginary axis.
-void look_at_energy(Inquiry& q, double step, double steps) {
-  double most = 0, frequency = 0;
-  std::optional<std::size_t> component;
-  for (const Sample& s : q.samples)
+/// Whether the method itself feeds or damps an undamped motion that its steps resolve, by what it
+/// makes of it at the eigenvalues on the imaginary axis along the solution.
+void look_at_energy(Inquiry& q, double step, double off) {
+  constexpr double resolved = 1.5;  // in radians
+  double sum = 0, weight = 0, all = 0, frequency = 0;
+  for (const Sample& s : q.samples) {
+    double most = 0;
     for (const std::complex<double>& z : s.spectrum.all) {
       if (std::abs(z.real()) > 1e-6 * std::abs(z) || !(z.imag() > 0)) continue;
       // One of the solution, which its own rate shows, not a stiff one that rests.
-      if (z.imag() > 3 * s.rate) continue;
+      if (z.imag() > 3 * s.rate || step * z.imag() > resolved) continue;
       // Beyond an edge it is instability.
       if (const double used = step * std::abs(z) / q.region.edge(z); used > 1 && used < infinity)
         continue;
       const double growth = q.region.growth(step * z);
-      if (std::abs(growth) > std::abs(most)) {
-        most = growth;
-        frequency = z.imag();
-        component = s.spectrum.component;
-      }
+      if (std::abs(growth) > std::abs(most)) most = growth, frequency = z.imag();
     }
-  if (!(std::abs(most) * steps > 0.05)) return;
+    all += s.weight;
+    if (most == 0) continue;
+    weight += s.weight;
+    sum += s.weight * most;
+  }
+  // It has to explain a part of how far the run is off; the rest may be its phase.
+  const double factor = std::exp(std::clamp(sum, -700.0, 700.0));
+  if (!(std::abs(factor - 1) > 0.2 * std::min(off, 1.0)) || weight < 0.5 * all) return;
   // An energy that is known has to say so, too.
   if (q.c.energy) {
     const double before = q.c.energy(q.c.y0.data()),
@@ -52,7 +56,21 @@ void look_at_energy(Inquiry& q, double step, double steps) {
   q.add(Cause::energy, 1, q.c.t0,
         fmt::format("each step multiplies an undamped motion of angular frequency {:.3g} by "
                     "{:.6g}, {:.3g} in the whole run",
-                    frequency, std::exp(most), std::exp(std::clamp(most * steps, -700.0, 700.0))));
+                    frequency, std::exp(sum / weight), factor));
+}
+
+/// Whether a step inside the edge makes it good: a run with one, unless that takes too many.
+bool steps_inside_help(Inquiry& q) {
+  double used = 0;
+  for (const Sample& s : q.samples)
+    if (s.used < infinity) used = std::max(used, s.used);
+  constexpr double most_steps_made = 5e6;
+  const double steps = std::ceil(static_cast<double>(q.run.request.steps) * used * 1.05);
+  if (!(used > 1) || steps > most_steps_made) return true;
+  Request request = q.run.request;
+  request.steps = static_cast<std::uint64_t>(steps);
+  const std::size_t k = q.also(q.why.solver, request, 0.3);
+  return q.difference(q.others[k]) < 0.1 * q.difference(q.run);
 }
 
 }  // namespace
@@ -87,13 +105,11 @@ void look_at_fixed_step(Inquiry& q) {
   const double step = q.run.ends.size() > 1 ? q.run.ends[1] - q.run.ends[0]
                                             : (q.run.request.stops.back() - q.c.t0) /
                                                   static_cast<double>(q.run.request.steps);
-  if (!q.trusted) return;
   const double off = q.difference(q.run), size = blown_up(q);
-  const auto steps = static_cast<double>(q.run.request.steps);
   constexpr double shows = 0.02;
   if (!(off > shows)) return;
-  look_at_energy(q, step, steps);
-  if (!(size < 3)) look_at_edge(q);
+  look_at_energy(q, step, off);
+  if (!(size < 3) && steps_inside_help(q)) look_at_edge(q);
   if (q.run.outcome.status == Status::newton_failed)
     q.add(Cause::newton, nan, q.run.ends.back(),
           fmt::format("the equations of a step of {:.3g} are not solved at t = {:.6g}", step,
@@ -101,19 +117,19 @@ void look_at_fixed_step(Inquiry& q) {
   if (!q.why.findings.empty()) return;
   // Not unstable: does the error fall with the step as that of a coarse one does?
   Request finer = q.run.request;
-  finer.steps *= 4;
-  const std::size_t k = q.also(q.why.solver, finer, 0, 0.3);
-  const Run& fine = q.others[k];
-  if (!fine.ok()) return;
+  double ratio = 0;
+  for (int part = 0; part < 2 && !(ratio > 2); ++part) {
+    finer.steps *= 4;
+    ratio = off / q.difference(q.others[q.also(q.why.solver, finer, 0.3)]);
+  }
+  if (!(ratio > 2)) return;
   double rate = 0;
   for (const Sample& s : q.samples) rate = std::max(rate, s.rate);
-  const double ratio = off / q.difference(fine);
-  if (!(ratio > 2)) return;
   q.add(
       Cause::too_coarse, 1, q.c.t0,
       fmt::format("the solution changes at up to {:.3g} per unit of time, {:.3g} of its size in a "
-                  "step; a quarter of the step has {:.2g} of the error",
-                  rate, rate * step, 1 / ratio));
+                  "step; {} times the steps have {:.2g} of the error",
+                  rate, rate * step, finer.steps / q.run.request.steps, 1 / ratio));
 }
 
 }  // namespace odeum::advise

@@ -27,7 +27,6 @@ struct Inquiry {
   Inquiry(const Case& given, const std::string& solver, const Request& request, double seconds);
 
   const Case& c;
-  SolverInfo info;
   Why why;
   double seconds;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
@@ -50,41 +49,43 @@ struct Inquiry {
   Run make(const Case& on, const std::string& solver, Request request, std::size_t moments,
            double share) const;
   /// Makes another run and keeps it; returns its index in why.others.
-  std::size_t also(const std::string& solver, const Request& request, std::size_t moments,
-                   double share);
+  std::size_t also(const std::string& solver, const Request& request, double share);
+  /// The same run with states along it.
+  Run along(const Run& of) const;
+  void find_sizes(const Run& from);
   void add(Cause cause, double share, double from, std::string text);
   bool found(Cause cause) const;
   /// Of a run's end from that of the trusted one, over the sizes of the components, the largest;
   /// infinite where the run did not get there, NaN where none is trusted or it ends elsewhere.
-  double difference(const Run& run) const;
+  double difference(const Run& of) const;
   /// From the case's truth; NaN where that is not known.
   double error_at_end(const Request& request, const Outcome& outcome) const;
 };
 
 /// Runs of other solvers to the same tolerance, one that is trusted, and the sizes of components.
-void try_others(Inquiry& inquiry);
+void try_others(Inquiry& q);
 /// What the causes themselves suggest: the same solver with another setting, or a shorter run.
-void try_settings(Inquiry& inquiry);
+void try_settings(Inquiry& q);
 /// Of the others the best that does better.
-void choose(Inquiry& inquiry);
-/// The run that came farthest, this one or another.
-const Run& farthest(const Inquiry& inquiry);
+void choose(Inquiry& q);
+/// The run to a tolerance that came farthest, this one or another.
+const Run& farthest(const Inquiry& q);
 
 /// Spectrum, rate, edge and looser steps at the moments of `along`, with the steps that the run has
 /// at those times, or of length `h`.
-void sample(Inquiry& inquiry, const Run& along, double h);
+void sample(Inquiry& q, const Run& along, double h);
 /// What bounds each sample of an adaptive run, the segments of them, and findings by their shares.
-void share_out(Inquiry& inquiry);
+void share_out(Inquiry& q);
 
 /// Each adds a finding where it is one.
-void look_for_kinks(Inquiry& inquiry);
-void look_at_jacobian(Inquiry& inquiry);
-void look_at_tolerances(Inquiry& inquiry);
+void look_for_kinks(Inquiry& q);
+void look_at_jacobian(Inquiry& q);
+void look_at_tolerances(Inquiry& q);
 /// Why a solution ends: pole, growth, slope or domain, by the run that came farthest.
-void look_at_end(Inquiry& inquiry, const Run& run);
+void look_at_end(Inquiry& q, const Run& run);
 /// Where the steps of a run that fails lie beyond the edge along a solution that is trusted.
-void look_at_edge(Inquiry& inquiry);
+void look_at_edge(Inquiry& q);
 /// Instability, energy and coarseness of a fixed step, by a solution that is trusted.
-void look_at_fixed_step(Inquiry& inquiry);
+void look_at_fixed_step(Inquiry& q);
 
 }  // namespace odeum::advise

@@ -37,13 +37,6 @@ Request comparable(const Inquiry& q) {
   return request;
 }
 
-void find_sizes(Inquiry& q, const Run& along) {
-  q.sizes.assign(q.c.y0.size(), 0);
-  for (const Moment& at : along.moments)
-    for (std::size_t i = 0; i < q.sizes.size(); ++i)
-      if (std::isfinite(at.y[i])) q.sizes[i] = std::max(q.sizes[i], std::abs(at.y[i]));
-}
-
 /// Whether another run is what to do instead: it ends well, in less than half of the work or with
 /// less than half of the error of one that is far off.
 bool is_better(const Inquiry& q, const Other& other) {
@@ -73,9 +66,21 @@ double Inquiry::error_at_end(const Request& request, const Outcome& outcome) con
   return judge::Judge(c, {end}).errors(last).front().error_max;
 }
 
-std::size_t Inquiry::also(const std::string& solver, const Request& request, std::size_t moments,
-                          double share) {
-  others.push_back(make(c, solver, request, moments, share));
+void Inquiry::find_sizes(const Run& from) {
+  sizes.assign(c.y0.size(), 0);
+  for (const Moment& at : from.moments)
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      if (std::isfinite(at.y[i])) sizes[i] = std::max(sizes[i], std::abs(at.y[i]));
+  // A component that is the rounding of others has no size of its own.
+  const double least = 16 * epsilon * *std::max_element(sizes.begin(), sizes.end());
+  for (double& size : sizes)
+    if (size < least) size = 0;
+}
+
+Run Inquiry::along(const Run& of) const { return make(c, of.solver, of.request, 60, 0.3); }
+
+std::size_t Inquiry::also(const std::string& solver, const Request& request, double share) {
+  others.push_back(make(c, solver, request, 0, share));
   const Run& made = others.back();
   Other other{.solver = solver,
               .request = request,
@@ -104,9 +109,9 @@ double Inquiry::difference(const Run& of) const {
   return most;
 }
 
-/// The run that came farthest, this one or another.
 const Run& farthest(const Inquiry& q) {
-  const Run* best = &q.run;
+  // A fixed step goes past the end of a solution.
+  const Run* best = q.adaptive() || q.others.empty() ? &q.run : &q.others.front();
   for (const Run& other : q.others)
     if (other.ends.back() > best->ends.back()) best = &other;
   return *best;
@@ -116,15 +121,18 @@ void try_others(Inquiry& q) {
   for (const char* id : comparisons) {
     const Entrant* const entrant = q.c.entrants.find(id);
     if (id == q.why.solver && q.adaptive()) continue;
-    if (entrant && entrant->unfit.empty()) q.also(id, comparable(q), 60, 0.15);
+    if (entrant && entrant->unfit.empty()) q.also(id, comparable(q), 0.15);
   }
   const Run* best = nullptr;
   for (const char* id : by_trust)
     for (const Run& other : q.others)
       if (!best && other.solver == id && other.ok()) best = &other;
   if (!best && q.run.ok()) best = &q.run;
-  find_sizes(q, best ? *best : farthest(q));
-  if (!best) return;
+  if (!best) {
+    q.find_sizes(q.run);
+    return;
+  }
+  q.find_sizes(best == &q.run ? q.run : q.along(*best));
   // The same to a hundredth of the tolerance, of each component by its own size.
   Request tighter = comparable(q);
   const double relative = std::max(1e-13, 1e-2 * tighter.tolerance.relative);
@@ -133,9 +141,9 @@ void try_others(Inquiry& q) {
     absolute.push_back(q.sizes[i] > 0 ? relative * q.sizes[i] : tighter.tolerance.absolute(i));
   tighter.tolerance = Tolerance(relative, absolute);
   Run trusted = q.make(q.c, best->solver, tighter, 60, 0.3);
-  if (!trusted.ok() && best != &q.run) trusted = *best;
+  if (!trusted.ok() && best != &q.run) trusted = q.along(*best);
   if (!trusted.ok()) return;
-  find_sizes(q, trusted);
+  q.find_sizes(trusted);
   q.trusted = std::move(trusted);
 }
 
@@ -161,22 +169,14 @@ void try_settings(Inquiry& q) {
   if (worth(Cause::rounding)) {
     request.tolerance =
         q.run.request.tolerance.with_relative(std::max(1e-12, request.tolerance.relative));
-    q.also(q.why.solver, request, 0, 0.3);
+    q.also(q.why.solver, request, 0.3);
   } else if (worth(Cause::absolute)) {
     std::vector<double> absolute(q.sizes.size());
     for (std::size_t i = 0; i < absolute.size(); ++i)
       absolute[i] = std::min(request.tolerance.absolute(i),
                              q.sizes[i] > 0 ? request.tolerance.relative * q.sizes[i] : infinity);
     request.tolerance = Tolerance(request.tolerance.relative, absolute);
-    q.also(q.why.solver, request, 0, 0.3);
-  } else if (!q.adaptive() && worth(Cause::stability)) {
-    double used = 0;
-    for (const Sample& s : q.samples)
-      if (s.used < infinity) used = std::max(used, s.used);
-    if (!(used > 1)) return;
-    request.steps =
-        static_cast<std::uint64_t>(std::ceil(static_cast<double>(request.steps) * used * 1.05));
-    q.also(q.why.solver, request, 0, 0.3);
+    q.also(q.why.solver, request, 0.3);
   }
   if (worth(Cause::kink)) {
     // Steps that end there see a smooth right-hand side on either side.
@@ -196,7 +196,7 @@ void try_settings(Inquiry& q) {
       request = q.run.request;
       request.record_steps = false;
       request.stops = {t0 + 0.99 * (std::min(finding.from, end) - t0)};
-      q.also(q.why.solver, request, 0, 0.3);
+      q.also(q.why.solver, request, 0.3);
       break;
     }
 }

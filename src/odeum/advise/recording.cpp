@@ -58,11 +58,11 @@ void set_ends(Run& run, double t0) {
 /// Indices of `ends`: evenly in steps and in time, the last ones ever closer to the end.
 std::set<std::size_t> chosen(const std::vector<double>& ends, std::size_t most) {
   std::set<std::size_t> at;
-  const std::size_t last = ends.size() - 1;
-  for (std::size_t k = 0; k <= most / 2; ++k) {
-    at.insert(last * k / std::max<std::size_t>(most / 2, 1));
+  const std::size_t last = ends.size() - 1, parts = std::max<std::size_t>(1, most / 2);
+  for (std::size_t k = 0; k <= parts; ++k) {
+    at.insert(last * k / parts);
     const double t = ends.front() + (ends.back() - ends.front()) * static_cast<double>(k) /
-                                        static_cast<double>(most / 2);
+                                        static_cast<double>(parts);
     const auto found = std::lower_bound(ends.begin(), ends.end(), t);
     at.insert(std::min(last, static_cast<std::size_t>(found - ends.begin())));
   }

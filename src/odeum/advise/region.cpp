@@ -54,7 +54,7 @@ double Region::measure(std::complex<double> direction) const {
 
 double Region::edge(std::complex<double> lambda) {
   if (!entrant_ || lambda == 0.0) return nan;
-  if (oscillator_ && lambda.real() > 0) return nan;
+  if (oscillator_ && lambda.real() > 1e-6 * std::abs(lambda)) return nan;
   // To half a degree.
   const long degrees =
       std::lround(2 * std::abs(std::arg(lambda)) * 180 / std::numbers::pi_v<double>);

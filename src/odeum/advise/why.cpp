@@ -29,7 +29,7 @@ double Inquiry::left() const {
 
 Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
                   double share) const {
-  request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 20'000'000);
+  request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 5'000'000);
   request.budget.seconds = std::max(0.05, 0.5 * share * left());
   return record(on, solver, request, moments);
 }
@@ -73,12 +73,14 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   Inquiry q(c, solver, request, seconds);
   const Entrant* const entrant = c.entrants.find(solver);
   if (!entrant || !entrant->unfit.empty()) {
+    q.run.outcome.status = q.why.outcome.status = Status::refused;
+    q.run.ends = {c.t0};
+    q.run.moments.push_back({c.t0, 0, 0, c.y0});
     q.add(Cause::unfit, nan, nan, entrant ? entrant->unfit : "no such solver");
     try_others(q);
     choose(q);
     return q.why;
   }
-  q.info = entrant->info;
   q.run = q.make(c, solver, request, 200, 0.3);
   q.why.outcome = q.run.outcome;
   q.why.outcome.states.clear();
@@ -91,7 +93,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   // does a fixed step.
   const bool unpaid = q.run.outcome.status == Status::over_budget;
   if (!q.run.ok() && !q.found(Cause::unfit) && !(q.trusted && (unpaid || !q.adaptive())))
-    look_at_end(q, q.adaptive() ? q.run : farthest(q));
+    look_at_end(q, q.adaptive() || &farthest(q) == &q.run ? q.run : q.along(farthest(q)));
   look_at_jacobian(q);
   if (q.adaptive()) {
     look_at_steps(q);
