@@ -9,17 +9,6 @@
 namespace odeum::advise {
 namespace {
 
-/// The length of the step in which half of the time lies.
-double usual_step(const Run& run) {
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < run.ends.size(); ++k) steps.push_back(run.ends[k] - run.ends[k - 1]);
-  std::sort(steps.begin(), steps.end());
-  double sum = 0;
-  for (const double h : steps)
-    if (sum += h; sum >= 0.5 * (run.ends.back() - run.ends.front())) return h;
-  return nan;
-}
-
 /// The time scale y_i / f_i at some of the last moments, where |y_i| is largest at the end.
 struct Growing {
   std::size_t component = 0;
@@ -130,68 +119,6 @@ void look_for_singular_slope(Inquiry& q, const Run& run) {
 }
 
 }  // namespace
-
-void look_for_kinks(Inquiry& q) {
-  const Run& run = q.run;
-  const double end = run.ends.back();
-  const bool ends = q.found(Cause::pole) || q.found(Cause::growth) || q.found(Cause::singular);
-  const auto near_end = [&](double t) {
-    return std::abs(end - t) < 1e-6 * std::max(1.0, std::abs(t));
-  };
-  for (std::size_t k = 0; k + 1 < run.moments.size() && q.left() > 0.5 * q.seconds; ++k) {
-    const Moment &from = run.moments[k], &to = run.moments[k + 1];
-    // Less is the rounding of t.
-    if (!(to.t - from.t > 1e5 * epsilon * std::abs(to.t))) continue;
-    const auto kink = kink_between(q.c, from, to);
-    if (kink && !(ends && near_end(kink->t))) q.kinks.push_back(*kink);
-  }
-  const double wide = q.kink_reach = usual_step(run);
-  if (!run.ok() && !ends) {
-    // The run may have stopped short of one.
-    Moment ahead = run.moments.back();
-    const std::vector<double> f = slope(q.c, ahead.t, ahead.y);
-    for (std::size_t i = 0; i < f.size(); ++i) ahead.y[i] += wide * f[i];
-    ahead.t += wide;
-    if (const auto kink = kink_between(q.c, run.moments.back(), ahead)) q.kinks.push_back(*kink);
-  }
-  // Those that no error test sees, as the last digit of a function, are none.
-  const Tolerance& tolerance = run.request.tolerance;
-  std::erase_if(q.kinks, [&](const Kink& kink) {
-    const std::size_t i = kink.component;
-    return kink.effect(wide) < 0.1 * (tolerance.absolute(i) + tolerance.relative * q.sizes[i]);
-  });
-  if (q.kinks.empty()) return;
-  // The evaluations around them beyond those that the same time takes elsewhere.
-  const auto total = static_cast<double>(run.trace.times.size());
-  const double each =
-      total / static_cast<double>(run.steps() + run.outcome.counters.rejected_steps);
-  std::vector<double> times = run.trace.times;
-  std::sort(times.begin(), times.end());
-  const auto evaluations_before = [&](double t) {
-    return static_cast<double>(std::lower_bound(times.begin(), times.end(), t) - times.begin());
-  };
-  double excess = 0, most = 0;
-  const Kink* worst = &q.kinks.front();
-  for (const Kink& kink : q.kinks) {
-    const double own = std::max(
-        0.0, evaluations_before(kink.t + wide) - evaluations_before(kink.t - wide) - 2 * each);
-    excess += own;
-    if (own > most) most = own, worst = &kink;
-  }
-  const double share = std::min(1.0, excess / total);
-  constexpr double least_share = 0.04;
-  if (share < least_share && (run.ok() || !near_end(worst->t))) {
-    q.kinks.clear();
-    return;
-  }
-  const std::size_t others = q.kinks.size() - 1;
-  q.add(
-      Cause::kink, share, worst->t,
-      fmt::format(
-          "{} of {}'s right-hand side {} at t = {:.8g}{}", worst->jump ? "the value" : "the slope",
-          q.names[worst->component], worst->jump ? "jumps" : "has a kink", worst->t,
-          others > 0 ? fmt::format(", as at {} other time{}", others, others > 1 ? "s" : "") : ""));
-}
 
 void look_at_jacobian(Inquiry& q) {
   const std::size_t count = q.run.moments.size();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/advise/why.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +32,8 @@ double Inquiry::left() const {
 Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
                   double share) const {
   request.budget.evaluations = std::min<std::uint64_t>(request.budget.evaluations, 5'000'000);
-  request.budget.seconds = std::max(0.05, 0.5 * share * left());
+  // To a tenth, since a message has it.
+  request.budget.seconds = std::max(0.1, 0.1 * std::floor(5 * share * left()));
   return record(on, solver, request, moments);
 }
 
@@ -59,6 +62,11 @@ void look_at_steps(Inquiry& q) {
       std::any_of(q.why.findings.begin(), q.why.findings.end(), [](const Finding& finding) {
         return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
       });
+  if (q.run.outcome.status == Status::newton_failed && !explained)
+    q.add(Cause::newton, nan, q.run.ends.back(),
+          fmt::format(
+              "the equations of a step are not solved at t = {:.6g}, down to a step of {:.2g}",
+              q.run.ends.back(), q.run.step_at(q.run.ends.back())));
   if (q.run.ok() || q.run.outcome.status == Status::over_budget || !q.trusted || explained) return;
   // Its own states may have been far from the solution already.
   q.samples.clear();
@@ -86,6 +94,8 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   q.why.outcome.states.clear();
   q.why.reached = q.run.ok() ? request.stops.back() : q.run.ends.back();
   q.why.exact_steps = q.run.exact;
+  if (q.run.steps() > 0)
+    q.why.steps_left = (request.stops.back() - q.why.reached) / q.run.step_at(q.why.reached);
   q.why.error = q.error_at_end(request, q.run.outcome);
   if (q.run.outcome.status == Status::refused) q.add(Cause::unfit, nan, nan, q.run.outcome.detail);
   try_others(q);

@@ -65,6 +65,7 @@ struct Why {
   Outcome outcome;
   double error = nan, reached = nan;
   double difference = nan;  ///< see Other
+  double steps_left = 0;    ///< to the end, as long as the last ones
   bool exact_steps = true;
   std::vector<Finding> findings;  ///< the main one first
   std::vector<Segment> segments;

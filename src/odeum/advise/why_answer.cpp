@@ -112,29 +112,31 @@ std::string first_line(const Why& why) {
 
 std::string text_of(const Why& why, const Case& c, const Asked& asked) {
   std::string text = first_line(why) + "\n";
-  text += fmt::format("run       {} {}\n", why.solver, setting_of(why.request, c));
-  text += fmt::format("status    {}{}{}\n", to_string(why.outcome.status),
+  text += fmt::format("run            {} {}\n", why.solver, setting_of(why.request, c));
+  text += fmt::format("status         {}{}{}\n", to_string(why.outcome.status),
                       why.outcome.detail.empty() ? "" : ": ", why.outcome.detail);
-  text +=
-      fmt::format("cost      {} to t = {:.6g}{}\n", counts_of(why.outcome.counters), why.reached,
-                  std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error));
+  text += fmt::format("cost           {} to t = {:.6g}{}\n", counts_of(why.outcome.counters),
+                      why.reached,
+                      std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error));
   for (const Finding& finding : why.findings)
     text +=
-        fmt::format("{:<10}{}{}\n", name_of(finding.cause),
+        fmt::format("{:<15}{}{}\n", name_of(finding.cause),
                     std::isnan(finding.share) ? "" : fmt::format("{:.0f} %: ", 100 * finding.share),
                     finding.text);
   text += table_of(why);
   if (!why.exact_steps)
     text +=
-        "steps     their ends are not told by the solver: they are taken from its evaluations\n";
+        "steps          their ends are not told by the solver: they are taken from its "
+        "evaluations\n";
   for (const Other& other : why.others)
-    text += fmt::format("tried     {} {}: {}, {}{}\n", other.solver, setting_of(other.request, c),
-                        to_string(other.status), counts_of(other.counters),
-                        std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error));
-  if (!why.advice.empty()) text += fmt::format("besides   {}\n", why.advice);
+    text +=
+        fmt::format("tried          {} {}: {}, {}{}\n", other.solver, setting_of(other.request, c),
+                    to_string(other.status), counts_of(other.counters),
+                    std::isnan(other.error) ? "" : fmt::format(", error {:.3g}", other.error));
+  if (!why.advice.empty()) text += fmt::format("besides        {}\n", why.advice);
   const std::string command = command_of(why, c, asked);
-  return text + (command.empty() ? "next      none of those tried does better\n"
-                                 : fmt::format("next      {}\n", command));
+  return text + (command.empty() ? "next           none of those tried does better\n"
+                                 : fmt::format("next           {}\n", command));
 }
 
 Json json_of(const Why& why, const Case& c, const Asked& asked) {
@@ -171,6 +173,7 @@ Json json_of(const Why& why, const Case& c, const Asked& asked) {
                                 {"rate", s.rate},
                                 {"of_edge", s.used},
                                 {"component", s.component}});
+  json["steps_left"] = why.steps_left;
   json["exact_steps"] = why.exact_steps;
   json["others"] = Json::array();
   for (const Other& other : why.others) {
