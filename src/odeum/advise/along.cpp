@@ -141,9 +141,17 @@ std::vector<Segment> segments_of(const Inquiry& q, double least) {
     held += s.weight;
   }
   std::vector<Segment> segments;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    segments.push_back(segment_of(
-        q, parts[k], k + 1 < parts.size() ? parts[k + 1].front()->at.t : q.samples.back().at.t));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double to = k + 1 < parts.size() ? parts[k + 1].front()->at.t : q.samples.back().at.t;
+    const Segment next = segment_of(q, parts[k], to);
+    if (segments.empty() || segments.back().cause != next.cause) {
+      segments.push_back(next);
+      continue;
+    }
+    // The smaller part was of another cause at first.
+    parts[k].insert(parts[k].begin(), parts[k - 1].begin(), parts[k - 1].end());
+    segments.back() = segment_of(q, parts[k], to);
+  }
   return segments;
 }
 

@@ -118,6 +118,10 @@ std::string text_of(const Why& why, const Case& c, const Asked& asked) {
   text += fmt::format("cost           {} to t = {:.6g}{}\n", counts_of(why.outcome.counters),
                       why.reached,
                       std::isnan(why.error) ? "" : fmt::format(", error {:.3g}", why.error));
+  if (why.outcome.status == Status::over_budget)
+    text +=
+        fmt::format("               some {:.2g} more steps to the end, of the length of the last\n",
+                    why.steps_left);
   for (const Finding& finding : why.findings)
     text +=
         fmt::format("{:<15}{}{}\n", name_of(finding.cause),
