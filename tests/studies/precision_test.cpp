@@ -140,7 +140,8 @@ TEST(Precision, WhatIsFarBehindIsTimedOnce) {
     often += row.solver == "verner98" && row.repetitions > 1;
   }
   EXPECT_GE(once, 1U);
-  // Of ten settings; a stall of the machine during its first repetition makes a run seem far behind.
+  // Of ten settings; a stall of the machine during its first repetition makes a run seem far
+  // behind.
   EXPECT_GE(often, 5U);
 }
 
