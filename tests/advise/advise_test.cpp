@@ -49,6 +49,43 @@ TEST(Advise, ItsCommandMakesTheRunAgain) {
   expect_true("damped_oscillator_underdamped --error 1e-6 --library odeum", 1e-6);
 }
 
+/// The advice within a time keeps to it, and its command makes the run again.
+nlohmann::json expect_within(const std::string& arguments, double ns) {
+  const Result result = shell("odeum advise " + arguments + " --format json");
+  EXPECT_EQ(result.code, 0) << result.output;
+  if (result.code != 0) return {};
+  auto advice = nlohmann::json::parse(result.output);
+  EXPECT_EQ(advice["time_asked"], ns);
+  const Result run = shell(advice["command"]);
+  EXPECT_EQ(number_after(run.output, "cost "), advice["command_evaluations"]) << run.output;
+  const double error = advice["command_error"];
+  EXPECT_NEAR(number_after(run.output, "error "), error, 1e-5 * error) << run.output;
+  return advice;
+}
+
+// Times that the runs take on any machine, so that there is an answer.
+TEST(Advise, FindsTheLeastErrorWithinATime) {
+  const auto advice =
+      expect_within("kepler_e06 --time 20ms --solver 'odeum/dorm*' odeum/rk4 'gsl/rk*'", 2e7);
+  EXPECT_LE(advice["time_ns"], 2e7);
+  // An eighth-order method has as much as double precision in some 20 us.
+  EXPECT_LT(advice["error"], 1e-12);
+}
+
+TEST(Advise, FindsStepsThatDivideAFrame) {
+  const auto advice = expect_within(
+      "kepler_e06 --frame 1/60 --time 0.5ms --solver 'odeum/dorm*' odeum/rk4 odeum/bdf_variable",
+      5e5);
+  EXPECT_LE(advice["frame_ns"], 5e5);
+  EXPECT_EQ(advice["setting_kind"], "step");
+  const double setting = advice["setting"], steps = advice["steps_per_frame"];
+  EXPECT_NEAR(setting * steps, 1.0 / 60, 1e-15);
+  const Result none = shell("odeum advise kepler_e06 --frame 0.11 --time 1ms");
+  EXPECT_EQ(none.code, 1) << none.output;
+  EXPECT_NE(none.output.find("frames of 0.11 do not divide the run of 3"), std::string::npos)
+      << none.output;
+}
+
 TEST(Advise, AnswersForTextsAndTheirParameters) {
   const tests::TemporaryFolder root;
   const std::string file = (root.path() / "a decay.yaml").string();
@@ -73,7 +110,9 @@ TEST(Advise, SaysWhereNobodyReachesTheError) {
 
 TEST(Advise, RefusesWhatIsNoQuestion) {
   for (const std::string arguments :
-       {"kepler_e06 --error 0", "kepler_e06 --error nan", "kepler_e06",
+       {"kepler_e06 --error 1e-3 --time 1ms", "kepler_e06 --error 1e-3 --frame 1/60",
+        "kepler_e06 --time 1xs", "kepler_e06 --time -1ms", "kepler_e06 --time 1ms --frame 1/0",
+        "kepler_e06 --error 0", "kepler_e06 --error nan", "kepler_e06",
         "kepler_e06 --error 1e-3 --library nobody", "kepler_e06 --error 1e-3 --solver bullet/*"})
     EXPECT_EQ(shell("odeum advise " + arguments).code, 2) << arguments;
 }

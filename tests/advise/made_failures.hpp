@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <memory>
 #include <set>
 #include <string>
@@ -66,7 +67,7 @@ inline Request made_request(const MadeFailure& made, const Case& c) {
   Request request;
   request.stops = {c.stops.back()};
   if (made.step > 0) {
-    request.steps = static_cast<std::uint64_t>((c.stops.back() - c.t0) / made.step + 0.5);
+    request.steps = static_cast<std::uint64_t>(std::llround((c.stops.back() - c.t0) / made.step));
   } else {
     request.mode = Mode::adaptive;
     request.tolerance = Tolerance(made.relative, made.absolute);

@@ -24,7 +24,7 @@ double setting_of(const Trial& trial, const Case& c) {
 const char* kind_of(Mode mode) { return mode == Mode::fixed ? "step" : "tol"; }
 
 std::string text_of_ns(double ns) {
-  if (ns < 1e4) return fmt::format("{:.3g} ns", ns);
+  if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
   return ns < 1e6   ? fmt::format("{:.3g} us", ns / 1e3)
          : ns < 1e9 ? fmt::format("{:.3g} ms", ns / 1e6)
                     : fmt::format("{:.3g} s", ns / 1e9);
@@ -36,13 +36,15 @@ std::string command_of(const Advice& advice, const Case& c, const Asked& asked) 
                      winner.entrant->info.id(), kind_of(winner.mode), setting_of(*winner.found, c));
 }
 
-/// Others that the times do not tell from the winner.
+/// Others that the times do not tell from the winner; within a time, others of about its error.
 std::vector<std::string> same_within_noise(const Advice& advice) {
   std::vector<std::string> ids;
   for (const std::size_t k : advice.timed) {
     const Candidate& other = advice.candidates[k];
-    if (k != advice.winner && !other.closed_form() &&
-        other.times.min() <= winner_of(advice).times.median())
+    const Candidate& winner = winner_of(advice);
+    const bool same = advice.run_ns > 0 ? advice.same_error(*other.found, *winner.found)
+                                        : other.times.min() <= winner.times.median();
+    if (k != advice.winner && !other.closed_form() && same)
       ids.push_back(fmt::format("{} --{}", other.entrant->info.id(), kind_of(other.mode)));
   }
   return ids;
@@ -108,11 +110,20 @@ std::vector<RunnerUp> runners_up(const Advice& advice) {
 std::string text_of_runners(const Advice& advice, const Case& c) {
   const double least = winner_of(advice).times.min();
   std::string text;
-  for (const auto& [other, why] : runners_up(advice))
+  for (const auto& [other, why] : runners_up(advice)) {
+    if (advice.run_ns > 0) {
+      text +=
+          fmt::format("behind    {} --{} {:.3g}: {:.3g} times the error in {} ({})\n",
+                      other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
+                      other->found->error / winner_of(advice).found->error,
+                      text_of_ns(other->times.min()), why);
+      continue;
+    }
     text +=
         fmt::format("behind    {} --{} {:.3g}: {:.2f} times the time, error {:.2g} ({})\n",
                     other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
                     other->times.min() / least, other->found->error, why);
+  }
   for (const std::size_t k : advice.timed)
     if (const Candidate& candidate = advice.candidates[k]; candidate.closed_form())
       text += fmt::format(
@@ -132,11 +143,14 @@ std::string sureness(const Advice& advice) {
 }
 
 /// Why each of those that take no part any more was left.
-std::string reason_of(const Candidate& candidate) {
+std::string reason_of(const Candidate& candidate, bool within) {
   if (candidate.trials.empty()) return "the seconds were over";
   if (!candidate.dropped.empty()) return candidate.dropped;
-  if (candidate.found) return "slower in its counted runs";
+  if (candidate.found)
+    return within ? "a larger error in its counted runs" : "slower in its counted runs";
   const Trial& last = candidate.trials.back();
+  if (within && last.ns > 0 && last.status == Status::ok) return "slower than the time given";
+  if (within && last.status == Status::over_budget) return "slower than ten times the time given";
   if (last.status == Status::over_budget)
     return "its last run was stopped after ten times the best run's time, or its share of the "
            "seconds";
@@ -154,8 +168,10 @@ void each_dropped(const Advice& advice, const Visit& visit) {
 std::string text_of_rest(const Advice& advice) {
   std::map<std::string, std::vector<std::string>> dropped;
   each_dropped(advice, [&](const Candidate& candidate) {
-    dropped[candidate.dropped.empty() ? reason_of(candidate) : "too slow before they had the error"]
-        .push_back(fmt::format("{} --{}", candidate.entrant->info.id(), kind_of(candidate.mode)));
+    const bool within = advice.run_ns > 0;
+    const char* left = within ? "far behind within the time" : "too slow before they had the error";
+    dropped[candidate.dropped.empty() ? reason_of(candidate, within) : left].push_back(
+        fmt::format("{} --{}", candidate.entrant->info.id(), kind_of(candidate.mode)));
   });
   std::string text;
   for (const auto& [reason, ids] : dropped)
@@ -187,6 +203,11 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
                   winner.entrant->info.id(), kind_of(winner.mode), setting_of(found, c),
                   found.error, advice.floor, text_of_ns(winner.times.min()),
                   text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
+  if (advice.frames > 0)
+    text += fmt::format("frame     {:g} steps of it a frame, {} of the {} given\n",
+                        static_cast<double>(found.request.steps) / advice.frames,
+                        text_of_ns(winner.times.min() / advice.frames),
+                        text_of_ns(advice.wishes.time_ns));
   text += fmt::format("run       {}\n", command_of(advice, c, asked));
   if (const std::string other = difference(advice, c); !other.empty())
     text += fmt::format("          {}\n", other);
@@ -219,6 +240,11 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["error_high"] = found.error + advice.floor;
   json["time_ns"] = json["time_low"] = winner.times.min();
   json["time_high"] = winner.times.median();
+  if (advice.run_ns > 0) json["time_asked"] = advice.wishes.time_ns;
+  if (advice.frames > 0) {
+    json["steps_per_frame"] = static_cast<double>(found.request.steps) / advice.frames;
+    json["frame_ns"] = winner.times.min() / advice.frames;
+  }
   json["limited_by"] = limit_of(advice);
   json["runners_up"] = Json::array();
   for (const auto& [other, why] : runners_up(advice))
@@ -238,7 +264,7 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   each_dropped(advice, [&](const Candidate& candidate) {
     json["dropped"].push_back({{"solver", candidate.entrant->info.id()},
                                {"setting_kind", kind_of(candidate.mode)},
-                               {"reason", reason_of(candidate)}});
+                               {"reason", reason_of(candidate, advice.run_ns > 0)}});
   });
   json["cut_short"] = advice.cut;
   json["disturbed"] = advice.disturbed;

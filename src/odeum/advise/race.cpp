@@ -38,11 +38,14 @@ void enter(const Case& c, const Wishes& wishes, Advice& advice) {
       advice.not_tried[entrant.unfit].push_back(id);
       continue;
     }
-    if (entrant.info.adaptive) advice.candidates.push_back({&entrant, Mode::adaptive});
+    const bool adaptive = entrant.info.adaptive && wishes.frame == 0;
+    if (entrant.info.adaptive && !adaptive && !entrant.info.fixed)
+      advice.not_tried["chooses its own steps, which do not divide a frame"].push_back(id);
+    if (adaptive) advice.candidates.push_back({&entrant, Mode::adaptive});
     if (!entrant.info.fixed) continue;
     if (c.settings.no_fixed_steps.empty())
       advice.candidates.push_back({&entrant, Mode::fixed});
-    else if (!entrant.info.adaptive)
+    else if (!adaptive)
       advice.not_tried[c.settings.no_fixed_steps].push_back(id);
   }
   if (!any) throw std::invalid_argument("no solver has that name and library");
@@ -50,13 +53,15 @@ void enter(const Case& c, const Wishes& wishes, Advice& advice) {
     throw std::invalid_argument("no solver fits: " + advice.not_tried.begin()->first);
 }
 
-/// Those that may be the fastest, and of each other library and family the cheapest.
-std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates) {
+/// Those that may be the fastest, or where a time is given have the least error, and of each other
+/// library and family the best.
+std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, bool within) {
   std::vector<std::size_t> by_cost;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     if (candidates[k].found) by_cost.push_back(k);
   std::stable_sort(by_cost.begin(), by_cost.end(), [&](std::size_t a, std::size_t b) {
-    return candidates[a].found->ns < candidates[b].found->ns;
+    const Trial &one = *candidates[a].found, &other = *candidates[b].found;
+    return within ? one.error < other.error : one.ns < other.ns;
   });
   double least = infinity;
   std::size_t racing = 0;
@@ -70,8 +75,8 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates) {
       continue;
     }
     least = std::min(least, candidate.found->ns);
-    const bool near =
-        candidate.found->ns <= finalist_factor * least + finalist_ns && racing++ < most_finalists;
+    const bool near = (within || candidate.found->ns <= finalist_factor * least + finalist_ns) &&
+                      racing++ < most_finalists;
     const bool of_library = seen.insert(info.library).second,
                of_family = seen.insert("family " + info.family).second;
     if (near || of_library || of_family) chosen.push_back(k);
@@ -116,10 +121,24 @@ std::string unknown(const Case& c, const Wishes& wishes) {
                  : fmt::format("the solution is known only to t = {}: {}", known, c.truth.source);
     known = stop;
   }
-  if (wishes.error <= c.truth.floor)
+  if (wishes.time_ns == 0 && wishes.error <= c.truth.floor)
     return fmt::format("the solution itself is known to {:.2g} only, so that {:g} can't be told",
                        c.truth.floor, wishes.error);
   return {};
+}
+
+std::string nobody_within(const Advice& advice) {
+  double least = infinity;
+  std::string id;
+  for (const Candidate& candidate : advice.candidates)
+    for (const Trial& trial : candidate.trials)
+      if (trial.status == Status::ok && trial.ns < least && !candidate.closed_form()) {
+        least = trial.ns;
+        id = candidate.entrant->info.id();
+      }
+  if (id.empty()) return "nobody here ends a run within ten times that time";
+  return fmt::format("nobody here ends a run within that time: the shortest took {:.3g} ms, by {}",
+                     1e-6 * least, id);
 }
 
 std::string nobody(const Advice& advice) {
@@ -139,38 +158,106 @@ std::string nobody(const Advice& advice) {
 
 }  // namespace
 
-Advice advise(const Case& c, const Wishes& wishes) {
-  Advice advice;
-  advice.floor = c.truth.floor;
-  enter(c, wishes, advice);
-  if (advice.failure = unknown(c, wishes); !advice.failure.empty()) {
-    advice.candidates.clear();  // none was raced, and so none was dropped
-    return advice;
-  }
-  Search search(c, wishes);
+namespace {
+
+/// Races to an error.
+void race_to_error(Advice& advice, Search& search, const Wishes& wishes) {
   search.all(advice.candidates);
   advice.cut = search.late(0.7);
-  for (const std::size_t k : finalists(advice.candidates)) {
+  for (const std::size_t k : finalists(advice.candidates, false)) {
     if (search.late(0.8)) break;
     search.refine(advice.candidates[k]);
   }
-  advice.timed = finalists(advice.candidates);
+  advice.timed = finalists(advice.candidates, false);
   time_them(advice, search, wishes.seconds);
   std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
     return advice.candidates[a].times.min() < advice.candidates[b].times.min();
   });
+}
+
+/// Races within a time: those whose bare runs take longer get a coarser setting.
+void race_within(Advice& advice, Search& search, const Wishes& wishes) {
+  search.all_within(advice.candidates);
+  advice.cut = search.late(0.7);
+  advice.timed = finalists(advice.candidates, true);
+  constexpr int most_rounds_of_coarsening = 3;
+  for (int round = 0; round < most_rounds_of_coarsening; ++round) {
+    for (const std::size_t k : advice.timed) advice.candidates[k].times = {};
+    time_them(advice, search, wishes.seconds / most_rounds_of_coarsening);
+    bool changed = false;
+    for (const std::size_t k : advice.timed) {
+      Candidate& candidate = advice.candidates[k];
+      if (candidate.times.min() > wishes.time_ns && round + 1 < most_rounds_of_coarsening)
+        changed = search.coarser_within(candidate, candidate.times.min()) || changed;
+    }
+    if (!changed || search.late(0.9)) break;
+  }
+  std::erase_if(advice.timed, [&](std::size_t k) {
+    const bool slow = !(advice.candidates[k].times.min() <= wishes.time_ns);
+    if (slow) advice.candidates[k].dropped = "it takes longer at its coarsest good setting";
+    return slow;
+  });
+  std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
+    return advice.candidates[a].found->error < advice.candidates[b].found->error;
+  });
+  // Of those of the least error the fastest comes first.
+  const auto counts = [&](std::size_t k) { return !advice.candidates[k].closed_form(); };
+  const auto least = std::find_if(advice.timed.begin(), advice.timed.end(), counts);
+  if (least == advice.timed.end()) return;
+  const Trial& best = *advice.candidates[*least].found;
+  const auto same = std::stable_partition(least, advice.timed.end(), [&](std::size_t k) {
+    return advice.same_error(*advice.candidates[k].found, best);
+  });
+  std::stable_sort(least, same, [&](std::size_t a, std::size_t b) {
+    return advice.candidates[a].times.min() < advice.candidates[b].times.min();
+  });
+}
+
+/// The frames of a run; 0: they do not divide it.
+std::uint64_t frames_of(const Case& c, double frame) {
+  const double count = (c.stops.back() - c.t0) / frame;
+  return std::abs(count - std::round(count)) < 1e-9 * count
+             ? static_cast<std::uint64_t>(std::llround(count))
+             : 0;
+}
+
+}  // namespace
+
+Advice advise(const Case& c, const Wishes& asked) {
+  Wishes wishes = asked;
+  Advice advice;
+  advice.wishes = asked;
+  advice.floor = c.truth.floor;
+  enter(c, wishes, advice);
+  advice.failure = unknown(c, wishes);
+  const std::uint64_t frames = wishes.frame > 0 ? frames_of(c, wishes.frame) : 0;
+  if (wishes.frame > 0 && frames == 0)
+    advice.failure = fmt::format("frames of {:.6g} do not divide the run of {:.6g}", wishes.frame,
+                                 c.stops.back() - c.t0);
+  if (!advice.failure.empty()) {
+    advice.candidates.clear();  // none was raced, and so none was dropped
+    return advice;
+  }
+  if (frames > 0) wishes.time_ns *= static_cast<double>(frames);
+  advice.run_ns = wishes.time_ns;
+  advice.frames = static_cast<double>(frames);
+  Search search(c, wishes, frames);
+  if (wishes.time_ns > 0)
+    race_within(advice, search, wishes);
+  else
+    race_to_error(advice, search, wishes);
   const auto first = std::find_if(advice.timed.begin(), advice.timed.end(), [&](std::size_t k) {
     return !advice.candidates[k].closed_form();
   });
   if (first == advice.timed.end()) {
-    advice.failure = nobody(advice);
+    advice.failure = wishes.time_ns > 0 ? nobody_within(advice) : nobody(advice);
     return advice;
   }
   advice.winner = *first;
   const Candidate& winner = advice.candidates[advice.winner];
   const double fineness = winner.found->fineness;
   advice.repeated = search.run(winner, fineness, true);
-  const auto multiple = static_cast<double>(c.settings.steps_multiple);
+  const auto multiple = static_cast<double>(frames > 0 ? frames : c.settings.steps_multiple);
   if (winner.mode == Mode::adaptive)
     advice.twice = search.run(winner, fineness / 10);
   else if (std::fmod(fineness, 2 * multiple) == 0)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <map>
@@ -11,13 +12,18 @@
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
-/// Which solver, at which setting, has an error on a case in the least time: by runs on that case.
+/// Which solver, at which setting, has an error on a case in the least time, or the least error
+/// within a time: by runs on that case.
 /// Nothing about a case or a solver is stored or learned.
 namespace odeum::advise {
 
 struct Wishes {
-  double error = 0;     ///< the largest at the case's stops, in the units of its errors
-  double seconds = 20;  ///< for the answer
+  /// One of the two: the largest error at the case's stops, in the units of its errors, or the time
+  /// of a run, in nanoseconds of processor time.
+  double error = 0, time_ns = 0;
+  /// With a time, which then is that of a frame: fixed steps that divide it; 0: no frames.
+  double frame = 0;
+  double seconds = 20;                 ///< for the answer
   std::vector<std::string> libraries;  ///< empty: all
   std::vector<std::string> solvers;    ///< globs on library/method; empty: all
 };
@@ -51,17 +57,25 @@ struct Candidate {
 };
 
 struct Advice {
+  Wishes wishes;
+  double run_ns = 0;    ///< the time of a run that was asked for; 0: an error was
+  double frames = 0;    ///< in a run; 0: it has none
   std::string failure;  ///< why there is no answer, a sentence; empty: there is one
   double floor = 0;     ///< error of the truth
   std::vector<Candidate> candidates;
   std::size_t winner = 0;          ///< in `candidates`
-  std::vector<std::size_t> timed;  ///< the same, by least time
+  std::vector<std::size_t> timed;  ///< the same, by least time, or by least error within the time
   Trial repeated;  ///< the winner's run with no stop but the end, as `odeum run` makes it
   std::optional<Trial>
       twice;  ///< the winner with the step twice as long, or ten times the tolerance
   std::map<std::string, std::vector<std::string>> not_tried;  ///< solvers by reason
   bool cut = false;        ///< the seconds were over before the race was
   bool disturbed = false;  ///< other programs ran, or the processor's speed changed
+
+  /// Whether the first has no larger error than the second, within a tenth and the truth's own.
+  bool same_error(const Trial& one, const Trial& than) const {
+    return one.error <= std::max(1.1 * than.error, than.error + 2 * floor);
+  }
 };
 
 /// Makes the race. `c` has to know its truth at its stops. Throws Interrupted, and

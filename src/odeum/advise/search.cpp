@@ -50,8 +50,13 @@ double Candidate::slope() const {
 
 bool Candidate::closed_form() const { return entrant->info.id() == "odeum/exponential_propagator"; }
 
-Search::Search(const Case& c, const Wishes& wishes)
-    : c_(c), wishes_(wishes), judge_(c, c.stops), end_judge_(c, {c.stops.back()}) {}
+Search::Search(const Case& c, const Wishes& wishes, std::uint64_t frames)
+    : c_(c),
+      wishes_(wishes),
+      judge_(c, c.stops),
+      end_judge_(c, {c.stops.back()}),
+      multiple_(frames > 0 ? std::lcm(frames, c.settings.steps_multiple)
+                           : c.settings.steps_multiple) {}
 
 bool Search::late(double share) const { return seconds_since(start_) > share * wishes_.seconds; }
 
@@ -85,12 +90,13 @@ Trial Search::run(const Candidate& candidate, double fineness, bool only_end) co
 double Search::in_range(const Candidate& candidate, double fineness) const {
   if (candidate.mode == Mode::adaptive)
     return std::clamp(fineness, 1 / loosest_tolerance, 1 / finest_tolerance);
-  const auto multiple = static_cast<double>(c_.settings.steps_multiple);
+  const auto multiple = static_cast<double>(multiple_);
   return multiple * std::ceil(std::clamp(fineness, 1.0, most_steps) / multiple * (1 - 1e-12));
 }
 
 double Search::first(const Candidate& candidate) const {
-  if (candidate.mode == Mode::adaptive) return in_range(candidate, 1 / wishes_.error);
+  if (candidate.mode == Mode::adaptive)
+    return in_range(candidate, wishes_.error > 0 ? 1 / wishes_.error : 1e3);
   return in_range(candidate, static_cast<double>(c_.settings.coarsest_steps));
 }
 
@@ -167,7 +173,7 @@ void Search::settle(Candidate& candidate) const {
     candidate.found = *coarsest;
 }
 
-void Search::all(std::vector<Candidate>& candidates) {
+void Search::order_by_rank(std::vector<Candidate>& candidates) {
   // Where each solve takes long, not all have their turn: first those of orders 4 to 8 with a
   // controller. That orders them, and drops none.
   const auto rank = [](const Candidate& candidate) {
@@ -177,6 +183,10 @@ void Search::all(std::vector<Candidate>& candidates) {
   };
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
+}
+
+void Search::all(std::vector<Candidate>& candidates) {
+  order_by_rank(candidates);
   cap_seconds_ = wishes_.seconds / (4.0 * static_cast<double>(candidates.size()));
   Progress progress("advise", 2.0 * static_cast<double>(candidates.size()));
   std::vector<std::pair<double, std::size_t>> order;  // by the cost foreseen

@@ -166,7 +166,7 @@ Case case_of(const std::string& what, const std::vector<std::string>& sets) {
   return *given.front();
 }
 
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
     return std::isalnum(c) ||
            std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
@@ -179,9 +179,9 @@ std::string quoted(const std::string& word) {
 
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
   std::string words;
-  for (const std::string& set : sets) words += " --set " + quoted(set);
+  for (const std::string& set : sets) words += " --set " + shell_word(set);
   for (const std::string& file : command.get_option("--plugin")->results())
-    words += " --plugin " + quoted(file);
+    words += " --plugin " + shell_word(file);
   return words;
 }
 

@@ -45,7 +45,7 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
 Case case_of(const std::string& what, const std::vector<std::string>& sets);
 
 /// As one word of a shell.
-std::string quoted(const std::string& word);
+std::string shell_word(const std::string& word);
 /// The words that say `sets`, and the plug-ins of `command`, each after a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
 

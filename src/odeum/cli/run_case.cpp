@@ -203,7 +203,7 @@ std::string why_text(const Case& c, const CaseRun& run, const RunOptions& option
   std::string text;
   if (run.outcome.counters.work < cheap)
     text = "why     " + advise::first_line(advise::why(c, solver, request, seconds)) + "\n";
-  return text + fmt::format("more    odeum why {}{} --solver {} {}\n", quoted(options.what),
+  return text + fmt::format("more    odeum why {}{} --solver {} {}\n", shell_word(options.what),
                             options.more, solver, advise::setting_of(request, c));
 }
 

@@ -21,7 +21,7 @@ int why_on(const WhyOptions& options, const CLI::App& command) {
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
   const Request request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
   const advise::Why why = advise::why(c, entrant.info.id(), request, options.seconds);
-  const advise::Asked asked{quoted(options.what), words_of(options.problems.sets, command)};
+  const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
   const std::string text = advise::text_of(why, c, asked),
                     json = advise::json_of(why, c, asked).dump(2) + "\n";
   print(options.format == "json" ? json : text);

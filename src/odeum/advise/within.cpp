@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The least error within a time: of each candidate the setting that takes the time.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "odeum/advise/search.hpp"
+#include "odeum/core/progress.hpp"
+
+namespace odeum::advise {
+namespace {
+
+/// Of the time: what a run has to take for the search to end.
+constexpr double near_enough = 0.75;
+/// A candidate is left where its error at the time is foreseen to be this far from the best.
+constexpr double hopeless = 100;
+
+double order_of(const Candidate& candidate) {
+  const double order = candidate.entrant->info.order;
+  return std::isnan(order) ? 4 : std::max(1.0, order);
+}
+
+bool good(const Trial& trial, double ns) {
+  return trial.status == Status::ok && trial.ns <= ns && std::isfinite(trial.error);
+}
+
+/// Of those that keep to the time the one of least error.
+const Trial* best_of(const Candidate& candidate, double ns) {
+  const Trial* best = nullptr;
+  for (const Trial& trial : candidate.trials)
+    if (good(trial, ns) && (!best || trial.error < best->error)) best = &trial;
+  return best;
+}
+
+}  // namespace
+
+/// Time goes as the number of fixed steps, and as tol^(-1/p) for a method of order p.
+double Search::next_within(const Candidate& candidate, double share) const {
+  const Trial& last = candidate.trials.back();
+  const double power = candidate.mode == Mode::fixed ? 1 : order_of(candidate);
+  double ratio = std::pow(share * wishes_.time_ns / last.ns, power);
+  // A run that failed may need a finer setting than it had, as far as the time allows it.
+  if (last.status == Status::over_budget) ratio = std::pow(0.1, power);
+  double fineness = in_range(candidate, last.fineness * std::clamp(ratio, 1e-6, 1e6));
+  const Trial *above = nullptr,
+              *below = nullptr;  // the nearest that take too long, and that do not
+  for (const Trial& trial : candidate.trials) {
+    const bool slow = trial.ns > wishes_.time_ns || trial.status == Status::over_budget;
+    if (slow && (!above || trial.fineness < above->fineness)) above = &trial;
+    if (!slow && (!below || trial.fineness > below->fineness)) below = &trial;
+  }
+  if (above && below && !(fineness > below->fineness && fineness < above->fineness))
+    fineness = in_range(candidate, std::sqrt(above->fineness * below->fineness));
+  for (const Trial& trial : candidate.trials)
+    if (trial.fineness == fineness) return 0;
+  return fineness;
+}
+
+void Search::look_within(Candidate& candidate) {
+  const Trial& trial = candidate.trials.back();
+  if (!good(trial, wishes_.time_ns)) return;
+  if (!candidate.closed_form()) least_error_ = std::min(least_error_, trial.error);
+  const double foreseen = foreseen_error(candidate);
+  if (foreseen > hopeless * least_error_)
+    candidate.dropped = fmt::format("its error would be {:.2g} within the time", foreseen);
+}
+
+double Search::foreseen_error(const Candidate& candidate) const {
+  const Trial& trial = candidate.trials.back();
+  if (!good(trial, wishes_.time_ns)) return nan;
+  return trial.error * std::pow(wishes_.time_ns / trial.ns, -order_of(candidate));
+}
+
+void Search::search_within(Candidate& candidate) {
+  constexpr std::size_t most_solves = 5;
+  for (std::size_t k = 0; k < most_solves && candidate.dropped.empty() && !late(0.7); ++k) {
+    // A third of the time tells whether the whole is worth it.
+    const double fineness = next_within(candidate, k == 0 ? 0.3 : 0.95);
+    if (fineness == 0) break;
+    candidate.trials.push_back(run(candidate, fineness));
+    look_within(candidate);
+    const Trial& trial = candidate.trials.back();
+    // Nothing is to be had below the truth's own error.
+    if (good(trial, wishes_.time_ns) &&
+        (trial.ns > near_enough * wishes_.time_ns || trial.error <= 2 * c_.truth.floor))
+      break;
+  }
+}
+
+void Search::all_within(std::vector<Candidate>& candidates) {
+  order_by_rank(candidates);
+  // First each at a coarse setting, in a quarter of the seconds.
+  cap_seconds_ =
+      std::max(2e-3, std::min(1e-8 * wishes_.time_ns,
+                              wishes_.seconds / 4 / static_cast<double>(candidates.size())));
+  Progress progress("advise", 2 * static_cast<double>(candidates.size()));
+  std::vector<std::pair<double, std::size_t>> known, failed;
+  for (std::size_t k = 0; k < candidates.size() && !late(0.3); ++k, progress.advance()) {
+    candidates[k].trials.push_back(run(candidates[k], first(candidates[k])));
+    look_within(candidates[k]);
+    const double error = foreseen_error(candidates[k]);
+    if (std::isnan(error))
+      failed.emplace_back(candidates[k].trials.back().ns, k);
+    else
+      known.emplace_back(error, k);
+  }
+  // Then those of the least error that is foreseen, and in turn with them the cheapest of those
+  // that failed there, which may be good at a finer one.
+  std::sort(known.begin(), known.end());
+  std::sort(failed.begin(), failed.end());
+  cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, wishes_.seconds / 4));
+  for (std::size_t k = 0; k < std::max(known.size(), failed.size()) && !late(0.7); ++k) {
+    for (const auto* list : {&known, &failed})
+      if (k < list->size()) search_within(candidates[(*list)[k].second]);
+    progress.advance();
+  }
+  for (Candidate& candidate : candidates)
+    if (const Trial* best = best_of(candidate, wishes_.time_ns)) candidate.found = *best;
+}
+
+bool Search::coarser_within(Candidate& candidate, double ns) {
+  const double power = candidate.mode == Mode::fixed ? 1 : order_of(candidate);
+  const double was = candidate.found->fineness;
+  double fineness = in_range(candidate, was * std::pow(0.95 * wishes_.time_ns / ns, power));
+  // Steps are whole multiples.
+  if (fineness >= was && candidate.mode == Mode::fixed)
+    fineness = was - static_cast<double>(multiple_);
+  if (!(fineness < was) || !(fineness > 0)) return false;
+  Trial trial = run(candidate, fineness);
+  candidate.trials.push_back(trial);
+  if (trial.status != Status::ok) return false;
+  candidate.found = std::move(trial);
+  return true;
+}
+
+}  // namespace odeum::advise
