@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // odeum why on runs whose causes are known by how they were made, and as a user runs it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
