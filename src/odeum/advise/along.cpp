@@ -46,7 +46,9 @@ void find_binding(Inquiry& q, Sample& s) {
 std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
   for (const Kink& kink : q.kinks)
     if (std::abs(kink.t - s.at.t) <= std::max(2 * s.at.h, q.kink_reach)) return Cause::kink;
-  if (std::isnan(s.looser)) return {};
+  // Where no looser run got to, at the very edge.
+  if (std::isnan(s.looser))
+    return s.used > 0.7 && s.used < 1.4 ? std::optional(Cause::stability) : std::nullopt;
   if (s.looser > follows_tolerance) return Cause::accuracy;
   if (s.used > at_the_edge) return Cause::stability;
   // Without a known edge: within what regions have, where another solver's steps are much longer.
@@ -181,7 +183,8 @@ void sample(Inquiry& q, const Run& along, double h) {
   const auto most = static_cast<std::size_t>(std::clamp(room, 6.0, 200.0));
   const std::size_t apart = std::max<std::size_t>(1, along.moments.size() / most);
   for (std::size_t k = 0; k < along.moments.size(); k += apart) {
-    if (q.left() < 0.4 * q.seconds) break;
+    constexpr std::size_t least = 4;  // whatever time is left
+    if (q.samples.size() >= least && q.left() < 0.4 * q.seconds) break;
     Sample s{.at = along.moments[k]};
     const std::vector<double> f = slope(q.c, s.at.t, s.at.y);
     if (!is_finite(f.data(), n)) continue;

@@ -183,7 +183,7 @@ void look_at_tolerances(Inquiry& q) {
   const std::vector<double>&exact = q.trusted->moments.back().y, &end = q.run.moments.back().y;
   if (q.trusted->moments.back().t != q.run.moments.back().t) return;
   std::size_t worst = q.sizes.size();
-  double most = std::max(1e-3, 10 * tolerance.relative);
+  double most = std::max(0.02, 10 * tolerance.relative);
   for (std::size_t i = 0; i < q.sizes.size(); ++i) {
     if (!(q.sizes[i] > 0) || !(q.sizes[i] < tolerance.absolute(i))) continue;
     const double error = std::abs(end[i] - exact[i]) / q.sizes[i];

@@ -70,7 +70,11 @@ bool steps_inside_help(Inquiry& q) {
   Request request = q.run.request;
   request.steps = static_cast<std::uint64_t>(steps);
   const std::size_t k = q.also(q.why.solver, request, 0.3);
-  return q.difference(q.others[k]) < 0.1 * q.difference(q.run);
+  const Run& inside = q.others[k];
+  // Too long a run has at least come past where this one ended.
+  if (inside.outcome.status == Status::over_budget)
+    return !q.run.ok() && inside.ends.back() > q.run.ends.back();
+  return q.difference(inside) < 0.1 * q.difference(q.run);
 }
 
 }  // namespace

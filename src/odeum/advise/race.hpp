@@ -80,6 +80,6 @@ struct Advice {
 
 /// Makes the race. `c` has to know its truth at its stops. Throws Interrupted, and
 /// std::invalid_argument where no solver is selected or none fits.
-Advice advise(const Case& c, const Wishes& wishes);
+Advice advise(const Case& c, const Wishes& asked);
 
 }  // namespace odeum::advise
