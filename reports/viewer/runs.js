@@ -5,7 +5,7 @@
 'use strict';
 (() => {
   const {
-    html, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, statusText,
+    html, svg, spanOf, rangeOf, plot, number, legendOf, save, idOf, rowsOf, tableOf, statusText,
     settingText, facts, replaysInStep,
   } = odeum;
 
@@ -107,9 +107,47 @@
     return groups;
   };
 
+  // The length of the steps by what bounds them: strips of a colour each behind it.
+  const boundsFigure = (host, segments) => {
+    if (!segments.length) return;
+    const causes = [...new Set(segments.map((segment) => segment.bound_by))],
+      colour = (cause) => `var(--s${causes.indexOf(cause) % 8})`,
+      steps = segments.map((segment) => segment.step).filter((step) => step > 0);
+    const picture = figureOf(host, 'What bounds the steps');
+    const { x, y } = plot(picture, {
+      height: 240, description: 'What bounds the steps', nameless: true,
+      x: { ...spanOf(segments.flatMap(({ from, to }) => [from, to])), label: 'time' },
+      y: { ...rangeOf(steps, 3), label: 'step', log: true }, curves: [],
+    });
+    const shown = picture.querySelector('svg'), { height } = shown.viewBox.baseVal;
+    for (const { from, to, bound_by, step, steps: count, component } of segments)
+      shown.append(
+        svg(
+          'rect',
+          {
+            class: 'bound', x: x.at(from), width: Math.max(1, x.at(to) - x.at(from)), y: 10,
+            height: height - 52, fill: colour(bound_by), 'fill-opacity': 0.25,
+          },
+          svg(
+            'title', {},
+            `${bound_by}: ${number(count, 4)} steps of about ${number(step, 3)}${component ? `, ${component}` : ''}`,
+          ),
+        ),
+        step > 0
+          ? svg('path', {
+              class: 'curve', d: `M${x.at(from)} ${y.at(step)}H${x.at(to)}`,
+              style: { color: colour(bound_by) },
+            })
+          : '',
+      );
+    host.lastChild.append(
+      legendOf(causes.map((name) => ({ name, colour: colour(name), shape: 0, bare: false }))),
+    );
+  };
+
   const caseFigures = async (host, about, runs) => {
-    const [trajectory, steps, schemes] = await Promise.all(
-      ['trajectory', 'steps', 'schemes'].map((name) => rowsOf(name)),
+    const [trajectory, steps, schemes, bounds] = await Promise.all(
+      ['trajectory', 'steps', 'schemes', 'why'].map((name) => rowsOf(name)),
     );
     const groups = bySolver(trajectory, runs).map((group) => ({
       ...group, loose: group.exact && !about.exact_everywhere,
@@ -138,6 +176,7 @@
         host, `${names[i]} over time`, { x: { label: 'time' }, y: { label: names[i] } },
         plotted(time, of(names[i])),
       );
+    boundsFigure(host, bounds.objects());
     const plane = (i, j, title) =>
       runFigure(
         host, `${title}: ${names[j]} against ${names[i]}`,

@@ -13,6 +13,7 @@ make(case run damped_oscillator_undamped --solver explicit_euler --solver midpoi
 # |1 + h lambda| = 1.4 for explicit Euler: an error of thousands on velocities of 9.
 make(diverged run damped_oscillator_underdamped --solver explicit_euler --solver rk4 --step 0.5)
 make(path run kepler_e06 --solver dormand_prince54 --tol 1e-6)
+make(why why robertson_40 --solver dormand_prince54 --tol 1e-3)
 make(scene run spring_explicit_euler --solver explicit_euler --solver midpoint --until 1)
 make(types classify "y*u_xx + u_yy = 0" --divisions 24)
 make(field poisson square:16 --exact "x*(1 - x)*y*(1 - y)")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, diverged, scene, path, types, field, fine)
+// node runs.mjs <chromium> <folder>: opens the pages of single problems (folder/case, diverged, why, scene, path, types, field, fine)
 // as a reader would, from the disk, and fails on the first thing that does not hold.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -39,6 +39,14 @@ const checks = {
     const shown = await titles();
     same(shown.filter((title) => title.startsWith('Path')), ['Path: y against x'], 'the path');
     hold(shown.includes('Steps taken over time'), `an adaptive run has its steps: ${shown}`);
+  },
+  async 'why: strips of what bounds the steps, and the causes'() {
+    await open('why');
+    hold((await titles()).includes('What bounds the steps'), String(await titles()));
+    const strips = await all('[data-figure="what_bounds_the_steps"] rect.bound', `[Number(e.getAttribute('width')), e.textContent]`);
+    hold(strips.some(([width, text]) => width > 100 && text.startsWith('stability: ')), String(strips));
+    hold((await all('dl.facts dt')).includes('stability'), 'the causes');
+    same((await all('tbody tr th')).length, 2, 'the run and the better one');
   },
   async 'a scene: the plot of its file, energy, replays in step'() {
     await open('scene');

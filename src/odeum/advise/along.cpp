@@ -142,6 +142,11 @@ std::vector<Segment> segments_of(const Inquiry& q, double least) {
     parts.back().push_back(&s);
     held += s.weight;
   }
+  if (parts.size() > 1 && held < least * total) {
+    std::vector<const Sample*>& before = parts[parts.size() - 2];
+    before.insert(before.end(), parts.back().begin(), parts.back().end());
+    parts.pop_back();
+  }
   std::vector<Segment> segments;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const double to = k + 1 < parts.size() ? parts[k + 1].front()->at.t : q.samples.back().at.t;

@@ -15,13 +15,6 @@ double step_of(const Request& request, const Case& c) {
   return (request.stops.back() - c.t0) / static_cast<double>(request.steps);
 }
 
-std::string command_of(const Why& why, const Case& c, const Asked& asked) {
-  if (!why.better) return {};
-  const Other& other = why.others[*why.better];
-  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.solver,
-                     setting_of(other.request, c));
-}
-
 std::string number(double value, const char* format = "{:.3g}") {
   return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
 }
@@ -84,6 +77,22 @@ std::string setting_of(const Request& request, const Case& c) {
   }
   if (request.stops.back() != c.end()) text += fmt::format(" --until {}", request.stops.back());
   return text;
+}
+
+std::string command_of(const Why& why, const Case& c, const Asked& asked) {
+  if (!why.better) return {};
+  const Other& other = why.others[*why.better];
+  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, asked.more, other.solver,
+                     setting_of(other.request, c));
+}
+
+record::Records segments_of(const Why& why) {
+  record::Records table{
+      {"from", "to", "steps", "bound_by", "step", "fastest", "rate", "of_edge", "component"}};
+  for (const Segment& s : why.segments)
+    table.rows.push_back(
+        {s.from, s.to, s.steps, word_of(s.cause), s.h, s.fastest, s.rate, s.used, s.component});
+  return table;
 }
 
 std::string first_line(const Why& why) {

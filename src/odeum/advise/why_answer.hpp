@@ -5,12 +5,19 @@
 
 #include "odeum/advise/answer.hpp"
 #include "odeum/advise/why.hpp"
+#include "odeum/record/csv.hpp"
 
 /// What why() found, for people and for programs.
 namespace odeum::advise {
 
 /// The options of `odeum run` and `odeum why` that make a request.
 std::string setting_of(const Request& request, const Case& c);
+
+/// A line of why.csv a segment: from, to, steps, bound_by, step, fastest, rate, of_edge, component.
+record::Records segments_of(const Why& why);
+
+/// The command of the better run; empty: there is none.
+std::string command_of(const Why& why, const Case& c, const Asked& asked);
 
 /// Lines; the first says the main cause, the last the next command.
 std::string text_of(const Why& why, const Case& c, const Asked& asked);

@@ -2,6 +2,7 @@
 #include "odeum/advise/why_answer.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/trajectories/run_page.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -13,6 +14,47 @@ struct WhyOptions {
   ProblemOptions problems;
 };
 
+/// The run and the better one with their states over time, for the page.
+std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& why) {
+  constexpr std::uint64_t most_steps_shown = 20'000;
+  std::vector<trajectories::CaseRun> runs;
+  const auto show = [&](const std::string& solver, Request request, const Counters& counters) {
+    ask_for_output(request, {}, c.t0, c.y0.size());
+    request.record_steps = counters.steps < most_steps_shown;
+    // As far as it was looked at, and for a step aside at each output.
+    request.budget.evaluations = 2 * counters.work + 100'000;
+    trajectories::CaseRun run{c.entrants.find(solver), request, {}};
+    run.outcome = run.entrant->solve(request);
+    run.outcome.counters = counters;  // without what the outputs cost
+    runs.push_back(std::move(run));
+  };
+  Request request = why.request;
+  if (why.outcome.status == Status::over_budget) request.stops = {why.reached};
+  show(why.solver, request, why.outcome.counters);
+  if (why.better && why.others[*why.better].request.stops == why.request.stops)
+    show(why.others[*why.better].solver, why.others[*why.better].request,
+         why.others[*why.better].counters);
+  return runs;
+}
+
+void write_files(const std::string& out, const Case& c, const advise::Why& why,
+                 const advise::Asked& asked) {
+  const record::OutputFolder folder(out);
+  folder.write("why.txt", advise::text_of(why, c, asked));
+  folder.write("why.json", advise::json_of(why, c, asked).dump(2) + "\n");
+  trajectories::RunTexts texts{.title = c.title,
+                               .lead = c.id,
+                               .facts = {{"Why", advise::first_line(why)}},
+                               .bounds = advise::segments_of(why),
+                               .command = "odeum why"};
+  for (const advise::Finding& finding : why.findings)
+    texts.facts.emplace_back(advise::name_of(finding.cause), finding.text);
+  if (const std::string next = advise::command_of(why, c, asked); !next.empty())
+    texts.facts.emplace_back("Next", next);
+  folder.write("why.csv", texts.bounds.csv());
+  remark_on_page(trajectories::write_case_page(folder, c, shown_runs(c, why), texts));
+}
+
 int why_on(const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
   const Case c = case_of(options.what, options.problems.sets);
@@ -22,14 +64,9 @@ int why_on(const WhyOptions& options, const CLI::App& command) {
   const Request request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
   const advise::Why why = advise::why(c, entrant.info.id(), request, options.seconds);
   const advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
-  const std::string text = advise::text_of(why, c, asked),
-                    json = advise::json_of(why, c, asked).dump(2) + "\n";
-  print(options.format == "json" ? json : text);
-  if (!options.out.empty()) {
-    const record::OutputFolder folder(options.out);
-    folder.write("why.txt", text);
-    folder.write("why.json", json);
-  }
+  print(options.format == "json" ? advise::json_of(why, c, asked).dump(2) + "\n"
+                                 : advise::text_of(why, c, asked));
+  if (!options.out.empty()) write_files(options.out, c, why, asked);
   return success;
 }
 
@@ -53,7 +90,10 @@ void add_why(CLI::App& app, int& result) {
   command->add_option("--format", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");
-  command->add_option("--out", options->out, "folder for why.txt and why.json")->type_name("DIR");
+  command
+      ->add_option("--out", options->out,
+                   "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...")
+      ->type_name("DIR");
   command->callback([options, command, &result] { result = why_on(*options, *command); });
 }
 

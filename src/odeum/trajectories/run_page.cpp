@@ -112,6 +112,7 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
   page.table("runs", "trajectory.csv", trajectory);
   page.table("runs", "steps.csv", steps);
   page.table("runs", "schemes", schemes);
+  page.table("runs", "why.csv", texts.bounds);
   std::vector<RunRow> rows;
   for (const CaseRun& run : runs) {
     rows.push_back(row_of(run.entrant->info, run.request, c.t0, run.outcome.status,
@@ -128,7 +129,7 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
   json["energy"] = static_cast<bool>(c.energy);
   json["exact_everywhere"] = exact.everywhere;
   page.fact("runs", json);
-  return page.write({.command_line = "odeum run " + c.id});
+  return page.write({.command_line = texts.command + " " + c.id});
 }
 
 bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& scene,

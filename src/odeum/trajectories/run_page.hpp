@@ -28,6 +28,8 @@ struct SceneRun {
 struct RunTexts {
   std::string title, lead;
   std::vector<std::pair<std::string, std::string>> facts;
+  record::Records bounds = {};        ///< what bounds the steps of the first run, see why.csv
+  std::string command = "odeum run";  ///< that made it
 };
 
 /// As the fact "runs" of page.json; what is drawn depends on `kind`.
