@@ -183,7 +183,7 @@ void look_at_tolerances(Inquiry& q) {
   const std::vector<double>&exact = q.trusted->moments.back().y, &end = q.run.moments.back().y;
   if (q.trusted->moments.back().t != q.run.moments.back().t) return;
   std::size_t worst = q.sizes.size();
-  double most = std::max(0.02, 10 * tolerance.relative);
+  double most = std::max(0.005, 10 * tolerance.relative);
   for (std::size_t i = 0; i < q.sizes.size(); ++i) {
     if (!(q.sizes[i] > 0) || !(q.sizes[i] < tolerance.absolute(i))) continue;
     const double error = std::abs(end[i] - exact[i]) / q.sizes[i];
@@ -194,6 +194,35 @@ void look_at_tolerances(Inquiry& q) {
           fmt::format("{} is never larger than {:.2g}, below its absolute tolerance of {:.2g}, so "
                       "that its error is not held: it is {:.2g} of its size at the end",
                       q.names[worst], q.sizes[worst], tolerance.absolute(worst), most));
+}
+
+void look_for_leaving(Inquiry& q) {
+  const std::vector<Moment>& known = q.trusted->moments;
+  constexpr double left = 0.1;  // of the size of a component
+  std::size_t next = 1;
+  for (const Moment& at : q.run.moments) {
+    while (next + 1 < known.size() && known[next].t < at.t) ++next;
+    const Moment &from = known[next - 1], &to = known[next];
+    for (std::size_t i = 0; i < at.y.size(); ++i) {
+      // Between two moments anything from the one to the other.
+      const double low = std::min(from.y[i], to.y[i]), high = std::max(from.y[i], to.y[i]);
+      const double off = std::max(low - at.y[i], at.y[i] - high);
+      if (!(q.sizes[i] > 0) || off <= left * q.sizes[i]) continue;
+      std::string text = fmt::format(
+          "the run leaves the solution: at t = {:.6g} its {} is {:.3g}, where {} has {:.3g}", at.t,
+          q.names[i], at.y[i], q.trusted->solver, from.y[i]);
+      Request tighter = q.run.request;
+      tighter.tolerance =
+          tighter.tolerance.with_relative(std::max(1e-13, 0.01 * tighter.tolerance.relative));
+      const Run other = q.make(q.c, q.why.solver, tighter, 0, 0.2);
+      if (other.ok())
+        text += fmt::format("; to a hundredth of the tolerance it takes {} steps to the end",
+                            other.steps());
+      q.add(Cause::astray, nan, at.t, text);
+      return;
+    }
+  }
+  look_for_domain(q, q.run);
 }
 
 void look_at_end(Inquiry& q, const Run& run) {

@@ -85,6 +85,8 @@ void look_at_tolerances(Inquiry& q);
 void look_at_end(Inquiry& q, const Run& run);
 /// Where the steps of a run that fails lie beyond the edge along a solution that is trusted.
 void look_at_edge(Inquiry& q);
+/// Where a run that fails had left the solution that others follow to the end.
+void look_for_leaving(Inquiry& q);
 /// Instability, energy and coarseness of a fixed step, by a solution that is trusted.
 void look_at_fixed_step(Inquiry& q);
 

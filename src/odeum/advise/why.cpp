@@ -13,7 +13,7 @@ namespace odeum::advise {
 const char* name_of(Cause cause) {
   constexpr std::array names{"accuracy", "stability",  "kink",           "pole",     "growth",
                              "singular", "domain",     "wrong_jacobian", "rounding", "absolute",
-                             "energy",   "too_coarse", "newton",         "unfit"};
+                             "energy",   "too_coarse", "astray",         "newton",   "unfit"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -99,11 +99,15 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   q.why.error = q.error_at_end(request, q.run.outcome);
   if (q.run.outcome.status == Status::refused) q.add(Cause::unfit, nan, nan, q.run.outcome.detail);
   try_others(q);
-  // A run that was cut short says nothing about the end of the solution where others reach it; nor
-  // does a fixed step.
+  // Where others reach the end, so does the solution, and a run that was cut short says no more;
+  // nor does a fixed step about where it ends.
   const bool unpaid = q.run.outcome.status == Status::over_budget;
-  if (!q.run.ok() && !q.found(Cause::unfit) && !(q.trusted && (unpaid || !q.adaptive())))
-    look_at_end(q, q.adaptive() || &farthest(q) == &q.run ? q.run : q.along(farthest(q)));
+  if (!q.run.ok() && !q.found(Cause::unfit)) {
+    if (!q.trusted)
+      look_at_end(q, q.adaptive() ? q.run : q.along(farthest(q)));
+    else if (q.adaptive() && !unpaid)
+      look_for_leaving(q);
+  }
   look_at_jacobian(q);
   if (q.adaptive()) {
     look_at_steps(q);

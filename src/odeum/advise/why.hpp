@@ -24,6 +24,7 @@ enum class Cause {
   absolute,        ///< an absolute tolerance is above the size of a component
   energy,          ///< each step multiplies the energy of an undamped motion
   too_coarse,      ///< a fixed step that does not resolve the solution
+  astray,          ///< the run left the solution, which others follow to the end
   newton,          ///< the iteration of an implicit step does not converge
   unfit,           ///< the solver can't make this run
 };
