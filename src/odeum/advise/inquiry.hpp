@@ -33,7 +33,8 @@ struct Inquiry {
 
   Run run;
   std::vector<Run> others;     ///< in the order of why.others
-  std::optional<Run> trusted;  ///< one to a hundredth of the tolerance that came to the end
+  std::optional<Run> trusted;  ///< one that came to the end, to a hundredth of the tolerance,
+  bool sure = false;           ///< where that could be paid for
   std::optional<Run> looser;   ///< of an adaptive run
   double looser_by = 100;      ///< its tolerance over the run's; below 1: there was no room
   std::vector<double> sizes;   ///< by component, the largest along the solution

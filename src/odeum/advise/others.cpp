@@ -141,6 +141,7 @@ void try_others(Inquiry& q) {
     absolute.push_back(q.sizes[i] > 0 ? relative * q.sizes[i] : tighter.tolerance.absolute(i));
   tighter.tolerance = Tolerance(relative, absolute);
   Run trusted = q.make(q.c, best->solver, tighter, 60, 0.3);
+  q.sure = trusted.ok();
   if (!trusted.ok() && best != &q.run) trusted = q.along(*best);
   if (!trusted.ok()) return;
   q.find_sizes(trusted);
@@ -155,7 +156,7 @@ void choose(Inquiry& q) {
   std::pair least{true, infinity};
   for (std::size_t k = 0; k < q.why.others.size(); ++k) {
     const Other& other = q.why.others[k];
-    const std::pair cost{other.difference > far_off, work_of(other.counters, n)};
+    const std::pair cost{q.sure && other.difference > far_off, work_of(other.counters, n)};
     if (is_better(q, other) && cost < least) least = cost, q.why.better = k;
   }
 }

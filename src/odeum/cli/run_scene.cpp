@@ -24,6 +24,15 @@ using scene::SceneProblem;
 using trajectories::SceneRun;
 using Lines = std::vector<std::string>;
 
+/// The options that make a request.
+std::string setting_words(const Request& request) {
+  const double end = request.stops.back();
+  return (request.mode == Mode::fixed
+              ? fmt::format("--step {}", end / static_cast<double>(request.steps))
+              : fmt::format("--tol {}", request.tolerance.relative)) +
+         fmt::format(" --until {}", end);
+}
+
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   const scene::Structure& s = problem.structure();
   Lines lines;
@@ -233,6 +242,9 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
       excess = trajectories::excess_of_energy(scene, *whole, one.outcome);
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
+    if (one.outcome.status != Status::ok && scene.emitters.empty())
+      print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
+            entrant->info.id(), setting_words(one.request));
     any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty());
     if (!folder) continue;
     Lines facts = model;
