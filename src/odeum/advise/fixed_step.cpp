@@ -96,13 +96,15 @@ void look_at_edge(Inquiry& q) {
   const double decays = std::abs(worst->binding.real());
   const std::string who =
       worst->spectrum.component ? q.names[*worst->spectrum.component] : "the state";
-  const double step = worst->at.h, limit = worst->used < infinity ? step / worst->used : 0;
-  q.add(Cause::stability, outside / all, first->at.t,
-        fmt::format("{} {} at {:.3g} per unit of time, a step of {:.3g} is {:.3g} times what is "
-                    "stable{}",
-                    who, decays > 0.5 * std::abs(worst->binding) ? "decays" : "oscillates",
-                    std::abs(worst->binding), step, worst->used,
-                    limit > 0 ? fmt::format(" ({:.3g})", limit) : ""));
+  const double step = worst->at.h;
+  std::string text = fmt::format("{} {} at {:.3g} per unit of time, ", who,
+                                 decays > 0.5 * std::abs(worst->binding) ? "decays" : "oscillates",
+                                 std::abs(worst->binding));
+  text += worst->used < infinity
+              ? fmt::format("a step of {:.3g} is {:.3g} times what is stable ({:.3g})", step,
+                            worst->used, step / worst->used)
+              : "where no step of this method is stable";
+  q.add(Cause::stability, outside / all, first->at.t, text);
 }
 
 void look_at_fixed_step(Inquiry& q) {
@@ -122,7 +124,9 @@ void look_at_fixed_step(Inquiry& q) {
   // Not unstable: does the error fall with the step as that of a coarse one does?
   Request finer = q.run.request;
   double ratio = 0;
-  for (int part = 0; part < 2 && !(ratio > 2); ++part) {
+  constexpr int most_parts = 4;  // of four times the steps each
+  constexpr std::uint64_t most_steps_made = 1'000'000;
+  for (int part = 0; part < most_parts && !(ratio > 2) && finer.steps < most_steps_made; ++part) {
     finer.steps *= 4;
     ratio = off / q.difference(q.others[q.also(q.why.solver, finer, 0.3)]);
   }

@@ -24,9 +24,11 @@ constexpr double far_off = 0.02;
 /// For a fixed step, where no tolerance was asked for.
 constexpr double usual_tolerance = 1e-6;
 
-/// Evaluations, and those that Jacobians by differences would take.
-double work_of(const Counters& counters, std::size_t n) {
-  return static_cast<double>(counters.rhs_evaluations + counters.jacobian_evaluations * n);
+/// Evaluations, and those that Jacobians by differences would take: about ten where it is sparse.
+double work_of(const Counters& counters, const Case& c) {
+  const std::size_t each =
+      c.problem.view.sparsity ? std::min<std::size_t>(10, c.y0.size()) : c.y0.size();
+  return static_cast<double>(counters.rhs_evaluations + counters.jacobian_evaluations * each);
 }
 
 Request comparable(const Inquiry& q) {
@@ -48,8 +50,7 @@ bool is_better(const Inquiry& q, const Other& other) {
                ours = known ? q.why.error : q.difference(q.run);
   if (q.difference(q.run) > far_off) return !(theirs > 0.5 * ours);
   if (!q.run.ok()) return true;
-  const std::size_t n = q.c.y0.size();
-  return work_of(other.counters, n) < 0.5 * work_of(q.why.outcome.counters, n) &&
+  return work_of(other.counters, q.c) < 0.5 * work_of(q.why.outcome.counters, q.c) &&
          !(theirs > std::max(3 * ours, 1e-3 * far_off));
 }
 
@@ -149,14 +150,13 @@ void try_others(Inquiry& q) {
 }
 
 void choose(Inquiry& q) {
-  const std::size_t n = q.c.y0.size();
   for (std::size_t k = 0; k < q.others.size(); ++k)
     q.why.others[k].difference = q.difference(q.others[k]);
   // Those that are near the solution come before those that are only nearer than the run.
   std::pair least{true, infinity};
   for (std::size_t k = 0; k < q.why.others.size(); ++k) {
     const Other& other = q.why.others[k];
-    const std::pair cost{q.sure && other.difference > far_off, work_of(other.counters, n)};
+    const std::pair cost{q.sure && other.difference > far_off, work_of(other.counters, q.c)};
     if (is_better(q, other) && cost < least) least = cost, q.why.better = k;
   }
 }
