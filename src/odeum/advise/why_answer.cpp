@@ -52,13 +52,19 @@ std::string compared(const Why& why) {
   if (why.outcome.status != Status::ok)
     return fmt::format("; it takes {} steps to t = {:.4g}, where {} takes {} to the end",
                        ours.steps, why.reached, other.solver, theirs.steps);
-  if (other.difference < 0.5 * why.difference && why.difference > 1e-3)
+  const bool nearer = other.difference < 0.5 * why.difference && why.difference > 1e-3;
+  if (theirs.steps >= ours.steps && nearer)
     return fmt::format("; it ends {:.2g} of the solution's size away, {} {:.1g} in {} steps",
                        why.difference, other.solver, other.difference, theirs.steps);
-  if (theirs.steps < ours.steps)
-    return fmt::format("; {} steps where {} takes {}", ours.steps, other.solver, theirs.steps);
-  return fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, other.solver,
-                     theirs.rhs_evaluations);
+  std::string text =
+      theirs.steps < ours.steps
+          ? fmt::format("; {} steps where {} takes {}", ours.steps, other.solver, theirs.steps)
+          : fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, other.solver,
+                        theirs.rhs_evaluations);
+  if (nearer)
+    text += fmt::format(" and ends {:.1g} of the solution's size away, not {:.2g}",
+                        other.difference, why.difference);
+  return text;
 }
 
 }  // namespace
