@@ -108,11 +108,12 @@
   };
 
   // The length of the steps by what bounds them: strips of a colour each behind it.
-  const boundsFigure = (host, segments) => {
+  const boundsFigure = (host, every) => {
+    const segments = every.filter((segment) => segment.step > 0);
     if (!segments.length) return;
     const causes = [...new Set(segments.map((segment) => segment.bound_by))],
       colour = (cause) => `var(--s${causes.indexOf(cause) % 8})`,
-      steps = segments.map((segment) => segment.step).filter((step) => step > 0);
+      steps = segments.map((segment) => segment.step);
     const picture = figureOf(host, 'What bounds the steps');
     const { x, y } = plot(picture, {
       height: 240, description: 'What bounds the steps', nameless: true,
@@ -120,29 +121,18 @@
       y: { ...rangeOf(steps, 3), label: 'step', log: true }, curves: [],
     });
     const shown = picture.querySelector('svg'), { height } = shown.viewBox.baseVal;
-    for (const { from, to, bound_by, step, steps: count, component } of segments)
+    for (const segment of segments) {
+      const from = x.at(segment.from), to = x.at(segment.to), at = y.at(segment.step);
+      const count = number(segment.steps, 4), text =
+        `${segment.bound_by}: ${count} steps of about ${number(segment.step, 3)}`;
+      const place = { x: from, width: Math.max(1, to - from), y: 10, height: height - 52 },
+        fill = { fill: colour(segment.bound_by), 'fill-opacity': 0.25 };
       shown.append(
-        svg(
-          'rect',
-          {
-            class: 'bound', x: x.at(from), width: Math.max(1, x.at(to) - x.at(from)), y: 10,
-            height: height - 52, fill: colour(bound_by), 'fill-opacity': 0.25,
-          },
-          svg(
-            'title', {},
-            `${bound_by}: ${number(count, 4)} steps of about ${number(step, 3)}${component ? `, ${component}` : ''}`,
-          ),
-        ),
-        step > 0
-          ? svg('path', {
-              class: 'curve', d: `M${x.at(from)} ${y.at(step)}H${x.at(to)}`,
-              style: { color: colour(bound_by) },
-            })
-          : '',
+        svg('rect', { class: 'bound', ...place, ...fill }, svg('title', {}, text)),
+        svg('path', { class: 'curve', d: `M${from} ${at}H${to}`, style: { color: fill.fill } }),
       );
-    host.lastChild.append(
-      legendOf(causes.map((name) => ({ name, colour: colour(name), shape: 0, bare: false }))),
-    );
+    }
+    host.lastChild.append(legendOf(causes.map((name) => ({ name, colour: colour(name) }))));
   };
 
   const caseFigures = async (host, about, runs) => {
