@@ -29,6 +29,19 @@ double rate_of(const Inquiry& q, const std::vector<double>& f) {
   return rate;
 }
 
+/// Of the solution at a time: at the state of the trusted run next to it, whose fast parts are at
+/// rest to a hundredth of the tolerance; else at the run's own.
+double rate_at(const Inquiry& q, const Moment& at) {
+  const Moment* nearest = &at;
+  if (q.trusted) {
+    const std::vector<Moment>& known = q.trusted->moments;
+    nearest = &*std::min_element(known.begin(), known.end(), [&](const Moment& a, const Moment& b) {
+      return std::abs(a.t - at.t) < std::abs(b.t - at.t);
+    });
+  }
+  return rate_of(q, slope(q.c, nearest->t, nearest->y));
+}
+
 /// The eigenvalue that uses most of the region.
 void find_binding(Inquiry& q, Sample& s) {
   s.binding = s.spectrum.fastest;
@@ -109,7 +122,8 @@ Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, 
   const auto most =
       std::max_element(causes.begin(), causes.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  Segment segment{.from = samples.front()->at.t, .to = to, .cause = most->first};
+  Segment segment{.from = samples.front()->at.t, .to = to};
+  segment.cause = most->first;
   std::vector<double> h, fastest, rate, used;
   for (const Sample* s : samples) {
     segment.steps += s->weight;
@@ -197,7 +211,7 @@ void sample(Inquiry& q, const Run& along, double h) {
       s.at.h = h;
     else if (&along != &q.run)
       s.at.h = q.run.step_at(s.at.t);
-    s.rate = rate_of(q, f);
+    s.rate = rate_at(q, s.at);
     s.spectrum = spectrum_at(q.c, s.at.t, s.at.y, q.sizes, q.trust_jacobian);
     find_binding(q, s);
     if (q.looser && s.at.t < q.looser->ends.back()) {
@@ -219,6 +233,18 @@ void sample(Inquiry& q, const Run& along, double h) {
   }
 }
 
+void make_segments(Inquiry& q) {
+  constexpr std::size_t most_rows = 12;
+  double least = 0.01;
+  do q.why.segments = segments_of(q, least);
+  while (q.why.segments.size() > most_rows && (least *= 2) < 0.5);
+  std::vector<double> times = q.run.trace.times;
+  std::sort(times.begin(), times.end());
+  for (Segment& segment : q.why.segments)
+    segment.evaluations = std::upper_bound(times.begin(), times.end(), segment.to) -
+                          std::lower_bound(times.begin(), times.end(), segment.from);
+}
+
 void share_out(Inquiry& q) {
   double total = 0;
   for (Sample& s : q.samples) {
@@ -226,10 +252,7 @@ void share_out(Inquiry& q) {
     total += s.weight;
   }
   if (q.samples.empty()) return;
-  constexpr std::size_t most_rows = 12;
-  double least = 0.01;
-  do q.why.segments = segments_of(q, least);
-  while (q.why.segments.size() > most_rows && (least *= 2) < 0.5);
+  make_segments(q);
   for (const Cause cause : {Cause::stability, Cause::accuracy}) {
     std::vector<const Sample*> bound;
     double share = 0;

@@ -111,6 +111,9 @@ void look_at_fixed_step(Inquiry& q) {
   const double step = q.run.ends.size() > 1 ? q.run.ends[1] - q.run.ends[0]
                                             : (q.run.request.stops.back() - q.c.t0) /
                                                   static_cast<double>(q.run.request.steps);
+  for (Sample& s : q.samples)
+    if (s.used > 1) s.cause = Cause::stability;
+  if (!q.samples.empty()) make_segments(q);
   const double off = q.difference(q.run), size = blown_up(q);
   constexpr double shows = 0.02;
   if (!(off > shows)) return;

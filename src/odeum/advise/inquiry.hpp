@@ -75,6 +75,8 @@ const Run& farthest(const Inquiry& q);
 /// Spectrum, rate, edge and looser steps at the moments of `along`, with the steps that the run has
 /// at those times, or of length `h`.
 void sample(Inquiry& q, const Run& along, double h);
+/// The segments of the samples by their causes.
+void make_segments(Inquiry& q);
 /// What bounds each sample of an adaptive run, the segments of them, and findings by their shares.
 void share_out(Inquiry& q);
 

@@ -82,7 +82,8 @@ Run Inquiry::along(const Run& of) const { return make(c, of.solver, of.request, 
 
 std::size_t Inquiry::also(const std::string& solver, const Request& request, double share) {
   others.push_back(make(c, solver, request, 0, share));
-  const Run& made = others.back();
+  Run& made = others.back();
+  made.trace.times = {};  // nothing asks for them
   Other other{.solver = solver,
               .request = request,
               .status = made.outcome.status,

@@ -12,7 +12,7 @@
 namespace odeum::advise {
 namespace {
 
-constexpr std::size_t most_times = 4'000'000;
+constexpr std::size_t most_times = 6'000'000;
 
 /// Each capability of the problem within, so that a solver finds all that it finds there.
 template <auto member, class Log, class R, class... Arguments>

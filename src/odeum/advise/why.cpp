@@ -54,6 +54,7 @@ void look_at_steps(Inquiry& q) {
   q.looser_by = looser.tolerance.relative > 1e-3 ? 0.01 : 100;
   looser.tolerance = looser.tolerance.with_relative(q.looser_by * looser.tolerance.relative);
   q.looser = q.make(q.c, q.why.solver, looser, 0, 0.3);
+  q.looser->trace.times = {};
   look_for_kinks(q);
   look_at_tolerances(q);
   sample(q, q.run, 0);

@@ -41,6 +41,7 @@ struct Finding {
 struct Segment {
   double from = 0, to = 0;
   double steps = 0;
+  std::ptrdiff_t evaluations = 0;    ///< rejected steps among them
   std::optional<Cause> cause = {};   ///< empty: the start, or nothing that was measured
   double h = nan;                    ///< the middle one
   double fastest = nan, rate = nan;  ///< |lambda| and the solution's own rate of change, per time

@@ -25,19 +25,21 @@ std::string counts_of(const Counters& counters) {
                      counters.jacobian_evaluations);
 }
 
-const char* word_of(const std::optional<Cause>& cause) {
-  return cause ? name_of(*cause) : "unknown";
+/// A fixed step is bound by nothing but an edge.
+const char* word_of(const Why& why, const std::optional<Cause>& cause) {
+  if (cause) return name_of(*cause);
+  return why.request.mode == Mode::fixed ? "-" : "unknown";
 }
 
 std::string table_of(const Why& why) {
   if (why.segments.empty()) return {};
-  std::string text =
-      fmt::format("{:<12}{:<12}{:>9}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n", "from", "to", "steps",
-                  "bound by", "step", "|lambda|", "rate", "of edge", "component");
+  std::string text = fmt::format("{:<12}{:<12}{:>9}{:>13}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n",
+                                 "from", "to", "steps", "evaluations", "bound by", "step",
+                                 "|lambda|", "rate", "of edge", "component");
   for (const Segment& s : why.segments)
-    text += fmt::format("{:<12.5g}{:<12.5g}{:>9.0f}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n", s.from,
-                        s.to, s.steps, word_of(s.cause), number(s.h), number(s.fastest),
-                        number(s.rate), number(s.used), s.component);
+    text += fmt::format("{:<12.5g}{:<12.5g}{:>9.0f}{:>13}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n",
+                        s.from, s.to, s.steps, s.evaluations, word_of(why, s.cause), number(s.h),
+                        number(s.fastest), number(s.rate), number(s.used), s.component);
   return text;
 }
 
@@ -93,11 +95,11 @@ std::string command_of(const Why& why, const Case& c, const Asked& asked) {
 }
 
 record::Records segments_of(const Why& why) {
-  record::Records table{
-      {"from", "to", "steps", "bound_by", "step", "fastest", "rate", "of_edge", "component"}};
+  record::Records table{{"from", "to", "steps", "evaluations", "bound_by", "step", "fastest",
+                         "rate", "of_edge", "component"}};
   for (const Segment& s : why.segments)
-    table.rows.push_back(
-        {s.from, s.to, s.steps, word_of(s.cause), s.h, s.fastest, s.rate, s.used, s.component});
+    table.rows.push_back({s.from, s.to, s.steps, s.evaluations, word_of(why, s.cause), s.h,
+                          s.fastest, s.rate, s.used, s.component});
   return table;
 }
 
@@ -186,7 +188,8 @@ Json json_of(const Why& why, const Case& c, const Asked& asked) {
     json["segments"].push_back({{"from", s.from},
                                 {"to", s.to},
                                 {"steps", s.steps},
-                                {"bound_by", word_of(s.cause)},
+                                {"evaluations", s.evaluations},
+                                {"bound_by", word_of(why, s.cause)},
                                 {"step", s.h},
                                 {"fastest", s.fastest},
                                 {"rate", s.rate},
