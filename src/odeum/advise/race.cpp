@@ -180,17 +180,18 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   search.all_within(advice.candidates);
   advice.cut = search.late(0.7);
   advice.timed = finalists(advice.candidates, true);
-  constexpr int most_rounds_of_coarsening = 3;
-  for (int round = 0; round < most_rounds_of_coarsening; ++round) {
-    for (const std::size_t k : advice.timed) advice.candidates[k].times = {};
-    time_them(advice, search, wishes.seconds / most_rounds_of_coarsening);
+  constexpr int most_adjustments = 4;
+  for (int round = 0; round < most_adjustments; ++round) {
+    time_them(advice, search, wishes.seconds / most_adjustments);
     bool changed = false;
     for (const std::size_t k : advice.timed) {
       Candidate& candidate = advice.candidates[k];
-      if (candidate.times.min() > wishes.time_ns && round + 1 < most_rounds_of_coarsening)
-        changed = search.coarser_within(candidate, candidate.times.min()) || changed;
+      if (round + 1 == most_adjustments || search.late(0.85)) continue;
+      if (!search.adjust_within(candidate, candidate.times.min())) continue;
+      candidate.times = {};
+      changed = true;
     }
-    if (!changed || search.late(0.9)) break;
+    if (!changed) break;
   }
   std::erase_if(advice.timed, [&](std::size_t k) {
     const bool slow = !(advice.candidates[k].times.min() <= wishes.time_ns);

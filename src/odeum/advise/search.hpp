@@ -18,8 +18,9 @@ class Search {
   void refine(Candidate& candidate);
   /// Every candidate, at the setting of least error that keeps to the time.
   void all_within(std::vector<Candidate>& candidates);
-  /// A coarser setting for one that takes `ns`, more than the time; false: there is none.
-  bool coarser_within(Candidate& candidate, double ns);
+  /// Another setting for one that takes `ns`, more than the time, or far less; false: there is
+  /// none that is better.
+  bool adjust_within(Candidate& candidate, double ns);
   /// A run that is only looked at.
   Trial run(const Candidate& candidate, double fineness, bool only_end = false) const;
   bool late(double share) const;
@@ -27,8 +28,8 @@ class Search {
  private:
   static void order_by_rank(std::vector<Candidate>& candidates);
   void search_within(Candidate& candidate);
-  /// Drops one that is hopeless.
-  void look_within(Candidate& candidate);
+  /// A run with the time that it takes without the guard.
+  void take_within(Candidate& candidate, double fineness);
   /// At the time, by its last run and its order; NaN where that failed.
   double foreseen_error(const Candidate& candidate) const;
   double next_within(const Candidate& candidate, double share) const;
