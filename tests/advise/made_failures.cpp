@@ -180,6 +180,12 @@ const std::vector<MadeFailure>& made_failures() {
        .causes = {wrong_jacobian},
        .also = {accuracy, stability},
        .wrong_jacobian = 0.3},
+      {.name = "wrong_jacobian_that_no_step_asks_for",
+       .text = "states: {x: 1, y: 0}\nequations: {x: -y, y: x}\ntime: {end: 20}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-8,
+       .causes = {accuracy},
+       .wrong_jacobian = 5},
       {.name = "wrong_jacobian_bdf",
        .text = "states: {x: 1, y: 1}\nequations: {x: -x, y: -1e3*(y - x^2)}\ntime: {end: 5}\n",
        .solver = "cvode/bdf",
@@ -212,6 +218,13 @@ const std::vector<MadeFailure>& made_failures() {
       {.name = "decay_euler_too_long",
        .text = "states: {y: 1}\nequations: {y: -50*(y - cos(t))}\ntime: {end: 10}\n",
        .solver = "odeum/explicit_euler",
+       .step = 0.05,
+       .causes = {stability}},
+      {.name = "advection_too_long",  // all eigenvalues are -30, which is no bound here
+       .text = "parameters: {n: 30}\nstates: {u[1..n]: exp(-(i - 10)^2/8)}\n"
+               "equations: {u[1..n]: -30*(u[i] - u[i-1])}\nboundaries: {u[0]: 0}\n"
+               "time: {end: 3}\n",
+       .solver = "odeum/heun",
        .step = 0.05,
        .causes = {stability}},
       {.name = "decay_ab4_too_long",

@@ -134,13 +134,22 @@ void look_at_fixed_step(Inquiry& q) {
     ratio = off / q.difference(q.others[q.also(q.why.solver, finer, 0.3)]);
   }
   if (!(ratio > 2)) return;
+  const std::uint64_t times = finer.steps / q.run.request.steps;
+  // As of a Jacobian whose eigenvectors are far from orthogonal.
+  if (size > 10 && ratio > 100) {
+    q.add(Cause::stability, 1, q.c.t0,
+          fmt::format("the states grow to {:.2g} times the size of the solution, and not with {} "
+                      "times the steps, although a step times each eigenvalue is in the region",
+                      size, times));
+    return;
+  }
   double rate = 0;
   for (const Sample& s : q.samples) rate = std::max(rate, s.rate);
   q.add(
       Cause::too_coarse, 1, q.c.t0,
       fmt::format("the solution changes at up to {:.3g} per unit of time, {:.3g} of its size in a "
                   "step; {} times the steps have {:.2g} of the error",
-                  rate, rate * step, finer.steps / q.run.request.steps, 1 / ratio));
+                  rate, rate * step, times, 1 / ratio));
 }
 
 }  // namespace odeum::advise
