@@ -26,6 +26,8 @@ constexpr const char* introduction =
     "and\n"
     "Bullet, on the same cases, against an independent truth.\n"
     "\n"
+    "  odeum advise kepler_e06 --error 1e-6\n"
+    "  odeum why robertson_40 --solver dormand_prince54 --tol 1e-6\n"
     "  odeum run damped_oscillator_undamped --solver rk4 --step 0.01\n"
     "  odeum run hanging_cloth --out /tmp/cloth\n"
     "  odeum converge --case 'lotka*' --solver 'odeum/*' --out /tmp/odeum\n"
