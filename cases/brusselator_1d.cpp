@@ -8,8 +8,6 @@
 #include "problems/two_species.hpp"
 
 namespace odeum::cases {
-namespace {
-
 std::vector<double> brusselator_1d_start(std::size_t cells) {
   std::vector<double> y;
   for (std::size_t i = 1; i <= cells; ++i) {
@@ -19,6 +17,8 @@ std::vector<double> brusselator_1d_start(std::size_t cells) {
   }
   return y;
 }
+
+namespace {
 
 Case make_brusselator_1d() {
   Case c;
