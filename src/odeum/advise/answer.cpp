@@ -165,6 +165,18 @@ void each_dropped(const Advice& advice, const Visit& visit) {
       visit(advice.candidates[k]);
 }
 
+/// Names of a few, numbers by library of many.
+std::string text_of_many(const std::vector<std::string>& ids) {
+  constexpr std::size_t few = 4;
+  if (ids.size() <= few) return fmt::format("{}", fmt::join(ids, ", "));
+  std::map<std::string, int> by_library;
+  for (const std::string& id : ids) ++by_library[id.substr(0, id.find('/'))];
+  std::vector<std::string> texts;
+  for (const auto& [library, count] : by_library)
+    texts.push_back(fmt::format("{} of {}", count, library));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 std::string text_of_rest(const Advice& advice) {
   std::map<std::string, std::vector<std::string>> dropped;
   each_dropped(advice, [&](const Candidate& candidate) {
@@ -175,10 +187,10 @@ std::string text_of_rest(const Advice& advice) {
   });
   std::string text;
   for (const auto& [reason, ids] : dropped)
-    text += fmt::format("dropped   {}: {}\n", reason, fmt::join(ids, ", "));
+    text += fmt::format("dropped   {}: {}\n", reason, text_of_many(ids));
   for (const auto& [reason, ids] : advice.not_tried)
-    text += fmt::format("not tried {}: {}\n", reason, fmt::join(ids, ", "));
-  return text;
+    text += fmt::format("not tried {}: {}\n", reason, text_of_many(ids));
+  return text.empty() ? text : text + "          (--format json names each of them)\n";
 }
 
 /// What `odeum run` says, where that is not what the race measured.

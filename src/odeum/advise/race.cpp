@@ -161,7 +161,7 @@ std::string nobody(const Advice& advice) {
 namespace {
 
 /// Races to an error.
-void race_to_error(Advice& advice, Search& search, const Wishes& wishes) {
+void race_to_error(Advice& advice, Search& search) {
   search.all(advice.candidates);
   advice.cut = search.late(0.7);
   for (const std::size_t k : finalists(advice.candidates, false)) {
@@ -169,7 +169,7 @@ void race_to_error(Advice& advice, Search& search, const Wishes& wishes) {
     search.refine(advice.candidates[k]);
   }
   advice.timed = finalists(advice.candidates, false);
-  time_them(advice, search, wishes.seconds);
+  time_them(advice, search, search.seconds());
   std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
     return advice.candidates[a].times.min() < advice.candidates[b].times.min();
   });
@@ -182,7 +182,7 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   advice.timed = finalists(advice.candidates, true);
   constexpr int most_adjustments = 4;
   for (int round = 0; round < most_adjustments; ++round) {
-    time_them(advice, search, wishes.seconds / most_adjustments);
+    time_them(advice, search, search.seconds() / most_adjustments);
     bool changed = false;
     for (const std::size_t k : advice.timed) {
       Candidate& candidate = advice.candidates[k];
@@ -246,18 +246,26 @@ Advice advise(const Case& c, const Wishes& asked) {
   if (wishes.time_ns > 0)
     race_within(advice, search, wishes);
   else
-    race_to_error(advice, search, wishes);
-  const auto first = std::find_if(advice.timed.begin(), advice.timed.end(), [&](std::size_t k) {
-    return !advice.candidates[k].closed_form();
-  });
-  if (first == advice.timed.end()) {
+    race_to_error(advice, search);
+  std::vector<std::size_t> order = advice.timed;
+  std::erase_if(order, [&](std::size_t k) { return advice.candidates[k].closed_form(); });
+  if (order.empty()) {
     advice.failure = wishes.time_ns > 0 ? nobody_within(advice) : nobody(advice);
     return advice;
   }
-  advice.winner = *first;
+  // The command's run has no stop but the end, and other steps: it must have about the error too.
+  for (const std::size_t k : order) {
+    Trial repeated =
+        search.run(advice.candidates[k], advice.candidates[k].found->fineness, To::end);
+    const bool keeps = wishes.time_ns > 0 || repeated.reaches(2 * wishes.error);
+    if (keeps || k == order.front()) {
+      advice.winner = k;
+      advice.repeated = std::move(repeated);
+    }
+    if (keeps) break;
+  }
   const Candidate& winner = advice.candidates[advice.winner];
   const double fineness = winner.found->fineness;
-  advice.repeated = search.run(winner, fineness, true);
   const auto multiple = static_cast<double>(frames > 0 ? frames : c.settings.steps_multiple);
   if (winner.mode == Mode::adaptive)
     advice.twice = search.run(winner, fineness / 10);

@@ -23,7 +23,7 @@ struct Wishes {
   double error = 0, time_ns = 0;
   /// With a time, which then is that of a frame: fixed steps that divide it; 0: no frames.
   double frame = 0;
-  double seconds = 20;                 ///< for the answer
+  double seconds = 0;  ///< for the answer; 0: 20, and 60 where a run takes over 2 ms
   std::vector<std::string> libraries;  ///< empty: all
   std::vector<std::string> solvers;    ///< globs on library/method; empty: all
 };
@@ -47,11 +47,15 @@ struct Candidate {
   Mode mode;
   std::vector<Trial> trials = {};   ///< in the order of their runs
   std::optional<Trial> found = {};  ///< the coarsest that reaches the error
+  double foreseen = nan;            ///< cost of what is asked, from a run to the first stop
+  double starts_at = 0;             ///< fineness of the first run to the end; 0: not foreseen
   std::string dropped = {};         ///< why it is not searched further; empty: it is not dropped
   study::Times times = {};          ///< of `found`, with the bare right-hand side
 
   /// By how much the error falls where the fineness grows tenfold, in powers of ten.
   double slope() const;
+  /// Claimed order, at least 1; 4 where a step control has none, 2 at fixed steps.
+  double order() const;
   /// It solves linear problems by their closed form, and is no method that steps.
   bool closed_form() const;
 };
@@ -62,6 +66,7 @@ struct Advice {
   double frames = 0;    ///< in a run; 0: it has none
   std::string failure;  ///< why there is no answer, a sentence; empty: there is one
   double floor = 0;     ///< error of the truth
+  double seconds = 0;   ///< that it had
   std::vector<Candidate> candidates;
   std::size_t winner = 0;          ///< in `candidates`
   std::vector<std::size_t> timed;  ///< the same, by least time, or by least error within the time

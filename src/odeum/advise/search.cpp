@@ -37,15 +37,17 @@ Bracket bracket_of(const Candidate& candidate, double error) {
   return bracket;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
+}  // namespace
+
+double Search::seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace
+double Candidate::slope() const { return mode == Mode::adaptive ? 1 : order(); }
 
-double Candidate::slope() const {
-  if (mode == Mode::adaptive) return 1;
-  return std::isnan(entrant->info.order) ? 2 : std::max(1.0, entrant->info.order);
+double Candidate::order() const {
+  if (std::isnan(entrant->info.order)) return mode == Mode::adaptive ? 4 : 2;
+  return std::max(1.0, entrant->info.order);
 }
 
 bool Candidate::closed_form() const { return entrant->info.id() == "odeum/exponential_propagator"; }
@@ -54,25 +56,35 @@ Search::Search(const Case& c, const Wishes& wishes, std::uint64_t frames)
     : c_(c),
       wishes_(wishes),
       judge_(c, c.stops),
+      first_judge_(c, {c.stops.front()}),
       end_judge_(c, {c.stops.back()}),
       multiple_(frames > 0 ? std::lcm(frames, c.settings.steps_multiple)
-                           : c.settings.steps_multiple) {}
+                           : c.settings.steps_multiple),
+      seconds_(wishes.seconds > 0 ? wishes.seconds : 20) {}
 
-bool Search::late(double share) const { return seconds_since(start_) > share * wishes_.seconds; }
+bool Search::late(double share) const { return seconds_since(start_) > share * seconds_; }
 
-Trial Search::run(const Candidate& candidate, double fineness, bool only_end) const {
+double Search::part_of(To to) const {
+  return to == To::first ? (c_.stops.front() - c_.t0) / (c_.stops.back() - c_.t0) : 1;
+}
+
+Trial Search::run(const Candidate& candidate, double fineness, To to) const {
   if (interrupted) throw Interrupted();
   Trial trial;
   Request& request = trial.request;
   request.mode = candidate.mode;
-  request.stops = only_end ? std::vector<double>{c_.stops.back()} : c_.stops;
+  request.stops = to == To::all     ? c_.stops
+                  : to == To::first ? std::vector<double>{c_.stops.front()}
+                                    : std::vector<double>{c_.stops.back()};
   if (candidate.mode == Mode::adaptive)
     set_tolerance(request, c_, 1 / fineness);
   else
-    request.steps = static_cast<std::uint64_t>(fineness);
-  const double left = std::max(0.01, wishes_.seconds - seconds_since(start_));
-  request.budget.seconds =
-      std::min(left, std::isfinite(best_ns_) ? std::max(2e-3, 1e-8 * best_ns_) : cap_seconds_);
+    request.steps =
+        std::max(1ULL, static_cast<unsigned long long>(std::llround(fineness * part_of(to))));
+  // A run that may be the answer has its time also where the seconds are over.
+  const double left = std::max(0.01, seconds_ - seconds_since(start_));
+  request.budget.seconds = std::isfinite(best_ns_) ? std::max(2e-3, patience_ * 1e-9 * best_ns_)
+                                                   : std::min(left, cap_seconds_);
   trial.fineness = fineness;
   const double start = study::thread_seconds();
   const Outcome outcome = candidate.entrant->solve(request);
@@ -82,7 +94,8 @@ Trial Search::run(const Candidate& candidate, double fineness, bool only_end) co
   trial.status = outcome.status;
   if (outcome.status != Status::ok) return trial;
   trial.error = 0;
-  for (const judge::StopError& at : (only_end ? end_judge_ : judge_).errors(outcome))
+  const judge::Judge& judge = to == To::all ? judge_ : to == To::first ? first_judge_ : end_judge_;
+  for (const judge::StopError& at : judge.errors(outcome))
     if (!(at.error_max <= trial.error)) trial.error = at.error_max;
   return trial;
 }
@@ -95,6 +108,7 @@ double Search::in_range(const Candidate& candidate, double fineness) const {
 }
 
 double Search::first(const Candidate& candidate) const {
+  if (candidate.starts_at > 0) return candidate.starts_at;
   if (candidate.mode == Mode::adaptive)
     return in_range(candidate, wishes_.error > 0 ? 1 / wishes_.error : 1e3);
   return in_range(candidate, static_cast<double>(c_.settings.coarsest_steps));
@@ -148,7 +162,7 @@ double Search::next(const Candidate& candidate, double decades) const {
     fineness =
         in_range(candidate, misses->fineness * std::clamp(1.2 * by_error(*misses), 1.3, 1e3));
   else if (misses)
-    fineness = in_range(candidate, 4 * misses->fineness);
+    fineness = in_range(candidate, (dear_ ? 2 : 4) * misses->fineness);
   else  // over the budget at once: from a coarse setting on
     fineness = in_range(candidate, candidate.trials.back().fineness / 30);
   for (const Trial& trial : candidate.trials)
@@ -171,64 +185,6 @@ void Search::settle(Candidate& candidate) const {
   candidate.found.reset();
   if (const Trial* coarsest = bracket_of(candidate, wishes_.error).reaches)
     candidate.found = *coarsest;
-}
-
-void Search::order_by_rank(std::vector<Candidate>& candidates) {
-  // Where each solve takes long, not all have their turn: first those of orders 4 to 8 with a
-  // controller. That orders them, and drops none.
-  const auto rank = [](const Candidate& candidate) {
-    const double claimed = candidate.entrant->info.order;
-    const double apart = std::isnan(claimed) ? 4 : std::max({0.0, 4 - claimed, claimed - 8});
-    return apart + (candidate.mode == Mode::fixed ? 0.5 : 0);
-  };
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
-}
-
-void Search::all(std::vector<Candidate>& candidates) {
-  order_by_rank(candidates);
-  cap_seconds_ = wishes_.seconds / (4.0 * static_cast<double>(candidates.size()));
-  Progress progress("advise", 2.0 * static_cast<double>(candidates.size()));
-  std::vector<std::pair<double, std::size_t>> order;  // by the cost foreseen
-  for (std::size_t k = 0; k < candidates.size(); ++k, progress.advance()) {
-    if (late(0.5)) break;
-    take(candidates[k], first(candidates[k]));
-    const Trial& trial = candidates[k].trials.back();
-    const double order_of_cost = std::isnan(candidates[k].entrant->info.order)
-                                     ? 4
-                                     : std::max(1.0, candidates[k].entrant->info.order);
-    order.emplace_back(
-        std::isnan(trial.error)
-            ? infinity
-            : trial.ns * std::pow(std::max(trial.error, 1e-17) / wishes_.error, 1 / order_of_cost),
-        k);
-  }
-  std::stable_sort(order.begin(), order.end());
-  constexpr std::size_t most_solves = 8;
-  constexpr double half_a_decade = 0.5;
-  for (const auto& [cost, k] : order) {
-    // Nobody has ended a run: coarser ones are tried below, with more time.
-    if (late(0.7) || (cost == infinity && !std::isfinite(best_ns_))) break;
-    search(candidates[k], most_solves, half_a_decade);
-    progress.advance();
-  }
-  // Where each solve takes long, the first runs had too little time.
-  while (!std::isfinite(best_ns_) && !late(0.7) && cap_seconds_ < wishes_.seconds) {
-    cap_seconds_ *= 8;
-    bool any = false;
-    for (Candidate& candidate : candidates) {
-      if (late(0.7)) break;
-      if (candidate.trials.empty() || candidate.trials.back().status != Status::over_budget)
-        continue;
-      any = true;
-      const double again = candidate.trials.back().fineness;
-      candidate.trials.pop_back();
-      take(candidate, again);
-      search(candidate, most_solves, half_a_decade);
-    }
-    if (!any) break;
-  }
-  for (Candidate& candidate : candidates) settle(candidate);
 }
 
 void Search::refine(Candidate& candidate) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <functional>
+
 #include "odeum/advise/race.hpp"
 
 /// The setting of each candidate for the error asked.
 namespace odeum::advise {
+
+/// The stops of a run.
+enum class To { all, first, end };
 
 /// Finds settings by runs under the guard. Not thread-safe: runs are timed.
 class Search {
@@ -22,12 +27,24 @@ class Search {
   /// none that is better.
   bool adjust_within(Candidate& candidate, double ns);
   /// A run that is only looked at.
-  Trial run(const Candidate& candidate, double fineness, bool only_end = false) const;
+  Trial run(const Candidate& candidate, double fineness, To to = To::all) const;
   bool late(double share) const;
+  static double seconds_since(std::chrono::steady_clock::time_point start);
+  double seconds() const { return seconds_; }
 
  private:
   static void order_by_rank(std::vector<Candidate>& candidates);
+  /// Runs to the first stop of one candidate of each kind, which foresee what the others cost;
+  /// whether a run is dear.
+  bool heats(std::vector<Candidate>& candidates);
+  Trial heat(Candidate& candidate);
+  void foresee(Candidate& candidate, const Trial& trial) const;
+  /// Of dear runs, in the order foreseen; of each library the best one at least.
+  void each_worth(std::vector<Candidate>& candidates, const std::function<void(Candidate&)>& visit);
+  void search_cheap(std::vector<Candidate>& candidates);
+  void try_longer(std::vector<Candidate>& candidates);
   void search_within(Candidate& candidate);
+  void settle_within(Candidate& candidate) const;
   /// A run with the time that it takes without the guard.
   void take_within(Candidate& candidate, double fineness);
   /// At the time, by its last run and its order; NaN where that failed.
@@ -37,14 +54,20 @@ class Search {
   void search(Candidate& candidate, std::size_t most, double decades);
   double next(const Candidate& candidate, double decades) const;
   double first(const Candidate& candidate) const;
+  double part_of(To to) const;
+  /// The time, or the least error within the time, of the best run; infinite without one.
+  double best_cost() const { return wishes_.time_ns > 0 ? least_error_ : best_ns_; }
   double in_range(const Candidate& candidate, double fineness) const;
   void drop_if_slow(Candidate& candidate) const;
   void settle(Candidate& candidate) const;
 
   const Case& c_;
   Wishes wishes_;
-  judge::Judge judge_, end_judge_;
+  judge::Judge judge_, first_judge_, end_judge_;
   std::uint64_t multiple_;  ///< of numbers of fixed steps
+  double seconds_;
+  bool dear_ = false;     ///< runs are
+  double patience_ = 10;  ///< a run is stopped after so many times the best run's time
   double best_ns_ = infinity, cap_seconds_ = 0, least_error_ = infinity;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

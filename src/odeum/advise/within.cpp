@@ -16,11 +16,6 @@ constexpr double near_enough = 0.75, aimed_at = 0.97, near_the_end = 0.94;
 /// A candidate is left where its error at the time is foreseen to be this far from the best.
 constexpr double hopeless = 3000;
 
-double order_of(const Candidate& candidate) {
-  const double order = candidate.entrant->info.order;
-  return std::isnan(order) ? 4 : std::max(1.0, order);
-}
-
 bool good(const Trial& trial, double ns) {
   return trial.status == Status::ok && trial.ns <= ns && std::isfinite(trial.error);
 }
@@ -38,7 +33,7 @@ const Trial* best_of(const Candidate& candidate, double ns) {
 /// Time goes as the number of fixed steps, and as tol^(-1/p) for a method of order p.
 double Search::next_within(const Candidate& candidate, double share) const {
   const Trial& last = candidate.trials.back();
-  const double power = candidate.mode == Mode::fixed ? 1 : order_of(candidate);
+  const double power = candidate.mode == Mode::fixed ? 1 : candidate.order();
   double ratio = std::pow(share * wishes_.time_ns / last.ns, power);
   // A run that failed may need a finer setting than it had, as far as the time allows it.
   if (last.status == Status::over_budget) ratio = std::pow(0.1, power);
@@ -77,7 +72,7 @@ void Search::take_within(Candidate& candidate, double fineness) {
 double Search::foreseen_error(const Candidate& candidate) const {
   const Trial& trial = candidate.trials.back();
   if (!good(trial, wishes_.time_ns)) return nan;
-  return trial.error * std::pow(wishes_.time_ns / trial.ns, -order_of(candidate));
+  return trial.error * std::pow(wishes_.time_ns / trial.ns, -candidate.order());
 }
 
 void Search::search_within(Candidate& candidate) {
@@ -99,10 +94,18 @@ void Search::search_within(Candidate& candidate) {
 
 void Search::all_within(std::vector<Candidate>& candidates) {
   order_by_rank(candidates);
+  if (heats(candidates)) {
+    cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, seconds_ / 4));
+    each_worth(candidates, [&](Candidate& candidate) {
+      take_within(candidate, first(candidate));
+      search_within(candidate);
+      settle_within(candidate);
+    });
+    return;
+  }
   // First each at a coarse setting, in a quarter of the seconds.
-  cap_seconds_ =
-      std::max(2e-3, std::min(1e-8 * wishes_.time_ns,
-                              wishes_.seconds / 4 / static_cast<double>(candidates.size())));
+  cap_seconds_ = std::max(2e-3, std::min(1e-8 * wishes_.time_ns,
+                                         seconds_ / 4 / static_cast<double>(candidates.size())));
   Progress progress("advise", 2 * static_cast<double>(candidates.size()));
   std::vector<std::pair<double, std::size_t>> known, failed;
   for (std::size_t k = 0; k < candidates.size() && !late(0.3); ++k, progress.advance()) {
@@ -117,18 +120,21 @@ void Search::all_within(std::vector<Candidate>& candidates) {
   // that failed there, which may be good at a finer one.
   std::sort(known.begin(), known.end());
   std::sort(failed.begin(), failed.end());
-  cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, wishes_.seconds / 4));
+  cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, seconds_ / 4));
   for (std::size_t k = 0; k < std::max(known.size(), failed.size()) && !late(0.7); ++k) {
     for (const auto* list : {&known, &failed})
       if (k < list->size()) search_within(candidates[(*list)[k].second]);
     progress.advance();
   }
-  for (Candidate& candidate : candidates)
-    if (const Trial* best = best_of(candidate, wishes_.time_ns)) candidate.found = *best;
+  for (Candidate& candidate : candidates) settle_within(candidate);
+}
+
+void Search::settle_within(Candidate& candidate) const {
+  if (const Trial* best = best_of(candidate, wishes_.time_ns)) candidate.found = *best;
 }
 
 bool Search::adjust_within(Candidate& candidate, double ns) {
-  const double power = candidate.mode == Mode::fixed ? 1 : order_of(candidate);
+  const double power = candidate.mode == Mode::fixed ? 1 : candidate.order();
   const Trial was = *candidate.found;
   const bool slow = ns > wishes_.time_ns;
   if (!slow && (ns > near_the_end * wishes_.time_ns || was.error <= 2 * c_.truth.floor))

@@ -56,7 +56,7 @@ void read_times(AdviseOptions& options) {
 
 int advise_on(AdviseOptions& options, const CLI::App& command) {
   read_times(options);
-  require_positive("--seconds", options.wishes.seconds);
+  if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
   Case c = case_of(options.what, options.problems.sets);
@@ -108,7 +108,7 @@ void add_advise(CLI::App& app, int& result) {
       ->allow_extra_args(false);
   command->add_option("--solver", options->wishes.solvers, "solvers, with * and ?")
       ->type_name("GLOB...");
-  command->add_option("--seconds", options->wishes.seconds, "for the answer; default: 20")
+  command->add_option("--seconds", options->wishes.seconds, "for the answer; default: 20, and 60 where a run takes over 2 ms")
       ->type_name("S");
   command->add_option("--format", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}))

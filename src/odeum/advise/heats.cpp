@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// In which order candidates are searched. Where runs are short, each is run once. Where they are
+// dear, runs to the first stop order the candidates; what they foresee is said where somebody is
+// left for it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "odeum/advise/search.hpp"
+#include "odeum/core/progress.hpp"
+
+namespace odeum::advise {
+namespace {
+
+constexpr std::size_t most_solves = 8;
+constexpr double half_a_decade = 0.5;
+/// A run of this time is dear: not every candidate has its turn, and the answer may take longer.
+constexpr double dear_ns = 2e6, dear_seconds = 60;
+/// A candidate foreseen to cost so many times the least is left where its library has an answer.
+constexpr double far_behind = 4;
+
+/// Solvers of a library whose names begin alike.
+std::string kind_of(const Candidate& candidate) {
+  const auto letters =
+      std::find_if_not(candidate.entrant->info.method.begin(), candidate.entrant->info.method.end(),
+                       [](char c) { return c >= 'a' && c <= 'z'; });
+  return candidate.entrant->info.library + "/" +
+         std::string(candidate.entrant->info.method.begin(), letters);
+}
+
+/// Runs of the same library that agree to the last digit are of one method.
+using Fingerprint = std::tuple<std::string, Mode, double, double, std::uint64_t>;
+Fingerprint fingerprint_of(const Candidate& candidate, const Trial& trial) {
+  return {candidate.entrant->info.library, candidate.mode, trial.fineness, trial.error,
+          trial.counters.rhs_evaluations};
+}
+
+/// Candidates by what was foreseen of them, the least first.
+std::vector<Candidate*> by_foresight(std::vector<Candidate>& candidates) {
+  std::vector<Candidate*> order;
+  for (Candidate& candidate : candidates)
+    if (!std::isnan(candidate.foreseen)) order.push_back(&candidate);
+  std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
+    return a->foreseen < b->foreseen;
+  });
+  return order;
+}
+
+}  // namespace
+
+void Search::order_by_rank(std::vector<Candidate>& candidates) {
+  // Where each solve takes long, not all have their turn: first those of orders 4 to 8 with a
+  // controller. That orders them, and drops none.
+  const auto rank = [](const Candidate& candidate) {
+    const double claimed = candidate.entrant->info.order;
+    const double apart = std::isnan(claimed) ? 4 : std::max({0.0, 4 - claimed, claimed - 8});
+    return apart + (candidate.mode == Mode::fixed ? 0.5 : 0);
+  };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
+}
+
+/// From a run to the first stop: the time to the error asked, or the error within the time.
+void Search::foresee(Candidate& candidate, const Trial& trial) const {
+  // Coarser settings may be unstable: no more than half of the time is expected to be saved.
+  constexpr double most_saved = 2;
+  const bool within = wishes_.time_ns > 0;
+  const double error = std::max(trial.error, 1e-17), ns = trial.ns / part_of(To::first),
+               order = candidate.order();
+  // By which steps are to be more.
+  const double more = std::clamp(
+      within ? wishes_.time_ns / ns : std::pow(error / wishes_.error, 1 / order), 1e-3, 1e3);
+  candidate.foreseen =
+      within ? error * std::pow(more, -order) : ns * std::max(more, 1 / most_saved);
+  candidate.starts_at = in_range(
+      candidate, trial.fineness * (candidate.mode == Mode::fixed ? more : std::pow(more, order)));
+}
+
+/// Runs until one ends well.
+Trial Search::heat(Candidate& candidate) {
+  double fineness = first(candidate);
+  candidate.foreseen = infinity;
+  constexpr int most_tries = 4;
+  Trial trial;
+  for (int attempt = 0; attempt < most_tries; ++attempt) {
+    trial = run(candidate, fineness, To::first);
+    if (trial.status == Status::ok && !std::isnan(trial.error)) foresee(candidate, trial);
+    if (trial.status == Status::ok) break;
+    if (trial.status == Status::over_budget) {
+      candidate.dropped = fmt::format("a run to t = {:g} was stopped after {:.2g} s",
+                                      c_.stops.front(), trial.request.budget.seconds);
+      break;
+    }
+    // An unstable step; a tolerance that was too loose.
+    fineness = in_range(candidate, 4 * fineness);
+  }
+  return trial;
+}
+
+bool Search::heats(std::vector<Candidate>& candidates) {
+  // In two rounds: the first of each kind, then the others of kinds that are near.
+  std::map<std::pair<std::string, Mode>, std::vector<Candidate*>> kinds;
+  for (Candidate& candidate : candidates)
+    kinds[{kind_of(candidate), candidate.mode}].push_back(&candidate);
+  cap_seconds_ = 0.01 * seconds_;
+  double least = infinity;
+  std::map<std::string, std::string> stopped;  // solvers by kind
+  std::map<Fingerprint, std::string> same;
+  const auto try_it = [&](Candidate& candidate) {
+    const std::string id = candidate.entrant->info.id(), kind = kind_of(candidate);
+    candidate.foreseen = infinity;
+    if (const auto other = stopped.find(kind); other != stopped.end()) {
+      candidate.dropped = fmt::format("not tried: {} was stopped", other->second);
+      return infinity;
+    }
+    const Trial trial = heat(candidate);
+    if (trial.status == Status::over_budget) stopped.emplace(kind, id);
+    if (trial.status != Status::ok) return infinity;
+    const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
+    if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
+    least = std::min(least, candidate.foreseen);
+    return trial.ns / part_of(To::first);
+  };
+  for (Candidate& candidate : candidates) {
+    if (late(dear_ ? 0.2 : 0.5)) break;
+    if (&candidate != kinds[{kind_of(candidate), candidate.mode}].front()) continue;
+    if (try_it(candidate) < dear_ns) {  // somebody's run is short
+      for (Candidate& other : candidates) {
+        other.foreseen = nan;
+        other.starts_at = 0;
+        other.dropped.clear();
+      }
+      return false;
+    }
+  }
+  dear_ = true;
+  if (wishes_.seconds == 0) seconds_ = dear_seconds;
+  const double known = far_behind * least;
+  for (const auto& [kind, members] : kinds)
+    for (Candidate* member : members)
+      if (member != members.front() && members.front()->foreseen <= known && !late(0.3))
+        try_it(*member);
+  return true;
+}
+
+void Search::each_worth(std::vector<Candidate>& candidates,
+                        const std::function<void(Candidate&)>& visit) {
+  const std::vector<Candidate*> order = by_foresight(candidates);
+  Progress progress("advise", static_cast<double>(order.size()));
+  std::map<std::string, double> spent;  // seconds, by library without an answer
+  for (Candidate* candidate : order) {
+    progress.advance();
+    if (!candidate->dropped.empty()) continue;
+    if (late(0.75)) break;
+    if (!std::isfinite(candidate->foreseen)) {
+      candidate->dropped = fmt::format("no run to t = {:g} ended well", c_.stops.front());
+      continue;
+    }
+    // One of each library, and then those that may be the best.
+    constexpr double share = 0.04, near = 1.5, few_times = 2.5, many_times = 10;
+    double& seconds = spent.try_emplace(candidate->entrant->info.library, 0).first->second;
+    const bool has_answer = seconds > share * seconds_;
+    const double times = candidate->foreseen / best_cost();
+    if (has_answer && times > near) {
+      candidate->dropped =
+          fmt::format("a run to t = {:g} foresees {:.2g} times the best", c_.stops.front(), times);
+      continue;
+    }
+    patience_ = has_answer ? few_times : many_times;
+    const auto start = std::chrono::steady_clock::now();
+    visit(*candidate);
+    seconds = candidate->found ? infinity : seconds + seconds_since(start);
+  }
+  patience_ = 10;
+}
+
+void Search::all(std::vector<Candidate>& candidates) {
+  order_by_rank(candidates);
+  if (heats(candidates)) {
+    cap_seconds_ = 0.1 * seconds_;
+    each_worth(candidates, [&](Candidate& candidate) {
+      take(candidate, first(candidate));
+      search(candidate, most_solves, half_a_decade);
+    });
+  } else {
+    search_cheap(candidates);
+  }
+  try_longer(candidates);
+  for (Candidate& candidate : candidates) settle(candidate);
+}
+
+/// All of them, in the order of the cost that a whole run foresees.
+void Search::search_cheap(std::vector<Candidate>& candidates) {
+  cap_seconds_ = seconds_ / (4.0 * static_cast<double>(candidates.size()));
+  Progress progress("advise", 2.0 * static_cast<double>(candidates.size()));
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < candidates.size(); ++k, progress.advance()) {
+    if (late(0.5)) break;
+    take(candidates[k], first(candidates[k]));
+    const Trial& trial = candidates[k].trials.back();
+    order.emplace_back(std::isnan(trial.error)
+                           ? infinity
+                           : trial.ns * std::pow(std::max(trial.error, 1e-17) / wishes_.error,
+                                                 1 / candidates[k].order()),
+                       k);
+  }
+  std::stable_sort(order.begin(), order.end());
+  for (const auto& [cost, k] : order) {
+    // Nobody has ended a run: coarser ones are tried below, with more time.
+    if (late(0.7) || (cost == infinity && !std::isfinite(best_ns_))) break;
+    search(candidates[k], most_solves, half_a_decade);
+    progress.advance();
+  }
+}
+
+/// Where each solve takes long, the first runs had too little time.
+void Search::try_longer(std::vector<Candidate>& candidates) {
+  while (!std::isfinite(best_ns_) && !late(0.7) && cap_seconds_ < seconds_) {
+    cap_seconds_ *= 8;
+    bool any = false;
+    for (Candidate& candidate : candidates) {
+      if (late(0.7)) break;
+      if (candidate.trials.empty() || candidate.trials.back().status != Status::over_budget)
+        continue;
+      any = true;
+      const double again = candidate.trials.back().fineness;
+      candidate.trials.pop_back();
+      take(candidate, again);
+      search(candidate, most_solves, half_a_decade);
+    }
+    if (!any) break;
+  }
+}
+
+}  // namespace odeum::advise
