@@ -83,6 +83,7 @@ int main(int argc, char** argv) {
       {"evaluation", "What a step costs beyond the right-hand side, by unknowns", evaluation_rows},
       {"precision", "At equal error: time of the best peer / of the best own solver",
        precision_rows},
+      {"advise", "Time of the setting advised / of the best of an exhaustive search", advise_rows},
       {"sparse", "Implicit methods on many unknowns", sparse_rows},
       {"fem", "Linear finite elements on a million triangles", fem_rows}};
   for (int i = 1; i < argc; ++i)
@@ -90,7 +91,7 @@ int main(int argc, char** argv) {
                      [&](const Group& g) { return std::string(g.name) == argv[i]; })) {
       fmt::print(stderr,
                  "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, fixed, "
-                 "evaluation, precision, sparse or fem\n",
+                 "evaluation, precision, advise, sparse or fem\n",
                  argv[i], argv[i]);
       return 2;
     }

@@ -37,6 +37,7 @@ std::vector<Row> cloth_error_rows();
 std::vector<Row> fixed_step_rows();
 std::vector<Row> evaluation_rows();
 std::vector<Row> precision_rows();
+std::vector<Row> advise_rows();
 std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();
 std::vector<Row> cloth_multigrid_rows();

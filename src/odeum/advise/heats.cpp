@@ -22,13 +22,12 @@ constexpr double dear_ns = 2e6, dear_seconds = 60;
 /// A candidate foreseen to cost so many times the least is left where its library has an answer.
 constexpr double far_behind = 4;
 
-/// Solvers of a library whose names begin alike.
-std::string kind_of(const Candidate& candidate) {
-  const auto letters =
-      std::find_if_not(candidate.entrant->info.method.begin(), candidate.entrant->info.method.end(),
-                       [](char c) { return c >= 'a' && c <= 'z'; });
-  return candidate.entrant->info.library + "/" +
-         std::string(candidate.entrant->info.method.begin(), letters);
+/// Solvers of a library whose names begin alike, in one mode.
+using Kind = std::pair<std::string, Mode>;
+Kind kind_of(const Candidate& candidate) {
+  const std::string& method = candidate.entrant->info.method;
+  const std::size_t letters = method.find_first_not_of("abcdefghijklmnopqrstuvwxyz");
+  return {candidate.entrant->info.library + "/" + method.substr(0, letters), candidate.mode};
 }
 
 /// Runs of the same library that agree to the last digit are of one method.
@@ -102,22 +101,27 @@ Trial Search::heat(Candidate& candidate) {
 
 bool Search::heats(std::vector<Candidate>& candidates) {
   // In two rounds: the first of each kind, then the others of kinds that are near.
-  std::map<std::pair<std::string, Mode>, std::vector<Candidate*>> kinds;
-  for (Candidate& candidate : candidates)
-    kinds[{kind_of(candidate), candidate.mode}].push_back(&candidate);
+  std::map<Kind, std::vector<Candidate*>> kinds;
+  for (Candidate& candidate : candidates) kinds[kind_of(candidate)].push_back(&candidate);
   cap_seconds_ = 0.01 * seconds_;
   double least = infinity;
-  std::map<std::string, std::string> stopped;  // solvers by kind
+  std::map<Kind, std::string> stopped;  // solvers
   std::map<Fingerprint, std::string> same;
   const auto try_it = [&](Candidate& candidate) {
-    const std::string id = candidate.entrant->info.id(), kind = kind_of(candidate);
+    const std::string id = candidate.entrant->info.id();
     candidate.foreseen = infinity;
-    if (const auto other = stopped.find(kind); other != stopped.end()) {
+    if (const auto other = stopped.find(kind_of(candidate)); other != stopped.end()) {
       candidate.dropped = fmt::format("not tried: {} was stopped", other->second);
       return infinity;
     }
     const Trial trial = heat(candidate);
-    if (trial.status == Status::over_budget) stopped.emplace(kind, id);
+    if (trial.status == Status::over_budget) {
+      const auto& [kind, mode] = kind_of(candidate);
+      stopped.emplace(Kind{kind, mode}, id);
+      // One that can't be stopped within a step is too dear in the other mode as well.
+      if (trial.ns > 3e9 * trial.request.budget.seconds)
+        stopped.emplace(Kind{kind, mode == Mode::fixed ? Mode::adaptive : Mode::fixed}, id);
+    }
     if (trial.status != Status::ok) return infinity;
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
     if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
@@ -126,7 +130,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
   };
   for (Candidate& candidate : candidates) {
     if (late(dear_ ? 0.2 : 0.5)) break;
-    if (&candidate != kinds[{kind_of(candidate), candidate.mode}].front()) continue;
+    if (&candidate != kinds[kind_of(candidate)].front()) continue;
     if (try_it(candidate) < dear_ns) {  // somebody's run is short
       for (Candidate& other : candidates) {
         other.foreseen = nan;
