@@ -15,7 +15,7 @@
 namespace odeum::advise {
 namespace {
 
-constexpr std::size_t most_solves = 8;
+constexpr std::size_t most_solves = 10;
 constexpr double half_a_decade = 0.5;
 /// A run of this time is dear: not every candidate has its turn, and the answer may take longer.
 constexpr double dear_ns = 2e6, dear_seconds = 60;

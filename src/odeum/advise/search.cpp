@@ -132,6 +132,21 @@ void Search::drop_if_slow(Candidate& candidate) const {
                     trial.ns / best_ns_, trial.error);
 }
 
+/// A finer setting than that of a trial which misses the error: `expected` times as fine, or
+/// between it and a run that was stopped.
+double Search::finer_than(const Trial& misses, const Candidate& candidate, double expected) const {
+  // An error as large as the solution tells nothing but that the run is unstable.
+  const bool tells = misses.status == Status::ok && misses.error <= judge_.scale();
+  const double factor = tells                              ? std::clamp(expected, 1.3, 1e3)
+                        : candidate.mode == Mode::adaptive ? 4
+                                                           : 2;
+  double finer = factor * misses.fineness;
+  for (const Trial& trial : candidate.trials)
+    if (trial.status == Status::over_budget && trial.fineness > misses.fineness)
+      finer = std::min(finer, std::sqrt(misses.fineness * trial.fineness));
+  return finer;
+}
+
 /// The fineness of the next run; 0: the search has ended.
 double Search::next(const Candidate& candidate, double decades) const {
   const auto [misses, reaches] = bracket_of(candidate, wishes_.error);
@@ -158,11 +173,8 @@ double Search::next(const Candidate& candidate, double decades) const {
   if (reaches)
     fineness =
         in_range(candidate, reaches->fineness * std::clamp(by_error(*reaches), 1e-3, 1 / 1.3));
-  else if (misses && misses->status == Status::ok && std::isfinite(misses->error))
-    fineness =
-        in_range(candidate, misses->fineness * std::clamp(1.2 * by_error(*misses), 1.3, 1e3));
   else if (misses)
-    fineness = in_range(candidate, (dear_ ? 2 : 4) * misses->fineness);
+    fineness = in_range(candidate, finer_than(*misses, candidate, 1.2 * by_error(*misses)));
   else  // over the budget at once: from a coarse setting on
     fineness = in_range(candidate, candidate.trials.back().fineness / 30);
   for (const Trial& trial : candidate.trials)
@@ -175,8 +187,12 @@ void Search::search(Candidate& candidate, std::size_t most, double decades) {
     const double fineness = next(candidate, decades);
     if (fineness == 0) break;
     take(candidate, fineness);
-    const Trial& trial = candidate.trials.back();
-    if (trial.status == Status::over_budget && k > 0) break;
+    const Trial *coarse = bracket_of(candidate, wishes_.error).misses,
+                &last = candidate.trials.back();
+    // Nothing lies between a run that misses the error and one that takes too long.
+    if (last.status == Status::over_budget && k > 0 && coarse &&
+        last.fineness < 1.3 * coarse->fineness)
+      break;
   }
   settle(candidate);
 }
@@ -191,7 +207,9 @@ void Search::refine(Candidate& candidate) {
   constexpr double eighth = 0.125;
   constexpr int most_moves = 4;
   search(candidate, 6, eighth);
-  const double step = std::pow(10, 2 * eighth / candidate.slope());
+  // A tenth of a step keeps from the edge of stability, too.
+  const double wide = std::pow(10, 2 * eighth / candidate.slope()),
+               step = candidate.mode == Mode::fixed ? std::min(wide, 1.1) : wide;
   for (int move = 0; candidate.found && move < most_moves && !late(0.9); ++move) {
     const double finer = in_range(candidate, candidate.found->fineness * step),
                  coarser = in_range(candidate, candidate.found->fineness / step);

@@ -53,6 +53,7 @@ class Search {
   void take(Candidate& candidate, double fineness);
   void search(Candidate& candidate, std::size_t most, double decades);
   double next(const Candidate& candidate, double decades) const;
+  double finer_than(const Trial& misses, const Candidate& candidate, double expected) const;
   double first(const Candidate& candidate) const;
   double part_of(To to) const;
   /// The time, or the least error within the time, of the best run; infinite without one.
