@@ -2,6 +2,7 @@
 // odeum advise as a user runs it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -104,6 +105,44 @@ TEST(Advise, AnswersForTextsAndTheirParameters) {
   expect_true("'" + file + "' --set k=2 --error 1e-6 --solver 'odeum/rk*' 'odeum/dorm*'", 1e-6);
 }
 
+TEST(Advise, KeepsToTheErrorOverABoxOfParameters) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "box.yaml").string();
+  tests::write_text(file,
+                    "states: {y: 1}\nparameters: {k: 1, d: 0}\n"
+                    "equations: {y: -k*y^2 + d*cos(t)}\ntime: {end: 1}\n");
+  const Result result =
+      shell("odeum advise '" + file +
+            "' --vary k=0.1..10 --vary d=0..2 --error 1e-6 --solver 'odeum/dorm*' --format json");
+  ASSERT_EQ(result.code, 0) << result.output;
+  const auto advice = nlohmann::json::parse(result.output);
+  ASSERT_EQ(advice["box"].size(), 5U);  // the middle and four corners
+  EXPECT_EQ(advice["box"][0]["parameters"], "k=1 d=1");
+  double largest = 0;
+  for (const auto& point : advice["box"]) {
+    EXPECT_LE(point["error"], 1e-6);
+    largest = std::max<double>(largest, point["error"]);
+  }
+  EXPECT_EQ(advice["error"], largest);
+  // The setting that was advised, at the worst corner as `odeum run` makes it.
+  const Result run = shell(advice["command"]);
+  EXPECT_EQ(run.code, 0) << run.output;
+  const double error = advice["command_error"];
+  EXPECT_NEAR(number_after(run.output, "error "), error, 1e-5 * error) << run.output;
+}
+
+// Symplectic methods or small errors: the energy of an orbit over 300 periods.
+TEST(Advise, KeepsTheEnergyUpToAHorizon) {
+  const std::string words = "odeum advise kepler_e06 --error 1e-3 --solver 'odeum/dorm*' ";
+  const auto plain = nlohmann::json::parse(shell(words + "--format json").output);
+  const auto long_run = nlohmann::json::parse(
+      shell(words + "--energy 1e-6 --horizon 2000 --seconds 5 --format json").output);
+  EXPECT_LE(long_run["energy_error"], 1e-6);
+  EXPECT_LT(long_run["error"], plain["error"]);
+  const auto at_stops = nlohmann::json::parse(shell(words + "--energy 1e-6 --format json").output);
+  EXPECT_LE(at_stops["energy_error"], 1e-6);
+}
+
 TEST(Advise, SaysWhereNobodyReachesTheError) {
   const Result none =
       shell("odeum advise kepler_e06 --error 1e-12 --solver odeum/explicit_euler --seconds 0.3");
@@ -123,7 +162,11 @@ TEST(Advise, RefusesWhatIsNoQuestion) {
        {"kepler_e06 --error 1e-3 --time 1ms", "kepler_e06 --error 1e-3 --frame 1/60",
         "kepler_e06 --time 1xs", "kepler_e06 --time -1ms", "kepler_e06 --time 1ms --frame 1/0",
         "kepler_e06 --error 0", "kepler_e06 --error nan", "kepler_e06",
-        "kepler_e06 --error 1e-3 --library nobody", "kepler_e06 --error 1e-3 --solver bullet/*"})
+        "kepler_e06 --error 1e-3 --horizon 10", "kepler_e06 --error 1e-3 --energy 1e-3 --horizon 1",
+        "vdp_mu1 --error 1e-3 --energy 1e-3", "kepler_e06 --time 1ms --energy 1e-3",
+        "lorenz_kehlet_logg --error 1e-3 --vary q=1..2",
+        "lotka_volterra --error 1e-3 --vary alpha=2..1", "kepler_e06 --error 1e-3 --library nobody",
+        "kepler_e06 --error 1e-3 --solver bullet/*"})
     EXPECT_EQ(shell("odeum advise " + arguments).code, 2) << arguments;
 }
 

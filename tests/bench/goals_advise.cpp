@@ -113,7 +113,7 @@ Regret regret_of(const Case& c, double error) {
   Answers answers = search_all(c, error);
   advise::Wishes wishes;
   wishes.error = error;
-  const advise::Advice advice = advise::advise(c, wishes);
+  const advise::Advice advice = advise::advise({&c}, wishes);
   if (answers.empty() && !advice.failure.empty()) {
     regret.advised = nan;  // nobody has that error
     return regret;
@@ -126,9 +126,9 @@ Regret regret_of(const Case& c, double error) {
     timed.push_back(answers.at(order[k].second));
   if (advice.failure.empty()) {
     const advise::Candidate& winner = advice.candidates[advice.winner];
-    timed.push_back({winner.entrant, winner.found->request, winner.found->ns});
+    timed.push_back({winner.entrant, winner.found->request(), winner.found->ns});
     regret.kept =
-        error_of(*winner.entrant, winner.found->request, judge::Judge(c, c.stops)) / error;
+        error_of(*winner.entrant, winner.found->request(), judge::Judge(c, c.stops)) / error;
   }
   const std::vector<double> least = times_of(timed);
   const double best = *std::min_element(least.begin(), least.end());

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace odeum::advise {
 namespace {
@@ -16,9 +18,9 @@ const Candidate& winner_of(const Advice& advice) { return advice.candidates[advi
 
 /// A step, or a relative tolerance.
 double setting_of(const Trial& trial, const Case& c) {
-  return trial.request.mode == Mode::adaptive
-             ? trial.request.tolerance.relative
-             : (c.stops.back() - c.t0) / static_cast<double>(trial.request.steps);
+  return trial.request().mode == Mode::adaptive
+             ? trial.request().tolerance.relative
+             : (c.stops.back() - c.t0) / static_cast<double>(trial.request().steps);
 }
 
 const char* kind_of(Mode mode) { return mode == Mode::fixed ? "step" : "tol"; }
@@ -30,9 +32,19 @@ std::string text_of_ns(double ns) {
                     : fmt::format("{:.3g} s", ns / 1e9);
 }
 
+std::vector<std::string> words_in(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
 std::string command_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
-  return fmt::format("odeum run {}{} --solver {} --{} {}", asked.problem, asked.more,
+  // Of a box, at the parameters of the largest error.
+  std::string sets;
+  if (!asked.points.empty())
+    for (const std::string& set : words_in(asked.points[winner.found->worst()]))
+      sets += " --set " + set;
+  return fmt::format("odeum run {}{}{} --solver {} --{} {}", asked.problem, asked.more, sets,
                      winner.entrant->info.id(), kind_of(winner.mode), setting_of(*winner.found, c));
 }
 
@@ -76,7 +88,7 @@ std::string text_of_twice(const Advice& advice) {
       winner_of(advice).mode == Mode::fixed ? "a step twice as long" : "ten times the tolerance";
   if (twice.status != Status::ok)
     return fmt::format("twice     {}: the run ends {}\n", what, to_string(twice.status));
-  return fmt::format("twice     {}: error {:.3g}, {} steps\n", what, twice.error,
+  return fmt::format("twice     {}: error {:.3g}, {} steps\n", what, twice.state_error(),
                      twice.counters.steps);
 }
 
@@ -115,14 +127,14 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
       text +=
           fmt::format("behind    {} --{} {:.3g}: {:.3g} times the error in {} ({})\n",
                       other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
-                      other->found->error / winner_of(advice).found->error,
+                      other->found->state_error() / winner_of(advice).found->state_error(),
                       text_of_ns(other->times.min()), why);
       continue;
     }
     text +=
         fmt::format("behind    {} --{} {:.3g}: {:.2f} times the time, error {:.2g} ({})\n",
                     other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
-                    other->times.min() / least, other->found->error, why);
+                    other->times.min() / least, other->found->state_error(), why);
   }
   for (const std::size_t k : advice.timed)
     if (const Candidate& candidate = advice.candidates[k]; candidate.closed_form())
@@ -193,6 +205,29 @@ std::string text_of_rest(const Advice& advice) {
   return text.empty() ? text : text + "          (--format json names each of them)\n";
 }
 
+/// What varies over a box of parameters, and the energy where it was asked for.
+std::string text_of_wishes(const Advice& advice, const Asked& asked) {
+  const Trial& found = *winner_of(advice).found;
+  std::string text;
+  if (advice.wishes.energy > 0)
+    text += fmt::format("energy    {:.3g} of it at most{}\n", found.energy_error(),
+                        advice.wishes.horizon > 0
+                            ? fmt::format(", in 16 looks up to t = {:g}", advice.wishes.horizon)
+                            : " at the stops");
+  if (asked.points.empty()) return text;
+  const auto slower = [](const Part& a, const Part& b) { return a.ns < b.ns; };
+  const auto slow = std::max_element(found.parts.begin(), found.parts.end(), slower),
+             fast = std::min_element(found.parts.begin(), found.parts.end(), slower);
+  const auto point = [&](auto part) {
+    return asked.points[static_cast<std::size_t>(part - found.parts.begin())];
+  };
+  return text + fmt::format(
+                    "box       {} points of it; the error is largest at {}; a run takes {} at {} "
+                    "and {} at {}\n",
+                    asked.points.size(), asked.points[found.worst()], text_of_ns(fast->ns),
+                    point(fast), text_of_ns(slow->ns), point(slow));
+}
+
 /// What `odeum run` says, where that is not what the race measured.
 std::string difference(const Advice& advice, const Case& c) {
   const Trial &run = advice.repeated, &found = *winner_of(advice).found;
@@ -200,7 +235,7 @@ std::string difference(const Advice& advice, const Case& c) {
   return fmt::format(
       "the command has no stop but the end: error there {:.6g} and {} evaluations, against {:.6g} "
       "at {} stops and {}",
-      run.error, run.counters.rhs_evaluations, found.error, c.stops.size(),
+      run.error, run.counters.rhs_evaluations, found.state_error(), c.stops.size(),
       found.counters.rhs_evaluations);
 }
 
@@ -213,13 +248,14 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   std::string text =
       fmt::format("{} --{} {:.4g}: error {:.3g} (+- {:.1g}) in {} ({} median of {}){}\n",
                   winner.entrant->info.id(), kind_of(winner.mode), setting_of(found, c),
-                  found.error, advice.floor, text_of_ns(winner.times.min()),
+                  found.state_error(), advice.floor, text_of_ns(winner.times.min()),
                   text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
   if (advice.frames > 0)
     text += fmt::format("frame     {:g} steps of it a frame, {} of the {} given\n",
-                        static_cast<double>(found.request.steps) / advice.frames,
+                        static_cast<double>(found.request().steps) / advice.frames,
                         text_of_ns(winner.times.min() / advice.frames),
                         text_of_ns(advice.wishes.time_ns));
+  text += text_of_wishes(advice, asked);
   text += fmt::format("run       {}\n", command_of(advice, c, asked));
   if (const std::string other = difference(advice, c); !other.empty())
     text += fmt::format("          {}\n", other);
@@ -240,21 +276,26 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["solver"] = winner.entrant->info.id();
   json["setting_kind"] = kind_of(winner.mode);
   json["setting"] = setting_of(found, c);
-  const std::vector<double>& absolutes = found.request.tolerance.absolutes();
+  const std::vector<double>& absolutes = found.request().tolerance.absolutes();
   if (winner.mode == Mode::fixed)
     json["absolute"] = nullptr;
   else if (absolutes.size() > 1)
     json["absolute"] = absolutes;
   else
     json["absolute"] = absolutes.empty() ? setting_of(found, c) : absolutes.front();
-  json["error"] = found.error;
-  json["error_low"] = std::max(0.0, found.error - advice.floor);
-  json["error_high"] = found.error + advice.floor;
+  json["error"] = found.state_error();
+  json["error_low"] = std::max(0.0, found.state_error() - advice.floor);
+  json["error_high"] = found.state_error() + advice.floor;
+  if (advice.wishes.energy > 0) json["energy_error"] = found.energy_error();
+  for (std::size_t k = 0; k < asked.points.size(); ++k)
+    json["box"].push_back({{"parameters", asked.points[k]},
+                           {"error", found.parts[k].error},
+                           {"time_ns", found.parts[k].ns}});
   json["time_ns"] = json["time_low"] = winner.times.min();
   json["time_high"] = winner.times.median();
   if (advice.run_ns > 0) json["time_asked"] = advice.wishes.time_ns;
   if (advice.frames > 0) {
-    json["steps_per_frame"] = static_cast<double>(found.request.steps) / advice.frames;
+    json["steps_per_frame"] = static_cast<double>(found.request().steps) / advice.frames;
     json["frame_ns"] = winner.times.min() / advice.frames;
   }
   json["limited_by"] = limit_of(advice);
@@ -263,7 +304,7 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
     json["runners_up"].push_back({{"solver", other->entrant->info.id()},
                                   {"setting_kind", kind_of(other->mode)},
                                   {"setting", setting_of(*other->found, c)},
-                                  {"error", other->found->error},
+                                  {"error", other->found->state_error()},
                                   {"ratio", other->times.min() / winner.times.min()},
                                   {"why", why}});
   json["not_tried"] = not_tried;

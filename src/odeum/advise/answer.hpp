@@ -12,6 +12,8 @@ namespace odeum::advise {
 struct Asked {
   std::string problem;
   std::string more;  ///< the words of --set and --plugin, each after a space
+  /// By case the parameters that vary, as `k=2 d=1`; empty: there is one case.
+  std::vector<std::string> points = {};
 };
 
 /// Lines; the first names solver, setting, error and time.

@@ -90,7 +90,7 @@ Trial Search::heat(Candidate& candidate) {
     if (trial.status == Status::ok) break;
     if (trial.status == Status::over_budget) {
       candidate.dropped = fmt::format("a run to t = {:g} was stopped after {:.2g} s",
-                                      c_.stops.front(), trial.request.budget.seconds);
+                                      c_.stops.front(), trial.request().budget.seconds);
       break;
     }
     // An unstable step; a tolerance that was too loose.
@@ -119,7 +119,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
       const auto& [kind, mode] = kind_of(candidate);
       stopped.emplace(Kind{kind, mode}, id);
       // One that can't be stopped within a step is too dear in the other mode as well.
-      if (trial.ns > 3e9 * trial.request.budget.seconds)
+      if (trial.ns > 3e9 * trial.request().budget.seconds)
         stopped.emplace(Kind{kind, mode == Mode::fixed ? Mode::adaptive : Mode::fixed}, id);
     }
     if (trial.status != Status::ok) return infinity;

@@ -27,24 +27,40 @@ bool selected(const SolverInfo& info, const Wishes& wishes) {
   return wishes.solvers.empty() || any_glob_matches(wishes.solvers, info.id());
 }
 
-void enter(const Case& c, const Wishes& wishes, Advice& advice) {
+/// The solver on each case; empty where it does not fit one of them, whose reason is given.
+std::vector<const Entrant*> on_each(const std::vector<const Case*>& cases, const Entrant& entrant,
+                                    std::string& unfit) {
+  std::vector<const Entrant*> on;
+  for (const Case* c : cases) {
+    on.push_back(c == cases.front() ? &entrant : c->entrants.find(entrant.info.id()));
+    if (on.back() && on.back()->unfit.empty()) continue;
+    unfit = on.back() ? on.back()->unfit : "does not fit for all parameters";
+    return {};
+  }
+  return on;
+}
+
+void enter(const std::vector<const Case*>& cases, const Wishes& wishes, Advice& advice) {
+  const Case& c = *cases.front();
   bool any = false;
   for (std::size_t k = 0; k < c.entrants.size(); ++k) {
     if (!selected(c.entrants.info(k), wishes)) continue;
     any = true;
     const Entrant& entrant = c.entrants[k];
     const std::string id = entrant.info.id();
-    if (!entrant.unfit.empty()) {
-      advice.not_tried[entrant.unfit].push_back(id);
+    std::string unfit;
+    const std::vector<const Entrant*> on = on_each(cases, entrant, unfit);
+    if (on.empty()) {
+      advice.not_tried[unfit].push_back(id);
       continue;
     }
     const bool adaptive = entrant.info.adaptive && wishes.frame == 0;
     if (entrant.info.adaptive && !adaptive && !entrant.info.fixed)
       advice.not_tried["chooses its own steps, which do not divide a frame"].push_back(id);
-    if (adaptive) advice.candidates.push_back({&entrant, Mode::adaptive});
+    if (adaptive) advice.candidates.push_back({&entrant, Mode::adaptive, on});
     if (!entrant.info.fixed) continue;
     if (c.settings.no_fixed_steps.empty())
-      advice.candidates.push_back({&entrant, Mode::fixed});
+      advice.candidates.push_back({&entrant, Mode::fixed, on});
     else if (!adaptive)
       advice.not_tried[c.settings.no_fixed_steps].push_back(id);
   }
@@ -96,14 +112,8 @@ void time_them(Advice& advice, Search& search, double seconds) {
     for (const std::size_t k : advice.timed) {
       if (interrupted) throw Interrupted();
       Candidate& candidate = advice.candidates[k];
-      Request request = candidate.found->request;
-      request.budget.watched = false;
-      const double guess = candidate.times.ns.empty() ? candidate.found->ns : candidate.times.min();
-      Status status = Status::ok;
-      const double ns =
-          study::time_call([&] { status = candidate.entrant->solve(request).status; }, guess);
       // It ended well under the guard; without a time it can't be advised.
-      candidate.times.ns.push_back(status == Status::ok ? ns : infinity);
+      candidate.times.ns.push_back(bare_ns(candidate, *candidate.found));
     }
   }
   const study::Conditions conditions = meter.end();
@@ -157,6 +167,19 @@ std::string nobody(const Advice& advice) {
 }
 
 }  // namespace
+
+double bare_ns(const Candidate& candidate, const Trial& trial) {
+  double sum = 0;
+  for (std::size_t k = 0; k < trial.parts.size(); ++k) {
+    Request request = trial.parts[k].request;
+    request.budget.watched = false;
+    Status status = Status::ok;
+    sum += study::time_call([&] { status = candidate.on[k]->solve(request).status; },
+                            trial.parts[k].ns);
+    if (status != Status::ok) return infinity;
+  }
+  return sum / static_cast<double>(trial.parts.size());
+}
 
 namespace {
 
@@ -214,6 +237,22 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   });
 }
 
+/// Throws std::invalid_argument for wishes about an energy that does not serve.
+void check_wishes(const Case& c, const Wishes& wishes) {
+  if (wishes.energy == 0) return;
+  if (!c.energy) throw std::invalid_argument("the problem has no energy");
+  if (wishes.horizon == 0) return;
+  if (!(wishes.horizon >= c.stops.back()))
+    throw std::invalid_argument(
+        fmt::format("a horizon of {:g} ends before the run, which goes to {:g}", wishes.horizon,
+                    c.stops.back()));
+  std::vector<double> state(c.y0.size());
+  const double before = c.energy(c.y0.data());
+  if (c.truth.at && c.truth.at(c.stops.back(), state.data()) &&
+      !(std::abs(c.energy(state.data()) / before - 1) <= 0.1 * wishes.energy))
+    throw std::invalid_argument("the energy is not conserved, so that no horizon can be given");
+}
+
 /// The frames of a run; 0: they do not divide it.
 std::uint64_t frames_of(const Case& c, double frame) {
   const double count = (c.stops.back() - c.t0) / frame;
@@ -224,13 +263,17 @@ std::uint64_t frames_of(const Case& c, double frame) {
 
 }  // namespace
 
-Advice advise(const Case& c, const Wishes& asked) {
+Advice advise(const std::vector<const Case*>& cases, const Wishes& asked) {
+  const Case& c = *cases.front();
   Wishes wishes = asked;
   Advice advice;
   advice.wishes = asked;
-  advice.floor = c.truth.floor;
-  enter(c, wishes, advice);
-  advice.failure = unknown(c, wishes);
+  enter(cases, wishes, advice);
+  for (const Case* each : cases) {
+    advice.floor = std::max(advice.floor, each->truth.floor);
+    check_wishes(*each, wishes);
+    if (advice.failure.empty()) advice.failure = unknown(*each, wishes);
+  }
   const std::uint64_t frames = wishes.frame > 0 ? frames_of(c, wishes.frame) : 0;
   if (wishes.frame > 0 && frames == 0)
     advice.failure = fmt::format("frames of {:.6g} do not divide the run of {:.6g}", wishes.frame,
@@ -242,7 +285,7 @@ Advice advise(const Case& c, const Wishes& asked) {
   if (frames > 0) wishes.time_ns *= static_cast<double>(frames);
   advice.run_ns = wishes.time_ns;
   advice.frames = static_cast<double>(frames);
-  Search search(c, wishes, frames);
+  Search search(cases, wishes, frames);
   if (wishes.time_ns > 0)
     race_within(advice, search, wishes);
   else
@@ -255,8 +298,8 @@ Advice advise(const Case& c, const Wishes& asked) {
   }
   // The command's run has no stop but the end, and other steps: it must have about the error too.
   for (const std::size_t k : order) {
-    Trial repeated =
-        search.run(advice.candidates[k], advice.candidates[k].found->fineness, To::end);
+    const Trial& found = *advice.candidates[k].found;
+    Trial repeated = search.run_to_end(advice.candidates[k], found.fineness, found.worst());
     const bool keeps = wishes.time_ns > 0 || repeated.reaches(2 * wishes.error);
     if (keeps || k == order.front()) {
       advice.winner = k;

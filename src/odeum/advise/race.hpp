@@ -21,6 +21,10 @@ struct Wishes {
   /// One of the two: the largest error at the case's stops, in the units of its errors, or the time
   /// of a run, in nanoseconds of processor time.
   double error = 0, time_ns = 0;
+  /// Of the energy at the stops, relative to the largest one: with an error; 0: none is asked for.
+  double energy = 0;
+  /// With that: the time up to which the energy keeps to it, which the problem conserves.
+  double horizon = 0;
   /// With a time, which then is that of a frame: fixed steps that divide it; 0: no frames.
   double frame = 0;
   double seconds = 0;  ///< for the answer; 0: 20, and 60 where a run takes over 2 ms
@@ -28,16 +32,32 @@ struct Wishes {
   std::vector<std::string> solvers;    ///< globs on library/method; empty: all
 };
 
-/// A run that was made.
-struct Trial {
+/// The run of a trial on one of the cases.
+struct Part {
   Request request;
+  double error = nan;   ///< the largest at the stops
+  double energy = nan;  ///< the same of the energy, where it is asked for
+  double ns = 0;
+};
+
+/// A run that was made, on each case.
+struct Trial {
+  std::vector<Part> parts;
+  const Request& request() const { return parts.front().request; }
   /// Steps, or 1 / relative tolerance: the larger, the finer.
   double fineness = 0;
   Status status = Status::ok;
-  double error = nan;  ///< the largest at the stops; NaN where the run failed
-  double ns = 0;       ///< processor time under the guard, less what the guard takes
-  Counters counters;
+  /// The largest at the stops of all cases, or of the energy in proportion to the wishes; NaN where
+  /// a run failed.
+  double error = nan;
+  double ns = 0;  ///< processor time under the guard, less what the guard takes; mean of the cases
+  Counters counters;  ///< of the first case
 
+  /// That of the states alone.
+  double state_error() const;
+  double energy_error() const;
+  /// The case of the largest error.
+  std::size_t worst() const;
   bool reaches(double asked) const { return status == Status::ok && error <= asked; }
 };
 
@@ -45,12 +65,13 @@ struct Trial {
 struct Candidate {
   const Entrant* entrant;
   Mode mode;
-  std::vector<Trial> trials = {};   ///< in the order of their runs
-  std::optional<Trial> found = {};  ///< the coarsest that reaches the error
-  double foreseen = nan;            ///< cost of what is asked, from a run to the first stop
-  double starts_at = 0;             ///< fineness of the first run to the end; 0: not foreseen
-  std::string dropped = {};         ///< why it is not searched further; empty: it is not dropped
-  study::Times times = {};          ///< of `found`, with the bare right-hand side
+  std::vector<const Entrant*> on = {};  ///< the same solver on each case, the first of them that
+  std::vector<Trial> trials = {};       ///< in the order of their runs
+  std::optional<Trial> found = {};      ///< the coarsest that reaches the error
+  double foreseen = nan;                ///< cost of what is asked, from a run to the first stop
+  double starts_at = 0;                 ///< fineness of the first run to the end; 0: not foreseen
+  std::string dropped = {};  ///< why it is not searched further; empty: it is not dropped
+  study::Times times = {};   ///< of `found`, with the bare right-hand side
 
   /// By how much the error falls where the fineness grows tenfold, in powers of ten.
   double slope() const;
@@ -59,6 +80,10 @@ struct Candidate {
   /// It solves linear problems by their closed form, and is no method that steps.
   bool closed_form() const;
 };
+
+/// Wall time of the trial's runs with the bare right-hand side, mean of the cases; infinite where
+/// one fails.
+double bare_ns(const Candidate& candidate, const Trial& trial);
 
 struct Advice {
   Wishes wishes;
@@ -70,7 +95,9 @@ struct Advice {
   std::vector<Candidate> candidates;
   std::size_t winner = 0;          ///< in `candidates`
   std::vector<std::size_t> timed;  ///< the same, by least time, or by least error within the time
-  Trial repeated;  ///< the winner's run with no stop but the end, as `odeum run` makes it
+  /// The winner's run with no stop but the end, as `odeum run` makes it, on the case of the largest
+  /// error.
+  Trial repeated;
   std::optional<Trial>
       twice;  ///< the winner with the step twice as long, or ten times the tolerance
   std::map<std::string, std::vector<std::string>> not_tried;  ///< solvers by reason
@@ -83,8 +110,10 @@ struct Advice {
   }
 };
 
-/// Makes the race. `c` has to know its truth at its stops. Throws Interrupted, and
-/// std::invalid_argument where no solver is selected or none fits.
-Advice advise(const Case& c, const Wishes& asked);
+/// Makes the race on cases of one problem with other parameters, one at least: each setting has to
+/// do what is asked on all of them, and times are means. They have to know their truth at their
+/// stops. Throws Interrupted, and std::invalid_argument where no solver is selected or none fits,
+/// or a wish makes no sense for the problem.
+Advice advise(const std::vector<const Case*>& cases, const Wishes& asked);
 
 }  // namespace odeum::advise

@@ -5,11 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-
-#include "odeum/core/interrupt.hpp"
-#include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 
 namespace odeum::advise {
 namespace {
@@ -39,10 +34,6 @@ Bracket bracket_of(const Candidate& candidate, double error) {
 
 }  // namespace
 
-double Search::seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 double Candidate::slope() const { return mode == Mode::adaptive ? 1 : order(); }
 
 double Candidate::order() const {
@@ -51,54 +42,6 @@ double Candidate::order() const {
 }
 
 bool Candidate::closed_form() const { return entrant->info.id() == "odeum/exponential_propagator"; }
-
-Search::Search(const Case& c, const Wishes& wishes, std::uint64_t frames)
-    : c_(c),
-      wishes_(wishes),
-      judge_(c, c.stops),
-      first_judge_(c, {c.stops.front()}),
-      end_judge_(c, {c.stops.back()}),
-      multiple_(frames > 0 ? std::lcm(frames, c.settings.steps_multiple)
-                           : c.settings.steps_multiple),
-      seconds_(wishes.seconds > 0 ? wishes.seconds : 20) {}
-
-bool Search::late(double share) const { return seconds_since(start_) > share * seconds_; }
-
-double Search::part_of(To to) const {
-  return to == To::first ? (c_.stops.front() - c_.t0) / (c_.stops.back() - c_.t0) : 1;
-}
-
-Trial Search::run(const Candidate& candidate, double fineness, To to) const {
-  if (interrupted) throw Interrupted();
-  Trial trial;
-  Request& request = trial.request;
-  request.mode = candidate.mode;
-  request.stops = to == To::all     ? c_.stops
-                  : to == To::first ? std::vector<double>{c_.stops.front()}
-                                    : std::vector<double>{c_.stops.back()};
-  if (candidate.mode == Mode::adaptive)
-    set_tolerance(request, c_, 1 / fineness);
-  else
-    request.steps =
-        std::max(1ULL, static_cast<unsigned long long>(std::llround(fineness * part_of(to))));
-  // A run that may be the answer has its time also where the seconds are over.
-  const double left = std::max(0.01, seconds_ - seconds_since(start_));
-  request.budget.seconds = std::isfinite(best_ns_) ? std::max(2e-3, patience_ * 1e-9 * best_ns_)
-                                                   : std::min(left, cap_seconds_);
-  trial.fineness = fineness;
-  const double start = study::thread_seconds();
-  const Outcome outcome = candidate.entrant->solve(request);
-  trial.counters = outcome.counters;
-  trial.ns = std::max(1.0, 1e9 * (study::thread_seconds() - start) -
-                               4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
-  trial.status = outcome.status;
-  if (outcome.status != Status::ok) return trial;
-  trial.error = 0;
-  const judge::Judge& judge = to == To::all ? judge_ : to == To::first ? first_judge_ : end_judge_;
-  for (const judge::StopError& at : judge.errors(outcome))
-    if (!(at.error_max <= trial.error)) trial.error = at.error_max;
-  return trial;
-}
 
 double Search::in_range(const Candidate& candidate, double fineness) const {
   if (candidate.mode == Mode::adaptive)
@@ -136,7 +79,7 @@ void Search::drop_if_slow(Candidate& candidate) const {
 /// between it and a run that was stopped.
 double Search::finer_than(const Trial& misses, const Candidate& candidate, double expected) const {
   // An error as large as the solution tells nothing but that the run is unstable.
-  const bool tells = misses.status == Status::ok && misses.error <= judge_.scale();
+  const bool tells = misses.status == Status::ok && misses.error <= stages_.front().all.scale();
   const double factor = tells                              ? std::clamp(expected, 1.3, 1e3)
                         : candidate.mode == Mode::adaptive ? 4
                                                            : 2;

@@ -14,7 +14,7 @@ enum class To { all, first, end };
 class Search {
  public:
   /// `frames`: fixed steps are a multiple of them; 0: of the case's own.
-  Search(const Case& c, const Wishes& wishes, std::uint64_t frames = 0);
+  Search(const std::vector<const Case*>& cases, const Wishes& wishes, std::uint64_t frames = 0);
 
   /// Every candidate, those first that seem cheapest by their first run.
   void all(std::vector<Candidate>& candidates);
@@ -28,6 +28,8 @@ class Search {
   bool adjust_within(Candidate& candidate, double ns);
   /// A run that is only looked at.
   Trial run(const Candidate& candidate, double fineness, To to = To::all) const;
+  /// On one of the cases alone, with no stop but the end.
+  Trial run_to_end(const Candidate& candidate, double fineness, std::size_t which) const;
   bool late(double share) const;
   static double seconds_since(std::chrono::steady_clock::time_point start);
   double seconds() const { return seconds_; }
@@ -62,9 +64,22 @@ class Search {
   void drop_if_slow(Candidate& candidate) const;
   void settle(Candidate& candidate) const;
 
-  const Case& c_;
+  /// A case with its judges, by the stops of a run.
+  struct Stage {
+    const Case* c;
+    judge::Judge all, first, end;
+    double first_energy;
+    const judge::Judge& judge(To to) const {
+      return to == To::all ? all : to == To::first ? first : end;
+    }
+  };
+  Request request_for(const Stage& stage, const Candidate& candidate, double fineness, To to) const;
+  Status run_on(const Stage& stage, const Entrant& entrant, Part& part, To to, Trial& trial) const;
+  double drift_to_horizon(const Stage& stage, const Entrant& entrant, const Part& part) const;
+
+  const Case& c_;  ///< the first
   Wishes wishes_;
-  judge::Judge judge_, first_judge_, end_judge_;
+  std::vector<Stage> stages_;
   std::uint64_t multiple_;  ///< of numbers of fixed steps
   double seconds_;
   bool dear_ = false;     ///< runs are

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -16,6 +18,7 @@ namespace {
 
 struct AdviseOptions {
   std::string what, format = "text", time, frame;
+  std::vector<std::string> vary;
   advise::Wishes wishes;
   ProblemOptions problems;
 };
@@ -48,10 +51,85 @@ void read_times(AdviseOptions& options) {
   if (error == time) throw UsageError("advise needs --error or --time, and not both");
   if (!options.frame.empty() && !time) throw UsageError("--frame: a frame needs --time");
   if (error) require_positive("--error", options.wishes.error);
+  if (options.wishes.energy != 0) {
+    if (!error) throw UsageError("--energy: an energy needs --error");
+    require_positive("--energy", options.wishes.energy);
+  }
+  if (options.wishes.horizon != 0) {
+    if (options.wishes.energy == 0) throw UsageError("--horizon: a horizon needs --energy");
+    require_positive("--horizon", options.wishes.horizon);
+  }
   if (time)
     options.wishes.time_ns = number_of(
         "--time", options.time, {{"", 1e9}, {"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1}});
   if (!options.frame.empty()) options.wishes.frame = number_of("--frame", options.frame, {{"", 1}});
+}
+
+/// The cases of a box: its middle, then its corners, of more than three parameters eight of them in
+/// which each one and each pair take both ends equally often.
+struct Box {
+  std::vector<Case> cases;
+  std::vector<std::string> points;
+  std::vector<const Case*> pointers() const {
+    std::vector<const Case*> all;
+    for (const Case& c : cases) all.push_back(&c);
+    return all;
+  }
+};
+
+struct Range {
+  std::string name;
+  double from, to;
+  double at(int side) const {  // -1, 0, 1
+    if (side != 0) return side < 0 ? from : to;
+    return from > 0 && to >= 10 * from ? std::sqrt(from * to) : 0.5 * (from + to);
+  }
+};
+
+/// Of `k=0.5..2`. Throws UsageError.
+Range range_of(const std::string& text) {
+  const std::size_t equals = text.find('='), dots = text.find("..");
+  Range range{text.substr(0, equals), 0, 0};
+  const auto read = [&](std::size_t from, std::size_t to, double& number) {
+    const char *first = text.data() + from, *last = text.data() + to;
+    const auto [stop, error] = std::from_chars(first, last, number);
+    return error == std::errc{} && stop == last && std::isfinite(number);
+  };
+  if (equals == std::string::npos || dots == std::string::npos || dots < equals ||
+      !read(equals + 1, dots, range.from) || !read(dots + 2, text.size(), range.to) ||
+      !(range.from < range.to))
+    throw UsageError("--vary: got {}, expected NAME=FROM..TO with FROM below TO", shown(text));
+  return range;
+}
+
+Box box_of(const Case& c, const std::vector<std::string>& texts) {
+  std::vector<Range> ranges;
+  for (const std::string& text : texts) ranges.push_back(range_of(text));
+  constexpr std::size_t most = 7, full = 3;
+  if (ranges.size() > most) throw UsageError("--vary takes {} parameters at most", most);
+  // Columns of a Hadamard matrix of eight rows.
+  constexpr unsigned columns[most] = {1, 2, 4, 7, 3, 5, 6};
+  const unsigned corners = ranges.size() < full ? 1U << ranges.size() : 8;
+  Box box;
+  for (unsigned row = 0; row <= corners; ++row) {
+    std::vector<std::string> sets;
+    for (std::size_t j = 0; j < ranges.size(); ++j) {
+      const bool odd = std::popcount((row - 1) & columns[j]) % 2 == 1;
+      sets.push_back(fmt::format("{}={}", ranges[j].name,
+                                 ranges[j].at(row == 0 ? 0
+                                              : odd    ? 1
+                                                       : -1)));
+    }
+    box.points.push_back(fmt::format("{}", fmt::join(sets, " ")));
+    box.cases.push_back(with_sets(c, sets));
+  }
+  return box;
+}
+
+void know_truth(Case& c) {
+  std::vector<double> state(c.y0.size());
+  if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
+    c.truth = cases::truth_at(c, c.stops);
 }
 
 int advise_on(AdviseOptions& options, const CLI::App& command) {
@@ -59,16 +137,21 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
-  Case c = case_of(options.what, options.problems.sets);
-  std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
-    c.truth = cases::truth_at(c, c.stops);
-  advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
+  const Case given = case_of(options.what, options.problems.sets);
+  Box box;
+  if (options.vary.empty())
+    box.cases.push_back(given);
+  else
+    box = box_of(given, options.vary);
+  for (Case& each : box.cases) know_truth(each);
+  const Case& c = box.cases.front();
+  advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command),
+                      box.points};
   // The truth is known up to there.
   if (c.end() > c.stops.back()) asked.more += fmt::format(" --until {}", c.stops.back());
   advise::Advice advice;
   try {
-    advice = advise::advise(c, options.wishes);
+    advice = advise::advise(box.pointers(), options.wishes);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -102,13 +185,29 @@ void add_advise(CLI::App& app, int& result) {
           "--frame", options->frame,
           "with --time, which is then that of a frame: fixed steps that divide it, as 1/60")
       ->type_name("DT");
+  command
+      ->add_option("--energy", options->wishes.energy,
+                   "with --error: the largest error of the energy, relative to its size")
+      ->type_name("E");
+  command
+      ->add_option("--horizon", options->wishes.horizon,
+                   "with --energy: the time up to which it holds, for problems that conserve it")
+      ->type_name("T");
+  command
+      ->add_option("--vary", options->vary,
+                   "a box of parameters, as k=0.5..2: one setting for its middle and its corners")
+      ->type_name("NAME=FROM..TO ...")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_option("--library", options->wishes.libraries, "only solvers of these: cvode,gsl")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--solver", options->wishes.solvers, "solvers, with * and ?")
       ->type_name("GLOB...");
-  command->add_option("--seconds", options->wishes.seconds, "for the answer; default: 20, and 60 where a run takes over 2 ms")
+  command
+      ->add_option("--seconds", options->wishes.seconds,
+                   "for the answer; default: 20, and 60 where a run takes over 2 ms")
       ->type_name("S");
   command->add_option("--format", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}))

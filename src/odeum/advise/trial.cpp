@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run on each case.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "odeum/advise/search.hpp"
+#include "odeum/core/interrupt.hpp"
+
+namespace odeum::advise {
+
+double Trial::state_error() const { return parts[worst()].error; }
+
+double Trial::energy_error() const {
+  double largest = nan;
+  for (const Part& part : parts)
+    if (!(part.energy <= largest)) largest = part.energy;
+  return largest;
+}
+
+std::size_t Trial::worst() const {
+  const auto larger = [](const Part& a, const Part& b) { return a.error < b.error; };
+  return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end(), larger) -
+                                  parts.begin());
+}
+
+Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std::uint64_t frames)
+    : c_(*cases.front()),
+      wishes_(wishes),
+      multiple_(frames > 0 ? std::lcm(frames, c_.settings.steps_multiple)
+                           : c_.settings.steps_multiple),
+      seconds_(wishes.seconds > 0 ? wishes.seconds : 20) {
+  for (const Case* c : cases)
+    stages_.push_back({c,
+                       {*c, c->stops},
+                       {*c, {c->stops.front()}},
+                       {*c, {c->stops.back()}},
+                       c->energy ? c->energy(c->y0.data()) : nan});
+}
+
+double Search::seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool Search::late(double share) const { return seconds_since(start_) > share * seconds_; }
+
+double Search::part_of(To to) const {
+  return to == To::first ? (c_.stops.front() - c_.t0) / (c_.stops.back() - c_.t0) : 1;
+}
+
+Request Search::request_for(const Stage& stage, const Candidate& candidate, double fineness,
+                            To to) const {
+  const Case& c = *stage.c;
+  Request request;
+  request.mode = candidate.mode;
+  request.stops = to == To::all     ? c.stops
+                  : to == To::first ? std::vector<double>{c.stops.front()}
+                                    : std::vector<double>{c.stops.back()};
+  if (candidate.mode == Mode::adaptive)
+    set_tolerance(request, c, 1 / fineness);
+  else
+    request.steps =
+        std::max(1ULL, static_cast<unsigned long long>(std::llround(fineness * part_of(to))));
+  // A run that may be the answer has its time also where the seconds are over.
+  const double left = std::max(0.01, seconds_ - seconds_since(start_));
+  request.budget.seconds = std::isfinite(best_ns_) ? std::max(2e-3, patience_ * 1e-9 * best_ns_)
+                                                   : std::min(left, cap_seconds_);
+  return request;
+}
+
+/// The energy's largest distance from that at the start, over a run to the horizon with the same
+/// steps or tolerance; infinite where that run fails.
+double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
+                                const Part& part) const {
+  constexpr int looks = 16;
+  const Case& c = *stage.c;
+  const double longer = (wishes_.horizon - c.t0) / (c.stops.back() - c.t0);
+  Request request = part.request;
+  request.stops.clear();
+  for (int k = 1; k <= looks; ++k)
+    request.stops.push_back(c.t0 + (wishes_.horizon - c.t0) * k / looks);
+  if (request.mode == Mode::fixed)
+    request.steps = static_cast<std::uint64_t>(
+        looks * std::llround(longer / looks * static_cast<double>(request.steps)));
+  request.budget.seconds =
+      std::min(longer * request.budget.seconds, std::max(0.01, seconds_ - seconds_since(start_)));
+  const Outcome outcome = entrant.solve(request);
+  if (outcome.status != Status::ok) return infinity;
+  double drift = 0;
+  for (int k = 0; k < looks; ++k) {
+    const double* y = outcome.states.data() + static_cast<std::size_t>(k) * c.y0.size();
+    drift = std::max(drift, std::abs(c.energy(y) / stage.first_energy - 1));
+  }
+  return drift;
+}
+
+Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to,
+                      Trial& trial) const {
+  const double start = study::thread_seconds();
+  const Outcome outcome = entrant.solve(part.request);
+  if (trial.parts.empty()) trial.counters = outcome.counters;
+  part.ns = std::max(1.0, 1e9 * (study::thread_seconds() - start) -
+                              4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
+  if (outcome.status != Status::ok) return outcome.status;
+  part.error = 0;
+  if (wishes_.energy > 0) part.energy = 0;
+  for (const judge::StopError& at : stage.judge(to).errors(outcome)) {
+    if (!(at.error_max <= part.error)) part.error = at.error_max;
+    if (!(at.energy_error <= part.energy) && wishes_.energy > 0) part.energy = at.energy_error;
+  }
+  if (wishes_.horizon > 0 && to == To::all && part.error <= wishes_.error &&
+      part.energy <= wishes_.energy)
+    part.energy = std::max(part.energy, drift_to_horizon(stage, entrant, part));
+  return outcome.status;
+}
+
+Trial Search::run(const Candidate& candidate, double fineness, To to) const {
+  if (interrupted) throw Interrupted();
+  Trial trial;
+  trial.fineness = fineness;
+  double error = 0;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    Part part{request_for(stages_[k], candidate, fineness, to)};
+    trial.status = run_on(stages_[k], *candidate.on[k], part, to, trial);
+    trial.ns += part.ns;
+    trial.parts.push_back(std::move(part));
+    if (trial.status != Status::ok) break;
+    const Part& made = trial.parts.back();
+    if (!(made.error <= error)) error = made.error;
+    const double by_energy = made.energy * wishes_.error / wishes_.energy;
+    if (wishes_.energy > 0 && !(by_energy <= error)) error = by_energy;
+  }
+  trial.ns /= static_cast<double>(trial.parts.size());
+  if (trial.status == Status::ok) trial.error = error;
+  return trial;
+}
+
+Trial Search::run_to_end(const Candidate& candidate, double fineness, std::size_t which) const {
+  Trial trial;
+  trial.fineness = fineness;
+  Part part{request_for(stages_[which], candidate, fineness, To::end)};
+  trial.status = run_on(stages_[which], *candidate.on[which], part, To::end, trial);
+  trial.ns = part.ns;
+  if (trial.status == Status::ok) trial.error = part.error;
+  trial.parts.push_back(std::move(part));
+  return trial;
+}
+
+}  // namespace odeum::advise
