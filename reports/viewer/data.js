@@ -166,7 +166,7 @@
     `var(--s${styleNumbers[Math.max(0, facts.libraryNames.indexOf(library)) % 8]})`;
   const families = [
     'explicit_rk', 'implicit_rk', 'symplectic', 'multistep', 'linearly_implicit', 'extrapolation',
-    'physics_engine',
+    'physics_engine', 'stabilised_rk',
   ];
   const shapeOf = (solver) => {
     const i = families.indexOf(solver ? solver.family : '');

@@ -58,7 +58,7 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
       set_tolerance(request, c, 1 / fineness);
     else
       request.steps = static_cast<std::uint64_t>(multiple * std::ceil(fineness / multiple));
-    request.budget.seconds = std::clamp(1e-8 * best_ns, 2e-3, 2.0);
+    request.budget.seconds = std::clamp(1e-8 * best_ns, 2e-3, 0.5);
     const double start = study::thread_seconds();
     const double has = error_of(entrant, request, judge);
     const double ns = 1e9 * (study::thread_seconds() - start);
@@ -71,10 +71,10 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
   }
 }
 
-Answers search_all(const Case& c, double error) {
+/// `best_ns`: a time that is known to be enough, or infinite; it bounds the runs, no more.
+Answers search_all(const Case& c, double error, double best_ns) {
   const judge::Judge judge(c, c.stops);
   Answers answers;
-  double best_ns = infinity;
   for (std::size_t k = 0; k < c.entrants.size(); ++k) {
     const Entrant& entrant = c.entrants[k];
     if (!entrant.unfit.empty() || entrant.info.id().ends_with("exponential_propagator")) continue;
@@ -110,10 +110,11 @@ struct Regret {
 
 Regret regret_of(const Case& c, double error) {
   Regret regret{fmt::format("{} at {:g}", c.id, error)};
-  Answers answers = search_all(c, error);
   advise::Wishes wishes;
   wishes.error = error;
   const advise::Advice advice = advise::advise({&c}, wishes);
+  const Answers answers = search_all(
+      c, error, advice.failure.empty() ? advice.candidates[advice.winner].found->ns : infinity);
   if (answers.empty() && !advice.failure.empty()) {
     regret.advised = nan;  // nobody has that error
     return regret;

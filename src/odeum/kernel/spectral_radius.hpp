@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "odeum/kernel/components.hpp"
+#include "odeum/problem/concepts.hpp"
+
+namespace odeum {
+
+/// An estimate of the spectral radius of the Jacobian, from evaluations of the right-hand side
+/// alone: the power method on differences f(t, y + v) - f(t, y), as in the code RKC (Sommeijer,
+/// Shampine, Verwer, J. Comput. Appl. Math. 88 (1998) 315-326, section 4). The vector is kept, so
+/// that later estimates take a few evaluations.
+///
+/// Two estimates in a row have to agree, so that no single evaluation decides. The first vector has
+/// a share in every direction: one along f alone may never see the fastest.
+template <Ode P>
+class SpectralRadius {
+ public:
+  explicit SpectralRadius(const P& problem)
+      : problem_(problem), direction_(make_state(problem)), moved_(direction_), slope_(direction_) {
+    // A linear congruence: the same numbers in every run.
+    std::uint32_t random = 1;
+    for (std::size_t i = 0; i < direction_.size(); ++i) {
+      random = 1664525 * random + 1013904223;
+      direction_[i] = 0.5 + static_cast<double>(random) / 4294967296.0;
+      if (i % 2 == 1) direction_[i] = -direction_[i];
+    }
+  }
+
+  /// At (t, y) with f = f(t, y); an upper bound as far as the iteration has converged.
+  double operator()(double t, const State<P>& y, const State<P>& f) {
+    constexpr double safety = 1.2, agreement = 0.01;
+    constexpr int most = 60;
+    const double size = std::max(norm(y), 1e-8), distance = size * root_of_rounding;
+    double radius = 0;
+    int agreed = 0;
+    for (int k = 0; k < most && agreed < 2; ++k) {
+      const double length = norm(direction_);
+      if (!(length > 0)) break;  // every direction tried is at rest
+      each_component(y,
+                     [&](std::size_t i) { moved_[i] = y[i] + distance / length * direction_[i]; });
+      problem_.rhs(t, moved_.data(), slope_.data());
+      each_component(y, [&](std::size_t i) { direction_[i] = slope_[i] - f[i]; });
+      const double before = radius;
+      radius = norm(direction_) / distance;
+      if (!std::isfinite(radius)) break;
+      agreed = std::abs(radius - before) <= agreement * radius ? agreed + 1 : 0;
+    }
+    return safety * radius;
+  }
+
+ private:
+  static constexpr double root_of_rounding = 0x1p-26;
+  static double norm(const State<P>& x) {
+    return std::sqrt(sum_of_components(x, [&](std::size_t i) { return x[i] * x[i]; }));
+  }
+
+  const P& problem_;
+  State<P> direction_, moved_, slope_;
+};
+
+}  // namespace odeum
