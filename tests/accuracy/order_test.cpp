@@ -55,8 +55,6 @@ struct Exception {
   const char* reason = nullptr;
 };
 constexpr const char* sixth_on_linear = "of order 6 on linear problems with constant coefficients";
-constexpr const char* small_leading_term =
-    "its leading error term is small: order 6 down to errors of 1e-9";
 constexpr const char* mean_step =
     "the order in the mean step is not defined: the distribution of steps varies with the "
     "tolerance";
@@ -64,27 +62,15 @@ constexpr const char* rounding_at_last =
     "at a tolerance of 1e-12 the remainder of its iteration is rounding, above the method's error";
 constexpr const char* higher_to_rounding =
     "its leading error term is small here: a higher order down to rounding";
+constexpr const char* slopes_rise =
+    "its slopes rise to the claim down to rounding, and two terms end more than 0.1 below it";
 using enum judge::Verdict;
 const Exception exceptions[] = {
     // Rounding ends some of the fits before the slope is 6, or while slopes still fall.
     {"rodas5p", "*", Mode::fixed, {higher, undetermined}, 5.25, 6.5, sixth_on_linear},
-    // The adaptive band about 5 reaches to 5.75.
-    {"rodas5p", "*", Mode::adaptive, {higher, confirmed}, 5.25, 6.5, sixth_on_linear},
-    {"tsitouras54", "dahlquist_real", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
-    {"tsitouras54", "lotka_volterra", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
-    {"dormand_prince54", "lotka_volterra", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
-    {"dormand_prince54", "kepler_e06", Mode::adaptive, {higher}, 5.5, 6.5, small_leading_term},
-    {"dormand_prince54_dead_band",
-     "lotka_volterra",
-     Mode::adaptive,
-     {higher},
-     5.5,
-     6.5,
-     small_leading_term},
     {"gauss4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"gauss4", "rc_circuit", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
     {"lobatto_iiic4", "lotka_volterra", Mode::adaptive, {lower, undetermined}, 2.0, 5.0, mean_step},
-    {"radau_iia5", "duffing_free", Mode::adaptive, {higher, undetermined}, 5.0, 6.5, mean_step},
     // Local slopes run from 2.9 to 6.3: the verdict depends on the rounding of the step control,
     // which
     // differs with the compiler's options; the order stays.
@@ -103,6 +89,9 @@ const Exception exceptions[] = {
      5.5,
      rounding_at_last},
     {"verner98", "duffing_free", Mode::fixed, {higher}, 9.5, 10.5, higher_to_rounding},
+    {"tsitouras54", "lotka_volterra", Mode::fixed, {undetermined}, 4.4, 5.0, slopes_rise},
+    {"dormand_prince853", "kepler_e06", Mode::fixed, {undetermined}, 7.2, 8.0, slopes_rise},
+    {"taylor", "lotka_volterra", Mode::fixed, {undetermined}, 9.0, 12.0, slopes_rise},
     {"verner98", "rc_circuit", Mode::fixed, {undetermined}, 11.0, 12.0, higher_to_rounding},
 };
 
@@ -143,11 +132,13 @@ TEST_P(Order, IsAsClaimed) {
   }
   // Fixed steps: a fit over at least four steps whose local slopes agree is off by less than 0.15
   // (5 % above order 4), the next order of a step's error expansion included; a wrong coefficient
-  // changes it by a whole order. Adaptive runs: a wider bound, see order_fit.hpp.
+  // changes it by a whole order. Adaptive runs: the order at least, see order_fit.hpp.
   const double band = (pair.mode == Mode::fixed ? judge::fixed_step_tolerance(pair.claimed)
                                                 : judge::adaptive_tolerance(pair.claimed))
                           .order;
-  EXPECT_NEAR(fit.order, pair.claimed, band) << to_string(fit.verdict) << ": " << fit.reason;
+  EXPECT_GE(fit.order, pair.claimed - band) << to_string(fit.verdict) << ": " << fit.reason;
+  const bool at_least = pair.mode == Mode::adaptive;
+  EXPECT_TRUE(at_least || fit.order <= pair.claimed + band) << fit.order << ' ' << fit.reason;
   EXPECT_EQ(fit.verdict, judge::Verdict::confirmed) << fit.reason;
   EXPECT_GE(fit.points, 4U);
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "odeum/judge/fit_parts.hpp"
 #include "odeum/judge/order_fit.hpp"
 #include "support/error_points.hpp"
 
@@ -80,6 +81,42 @@ TEST(OrderFit, SlopesBetweenWholeOrdersDenyNothingUnlessTheyLast) {
   EXPECT_EQ(
       fit_fixed(ladder(std::sqrt(2), 5, [](double h) { return std::pow(h, 3.1); }), 4).verdict,
       Verdict::lower);
+}
+
+// A method of order 4 that claims 5, on the Pleiades, had slopes of 4.33, 4.54 and 4.59 and was
+// confirmed, since two terms through its errors gave p = 4.84.
+TEST(OrderFit, TwoTermsBelowTheClaimConfirmNothing) {
+  const auto two_terms = [](double p) {
+    return fit_fixed(
+        ladder(1.26, 8, [p](double h) { return 1e-2 * std::pow(h, p) * (1 - 1.3 * h); }), 5);
+  };
+  EXPECT_EQ(two_terms(4.84).verdict, Verdict::undetermined) << two_terms(4.84).reason;
+  EXPECT_EQ(two_terms(4.95).verdict, Verdict::confirmed) << two_terms(4.95).reason;
+}
+
+// dormand_prince54 to tolerances from 1e-3 to 1e-10 on the Pleiades was `higher`, 6.23: its leading
+// term is small, and its claim is to fall with order 5 at least.
+TEST(OrderFit, AnAdaptiveRunIsHeldToAtLeastItsOrder) {
+  const auto points =
+      measured({49, 73, 103, 154, 235, 360, 560, 889},
+               {0.1716, 0.01719, 1.891e-3, 2.113e-4, 1.968e-5, 8.893e-7, 4.655e-8, 2.504e-9});
+  const auto adaptive = [&](double claimed) {
+    return fit_order(points, claimed, adaptive_tolerance(claimed));
+  };
+  EXPECT_EQ(adaptive(5).verdict, Verdict::confirmed) << adaptive(5).reason;
+  EXPECT_NE(adaptive(5).reason.find("at least the 5"), std::string::npos) << adaptive(5).reason;
+  EXPECT_NE(adaptive(8).verdict, Verdict::confirmed) << adaptive(8).reason;
+  EXPECT_NE(fit_fixed(points, 5).verdict, Verdict::confirmed) << "at fixed steps it is the order";
+}
+
+// tsitouras54 on the stiff elastic pendulum: the finest two steps differ by 6 %, and their errors
+// by rounding, so that the reason named a slope of 0.51 where the errors fall with 5.3.
+TEST(OrderFit, TheSlopeAtTheFinestStepsIsOverStepsFarEnoughApart) {
+  const auto points = measured({2560, 2710, 2880, 3050, 3230, 3420},
+                               {4.69e-12, 3.53e-12, 2.65e-12, 1.94e-12, 1.288e-12, 1.251e-12});
+  EXPECT_LT(local_slope(points[4], points[5]), 1);
+  EXPECT_NEAR(local_slope_to(points, 5), 5, 1.1);
+  EXPECT_EQ(local_slope_to(points, 1), local_slope(points[0], points[1])) << "none is far enough";
 }
 
 TEST(OrderFit, SaysWhyThereIsNone) {

@@ -21,6 +21,13 @@ constexpr double student_t(std::size_t freedom) {
 
 inline constexpr std::size_t fewest_points = 4;  ///< of a window
 
+/// Of points with the same steps, which two tolerances may lead to, leaves the last.
+void merge_same_steps(std::vector<ErrorPoint>& points);
+
+/// True if the method is exact on this problem: its error is rounding from the coarsest step on,
+/// and grows with the number of steps, or with its square in recurrences of second differences.
+bool is_exact(const std::vector<ErrorPoint>& points);
+
 /// A power law C h^p through points, by least squares in the logarithms.
 struct PowerLaw {
   double order = 0;       ///< p
@@ -31,6 +38,9 @@ struct PowerLaw {
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n);
 
 double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine);
+/// To point `fine` from the next whose step is so much coarser that noise does not dominate; from
+/// the coarsest where there is none.
+double local_slope_to(const std::vector<ErrorPoint>& points, std::size_t fine);
 
 /// A window of neighbouring points; `count` 0: none.
 struct Window {

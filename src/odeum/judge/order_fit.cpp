@@ -15,30 +15,7 @@ using Points = std::vector<ErrorPoint>;
 
 // A window's finest step against the finest of all; where slopes before it are; how long it is.
 constexpr double finest_end = 1.65, slopes_before = 4, short_span = 2, long_span = 8;
-
-// Two tolerances may lead to the same steps, and so to one measurement: the last one stays.
-void merge_same_steps(Points& points) {
-  constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
-  Points merged;
-  for (const ErrorPoint& point : points) {
-    if (!merged.empty() && point.step > same * merged.back().step)
-      merged.back() = point;
-    else
-      merged.push_back(point);
-  }
-  points = std::move(merged);
-}
-
-/// True if the method is exact on this problem: its error is rounding from the coarsest step on,
-/// and grows with the number of steps, or with its square in recurrences of second differences.
-bool is_exact(const Points& points) {
-  if (points.size() < fewest_points) return false;
-  const double coarsest = points.front().steps;
-  return std::all_of(points.begin(), points.end(), [&](const ErrorPoint& p) {
-    const double growth = std::max(1.0, p.steps / coarsest);
-    return p.error <= 100 * p.typical_rounding() * growth * std::sqrt(growth);
-  });
-}
+constexpr double two_terms_below = 0.1;  // how far below the claim p may lie, to confirm it
 
 /// One fit of points clear of rounding, from the finest to the verdict.
 class Fitting {
@@ -62,7 +39,7 @@ class Fitting {
     if (std::isnan(claimed_))
       return verdict(Verdict::not_applicable, "the order varies during a run, so none is claimed");
     if (!falls_away(points_, certain_end_, claimed_, tolerance_)) {
-      if (window.count && confirms(window)) return verdict(Verdict::confirmed, "");
+      if (window.count && confirms(window)) return confirmed();
       if (!settled_lower(window) && confirmed_by_two_terms()) return fit_;
     }
     if (floor.first < certain_end_) return floors(floor);
@@ -76,6 +53,14 @@ class Fitting {
     fit_.verdict = verdict;
     fit_.reason = std::move(reason);
     return fit_;
+  }
+  OrderFit confirmed() {
+    const bool more = fit_.order - claimed_ > tolerance_.order;
+    return verdict(Verdict::confirmed,
+                   more ? fmt::format("errors fall with order {:.2f} in the mean step, at least "
+                                      "the {:g} that is claimed",
+                                      fit_.order, claimed_)
+                        : "");
   }
   OrderFit undetermined(NoOrder why, std::string reason) {
     fit_.why = why;
@@ -97,11 +82,16 @@ class Fitting {
     return fit_power_law(points_.data() + window.first, window.count);
   }
 
+  bool is_claimed(double order) const {
+    return claimed_ - order <= tolerance_.order &&
+           (tolerance_.at_least || order - claimed_ <= tolerance_.order);
+  }
+
   bool confirms(const Window& window) const {
     const PowerLaw law = law_of(window);
-    return 2 * law.half_width <= claimed_ / 2 &&
-           std::abs(law.order - claimed_) <= tolerance_.order &&
-           first_stray(window.end(), law) == certain_end_;
+    const bool known = 2 * law.half_width <= claimed_ / 2 ||
+                       (tolerance_.at_least && law.order - law.half_width >= claimed_);
+    return known && is_claimed(law.order) && first_stray(window.end(), law) == certain_end_;
   }
 
   // The finest window that confirms the claim; else the finest where errors are no rounding, if
@@ -127,7 +117,7 @@ class Fitting {
     fit_.step_finest = points_[window.end() - 1].step;
   }
 
-  double finest_slope() const { return local_slope(points_[points_.size() - 2], points_.back()); }
+  double finest_slope() const { return local_slope_to(points_, points_.size() - 1); }
 
   // Many slopes agree below the claim: two terms through them and points next to rounding say
   // nothing.
@@ -135,11 +125,12 @@ class Fitting {
     return window.count >= 8 && fit_.high < claimed_ - tolerance_.apart;
   }
 
-  // Slopes that still move, or settle elsewhere than they will: the next term of the error.
+  // Slopes that still move, or settle elsewhere than they will: the next term of the error. A term
+  // of lower order, which the fit has not, lowers p, so that a p below the claim confirms nothing.
   bool confirmed_by_two_terms() {
     const TwoTermFit two = fit_two_terms(points_);
-    if (two.points == 0 || two.half_width > tolerance_.order ||
-        std::abs(two.order - claimed_) > tolerance_.order ||
+    if (two.points == 0 || two.half_width > tolerance_.order || !is_claimed(two.order) ||
+        claimed_ - two.order > two_terms_below ||
         first_stray(two.first + two.points, two) < certain_end_)
       return false;
     record(two, {two.first, two.points});

@@ -77,6 +77,7 @@ struct FitTolerance {
   double settled;  ///< how far the local slopes of a window may differ from their mean
   double stray;    ///< the factor by which finer errors may miss the fitted power of the step
   double whole;    ///< how far another order may lie from a whole one, see fit_order
+  bool at_least = false;  ///< whether a slope above the claim confirms it, too
 };
 /// Fixed steps: neighbouring orders are told apart by 0.15. Above order 4 errors fall to rounding
 /// before the next term of their expansion is negligible, C h^p (1 + D h): a window in which D h
@@ -88,16 +89,24 @@ inline constexpr FitTolerance fixed_step_tolerance(double claimed_order) {
   return {.order = order, .apart = 2 * order, .settled = 0.1, .stray = 2, .whole = 0.15};
 }
 /// Adaptive runs: the steps vary along the run and with the tolerance, so that errors scatter about
-/// a power of the mean step; whole orders are still told apart, but slopes need not be whole.
+/// a power of the mean step; whole orders are still told apart, but slopes need not be whole. The
+/// claim is that errors fall with the order at least: pairs whose leading term is small, and steps
+/// that follow the solution, show up to 1.5 more at all tolerances above rounding.
 inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
   const double order = claimed_order > 3 ? 0.15 * claimed_order : 0.5;
-  return {.order = order, .apart = order, .settled = 1.5, .stray = 10, .whole = HUGE_VAL};
+  return {.order = order,
+          .apart = order,
+          .settled = 1.5,
+          .stray = 10,
+          .whole = HUGE_VAL,
+          .at_least = true};
 }
 
 /// Fits the order of points sorted from coarse to fine over the finest window (fit_parts.hpp) clear
 /// of rounding and of the truth's floor.
 /// - `confirmed`: the slope is the claimed order, or that of the error's first two terms is (see
-///   fit_parts.hpp), and every finer point that is no rounding lies within `stray` of it.
+///   fit_parts.hpp), or a higher one where `at_least` says so, and every finer point that is no
+///   rounding lies within `stray` of it.
 /// - `floors`: finer points stop falling, and are no rounding.
 /// - `higher`, `lower`: the slopes have settled at the finest clear points, elsewhere, and do not
 ///   move towards the claim: the order's interval lies within `whole` of a whole number, at most

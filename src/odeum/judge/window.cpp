@@ -19,6 +19,13 @@ std::size_t slope_partner(const std::vector<ErrorPoint>& points, std::size_t i, 
   return j;
 }
 
+/// The next coarser point that a local slope to point `fine` is taken from; 0: none is that far.
+std::size_t coarser_partner(const std::vector<ErrorPoint>& points, std::size_t fine) {
+  std::size_t i = fine;
+  while (i > 0 && points[i].step < slope_span * points[fine].step) --i;
+  return i;
+}
+
 /// Mean, least and largest local slope of points [first, end).
 struct Slopes {
   double mean = 0, low = 0, high = 0;
@@ -44,8 +51,7 @@ bool fall_to(const std::vector<ErrorPoint>& points, std::size_t end, double orde
              const FitTolerance& tolerance) {
   std::vector<double> slopes;  // from the finest
   while (end > 0 && slopes.size() < 3) {
-    std::size_t i = end - 1;
-    while (i > 0 && points[i].step < slope_span * points[end - 1].step) --i;
+    const std::size_t i = coarser_partner(points, end - 1);
     if (points[i].step < slope_span * points[end - 1].step) return false;
     slopes.push_back(local_slope(points[i], points[end - 1]));
     end = i + 1;
@@ -57,6 +63,27 @@ bool fall_to(const std::vector<ErrorPoint>& points, std::size_t end, double orde
 }
 
 }  // namespace
+
+void merge_same_steps(std::vector<ErrorPoint>& points) {
+  constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
+  std::vector<ErrorPoint> merged;
+  for (const ErrorPoint& point : points) {
+    if (!merged.empty() && point.step > same * merged.back().step)
+      merged.back() = point;
+    else
+      merged.push_back(point);
+  }
+  points = std::move(merged);
+}
+
+bool is_exact(const std::vector<ErrorPoint>& points) {
+  if (points.size() < fewest_points) return false;
+  const double coarsest = points.front().steps;
+  return std::all_of(points.begin(), points.end(), [&](const ErrorPoint& p) {
+    const double growth = std::max(1.0, p.steps / coarsest);
+    return p.error <= 100 * p.typical_rounding() * growth * std::sqrt(growth);
+  });
+}
 
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n) {
   const auto count = static_cast<double>(n);
@@ -80,6 +107,10 @@ PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n) {
 
 double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
   return std::log(coarse.error / fine.error) / std::log(coarse.step / fine.step);
+}
+
+double local_slope_to(const std::vector<ErrorPoint>& points, std::size_t fine) {
+  return local_slope(points[coarser_partner(points, fine)], points[fine]);
 }
 
 bool moves_towards(const std::vector<ErrorPoint>& points, const Window& window, double order,
