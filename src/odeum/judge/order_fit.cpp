@@ -15,6 +15,7 @@ using Points = std::vector<ErrorPoint>;
 
 // A window's finest step against the finest of all; where slopes before it are; how long it is.
 constexpr double finest_end = 1.65, slopes_before = 4, short_span = 2, long_span = 8;
+constexpr double still_converging = 2;   // above a claim of at least: no error of an order yet
 constexpr double two_terms_below = 0.1;  // how far below the claim p may lie, to confirm it
 
 /// One fit of points clear of rounding, from the finest to the verdict.
@@ -84,7 +85,7 @@ class Fitting {
 
   bool is_claimed(double order) const {
     return claimed_ - order <= tolerance_.order &&
-           (tolerance_.at_least || order - claimed_ <= tolerance_.order);
+           order - claimed_ <= tolerance_.order + (tolerance_.at_least ? still_converging : 0);
   }
 
   bool confirms(const Window& window) const {
@@ -237,7 +238,8 @@ class Fitting {
                       "to {:.2f} at the finest steps",
                       fit_.order, claimed_,
                       local_slope(points_[window.end() - 2], points_[window.end() - 1])));
-    if (!is_an_order(window) && !(fit_.order < claimed_ && took_over(window)))
+    if ((tolerance_.at_least && fit_.order > claimed_) ||
+        (!is_an_order(window) && !(fit_.order < claimed_ && took_over(window))))
       return undetermined(
           NoOrder::unsettled,
           fmt::format("the slope {:.2f} has not settled: over a factor of {:.2g} in "

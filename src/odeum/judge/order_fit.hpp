@@ -77,7 +77,7 @@ struct FitTolerance {
   double settled;  ///< how far the local slopes of a window may differ from their mean
   double stray;    ///< the factor by which finer errors may miss the fitted power of the step
   double whole;    ///< how far another order may lie from a whole one, see fit_order
-  bool at_least = false;  ///< whether a slope above the claim confirms it, too
+  bool at_least = false;  ///< whether slopes above the claim confirm it, too
 };
 /// Fixed steps: neighbouring orders are told apart by 0.15. Above order 4 errors fall to rounding
 /// before the next term of their expansion is negligible, C h^p (1 + D h): a window in which D h
