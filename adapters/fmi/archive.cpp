@@ -67,6 +67,36 @@ void unpack_entry(zip_t* zip, zip_uint64_t index, const fs::path& to, std::uint6
   if (!out) throw LoadError(fmt::format("{} cannot be written", to.string()));
 }
 
+struct Entry {
+  zip_uint64_t index;
+  std::string name;
+};
+
+/// The entries that are unpacked, all of them looked at before anything is written. What they say
+/// of their size need not be true: unpack_entry counts.
+std::vector<Entry> wanted_entries(zip_t* zip, zip_int64_t entries) {
+  std::vector<Entry> wanted;
+  double total = 0;
+  for (zip_int64_t i = 0; i < entries; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    const char* const raw = zip_get_name(zip, index, 0);
+    const std::string name = raw ? raw : "";
+    if (!stays_inside(name))
+      throw LoadError(fmt::format("has an entry that would be written outside of its folder: {}",
+                                  foreign::cleaned(name.c_str())));
+    if (!is_wanted(name) || name.back() == '/') continue;
+    zip_stat_t status;
+    zip_stat_init(&status);
+    if (zip_stat_index(zip, index, 0, &status) == 0 && (status.valid & ZIP_STAT_SIZE) != 0)
+      total += static_cast<double>(status.size);
+    wanted.push_back({index, name});
+  }
+  if (total > static_cast<double>(most_bytes))
+    throw LoadError(
+        fmt::format("its entries have {:.0f} bytes, at most {} are unpacked", total, most_bytes));
+  return wanted;
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
@@ -94,17 +124,10 @@ void unpack(const std::string& archive, const fs::path& folder) {
   const zip_int64_t entries = zip_get_num_entries(zip.get(), 0);
   if (entries > most_entries)
     throw LoadError(fmt::format("has {} entries, at most {} are read", entries, most_entries));
+  const std::vector<Entry> wanted = wanted_entries(zip.get(), entries);
   std::uint64_t budget = most_bytes;
-  for (zip_int64_t i = 0; i < entries; ++i) {
-    const auto index = static_cast<zip_uint64_t>(i);
-    const char* const raw = zip_get_name(zip.get(), index, 0);
-    const std::string name = raw ? raw : "";
-    if (!stays_inside(name))
-      throw LoadError(fmt::format("has an entry that would be written outside of its folder: {}",
-                                  foreign::cleaned(name.c_str())));
-    if (is_wanted(name) && name.back() != '/')
-      unpack_entry(zip.get(), index, folder / name, budget);
-  }
+  for (const Entry& entry : wanted)
+    unpack_entry(zip.get(), entry.index, folder / entry.name, budget);
 }
 
 }  // namespace odeum::adapters::fmi

@@ -36,6 +36,21 @@ TEST_P(DamagedFmus, ArchivesThatPointOutOfTheirFolderAreRefused) {
   EXPECT_FALSE(fs::exists(outside));
 }
 
+// What they say of their size is enough: nothing was unpacked.
+TEST_P(DamagedFmus, ArchivesThatUnpackToTooMuchAreRefusedBefore) {
+  Entries all = entries();
+  all.insert(all.begin(), {"resources/zeros", std::string(1'000'000, 0)});
+  const std::string file = archive(all);
+  std::string bytes = read(file);
+  // The size in the central directory, 1.8 GB instead.
+  const std::string size{0x40, 0x42, 0x0f, 0};
+  const std::size_t at = bytes.rfind(size, bytes.rfind("resources/zeros"));
+  ASSERT_NE(at, std::string::npos);
+  bytes.replace(at, size.size(), std::string{0x40, 0x42, 0x0f, 0x70});
+  std::ofstream(file, std::ios::binary) << bytes;
+  expect_refused(file, "at most 1000000000 are unpacked");
+}
+
 TEST_P(DamagedFmus, BrokenDescriptionsAreRefused) {
   expect_refused_xml("</ModelVariables>", "", "modelDescription.xml: byte");
   expect_refused_xml("<fmiModelDescription", "<!DOCTYPE x [<!ENTITY a \"b\">]><fmiModelDescription",

@@ -236,6 +236,17 @@ TEST_F(RunCommand, PrintsNothingOfARunThatIsRefused) {
   }
 }
 
+// The truth of 1e300 seconds was computed first, for minutes.
+TEST_F(RunCommand, RefusesTooManyStepsBeforeItComputesATruth) {
+  write_text(folder_.path() / "long.yaml",
+             "states: {x: 2, v: 0}\nequations: {x: v, v: (1-x^2)*v-x}\ntime: {end: 1e300}\n");
+  const Result result = run((folder_.path() / "long.yaml").string() + " --solver rk4 --step 0.1");
+  EXPECT_EQ(result.code, 2) << result.output;
+  EXPECT_NE(result.output.find("more than 1e+09 steps to t = 1e+300"), std::string::npos)
+      << result.output;
+  EXPECT_EQ(count(result.output, "truth"), 0U) << result.output;
+}
+
 // 501 steps at 0.01 s of output and 43 at 0.5 s were those of a run that ended a step at each.
 TEST_F(RunCommand, OutputDoesNotSteerTheStep) {
   const auto steps = [&](const std::string& every) {

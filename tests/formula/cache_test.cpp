@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <map>
 #include <thread>
 
 #include "support/program.hpp"
@@ -64,6 +65,32 @@ TEST_F(Cache, ADamagedReferenceIsMadeAgain) {
   const std::string second = run();
   EXPECT_EQ(second.substr(second.find("\nerror ")), first.substr(first.find("\nerror ")));
   EXPECT_EQ(tests::text_of(file), whole);
+}
+
+// It was computed again by every run with --out; other parameters have another one.
+TEST_F(Cache, KeepsTheTruthAtTheOutputsOfARun) {
+  const std::string folder = folder_.path().string();
+  const auto run = [&](const std::string& words) {
+    const tests::Result result = tests::shell(
+        "export XDG_CACHE_HOME='" + folder +
+        "' && exec '" ODEUM_BINARY "' run lotka_volterra --solver rk4 --step 0.1 --out '" + folder +
+        "/out' " + words);
+    EXPECT_EQ(result.code, 0) << result.output;
+    return result.output.substr(result.output.find("\nerror "));
+  };
+  const auto entries = [&] {
+    std::map<fs::path, fs::file_time_type> all;
+    for (const auto& each : fs::directory_iterator(cache()))
+      if (each.path().extension() == ".reference") all[each.path()] = each.last_write_time();
+    return all;
+  };
+  const std::string first = run("");
+  const auto kept = entries();
+  EXPECT_EQ(kept.size(), 1U);
+  EXPECT_EQ(run(""), first);
+  EXPECT_EQ(entries(), kept);
+  EXPECT_NE(run("--set a=1.4"), first);
+  EXPECT_EQ(entries().size(), 2U);
 }
 
 // Another problem's object was loaded and run in its place.

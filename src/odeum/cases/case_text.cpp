@@ -135,4 +135,16 @@ bool CaseText::is_usual() const {
                     });
 }
 
+std::pair<double, double> span_of_text(const std::string& file, const std::string& text,
+                                       const std::string& id, const formula::Overrides& set) {
+  class OfText : CaseText {
+   public:
+    OfText(const std::string& file, const std::string& text, const std::string& id,
+           const formula::Overrides& set)
+        : CaseText(file, text, id, set) {}
+    std::pair<double, double> span() { return {static_cast<double>(problem_.t0), stops().back()}; }
+  };
+  return OfText(file, text, id, set).span();
+}
+
 }  // namespace odeum::cases

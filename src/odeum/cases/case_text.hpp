@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "odeum/formula/case_keys.hpp"
@@ -55,5 +56,10 @@ class CaseText : protected formula::CaseKeys {
 
   std::map<std::string, long double> usual_;
 };
+
+/// The start and the end of the case `id` of a problem file, for which no truth is computed. Throws
+/// InputError and std::invalid_argument.
+std::pair<double, double> span_of_text(const std::string& file, const std::string& text,
+                                       const std::string& id, const formula::Overrides& set);
 
 }  // namespace odeum::cases

@@ -47,8 +47,8 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   }
   std::string why;
   std::optional<truth::Reference> reference =
-      kept_or_computed("foreign " + given.content, c.y0.size(), c.stops, c.scale,
-                       [&] { return foreign::reference_of(given, why); });
+      truth::kept_or_computed("foreign " + given.content, c.y0.size(), c.stops, c.scale,
+                              [&] { return foreign::reference_of(given, why); });
   if (reference && !reference->times.empty()) {
     const TextTruth known = truth_from(std::move(*reference), c.stops, c.scale, given.source);
     c.truth = known.truth;

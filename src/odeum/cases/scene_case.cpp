@@ -163,9 +163,10 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
     known.known_until = times.back();
     return known;
   }
-  const auto reference = kept_or_computed("scene " + content, problem->size(), times, {}, [&] {
-    return std::optional(truth::compute_reference(truth::system_of(problem), times, {}));
-  });
+  const auto reference =
+      truth::kept_or_computed("scene " + content, problem->size(), times, {}, [&] {
+        return std::optional(truth::compute_reference(truth::system_of(problem), times, {}));
+      });
   return truth_from(*reference, times, {}, what);
 }
 

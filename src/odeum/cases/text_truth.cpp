@@ -9,8 +9,6 @@
 #include <limits>
 #include <utility>
 
-#include "odeum/core/build_info.hpp"
-#include "odeum/formula/cache.hpp"
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/truth/text_system.hpp"
 
@@ -89,20 +87,6 @@ std::size_t place_of(const truth::Reference& reference, double t) {
 
 }  // namespace
 
-std::optional<truth::Reference> kept_or_computed(
-    std::string content, std::size_t states, const std::vector<double>& stops,
-    const std::vector<double>& scale,
-    const std::function<std::optional<truth::Reference>()>& compute) {
-  content +=
-      fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
-  const std::string name = formula::content_key(content) + ".reference";
-  if (const auto text = formula::kept_text(name))
-    if (auto held = truth::from_text(*text, states)) return held;
-  std::optional<truth::Reference> reference = compute();
-  if (reference) formula::keep_text(name, truth::to_text(*reference));
-  return reference;
-}
-
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
                      const std::vector<double>& scale, const std::string& what) {
   const auto reference = std::make_shared<const truth::Reference>(std::move(computed));
@@ -158,12 +142,13 @@ void cut_stops(Case& c, const std::vector<double>& known) {
 
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
-  return truth_from(*kept_or_computed(content_of(ode), ode->size(), problem.stops, problem.scale,
-                                      [&] {
-                                        return truth::compute_reference(
-                                            truth::system_of(ode), problem.stops, problem.scale);
-                                      }),
-                    problem.stops, problem.scale, problem.file);
+  return truth_from(
+      *truth::kept_or_computed(content_of(ode), ode->size(), problem.stops, problem.scale,
+                               [&] {
+                                 return truth::compute_reference(truth::system_of(ode),
+                                                                 problem.stops, problem.scale);
+                               }),
+      problem.stops, problem.scale, problem.file);
 }
 
 }  // namespace odeum::cases

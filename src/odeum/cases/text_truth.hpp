@@ -22,12 +22,6 @@ struct TextTruth {
   std::string words;  ///< for people: where it comes from and how many digits it has
 };
 
-/// The reference that the cache folder keeps for this content, else a computed one, which is then
-/// kept there; nothing where none could be computed.
-std::optional<truth::Reference> kept_or_computed(
-    std::string content, std::size_t states, const std::vector<double>& stops,
-    const std::vector<double>& scale,
-    const std::function<std::optional<truth::Reference>()>& compute);
 /// A computed reference as truth of `what`.
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
                      const std::vector<double>& scale, const std::string& what);

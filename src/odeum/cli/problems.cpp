@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/cases/foreign_case.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/text_case.hpp"
@@ -68,11 +69,14 @@ std::string unused_id(const std::string& id, const std::string& otherwise) {
   return unused;
 }
 
-Cases load_fmu(const std::string& path, const std::vector<std::string>& sets) {
+Cases load_fmu(const std::string& path, const std::vector<std::string>& sets,
+               const SpanCheck& check) {
   try {
     foreign::ProblemCallbacks given = open_fmu(path, overrides_of(sets));
     given.id = unused_id(stem_of(path), "_fmu");
     mark() += " " + given.content;
+    const odeum_problem& p = given.functions;
+    if (check) check(p.t0, p.stops[p.stop_count - 1]);
     return {&add_user_case(cases::foreign_statement(std::move(given)))};
   } catch (const LoadError& error) {
     throw UsageError(error.what());
@@ -118,13 +122,21 @@ bool is_problem_file(const std::string& path) {
   }
 }
 
-Cases load_problem(const std::string& path, const std::vector<std::string>& sets) {
-  if (is_fmu(path)) return load_fmu(path, sets);
+Cases load_problem(const std::string& path, const std::vector<std::string>& sets,
+                   const SpanCheck& check) {
+  if (is_fmu(path)) return load_fmu(path, sets, check);
   try {
     const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
+    std::vector<Statement> statements =
+        cases::text_statements(path, text, stem_of(path), overrides_of(sets));
+    // A command that takes one problem takes the first.
+    if (check) {
+      const auto [t0, end] =
+          cases::span_of_text(path, text, statements.front().id, overrides_of(sets));
+      check(t0, end);
+    }
     Cases given;
-    for (Statement& statement :
-         cases::text_statements(path, text, stem_of(path), overrides_of(sets))) {
+    for (Statement& statement : statements) {
       statement.id = unused_id(statement.id, "_text");
       given.push_back(&add_user_case(std::move(statement)));
     }
@@ -156,11 +168,12 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
   }
 }
 
-Case case_of(const std::string& what, const std::vector<std::string>& sets) {
+Case case_of(const std::string& what, const std::vector<std::string>& sets,
+             const SpanCheck& check) {
   const bool is_text = is_problem_file(what);
   if (const auto scene = is_text ? std::nullopt : find_scene(what)) return load_scene(*scene, sets);
   if (!is_text) return with_sets(find_case(what), sets);
-  const Cases given = load_problem(what, sets);
+  const Cases given = load_problem(what, sets, check);
   if (given.size() > 1)
     remark("case       {}, the first of {} in {}", given.front()->id, given.size(), what);
   return *given.front();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,10 +32,14 @@ struct SceneSource {
 /// case has its name, else an existing file; nothing otherwise.
 std::optional<SceneSource> find_scene(const std::string& what);
 
+/// Looks at the start and the end of a problem before its truth is computed, which may take long.
+using SpanCheck = std::function<void(double t0, double end)>;
+
 /// Makes the cases of a problem file, one at least, or of an FMU. Throws UsageError for a file that
-/// is no problem, and for a value that is none.
+/// is no problem, for a value that is none, and what `check` throws of the first.
 using Cases = std::vector<const Case*>;
-Cases load_problem(const std::string& path, const std::vector<std::string>& sets);
+Cases load_problem(const std::string& path, const std::vector<std::string>& sets,
+                   const SpanCheck& check = {});
 
 /// Makes the case of a scene. Throws UsageError for a text that is wrong, for emitters, whose
 /// particles change in number, and for `sets`, since a scene has no parameters.
@@ -42,7 +47,8 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
 
 /// The case of a command that takes one problem: a case, a scene, or the first of a problem's file,
 /// with a remark where that has others. Throws UsageError.
-Case case_of(const std::string& what, const std::vector<std::string>& sets);
+Case case_of(const std::string& what, const std::vector<std::string>& sets,
+             const SpanCheck& check = {});
 
 /// As one word of a shell.
 std::string shell_word(const std::string& word);

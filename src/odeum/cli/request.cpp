@@ -13,11 +13,6 @@ namespace {
 constexpr double most_steps = 1e9;
 
 void set_step(Request& request, double h, double length, const SolverInfo& info) {
-  require_positive("--step", h);
-  if (h > length) throw UsageError("--step: got {}, expected at most the horizon {}", h, length);
-  if (length / h > most_steps)
-    throw UsageError("--step: got {}, which takes more than {:g} steps to t = {}", h, most_steps,
-                     request.stops.back());
   if (!info.fixed) throw UsageError("{} runs to a tolerance only: use --tol", info.id());
   request.mode = Mode::fixed;
   // Steps are equal and end at the horizon: take the next smaller divisor, unless the difference is
@@ -76,12 +71,24 @@ std::string text_of_tolerance(const Request& request) {
       shown < absolutes.size() ? ",..." : "");
 }
 
-Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,
-                     const SolverInfo& info) {
-  Request request;
+void check_span(const RunSettings& settings, double t0, double horizon) {
   const double end = settings.until.value_or(horizon), length = end - t0;
   if (!std::isfinite(length) || !(length > 0))
     throw UsageError("--until: got {}, expected a finite time after {}", end, t0);
+  if (!settings.step) return;
+  const double h = *settings.step;
+  require_positive("--step", h);
+  if (h > length) throw UsageError("--step: got {}, expected at most the horizon {}", h, length);
+  if (length / h > most_steps)
+    throw UsageError("--step: got {}, which takes more than {:g} steps to t = {}", h, most_steps,
+                     end);
+}
+
+Request make_request(const RunSettings& settings, double t0, double horizon, std::size_t numbers,
+                     const SolverInfo& info) {
+  Request request;
+  check_span(settings, t0, horizon);
+  const double end = settings.until.value_or(horizon), length = end - t0;
   request.stops = {end};
   if (settings.step)
     set_step(request, *settings.step, length, info);

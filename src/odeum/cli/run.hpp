@@ -34,6 +34,9 @@ RunSettings settings_for(const Case& c, RunSettings settings);
 /// `rtol R, atol A`, or `R` where it is one number, for people.
 std::string text_of_tolerance(const Request& request);
 
+/// Throws UsageError where no run from t0 to `until` or `horizon` can have the settings.
+void check_span(const RunSettings& settings, double t0, double horizon);
+
 /// The request for a solver over [t0, until or `horizon`], with the only stop at the end;
 /// `numbers`: the size of a state. A step that does not divide it is reduced, with a remark. Throws
 /// UsageError for an invalid setting or one that the solver does not support.

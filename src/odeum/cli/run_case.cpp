@@ -278,7 +278,10 @@ int run_case(const RunOptions& options) {
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
-  const Cases given = load_problem(options.what, options.problems.sets);
+  SpanCheck check;
+  if (has_setting(options.settings) && !options.solvers.empty())
+    check = [&](double t0, double end) { check_span(options.settings, t0, end); };
+  const Cases given = load_problem(options.what, options.problems.sets, check);
   const Case& c = *given.front();
   if (given.size() > 1) {
     std::vector<std::string> ids;

@@ -57,7 +57,8 @@ void write_files(const std::string& out, const Case& c, const advise::Why& why,
 
 int why_on(const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
-  const Case c = case_of(options.what, options.problems.sets);
+  const Case c = case_of(options.what, options.problems.sets,
+                         [&](double t0, double end) { check_span(options.settings, t0, end); });
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
   const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);

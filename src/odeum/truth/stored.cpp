@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <iterator>
 #include <sstream>
 
+#include "odeum/core/build_info.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -62,6 +65,19 @@ std::optional<Reference> from_text(const std::string& text, std::size_t states) 
   }
   if (!std::getline(in, line) || line != "end") return std::nullopt;
   return r;
+}
+
+std::optional<Reference> kept_or_computed(
+    std::string content, std::size_t states, const std::vector<double>& stops,
+    const std::vector<double>& scale, const std::function<std::optional<Reference>()>& compute) {
+  content +=
+      fmt::format("\n{}\n{} {}", build::truth_code, fmt::join(stops, " "), fmt::join(scale, " "));
+  const std::string name = formula::content_key(content) + ".reference";
+  if (const auto text = formula::kept_text(name))
+    if (auto held = from_text(*text, states)) return held;
+  std::optional<Reference> reference = compute();
+  if (reference) formula::keep_text(name, to_text(*reference));
+  return reference;
 }
 
 }  // namespace odeum::truth

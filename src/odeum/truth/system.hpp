@@ -136,4 +136,11 @@ Reference compute_reference(const System& system, const std::vector<double>& tim
 std::string to_text(const Reference& reference);
 std::optional<Reference> from_text(const std::string& text, std::size_t states);
 
+/// The reference that the cache folder keeps for this content, else a computed one, which is then
+/// kept there; nothing where none could be computed.
+std::optional<Reference> kept_or_computed(std::string content, std::size_t states,
+                                          const std::vector<double>& stops,
+                                          const std::vector<double>& scale,
+                                          const std::function<std::optional<Reference>()>& compute);
+
 }  // namespace odeum::truth
