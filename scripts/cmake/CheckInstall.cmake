@@ -28,3 +28,10 @@ foreach(file IN ITEMS README.md LICENSE reports/findings.md reports/docs/tutoria
     message(FATAL_ERROR "${file} was not installed")
   endif()
 endforeach()
+foreach(file IN ITEMS bash-completion/completions/odeum zsh/vendor-completions/_odeum fish/vendor_completions.d/odeum.fish
+        man/man1/odeum.1)
+  file(READ ${FOLDER}/prefix/share/${file} text LIMIT 1000)
+  if(NOT text MATCHES "odeum")
+    message(FATAL_ERROR "share/${file} was not installed")
+  endif()
+endforeach()

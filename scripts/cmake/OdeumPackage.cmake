@@ -17,6 +17,20 @@ install(DIRECTORY cases/scenes cases/tableaus cases/reference DESTINATION ${CMAK
 install(FILES ${ODEUM_CASE_TEXTS} DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases)
 install(DIRECTORY cases/problems DESTINATION ${CMAKE_INSTALL_DOCDIR}/cases FILES_MATCHING PATTERN "*.yaml"
         PATTERN "README.md")
+# The program writes its completions and its manual page. One for another processor runs in an emulator, or not at all.
+if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
+  set(odeum_words ${PROJECT_BINARY_DIR}/completions)
+  install(CODE "
+    file(MAKE_DIRECTORY \"${odeum_words}\")
+    foreach(what IN ITEMS bash zsh fish man)
+      execute_process(COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} \"$<TARGET_FILE:odeum>\" completion \${what}
+                      OUTPUT_FILE \"${odeum_words}/\${what}\" COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()")
+  install(FILES ${odeum_words}/bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME odeum)
+  install(FILES ${odeum_words}/zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions RENAME _odeum)
+  install(FILES ${odeum_words}/fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d RENAME odeum.fish)
+  install(FILES ${odeum_words}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME odeum.1)
+endif()
 if(ODEUM_NATIVE)
   install(CODE "message(WARNING \"tuned for this processor, may not run on another: install the preset portable\")")
 endif()

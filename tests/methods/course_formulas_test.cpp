@@ -6,6 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "odeum/fem/elliptic.hpp"
+#include "odeum/fem/second_order_pde.hpp"
+#include "odeum/fem/shapes.hpp"
+#include "odeum/linear/eigen_solvers.hpp"
 #include "odeum/proof/verify.hpp"
 #include "support/catalogue.hpp"
 
@@ -129,6 +133,36 @@ TEST(CourseFormulas, ASignInCashAndKarpsTableLeavesOrderOne) {
   EXPECT_EQ(verification.main.order, 1);
   ASSERT_EQ(verification.nodes.size(), 1U);
   EXPECT_EQ(verification.nodes[0].stage, 6U);
+}
+
+// The summary's equation 34 has no term in u_yy, and its c before u_x: the c of the discriminant
+// b^2 - 4 a c is that of u_yy. As printed no equation is elliptic, Laplace's neither.
+TEST(CourseFormulas, WithoutATermInUyyNoEquationIsElliptic) {
+  const auto type = [](const char* text) { return fem::SecondOrderPde(text).at(0.3, 0.4).type; };
+  EXPECT_EQ(type("u_xx + u_yy"), fem::PdeType::elliptic);
+  EXPECT_EQ(type("u_xx + 1*u_x + u_y"), fem::PdeType::parabolic) << "a = c = 1, b = 0 as printed";
+  EXPECT_EQ(type("u_xx + u_xy + 1*u_x + u_y"), fem::PdeType::hyperbolic) << "b = 1 as printed";
+  EXPECT_EQ(type("u_xx + u_xy + u_yy"), fem::PdeType::elliptic);
+}
+
+// The summary's equation 41, the integral of grad u grad v = that of f v, belongs to -div grad u =
+// f; its equation 38 is div grad u = f. On u = x (1 - x) y (1 - y) the solution as printed is -u.
+TEST(CourseFormulas, TheWeakFormAsPrintedSolvesForTheNegativeSolution) {
+  const auto u = [](fem::Point p) { return p.x * (1 - p.x) * p.y * (1 - p.y); };
+  const auto laplacian = [](fem::Point p) { return -2 * (p.x * (1 - p.x) + p.y * (1 - p.y)); };
+  const fem::TriangleMesh mesh = fem::unstructured_square(20, 3);
+  // Our weak form has the left side as printed; `sign` is that of its right side.
+  for (const double sign : {1., -1.}) {
+    const fem::EllipticSystem system = fem::assemble(
+        mesh, {.load = [&](fem::Point p) { return sign * laplacian(p); }}, fem::degree_5_rule());
+    std::vector<double> x(system.right.size());
+    linear::SparseLdlt(system.matrix).solve(system.right.data(), x.data());
+    const std::vector<double> nodal = system.nodal(x);
+    double error = 0;
+    for (std::size_t i = 0; i < nodal.size(); ++i)
+      error = std::max(error, std::abs(nodal[i] + sign * u(mesh.nodes[i])));
+    EXPECT_LT(error, 1e-3) << "of u up to 1/16, to the order 2 of linear elements";
+  }
 }
 
 }  // namespace

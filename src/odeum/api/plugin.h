@@ -2,7 +2,7 @@
 /* Plug-ins of Odeum: problems and solvers in a shared object, in C or any language that can call C.
  *
  *     cc -shared -fPIC -o libmine.so mine.c
- *     odeum converge --plugin ./libmine.so --solver 'mine/?*' --case 'lotka*'
+ *     odeum converge --plugin ./libmine.so --solver 'mine/?*' --case rc_circuit
  *
  * The shared object exports one function, `odeum_plugin_entry`, which returns a description that
  * stays valid. Names are of a-z, 0-9 and _. Times and states are double, states have `dimension`

@@ -16,26 +16,31 @@
 namespace odeum::cli {
 namespace {
 
-/// A table of text in three formats.
+/// A table in three formats.
 struct Listing {
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows = {};
+  std::vector<std::vector<record::Cell>> rows = {};
   std::size_t shown = columns.size();  ///< the table omits the long columns of the other formats
+  std::vector<std::vector<double>> stops = {};  ///< of cases, which json gives as numbers
 };
 
 Listing list_cases() {
-  Listing listing{.columns = {"id", "title", "equation", "dimension", "horizon", "tags", "truth"},
-                  .shown = 3};
-  for (const Case& c : all_cases())
-    listing.rows.push_back({c.id, c.title, c.equation, std::to_string(c.y0.size()),
-                            record::format_number(c.stops.back()),
-                            fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source});
+  Listing listing{
+      .columns = {"id", "title", "equation", "dimension", "horizon", "tags", "truth", "stops"},
+      .shown = 3};
+  for (const Case& c : all_cases()) {
+    listing.rows.push_back({c.id, c.title, c.equation, std::uint64_t{c.y0.size()}, c.stops.back(),
+                            fmt::format("{}", fmt::join(c.tags, " ")), c.truth.source,
+                            fmt::format("{}", fmt::join(c.stops, " "))});
+    listing.stops.push_back(c.stops);
+  }
   // Problems in space alone: their dimension is that of the mesh. One has several rules of
   // quadrature.
   for (const study::ModelProblem& model : study::model_problems())
-    if (listing.rows.back()[0] != model.id)
+    if (listing.rows.back()[0] != record::Cell(model.id))
       listing.rows.push_back({model.id, model.title, model.equation, "mesh", "none",
-                              "elliptic linear finite_elements", model.truth});
+                              "elliptic linear finite_elements", model.truth, ""});
+  listing.stops.resize(listing.rows.size());
   return listing;
 }
 
@@ -43,8 +48,7 @@ Listing list_parameters() {
   Listing listing{{"case", "parameter", "value", "meaning"}};
   for (const Case& c : all_cases())
     for (const Parameter& parameter : c.parameters)
-      listing.rows.push_back(
-          {c.id, parameter.name, record::format_number(parameter.value), parameter.meaning});
+      listing.rows.push_back({c.id, parameter.name, parameter.value, parameter.meaning});
   return listing;
 }
 
@@ -59,10 +63,10 @@ Listing list_solvers() {
   Listing listing{.columns = {"id", "family", "order", "settings", "needs", "source"}, .shown = 5};
   for (const Solver& solver : all_solvers()) {
     const SolverInfo& info = solver.info;
+    const bool varies = std::isnan(info.order);
     listing.rows.push_back({info.id(), info.family,
-                            std::isnan(info.order) ? "varies" : record::format_number(info.order),
-                            modes(info), info.needs.empty() ? "a right-hand side" : info.needs,
-                            info.source});
+                            varies ? record::Cell("varies") : record::Cell(info.order), modes(info),
+                            info.needs.empty() ? "a right-hand side" : info.needs, info.source});
   }
   return listing;
 }
@@ -85,10 +89,9 @@ Listing list_scenes() {
   for (const cases::SceneText& text : cases::all_scenes()) {
     const scene::Scene scene =
         scene::read_scene(std::string(text.name), std::string(text.text)).scene;
-    listing.rows.push_back({std::string(text.name), scene.solver->type,
-                            record::format_number(*scene.duration),
-                            std::to_string(scene.particles.size()),
-                            std::to_string(scene.springs.size()), first_comment(text.text)});
+    listing.rows.push_back({std::string(text.name), scene.solver->type, *scene.duration,
+                            std::uint64_t{scene.particles.size()},
+                            std::uint64_t{scene.springs.size()}, first_comment(text.text)});
   }
   return listing;
 }
@@ -96,22 +99,30 @@ Listing list_scenes() {
 std::string as_table(const Listing& listing) {
   record::Table table;
   for (std::size_t k = 0; k < listing.shown; ++k) table.columns.push_back({listing.columns[k]});
-  for (const auto& row : listing.rows)
-    table.rows.emplace_back(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(listing.shown));
+  for (const auto& row : listing.rows) {
+    table.rows.emplace_back();
+    for (std::size_t k = 0; k < listing.shown; ++k)
+      table.rows.back().push_back(record::cell_text(row[k]));
+  }
   return table.text();
 }
 
 std::string as_csv(const Listing& listing) {
-  record::Records table{listing.columns};
-  for (const auto& row : listing.rows) table.rows.emplace_back(row.begin(), row.end());
-  return table.csv();
+  return record::Records{listing.columns, listing.rows}.csv();
 }
 
+/// Numbers as numbers; where a number is to be and a word stands in its place, null.
 std::string as_json(const Listing& listing) {
   nlohmann::ordered_json array = nlohmann::ordered_json::array();
-  for (const auto& row : listing.rows) {
+  for (std::size_t i = 0; i < listing.rows.size(); ++i) {
     nlohmann::ordered_json object;
-    for (std::size_t k = 0; k < row.size(); ++k) object[listing.columns[k]] = row[k];
+    for (std::size_t k = 0; k < listing.columns.size(); ++k) {
+      const std::string& column = listing.columns[k];
+      std::visit([&](const auto& value) { object[column] = value; }, listing.rows[i][k]);
+      const bool is_number = column == "order" || column == "dimension" || column == "horizon";
+      if (is_number && object[column].is_string()) object[column] = nullptr;
+    }
+    if (!listing.stops.empty()) object["stops"] = listing.stops[i];
     array.push_back(std::move(object));
   }
   return array.dump(2) + "\n";

@@ -3,8 +3,10 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <new>
 
+#include "odeum/cli/help.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/parallel.hpp"
@@ -30,7 +32,7 @@ constexpr const char* introduction =
     "  odeum why robertson_40 --solver dormand_prince54 --tol 1e-6\n"
     "  odeum run damped_oscillator_undamped --solver rk4 --step 0.01\n"
     "  odeum run hanging_cloth --out /tmp/cloth\n"
-    "  odeum converge --case 'lotka*' --solver 'odeum/*' --out /tmp/odeum\n"
+    "  odeum converge --case rc_circuit --solver 'odeum/*' --out /tmp/odeum\n"
     "  odeum list solvers\n"
     "\n"
     "odeum --help lists every command.\n";
@@ -54,7 +56,11 @@ void add_plugin_option(CLI::App& app) {
 
 int run(int argc, char** argv) {
   CLI::App app{"Odeum: a laboratory that compares time integrators", "odeum"};
-  app.set_version_flag("--version", fmt::format("odeum {}", odeum::build::version));
+  app.formatter(std::make_shared<WrappedHelp>());
+  const std::string_view revision = odeum::build::revision;
+  app.set_version_flag("--version",
+                       fmt::format("odeum {}{}", odeum::build::version,
+                                   revision.empty() ? "" : fmt::format(" ({})", revision)));
   app.require_subcommand(0, 1);
   int result = success;
   add_list(app);
@@ -68,13 +74,15 @@ int run(int argc, char** argv) {
   add_classify(app);
   add_poisson(app);
   add_doctor(app);
+  add_completion(app);
   add_plugin_option(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
     return app.exit(help) == 0 ? success : usage;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "odeum: {}\n", error.what());
+    const bool unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    fmt::print(stderr, "odeum: {}{}\n", error.what(), unknown ? hint_of(app) : "");
     const CLI::App* at = &app;
     if (!app.get_subcommands().empty()) at = app.get_subcommands().front();
     fmt::print(stderr, "see {} --help\n", at == &app ? "odeum" : "odeum " + at->get_name());

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -14,13 +15,22 @@ namespace odeum::study {
 namespace {
 
 std::string table(const ConvergenceResult& result) {
-  const auto wrong = std::count_if(
-      result.rows.begin(), result.rows.end(),
-      [](const ConvergenceRow& row) { return row.judged.answer == judge::Answer::wrong; });
-  const std::string text = record::tables_of(result);
-  if (wrong == 0) return text;
-  return text + fmt::format("{} {} ok with a wrong answer: column answer of {}\n", wrong,
-                            wrong == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
+  std::map<std::string, std::size_t> wrong;  // by solver and case
+  std::size_t all = 0;
+  for (const ConvergenceRow& row : result.rows) {
+    if (row.judged.answer != judge::Answer::wrong) continue;
+    ++wrong[fmt::format("{}/{} on {}", row.library, row.solver, row.case_id)];
+    ++all;
+  }
+  std::string text = record::tables_of(result);
+  if (all == 0) return text;
+  constexpr std::size_t most = 8;
+  text += fmt::format("{} {} ok with a wrong answer, column answer of {}:\n", all,
+                      all == 1 ? "run ended" : "runs ended", ConvergenceRow::file);
+  std::size_t named = 0;
+  for (const auto& [pair, count] : wrong)
+    if (named++ < most) text += fmt::format("  {} of {}\n", count, pair);
+  return named <= most ? text : text + fmt::format("  and of {} more\n", named - most);
 }
 
 /// What a reason for a missing order means, the errors over time of the cloths alone (those of all

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/help.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "odeum/cli/session.hpp"
+
+namespace odeum::cli {
+namespace {
+
+std::size_t width_of_terminal() {
+  constexpr std::size_t least = 40;
+  winsize size{};
+  std::size_t width = 0;
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) width = size.ws_col;
+  if (const char* const columns = std::getenv("COLUMNS"); width == 0 && columns)
+    width = std::strtoul(columns, nullptr, 10);
+  return width == 0 ? 0 : std::max(width, least);
+}
+
+std::string wrapped_line(std::string line, std::size_t width) {
+  constexpr std::size_t explanations = 30;  // CLI11's column
+  const std::size_t indent = !line.starts_with("  ") ? 0 : std::min(explanations, width / 2);
+  std::string text;
+  while (line.size() > width) {
+    std::size_t at = line.rfind(' ', width);
+    if (at == std::string::npos || line.find_last_not_of(' ', at) == std::string::npos ||
+        at <= indent)
+      at = line.find(' ', std::max(width, indent + 1));
+    if (at == std::string::npos) break;
+    text += line.substr(0, line.find_last_not_of(' ', at) + 1) + '\n';
+    const std::size_t next = line.find_first_not_of(' ', at);
+    if (next == std::string::npos) return text;
+    line = std::string(indent, ' ') + line.substr(next);
+  }
+  return text + line + '\n';
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text, std::size_t width) {
+  if (width == 0) return text;
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) out += wrapped_line(line, width);
+  return out;
+}
+
+std::string WrappedHelp::make_help(const CLI::App* app, std::string name,
+                                   CLI::AppFormatMode mode) const {
+  return wrapped(CLI::Formatter::make_help(app, std::move(name), mode), width_of_terminal());
+}
+
+std::string hint_of(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  std::vector<std::string> options, subcommands;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (const CLI::App* each : command.get_subcommands([](const CLI::App*) { return true; }))
+    subcommands.push_back(each->get_name());
+  for (std::string word : app.remaining(true)) {
+    word = word.substr(0, word.find('='));
+    std::string hint = did_you_mean(word, word.starts_with("--") ? options : subcommands);
+    if (!hint.empty()) return hint;
+  }
+  return "";
+}
+
+}  // namespace odeum::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace odeum::cli {
+
+/// Text whose lines are at most `width` characters long where words allow it; 0: as it is. A line
+/// that begins with two spaces goes on below the explanations of CLI11's help.
+std::string wrapped(const std::string& text, std::size_t width);
+
+/// CLI11's help in lines of the terminal's width, of $COLUMNS where there is no terminal, else as
+/// long as they are.
+class WrappedHelp : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override;
+};
+
+/// For arguments that the command (a subcommand of `app`, or itself) does not know: the nearest of
+/// its options or subcommands, as did_you_mean() says it; empty: none is near.
+std::string hint_of(const CLI::App& app);
+
+/// Adds the command that prints completions for a shell and the manual page, from the declarations
+/// of all commands that have been added.
+void add_completion(CLI::App& app);
+
+}  // namespace odeum::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the program says of itself: help, hints, completions, lists.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/program.hpp"
+
+namespace odeum::tests {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// A dimension was the text "2", and there were no stops.
+TEST(Words, ListsGiveNumbersAsNumbers) {
+  const auto cases = nlohmann::json::parse(shell("odeum list cases --format json").output);
+  for (const auto& each : cases) {
+    EXPECT_TRUE(each["dimension"].is_number_unsigned() || each["dimension"].is_null()) << each;
+    ASSERT_TRUE(each["stops"].is_array()) << each;
+    if (each["id"] == "lotka_volterra") {
+      EXPECT_EQ(each["stops"], nlohmann::json({1, 2, 5, 10}));
+    }
+    if (!each["stops"].empty())
+      EXPECT_EQ(each["horizon"], each["stops"].back());
+    else
+      EXPECT_TRUE(each["horizon"].is_null());
+  }
+  const auto solvers = nlohmann::json::parse(shell("odeum list solvers --format json").output);
+  for (const auto& each : solvers)
+    EXPECT_TRUE(each["order"].is_number() || each["order"].is_null()) << each;
+  const auto scenes = nlohmann::json::parse(shell("odeum list scenes --format json").output);
+  EXPECT_TRUE(scenes.front()["particles"].is_number_unsigned());
+  EXPECT_TRUE(shell("odeum list solvers --format csv").output.find(",varies,") !=
+              std::string::npos);
+}
+
+TEST(Words, NamesTheNearestSubcommandAndOption) {
+  for (const auto& [command, hint] :
+       {std::pair("odeum convrge", "did you mean converge?"),
+        std::pair("odeum lsit", "did you mean list?"),
+        std::pair("odeum run lotka_volterra --sovler rk4", "--solver?"),
+        std::pair("odeum converge --soler=rk4", "--solver?")}) {
+    const Result result = shell(command);
+    EXPECT_EQ(result.code, 2) << result.output;
+    EXPECT_TRUE(holds(result.output, hint)) << result.output;
+  }
+}
+
+TEST(Words, HelpKeepsToTheWidth) {
+  std::istringstream lines(shell("COLUMNS=70 odeum run --help").output);
+  std::size_t longest = 0;
+  for (std::string line; std::getline(lines, line);)
+    // A list of formats without spaces is as long as it is.
+    if (line.find("CASE|SCENE.yaml") == std::string::npos) longest = std::max(longest, line.size());
+  EXPECT_LE(longest, 70U);
+  EXPECT_GT(longest, 50U);
+}
+
+TEST(Words, TheVersionNamesTheCommit) {
+  const std::string text = shell("odeum --version").output;
+  EXPECT_TRUE(text.starts_with("odeum 0.")) << text;
+  // Sources without their history have none.
+  EXPECT_EQ(holds(text, " ("), std::filesystem::exists(ODEUM_SOURCE_DIR "/.git")) << text;
+}
+
+/// What bash completes after these words.
+std::string completed(const std::string& words) {
+  return shell("source <(odeum completion bash); COMP_WORDS=(" + words +
+               "); COMP_CWORD=$((${#COMP_WORDS[@]}-1)); _odeum; echo ${COMPREPLY[@]}")
+      .output;
+}
+
+TEST(Words, BashCompletes) {
+  EXPECT_EQ(completed("odeum conv"), "converge\n");
+  EXPECT_EQ(completed("odeum list --form"), "--format\n");
+  EXPECT_EQ(completed("odeum list --format j"), "json\n");
+  EXPECT_EQ(completed("odeum list sce"), "scenes\n");
+  EXPECT_EQ(completed("odeum run --solver odeum/rodas4"), "odeum/rodas4\n");
+  EXPECT_EQ(completed("odeum run lotka_v"), "lotka_volterra\n");
+}
+
+// Every command and option stands in all of them.
+TEST(Words, CompletionsAndTheManualNameEveryOption) {
+  const std::string manual = shell("odeum completion man").output;
+  EXPECT_TRUE(holds(manual, ".TH ODEUM 1"));
+  EXPECT_TRUE(holds(manual, ".SS \"odeum converge\"")) << manual.substr(0, 2000);
+  EXPECT_TRUE(holds(manual, "\\-\\-resume"));
+  const std::string zsh = shell("odeum completion zsh").output;
+  EXPECT_TRUE(zsh.starts_with("#compdef odeum\n"));
+  EXPECT_TRUE(holds(zsh, "*--format[table, csv or json]: :(table csv json)")) << zsh;
+  const std::string fish = shell("odeum completion fish").output;
+  EXPECT_TRUE(holds(fish, "__fish_seen_subcommand_from list' -l format -r -f -a"));
+  EXPECT_EQ(shell("odeum completion csh").code, 2);
+}
+
+}  // namespace
+}  // namespace odeum::tests
