@@ -201,7 +201,7 @@ std::vector<WrongSolver> wrong_explicit_steps() {
   no_nodes.c = {};
   add("RK4, time stands still in a step", with_tableau(no_nodes));
   // Order 4 on linear autonomous problems alone.
-  add("Jameson's four stages",
+  add("RK4, Jameson's four stages in its place",
       with_tableau(
           {{{{}, {0.25}, {0, 1. / 3}, {0, 0, 0.5}}}, {0, 0, 0, 1}, {0, 0.25, 1. / 3, 0.5}}));
   const auto nothing = [](const OdeView&, double, double, Vector&) {};

@@ -66,6 +66,34 @@ void ring_truth(double t, double* y) {
   for (std::size_t i = 0; i < Ring::dimension; ++i) y[i] = Ring::wave(t, i);
 }
 
+/// Kepler's problem at eccentricity 0.3, from the pericentre.
+struct Kepler {
+  static constexpr std::size_t dimension = 4;
+  static constexpr double e = 0.3;
+  void rhs(double, const double* y, double* d) const {
+    const double r = std::hypot(y[0], y[1]), cube = r * r * r;
+    d[0] = y[2], d[1] = y[3];
+    d[2] = -y[0] / cube, d[3] = -y[1] / cube;
+  }
+};
+void kepler_truth(double t, double* y) {
+  double u = t;  // the eccentric anomaly, by Newton
+  for (int i = 0; i < 20; ++i)
+    u -= (u - Kepler::e * std::sin(u) - t) / (1 - Kepler::e * std::cos(u));
+  const double b = std::sqrt(1 - Kepler::e * Kepler::e), r = 1 - Kepler::e * std::cos(u);
+  y[0] = std::cos(u) - Kepler::e, y[1] = b * std::sin(u);
+  y[2] = -std::sin(u) / r, y[3] = b * std::cos(u) / r;
+}
+
+/// Prothero and Robinson's, y' = -10 (y - cos t) - sin t: y = cos t.
+struct Relaxation {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double t, const double* y, double* d) const {
+    d[0] = -10 * (y[0] - std::cos(t)) - std::sin(t);
+  }
+};
+void relaxation_truth(double t, double* y) { y[0] = std::cos(t); }
+
 std::vector<double> at_start(std::size_t size, void (*truth)(double t, double* y)) {
   std::vector<double> y(size);
   truth(0, y.data());
@@ -92,12 +120,18 @@ Outcome run(const Case& c, const MakeStep& make, const Request& request) {
 
 }  // namespace
 
-Entrant entrant_of(const std::string& name, double claimed, const MakeStep& make, const Case& c) {
+Entrant entrant_of(const WrongSolver& solver, bool with_fault, const Case& c) {
   Entrant entrant;
   entrant.info.library = "wrong";
-  entrant.info.method = name;
-  entrant.info.order = claimed;
-  entrant.solve = [&c, make](const Request& request) { return run(c, make, request); };
+  entrant.info.method = solver.name;
+  entrant.info.order = solver.claimed;
+  if (solver.adaptive())
+    entrant.solve = [&c, run = with_fault ? solver.wrong_run : solver.right_run](
+                        const Request& request) { return run(c, request); };
+  else
+    entrant.solve = [&c, make = with_fault ? solver.wrong : solver.right](const Request& request) {
+      return run(c, make, request);
+    };
   return entrant;
 }
 
@@ -106,11 +140,17 @@ const std::vector<Case>& campaign_cases() {
     std::vector<Case> list;
     for (const auto& test : proof::test_problems()) list.push_back(on_test_problem(test.id, test));
     list.push_back(on_test_problem("second_order", proof::separable_test_problems()[1]));
+    list.back().tags.push_back("second_order");
     list.push_back(make_case("stiff", std::make_shared<const Kaps>(), 0, 2,
                              at_start(Kaps::dimension, kaps_truth), kaps_truth));
     list.push_back(make_case("larger", std::make_shared<const Ring>(), 0, 2,
                              at_start(Ring::dimension, ring_truth), ring_truth));
     list.back().settings.finest_steps = 512;  // its Jacobians by differences are dear
+    list.push_back(make_case("kepler", std::make_shared<const Kepler>(), 0, 6,
+                             at_start(Kepler::dimension, kepler_truth), kepler_truth));
+    list.back().tags.push_back("second_order");
+    list.push_back(make_case("relaxation", std::make_shared<const Relaxation>(), 0, 2,
+                             at_start(Relaxation::dimension, relaxation_truth), relaxation_truth));
     return list;
   }();
   return cases;

@@ -91,11 +91,13 @@ inline constexpr FitTolerance fixed_step_tolerance(double claimed_order) {
 /// Adaptive runs: the steps vary along the run and with the tolerance, so that errors scatter about
 /// a power of the mean step; whole orders are still told apart, but slopes need not be whole. The
 /// claim is that errors fall with the order at least: pairs whose leading term is small, and steps
-/// that follow the solution, show up to 1.5 more at all tolerances above rounding.
+/// that follow the solution, show up to 1.5 more at all tolerances above rounding. A pair's lower
+/// order carried on shows up to half of one more, so that 0.5 below the claim is the most that
+/// confirms it.
 inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
-  const double order = claimed_order > 3 ? 0.15 * claimed_order : 0.5;
-  return {.order = order,
-          .apart = order,
+  const double apart = claimed_order > 3 ? 0.15 * claimed_order : 0.5;
+  return {.order = 0.5,
+          .apart = apart,
           .settled = 1.5,
           .stray = 10,
           .whole = HUGE_VAL,
