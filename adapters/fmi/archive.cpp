@@ -12,6 +12,7 @@
 #include <fstream>
 #include <memory>
 
+#include "odeum/formula/cache.hpp"
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
@@ -100,7 +101,10 @@ std::vector<Entry> wanted_entries(zip_t* zip, zip_int64_t entries) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "odeum_fmu_XXXXXX").string();
+  // What a killed run leaves in the cache folder the next one removes.
+  const std::string cache = formula::cache_folder();
+  std::string name =
+      formula::unfinished_in(cache.empty() ? fs::temp_directory_path() : fs::path(cache));
   if (!mkdtemp(name.data()))
     throw LoadError(fmt::format("no folder {} could be made: {}", name, std::strerror(errno)));
   path_ = name;

@@ -6,7 +6,8 @@
 
 namespace odeum::adapters::fmi {
 
-/// A folder of the system's temporary folder, removed with all that is in it at the end.
+/// A folder of the cache folder, else of the system's temporary one, removed with all that is in it
+/// at the end; where the program was killed, by the next one that uses the cache folder.
 class TemporaryFolder {
  public:
   TemporaryFolder();

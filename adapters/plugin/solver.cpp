@@ -248,10 +248,11 @@ Solver solver_of(const odeum_solver& solver, const std::string& library) {
   return {std::move(info), [&solver](const ErasedContest& contest, Entrant& entrant) {
             entrant.unfit = unfit(solver, contest.view);
             if (!entrant.unfit.empty()) return;
-            entrant.solve = [&solver, contest](const Request& request) {
+            const auto ended = std::make_shared<isolated::Ended>();
+            entrant.solve = [&solver, contest, ended](const Request& request) {
               return isolated::solve_isolated(
                   [&](const Request& inner) { return Solve(solver, contest, inner)(); }, request,
-                  contest.view.dimension);
+                  contest.view.dimension, *ended);
             };
           }};
 }

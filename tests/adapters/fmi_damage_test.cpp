@@ -2,7 +2,9 @@
 // Archives and descriptions that are damaged or made to do harm.
 #include <cstdint>
 
+#include "fmi/archive.hpp"
 #include "fmi_stage.hpp"
+#include "odeum/formula/cache.hpp"
 
 namespace odeum::fmi_tests {
 namespace {
@@ -34,6 +36,14 @@ TEST_P(DamagedFmus, ArchivesThatPointOutOfTheirFolderAreRefused) {
     expect_refused(archive(all), "would be written outside of its folder");
   }
   EXPECT_FALSE(fs::exists(outside));
+}
+
+// They were left in /tmp by a run that was killed, for good.
+TEST(UnpackedFmus, StandWhereTheNextRunRemovesThem) {
+  const adapters::fmi::TemporaryFolder folder;
+  ASSERT_FALSE(formula::cache_folder().empty());
+  EXPECT_EQ(folder.path().parent_path(), formula::cache_folder());
+  EXPECT_TRUE(folder.path().filename().string().starts_with("work-"));
 }
 
 // What they say of their size is enough: nothing was unpacked.

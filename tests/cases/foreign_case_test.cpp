@@ -4,11 +4,13 @@
 #include "odeum/cases/foreign_case.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <vector>
 
+#include "odeum/isolated/isolated_process.hpp"
 #include "odeum/truth/foreign_reference.hpp"
 
 namespace odeum {
@@ -151,6 +153,28 @@ TEST(ForeignCase, WithoutATruthSaysSo) {
   EXPECT_FALSE(c.truth.at(5, y));
   EXPECT_NE(c.settings.no_convergence.find("no truth is known"), std::string::npos);
   EXPECT_NE(c.settings.no_convergence.find("crashed: Aborted"), std::string::npos);
+}
+
+// A study of thousands of runs waited 5 s for each of a solver that never returned.
+TEST(ForeignRuns, ASolverThatHadToBeEndedAgainAndAgainIsNotRunAgain) {
+  bool hangs = true;
+  const auto solve = [&](const Request&) {
+    if (hangs) ::pause();
+    return Outcome();
+  };
+  Request request;
+  request.stops = {1};
+  isolated::Ended ended = isolated::most_ended - 2;
+  const auto run = [&] { return isolated::solve_isolated(solve, request, 1, ended); };
+  EXPECT_EQ(run().status, Status::over_budget);
+  EXPECT_EQ(ended, isolated::most_ended - 1);
+  hangs = false;
+  EXPECT_EQ(run().status, Status::ok);
+  EXPECT_EQ(ended, 0U) << "three in a row count";
+  ended = isolated::most_ended;
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, Status::refused);
+  EXPECT_NE(outcome.detail.find("not run, since 3 runs before"), std::string::npos);
 }
 
 }  // namespace

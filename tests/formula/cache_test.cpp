@@ -2,12 +2,15 @@
 // What the program keeps between runs, and the compiler that it starts: damage, strangers, limits.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <map>
 #include <thread>
 
+#include "odeum/formula/cache.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -91,6 +94,24 @@ TEST_F(Cache, KeepsTheTruthAtTheOutputsOfARun) {
   EXPECT_EQ(entries(), kept);
   EXPECT_NE(run("--set a=1.4"), first);
   EXPECT_EQ(entries().size(), 2U);
+}
+
+// Also after days where its process is at work, at once where that is gone.
+TEST_F(Cache, WhatAKilledRunLeftGoesAndWhatIsInUseStays) {
+  run();
+  const std::string pid = std::to_string(::getpid());
+  std::string used = formula::unfinished_in(cache()), left = used;
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
+  left.replace(left.rfind(pid), pid.size(), std::to_string(gone));
+  for (const std::string& folder : {used, left}) {
+    fs::create_directories(fs::path(folder) / "resources");
+    fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(48));
+  }
+  run();
+  EXPECT_TRUE(fs::exists(used));
+  EXPECT_FALSE(fs::exists(left));
 }
 
 // Another problem's object was loaded and run in its place.

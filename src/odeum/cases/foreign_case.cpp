@@ -28,8 +28,9 @@ struct Held {
 
 Entrants enroll_isolated(const ErasedContest& contest) {
   return enroll(contest, [n = contest.view.dimension](Entrant& entrant) {
-    entrant.solve = [n, solve = std::move(entrant.solve)](const Request& request) {
-      return isolated::solve_isolated(solve, request, n);
+    entrant.solve = [n, solve = std::move(entrant.solve),
+                     ended = std::make_shared<isolated::Ended>()](const Request& request) {
+      return isolated::solve_isolated(solve, request, n, *ended);
     };
   });
 }

@@ -28,19 +28,19 @@ std::string host() {
   return content_key(name).substr(0, 8);
 }
 
-/// Whether a process still works on it. Those of other machines, which may share the folder, are
-/// told by their age: no run works on one for an hour.
+/// Whether no process works on it any more. Those of other machines, which may share the folder,
+/// are told by their age: no run works on one for a day.
 bool abandoned(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   const std::string here = std::string(unfinished) + host() + '-';
   pid_t process = 0;
   if (name.starts_with(here)) {
     std::from_chars(name.data() + here.size(), name.data() + name.size(), process);
-    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) return true;
+    if (process > 0) return ::kill(process, 0) != 0 && errno == ESRCH;
   }
   std::error_code gone;
   const auto written = entry.last_write_time(gone);
-  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(1);
+  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 bool sweep(const fs::path& folder) {

@@ -172,7 +172,7 @@ Outcome read_result(Report& report, std::size_t room) {
 
 /// See solve_isolated; `solve_ns` and `processor_s` become the times of the solve.
 Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                       std::size_t room, double& solve_ns, double& processor_s) {
+                       std::size_t room, double& solve_ns, double& processor_s, Ended& ended) {
   Shared shared(room);
   Report& report = shared.report();
   bool over_budget = false;
@@ -187,6 +187,10 @@ Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, cons
   });
   solve_ns = report.solve_ns;
   processor_s = report.processor_s;
+  if (over_budget && !interrupted)
+    ++ended;
+  else
+    ended = 0;
   Outcome outcome = read_result(report, room);
   if (why.empty()) return outcome;
   outcome.status = over_budget ? Status::over_budget : Status::refused;
@@ -203,13 +207,21 @@ void alive() {
 }
 
 Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                       std::size_t dimension) {
+                       std::size_t dimension, Ended& ended) {
   if (in_isolated_process()) return solve(request);
+  if (ended >= most_ended) {
+    Outcome outcome;
+    outcome.status = Status::refused;
+    outcome.detail = fmt::format(
+        "not run, since {} runs before, one after the other, had to be ended for their silence",
+        most_ended);
+    return outcome;
+  }
   const auto start = Clock::now();
   const double used = processor_seconds();
   double solve_ns = 0, processor_s = 0;
-  Outcome outcome =
-      solve_in_child(solve, request, request.stops.size() * dimension, solve_ns, processor_s);
+  Outcome outcome = solve_in_child(solve, request, request.stops.size() * dimension, solve_ns,
+                                   processor_s, ended);
   const double isolation = 1e9 * since(start) - solve_ns;
   isolated_times.isolation_ns += isolation;
   isolated_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;

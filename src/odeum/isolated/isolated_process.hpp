@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -21,8 +22,14 @@ inline constexpr double longest_silence = 5;
 /// shows no sign of work gives an outcome with status `refused` or `over_budget` and a sentence.
 /// What a timed run (Budget::watched off) spends on this is reported to isolated_times.hpp, and
 /// the solve is made twice, the second time timed: the first one copies the memory that it writes.
+///
+/// `ended` counts the solves in a row that had to be ended, of one solver on one problem, each of
+/// which took seconds: after `most_ended` of them the solver is not run again, and the outcome is
+/// refused with a sentence, since a study makes thousands. Thread-safe.
+using Ended = std::atomic<unsigned>;
+inline constexpr unsigned most_ended = 3;
 Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                       std::size_t dimension);
+                       std::size_t dimension, Ended& ended);
 
 /// work() in a process of its own: its text, of which at most `room` bytes come back, and true; or
 /// false and a sentence that says how the process ended. It is ended after `seconds`, and where it
