@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "support/program.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace odeum::tests {
 namespace {
@@ -36,6 +37,40 @@ TEST(Words, ListsGiveNumbersAsNumbers) {
   EXPECT_TRUE(scenes.front()["particles"].is_number_unsigned());
   EXPECT_TRUE(shell("odeum list solvers --format csv").output.find(",varies,") !=
               std::string::npos);
+}
+
+/// What a command prints, without remarks.
+nlohmann::json json_said(const std::string& command) {
+  return nlohmann::json::parse(shell(command + " 2>/dev/null").output);
+}
+
+TEST(Words, RunsAndStudiesPrintTheirRowsAsJson) {
+  const TemporaryFolder folder;
+  const std::string out = " --format json --out " + folder.path().string();
+  const auto runs =
+      json_said("odeum run lotka_volterra --solver rk4 heun --step 0.1" + out).at("runs");
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[1]["solver"], "heun");
+  EXPECT_EQ(runs[0]["steps"], 100);
+  EXPECT_EQ(runs[0]["evaluations"], 400);
+  EXPECT_TRUE(runs[0]["tolerance"].is_null());
+  const std::string text =
+      shell("odeum run lotka_volterra --solver rk4 --step 0.1 | grep error").output;
+  EXPECT_NEAR(std::stod(text.substr(text.find("error") + 5)), runs[0]["error_max"], 1e-9) << text;
+  const auto failed = json_said(
+      "odeum run dahlquist_real --solver implicit_euler_fixed_point --step 2 --format json");
+  EXPECT_EQ(failed["runs"][0]["status"], "newton_failed") << failed;
+  EXPECT_TRUE(failed["runs"][0]["error_max"].is_null());
+
+  const auto study =
+      json_said("odeum converge --quick --case dahlquist_real --mode fixed --solver rk4" + out);
+  ASSERT_EQ(study.at("orders.csv").size(), 1U);
+  EXPECT_NEAR(study["orders.csv"][0]["measured_order"], 4, 0.2);
+  EXPECT_GT(study.at("convergence.csv").size(), 3U);
+  for (const char* name : {"precision", "stability", "limits", "drift", "reduction", "material",
+                           "mesh", "proof", "elements", "evolution"})
+    EXPECT_TRUE(holds(shell("odeum " + std::string(name) + " --help").output, "--format")) << name;
+  EXPECT_EQ(shell("odeum run spinning_pair --format json").code, 2);
 }
 
 TEST(Words, NamesTheNearestSubcommandAndOption) {

@@ -118,6 +118,7 @@ void add_run(CLI::App& app, int& result) {
       "compute no truth where none is known: the run alone, without its error");
   command->add_flag("--code", options->code,
                     "print a C++ program that makes this run with the installed package");
+  add_format(*command, options->format);
   command->add_option("--max-particles", options->limits.most_particles, "of a scene")
       ->type_name("N")
       ->capture_default_str();
@@ -134,6 +135,11 @@ void add_run(CLI::App& app, int& result) {
     }
     const auto scene = find_scene(options->what);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
+    if (scene && options->format == "json")
+      throw UsageError(
+          "--format json: a scene's numbers are in the files of --out; cases, problem files and "
+          "FMUs "
+          "have rows");
     result = scene ? run_scene(*scene, *options) : run_case(*options);
   });
 }

@@ -53,6 +53,7 @@ struct RunOptions {
   std::string what;  ///< a case or a scene
   std::vector<std::string> solvers;
   std::string out;
+  std::string format = "table";
   bool verbose = false;
   bool code = false;  ///< print a program instead of running
   bool truth = true;  ///< compare with one that is computed where none is known

@@ -9,9 +9,9 @@
 
 #include "odeum/advise/why_answer.hpp"
 #include "odeum/cli/run.hpp"
+#include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/input/yaml_tree.hpp"
-#include "odeum/judge/answer.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/text.hpp"
@@ -126,39 +126,6 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   return cases::truth_at(c, {times.begin(), times.end()});
 }
 
-// The error at the end, or at the last output at which it is known, and whether the tolerance
-// explains it.
-std::string error_text(const Case& c, const Request& request, const Outcome& outcome) {
-  const judge::Judge judge(c, request.stops);
-  std::vector<judge::StopError> errors = judge.errors(outcome);
-  const double end = request.stops.back();
-  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
-  if (errors.empty())
-    return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
-  const std::vector<double> stops(
-      request.stops.begin(), request.stops.begin() + static_cast<std::ptrdiff_t>(errors.size()));
-  const bool fixed = request.mode == Mode::fixed;
-  const judge::JudgedAnswer judged =
-      fixed ? judge::judge_fixed_answer(errors, judge.scale())
-            : judge::judge_answer(errors, judge::measure_amplification(c, stops, request.tolerance),
-                                  request.tolerance.relative,
-                                  static_cast<double>(outcome.counters.steps), c.truth.floor,
-                                  judge.scale());
-  std::string text =
-      fmt::format("error   {:.6g} (rms {:.6g}) ", errors.back().error_max, errors.back().error_rms);
-  if (stops.back() < end)
-    text += fmt::format("at t = {}; no truth is known from there to t = {}; ", stops.back(), end);
-  text += fmt::format("against {}\n", c.truth.source);
-  if (judged.answer == judge::Answer::not_applicable) return text;
-  text += fmt::format("answer  {}", to_string(judged.answer));
-  if (!judged.reason.empty())
-    text += ": " + judged.reason;
-  else
-    text +=
-        fmt::format(": tolerance, steps and amplification explain up to {:.2g}", judged.explained);
-  return text + "\n";
-}
-
 std::string describe(const Case& c, const CaseRun& run) {
   const Outcome& outcome = run.outcome;
   const double end = run.request.stops.back();
@@ -187,7 +154,7 @@ std::string describe(const Case& c, const CaseRun& run) {
       text += " " + record::format_number(outcome.states[(run.reached(n) - 1) * n + i]);
     text += "\n";
   }
-  text += error_text(c, run.request, outcome);
+  text += error_text(c, run);
   if (const double difference = trajectories::difference_to_scheme(c, run); !std::isnan(difference))
     text += fmt::format("scheme  {:.3g} at most from its own closed form\n", difference);
   return text;
@@ -247,18 +214,23 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = f
   }
   std::vector<CaseRun> runs;
   for (const std::string& solver : options.solvers) runs.push_back(prepare(c, solver, options));
-  for (const auto& [name, value] : sets) print("set     {} = {}\n", name, value);
-  print("case    {}: {}\n", c.id, c.equation);
+  // Beside rows, what people read goes where remarks go.
+  const auto say = [&](const std::string& text) {
+    options.format == "json" ? fmt::print(stderr, "{}", text) : print(text);
+  };
+  for (const auto& [name, value] : sets) say(fmt::format("set     {} = {}\n", name, value));
+  say(fmt::format("case    {}: {}\n", c.id, c.equation));
   if (options.truth) c.truth = truth_of(c, runs);
   bool any_ok = false;
   for (CaseRun& run : runs) {
     run.outcome = run.entrant->solve(run.request);
     if (interrupted) return interrupted_code;
-    print(describe(c, run));
-    if (run.outcome.status != Status::ok) print(why_text(c, run, options));
+    say(describe(c, run));
+    if (run.outcome.status != Status::ok) say(why_text(c, run, options));
     any_ok = any_ok || run.outcome.status == Status::ok;
   }
-  if (!options.out.empty()) print(write_files(c, runs, options, from_file));
+  if (!options.out.empty()) say(write_files(c, runs, options, from_file));
+  if (options.format == "json") print(record::json_of(rows_of(c, runs)));
   return any_ok ? success : solver_failed;
 }
 
@@ -278,22 +250,26 @@ int run_case(const RunOptions& options) {
 
 int run_problem(const RunOptions& options) {
   if (options.code) throw UsageError("--code takes a case, not a problem file");
+  const bool rows = options.format == "json";
+  if (rows && options.solvers.empty()) throw UsageError("--format json: a run needs --solver");
   SpanCheck check;
   if (has_setting(options.settings) && !options.solvers.empty())
     check = [&](double t0, double end) { check_span(options.settings, t0, end); };
   const Cases given = load_problem(options.what, options.problems.sets, check);
   const Case& c = *given.front();
+  std::string text;
   if (given.size() > 1) {
     std::vector<std::string> ids;
     for (const Case* each : given) ids.push_back(each->id);
-    print("case       {}, the first of {}: {}\n", c.id, ids.size(), fmt::join(ids, ", "));
+    text =
+        fmt::format("case       {}, the first of {}: {}\n", c.id, ids.size(), fmt::join(ids, ", "));
   }
-  std::string text =
+  text +=
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
   for (const auto& [name, fact] : c.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
   for (const std::string& line : describe_fits(c.entrants, options.verbose)) text += line + "\n";
-  print(text);
+  rows ? fmt::print(stderr, "{}", text) : print(text);
   const bool asked = has_setting(options.settings) || !options.out.empty();
   if (options.solvers.empty() && !asked) return success;
   return run_solvers(c, {}, options, true);

@@ -152,4 +152,12 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
       ->excludes(resume);
 }
 
+void add_format(CLI::App& command, std::string& format) {
+  command
+      .add_option("--format", format,
+                  "of what is printed: table, or json with all columns of the files")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->type_name("FORMAT");
+}
+
 }  // namespace odeum::cli

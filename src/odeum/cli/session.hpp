@@ -75,9 +75,12 @@ struct StudyOptions {
   unsigned jobs = 0;      ///< 0: the number of cores
   bool resume = false;    ///< said by the user; results are kept in any case
   bool no_cache = false;  ///< neither take nor keep results
+  std::string format = "table";
   unsigned jobs_or_cores() const;
 };
 void add_study_options(CLI::App& command, StudyOptions& options);
+/// Adds --format, of what is printed: table or json.
+void add_format(CLI::App& command, std::string& format);
 
 /// Each adds its subcommand; `result` receives the exit code where that can be another one than
 /// `success` without an error.

@@ -67,7 +67,7 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   }
   study.write(folder, common.jobs_or_cores());
   show(study, options, folder, common.jobs_or_cores());
-  print(study.table());
+  print(common.format == "json" ? study.json() : study.table());
   remark_on(store.get());
   std::vector<std::string> files = study.files();
   // Without rows a file is not written.
@@ -136,6 +136,7 @@ void add_study(CLI::App& app, study::Study& study) {
   for (const study::Option& option : declaration.options)
     add_own_option(*command, option, given->study);
   add_study_options(*command, given->common);
+  add_format(*command, given->common.format);
   command->callback([given, &study] {
     if (run_elements(study, given->study, given->problems, given->common)) return;
     given->study.cases = load_problems(given->problems, given->study.cases);

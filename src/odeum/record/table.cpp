@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace odeum::record {
@@ -101,6 +102,22 @@ Table detail::make_table(std::string_view columns, const std::vector<Fields>& ro
     for (const ShownColumn& column : shown) cells.push_back(cell_of(column, *row));
   }
   return table;
+}
+
+std::string detail::json_text(
+    const std::vector<std::pair<std::string, std::vector<Fields>>>& lists) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (const auto& [file, rows] : lists) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Fields& row : rows) {
+      nlohmann::ordered_json object = nlohmann::ordered_json::object();
+      for (const Field& field : row)
+        std::visit([&](const auto& value) { object[field.column] = value; }, field.value);
+      list.push_back(std::move(object));
+    }
+    all[file] = std::move(list);
+  }
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace odeum::record

@@ -24,7 +24,8 @@ struct Table {
 
 namespace detail {
 Table make_table(std::string_view columns, const std::vector<Fields>& rows);
-}
+std::string json_text(const std::vector<std::pair<std::string, std::vector<Fields>>>& lists);
+}  // namespace detail
 
 /// The named columns of rows. `columns`: names of the file's columns, separated by spaces; a number
 /// may have a format of fmt behind a colon, as in "case solver error:.1e status", and is written as
@@ -54,6 +55,18 @@ std::string tables_of(const Result& result) {
     text.append(file).append("\n\n").append(table);
   }
   return text;
+}
+
+/// The lists of a result as JSON: by the name of their file an array of objects, one a row. Numbers
+/// are numbers, and null where they are not finite. Files that are large, and compressed for that,
+/// are left out.
+template <class Result>
+std::string json_of(const Result& result) {
+  std::vector<std::pair<std::string, std::vector<Fields>>> lists;
+  for_each_list(result, [&]<class Row>(const std::vector<Row>& rows) {
+    if (!is_compressed<Row>()) lists.emplace_back(Row::file, fields_of(rows));
+  });
+  return detail::json_text(lists);
 }
 
 }  // namespace odeum::record

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "odeum/core/numbers.hpp"
+#include "odeum/judge/answer.hpp"
+#include "odeum/record/table.hpp"
+#include "odeum/trajectories/run_page.hpp"
+
+namespace odeum::cli {
+
+/// One solver's run, for programs.
+struct RunRow {
+  std::string case_id, library, solver;
+  Mode mode = Mode::fixed;
+  double step = nan, tolerance = nan, end = nan;
+  Status status = Status::ok;
+  std::string detail;
+  Counters counters;
+  double reached = nan;  ///< the last time whose state was recorded
+  /// At `error_time`, the last output at which the truth is known; nan: at none.
+  double error_time = nan, error_max = nan, error_rms = nan, floor = nan;
+  judge::JudgedAnswer judged;
+  std::string truth;
+
+  static constexpr const char* file = "runs";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("mode", row.mode), visit("step", row.step), visit("tolerance", row.tolerance);
+    visit("end", row.end), visit("status", row.status), visit("detail", row.detail);
+    visit("reached", row.reached), visit("steps", row.counters.steps);
+    visit("rejected", row.counters.rejected_steps);
+    visit("evaluations", row.counters.rhs_evaluations);
+    visit("jacobians", row.counters.jacobian_evaluations);
+    visit("error_time", row.error_time), visit("error_max", row.error_max);
+    visit("error_rms", row.error_rms), visit("floor", row.floor);
+    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
+    visit("answer_reason", row.judged.reason), visit("truth", row.truth);
+  }
+};
+struct RunRows {
+  std::vector<RunRow> rows;
+  static auto lists(auto& result) { return std::tie(result.rows); }
+};
+
+RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs);
+
+/// The error at the end, or at the last output at which it is known, and whether the tolerance
+/// explains it, in lines.
+std::string error_text(const Case& c, const trajectories::CaseRun& run);
+
+}  // namespace odeum::cli
