@@ -50,7 +50,10 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
   const double ratio = std::pow(10, 1 / (mode == Mode::adaptive ? ladder : ladder * order / 4));
   const auto multiple = static_cast<double>(c.settings.steps_multiple);
   double fineness = mode == Mode::adaptive ? 10 : static_cast<double>(c.settings.coarsest_steps);
-  for (; fineness < (mode == Mode::adaptive ? 1.1e14 : 1e8); fineness *= ratio) {
+  // Where nobody may have the error, runs that fail early could go on to the finest steps for
+  // hours.
+  const double finest = mode == Mode::adaptive ? 1.1e14 : std::isfinite(best_ns) ? 1e8 : 1e5;
+  for (; fineness < finest; fineness *= ratio) {
     Request request;
     request.mode = mode;
     request.stops = c.stops;
@@ -58,7 +61,7 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
       set_tolerance(request, c, 1 / fineness);
     else
       request.steps = static_cast<std::uint64_t>(multiple * std::ceil(fineness / multiple));
-    request.budget.seconds = std::clamp(1e-8 * best_ns, 2e-3, 0.5);
+    request.budget.seconds = std::clamp(1e-8 * best_ns, 2e-3, std::isfinite(best_ns) ? 0.5 : 0.05);
     const double start = study::thread_seconds();
     const double has = error_of(entrant, request, judge);
     const double ns = 1e9 * (study::thread_seconds() - start);
