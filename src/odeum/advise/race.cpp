@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "odeum/advise/no_answer.hpp"
 #include "odeum/advise/search.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -120,52 +121,6 @@ void time_them(Advice& advice, Search& search, double seconds) {
   advice.disturbed = study::disturbed(conditions.drift, conditions.processor_share);
 }
 
-/// Why there is no answer, before any run.
-std::string unknown(const Case& c, const Wishes& wishes) {
-  std::vector<double> state(c.y0.size());
-  double known = c.t0;
-  for (const double stop : c.stops) {
-    if (!c.truth.at || !c.truth.at(stop, state.data()))
-      return known == c.t0
-                 ? "the solution is not known at any stop: " + c.truth.source
-                 : fmt::format("the solution is known only to t = {}: {}", known, c.truth.source);
-    known = stop;
-  }
-  if (wishes.time_ns == 0 && wishes.error <= c.truth.floor)
-    return fmt::format("the solution itself is known to {:.2g} only, so that {:g} can't be told",
-                       c.truth.floor, wishes.error);
-  return {};
-}
-
-std::string nobody_within(const Advice& advice) {
-  double least = infinity;
-  std::string id;
-  for (const Candidate& candidate : advice.candidates)
-    for (const Trial& trial : candidate.trials)
-      if (trial.status == Status::ok && trial.ns < least && !candidate.closed_form()) {
-        least = trial.ns;
-        id = candidate.entrant->info.id();
-      }
-  if (id.empty()) return "nobody here ends a run within ten times that time";
-  return fmt::format("nobody here ends a run within that time: the shortest took {:.3g} ms, by {}",
-                     1e-6 * least, id);
-}
-
-std::string nobody(const Advice& advice) {
-  double least = infinity;
-  std::string id;
-  for (const Candidate& candidate : advice.candidates)
-    for (const Trial& trial : candidate.trials)
-      if (trial.status == Status::ok && trial.error < least && !candidate.closed_form()) {
-        least = trial.error;
-        id = candidate.entrant->info.id();
-      }
-  if (id.empty())
-    return "not known: no run ended within its share of the seconds; --seconds gives more";
-  return fmt::format("nobody here reaches that{}: best is {} with an error of {:.3g}",
-                     advice.cut ? " within the seconds given" : "", id, least);
-}
-
 }  // namespace
 
 double bare_ns(const Candidate& candidate, const Trial& trial) {
@@ -235,22 +190,6 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   std::stable_sort(least, same, [&](std::size_t a, std::size_t b) {
     return advice.candidates[a].times.min() < advice.candidates[b].times.min();
   });
-}
-
-/// Throws std::invalid_argument for wishes about an energy that does not serve.
-void check_wishes(const Case& c, const Wishes& wishes) {
-  if (wishes.energy == 0) return;
-  if (!c.energy) throw std::invalid_argument("the problem has no energy");
-  if (wishes.horizon == 0) return;
-  if (!(wishes.horizon >= c.stops.back()))
-    throw std::invalid_argument(
-        fmt::format("a horizon of {:g} ends before the run, which goes to {:g}", wishes.horizon,
-                    c.stops.back()));
-  std::vector<double> state(c.y0.size());
-  const double before = c.energy(c.y0.data());
-  if (c.truth.at && c.truth.at(c.stops.back(), state.data()) &&
-      !(std::abs(c.energy(state.data()) / before - 1) <= 0.1 * wishes.energy))
-    throw std::invalid_argument("the energy is not conserved, so that no horizon can be given");
 }
 
 /// The frames of a run; 0: they do not divide it.

@@ -10,6 +10,7 @@
 #include "odeum/cases/case_text.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/printed_text.hpp"
+#include "odeum/cases/proposed_scale.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
 #include "odeum/cases/study_steps.hpp"
@@ -58,12 +59,7 @@ class TextCase : CaseText {
     case_.equation = text("equation", problem_.equations_text);
     add_parameters();
     read_numbers();
-    // Names of other columns of the files would stand there twice.
-    const std::vector<std::string> columns{"schema", "case",   "library", "solver",
-                                           "time",   "energy", "error"};
-    if (std::find_first_of(problem_.states.begin(), problem_.states.end(), columns.begin(),
-                           columns.end()) == problem_.states.end())
-      case_.components = problem_.states;
+    if (!has_name_of_column(problem_.states)) case_.components = problem_.states;
     case_.scale = problem_.scale;
     set_problem();
     set_truth();
@@ -71,6 +67,7 @@ class TextCase : CaseText {
     choose_settings();
     case_.facts =
         text_facts(problem_, *analysis_, file_.printed ? nullptr : ode_.get(), truth_, case_);
+    if (!proposed_.empty()) case_.facts.push_back(scale_fact(proposed_, problem_.states));
     return std::move(case_);
   }
 
@@ -234,6 +231,8 @@ class TextCase : CaseText {
     std::copy_if(truth_.stops.begin(), truth_.stops.end(), std::back_inserter(known),
                  [&](double stop) { return stop <= case_.stops.back(); });
     cut_stops(case_, known);
+    if (problem_.scale.empty() && problem_.tolerance.relative == 0 && !has("thresholds"))
+      proposed_ = take_proposed_scale(case_, truth_.extended_floor);
   }
 
   /// Leaves those that `invariants` names.
@@ -261,6 +260,7 @@ class TextCase : CaseText {
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
+  std::vector<double> proposed_;  ///< a scale; empty: none
   Case case_;
 };
 

@@ -53,4 +53,11 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
   return facts;
 }
 
+bool has_name_of_column(const std::vector<std::string>& states) {
+  const std::vector<std::string> columns{"schema", "case",   "library", "solver",
+                                         "time",   "energy", "error"};
+  return std::find_first_of(states.begin(), states.end(), columns.begin(), columns.end()) !=
+         states.end();
+}
+
 }  // namespace odeum::cases

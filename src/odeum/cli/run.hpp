@@ -81,6 +81,10 @@ int run_case(const RunOptions& options);
 /// Prints what was found in a problem file; the same for its case where a solver is given.
 int run_problem(const RunOptions& options);
 
+/// Lines: the error at the end, or at the last output at which it is known, whether the tolerance
+/// explains it, and what else the run shows.
+std::string error_text(const Case& c, const Request& request, const Outcome& outcome);
+
 /// A C++ program that makes one run of an own method on a case with the installed package and
 /// prints the state at its end. Throws UsageError for a solver of another library.
 std::string code_of(const Case& c, const Entrant& entrant, const Request& request);

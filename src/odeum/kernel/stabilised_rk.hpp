@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/control/step_control.hpp"
 #include "odeum/core/status.hpp"
 #include "odeum/kernel/method.hpp"
 #include "odeum/kernel/spectral_radius.hpp"

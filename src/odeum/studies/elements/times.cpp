@@ -8,7 +8,7 @@
 namespace odeum::study {
 namespace {
 
-constexpr double tolerance = 1e-8;  // of the residual
+constexpr double residual_tolerance = 1e-8;  // of the residual
 constexpr int repetitions = 5;
 constexpr double slow_ns = 1e9;  // a solver that takes longer is timed once
 
@@ -26,7 +26,7 @@ Solve gradients(const fem::EllipticSystem& system,
                 std::shared_ptr<const linear::Preconditioner> m) {
   return [&system, m = std::move(m)](std::vector<double>& x) {
     linear::CgOutcome run = linear::preconditioned_cg(system.matrix, *m, system.right,
-                                                      {.relative_residual = tolerance});
+                                                      {.relative_residual = residual_tolerance});
     x = std::move(run.x);
     return run.iterations;
   };
@@ -48,8 +48,8 @@ std::vector<Timed> solvers(const Hierarchy& hierarchy) {
       {"odeum/pcg_multigrid", [&, v_cycle] { return gradients(system, v_cycle()); }},
       {"odeum/multigrid", [&, v_cycle]() -> Solve {
          return [&system, m = v_cycle()](std::vector<double>& x) {
-           linear::IterativeOutcome run = linear::stationary(system.matrix, *m, system.right,
-                                                             {.relative_residual = tolerance});
+           linear::IterativeOutcome run = linear::stationary(
+               system.matrix, *m, system.right, {.relative_residual = residual_tolerance});
            x = std::move(run.x);
            return run.iterations;
          };
@@ -58,7 +58,7 @@ std::vector<Timed> solvers(const Hierarchy& hierarchy) {
     all.push_back({info.id, [&]() -> Solve {
                      return [&system, peer = std::shared_ptr<linear::LinearPeer>(info.set_up(a))](
                                 std::vector<double>& x) {
-                       return peer->solve(system.right, x, tolerance, 100'000);
+                       return peer->solve(system.right, x, residual_tolerance, 100'000);
                      };
                    }});
   return all;
@@ -94,7 +94,7 @@ std::vector<ElementsTimeRow> time_solvers(std::size_t most) {
     row.solve_ns_min = each.solve.min(), row.solve_ns_median = each.solve.median();
     row.residual = linear::residual_norm(system.matrix, each.x, system.right) / size;
     // The residual that an iteration updates drifts from the true one by rounding.
-    row.status = row.residual <= 1.1 * tolerance ? "ok" : "inaccurate";
+    row.status = row.residual <= 1.1 * residual_tolerance ? "ok" : "inaccurate";
   }
   return rows;
 }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "odeum/advise/answer_parts.hpp"
+
+namespace odeum::advise {
+
+nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked& asked) {
+  using Json = nlohmann::ordered_json;
+  Json json, not_tried = Json::array();
+  for (const auto& [reason, ids] : advice.not_tried)
+    not_tried.push_back({{"reason", reason}, {"solvers", ids}});
+  if (!advice.failure.empty()) return {{"failure", advice.failure}, {"not_tried", not_tried}};
+  const Candidate& winner = winner_of(advice);
+  const Trial& found = *winner.found;
+  json["solver"] = winner.entrant->info.id();
+  json["setting_kind"] = kind_of(winner.mode);
+  json["setting"] = setting_of(found, c);
+  const std::vector<double>& absolutes = found.request().tolerance.absolutes();
+  if (winner.mode == Mode::fixed)
+    json["absolute"] = nullptr;
+  else if (absolutes.size() > 1)
+    json["absolute"] = absolutes;
+  else
+    json["absolute"] = absolutes.empty() ? setting_of(found, c) : absolutes.front();
+  json["error"] = found.state_error();
+  json["error_low"] = std::max(0.0, found.state_error() - advice.floor);
+  json["error_high"] = found.state_error() + advice.floor;
+  if (advice.wishes.energy > 0) json["energy_error"] = found.energy_error();
+  for (std::size_t k = 0; k < asked.points.size(); ++k)
+    json["box"].push_back({{"parameters", asked.points[k]},
+                           {"error", found.parts[k].error},
+                           {"time_ns", found.parts[k].ns}});
+  json["time_ns"] = json["time_low"] = winner.times.min();
+  json["time_high"] = winner.times.median();
+  if (advice.run_ns > 0) json["time_asked"] = advice.wishes.time_ns;
+  if (advice.frames > 0) {
+    json["steps_per_frame"] = static_cast<double>(found.request().steps) / advice.frames;
+    json["frame_ns"] = winner.times.min() / advice.frames;
+  }
+  json["limited_by"] = limit_of(advice);
+  json["runners_up"] = Json::array();
+  for (const auto& [other, why] : runners_up(advice))
+    json["runners_up"].push_back({{"solver", other->entrant->info.id()},
+                                  {"setting_kind", kind_of(other->mode)},
+                                  {"setting", setting_of(*other->found, c)},
+                                  {"error", other->found->state_error()},
+                                  {"ratio", other->times.min() / winner.times.min()},
+                                  {"why", why}});
+  json["not_tried"] = not_tried;
+  json["command"] = command_of(advice, c, asked);
+  json["command_error"] = advice.repeated.error;
+  json["command_evaluations"] = advice.repeated.counters.rhs_evaluations;
+  json["evaluations"] = found.counters.rhs_evaluations;
+  json["same_within_noise"] = same_within_noise(advice);
+  json["dropped"] = Json::array();
+  each_dropped(advice, [&](const Candidate& candidate) {
+    json["dropped"].push_back({{"solver", candidate.entrant->info.id()},
+                               {"setting_kind", kind_of(candidate.mode)},
+                               {"reason", reason_of(candidate, advice.run_ns > 0)}});
+  });
+  json["cut_short"] = advice.cut;
+  json["disturbed"] = advice.disturbed;
+  return json;
+}
+
+}  // namespace odeum::advise

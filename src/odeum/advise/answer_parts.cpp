@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/advise/answer_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+namespace odeum::advise {
+namespace {
+
+std::vector<std::string> words_in(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+}  // namespace
+
+double setting_of(const Trial& trial, const Case& c) {
+  return trial.request().mode == Mode::adaptive
+             ? trial.request().tolerance.relative
+             : (c.stops.back() - c.t0) / static_cast<double>(trial.request().steps);
+}
+
+std::string text_of_ns(double ns) {
+  if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
+  return ns < 1e6   ? fmt::format("{:.3g} us", ns / 1e3)
+         : ns < 1e9 ? fmt::format("{:.3g} ms", ns / 1e6)
+                    : fmt::format("{:.3g} s", ns / 1e9);
+}
+
+std::string command_of(const Advice& advice, const Case& c, const Asked& asked) {
+  const Candidate& winner = winner_of(advice);
+  // Of a box, at the parameters of the largest error.
+  std::string sets;
+  if (!asked.points.empty())
+    for (const std::string& set : words_in(asked.points[winner.found->worst()]))
+      sets += " --set " + set;
+  return fmt::format("odeum run {}{}{} --solver {} --{} {}", asked.problem, asked.more, sets,
+                     winner.entrant->info.id(), kind_of(winner.mode), setting_of(*winner.found, c));
+}
+
+std::vector<std::string> same_within_noise(const Advice& advice) {
+  std::vector<std::string> ids;
+  for (const std::size_t k : advice.timed) {
+    const Candidate& other = advice.candidates[k];
+    const Candidate& winner = winner_of(advice);
+    const bool same = advice.run_ns > 0 ? advice.same_error(*other.found, *winner.found)
+                                        : other.times.min() <= winner.times.median();
+    if (k != advice.winner && !other.closed_form() && same)
+      ids.push_back(fmt::format("{} --{}", other.entrant->info.id(), kind_of(other.mode)));
+  }
+  return ids;
+}
+
+std::string limit_of(const Advice& advice) {
+  if (!advice.twice) return "unknown: half as many steps do not end on the stops";
+  const Candidate& winner = winner_of(advice);
+  const Trial &found = *winner.found, &twice = *advice.twice;
+  if (winner.mode == Mode::fixed) {
+    // Four times what the order explains.
+    const double explained = 4 * std::pow(2, winner.slope()) * found.error;
+    return twice.status == Status::ok && twice.error <= explained ? "accuracy" : "stability";
+  }
+  if (twice.status != Status::ok) return "stability";
+  const auto all = [](const Trial& trial) {
+    return static_cast<double>(trial.counters.steps + trial.counters.rejected_steps);
+  };
+  // A pair of order 20 would save a tenth of its steps.
+  return all(twice) > 0.9 * all(found) ? "stability" : "accuracy";
+}
+
+std::vector<RunnerUp> runners_up(const Advice& advice) {
+  const SolverInfo& first = winner_of(advice).entrant->info;
+  std::set<std::string> libraries{first.library};
+  bool family = false;
+  std::vector<RunnerUp> found;
+  for (const std::size_t k : advice.timed) {
+    const Candidate& candidate = advice.candidates[k];
+    const SolverInfo& info = candidate.entrant->info;
+    if (k == advice.winner || candidate.closed_form()) continue;
+    std::string why;
+    if (!family && info.family != first.family) {
+      why = "best of another family, " + info.family;
+      family = true;
+    }
+    if (libraries.insert(info.library).second)
+      why += (why.empty() ? "" : "; ") + ("best of " + info.library);
+    if (!why.empty()) found.push_back({&candidate, why});
+  }
+  return found;
+}
+
+std::string reason_of(const Candidate& candidate, bool within) {
+  if (candidate.trials.empty()) return "the seconds were over";
+  if (!candidate.dropped.empty()) return candidate.dropped;
+  if (candidate.found)
+    return within ? "a larger error in its counted runs" : "slower in its counted runs";
+  const Trial& last = candidate.trials.back();
+  if (within && last.ns > 0 && last.status == Status::ok) return "slower than the time given";
+  if (within && last.status == Status::over_budget) return "slower than ten times the time given";
+  if (last.status == Status::over_budget)
+    return "its last run was stopped after ten times the best run's time, or its share of the "
+           "seconds";
+  return last.status == Status::ok ? fmt::format("its error stayed at {:.2g}", last.error)
+                                   : fmt::format("its last run ended {}", to_string(last.status));
+}
+
+}  // namespace odeum::advise

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "odeum/advise/answer.hpp"
+
+/// What both forms of an answer, text and JSON, say.
+namespace odeum::advise {
+
+inline const Candidate& winner_of(const Advice& advice) { return advice.candidates[advice.winner]; }
+
+/// A step, or a relative tolerance.
+double setting_of(const Trial& trial, const Case& c);
+
+inline const char* kind_of(Mode mode) { return mode == Mode::fixed ? "step" : "tol"; }
+
+std::string text_of_ns(double ns);
+
+std::string command_of(const Advice& advice, const Case& c, const Asked& asked);
+
+/// Others that the times do not tell from the winner; within a time, others of about its error.
+std::vector<std::string> same_within_noise(const Advice& advice);
+
+/// What a run with twice the step says of a fixed step, one with ten times the tolerance of a
+/// step control.
+std::string limit_of(const Advice& advice);
+
+struct RunnerUp {
+  const Candidate* candidate;
+  std::string why;  ///< the best of its library or family
+};
+
+/// The best of every other library, and the best of another family.
+std::vector<RunnerUp> runners_up(const Advice& advice);
+
+/// Why each of those that take no part any more was left.
+std::string reason_of(const Candidate& candidate, bool within);
+
+template <class Visit>
+void each_dropped(const Advice& advice, const Visit& visit) {
+  for (std::size_t k = 0; k < advice.candidates.size(); ++k)
+    if (std::find(advice.timed.begin(), advice.timed.end(), k) == advice.timed.end())
+      visit(advice.candidates[k]);
+}
+
+}  // namespace odeum::advise

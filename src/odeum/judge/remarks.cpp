@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/remarks.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace odeum::judge {
+namespace {
+
+constexpr std::size_t most_unknowns = 64, most_named = 5;
+
+/// Slopes at random states in units of the scale, one a row, its largest 1.
+std::vector<std::vector<double>> sampled_slopes(const Case& c) {
+  const std::size_t n = c.y0.size();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> near(0.5, 2);
+  std::vector<std::vector<double>> rows;
+  for (std::size_t k = 0; k < 3 * n + 8; ++k) {
+    std::vector<double> y(n), f(n);
+    for (std::size_t i = 0; i < n; ++i)
+      y[i] = near(random) * (c.y0[i] != 0 ? std::abs(c.y0[i]) : c.scale_of(i));
+    c.problem.view.rhs(c.problem.view.problem, c.t0 + near(random) - 1, y.data(), f.data());
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      f[i] /= c.scale_of(i);
+      largest = std::max(largest, std::abs(f[i]));
+    }
+    if (!(largest > 0) || !std::isfinite(largest)) continue;
+    for (double& each : f) each /= largest;
+    rows.push_back(std::move(f));
+  }
+  return rows;
+}
+
+/// Brings rows to reduced echelon form, with the largest pivot of all; returns the pivots' columns.
+std::vector<std::size_t> reduce(std::vector<std::vector<double>>& rows, std::size_t n,
+                                double negligible) {
+  std::vector<std::size_t> pivots;
+  for (std::size_t rank = 0; rank < rows.size() && pivots.size() < n; ++rank) {
+    std::size_t row = rank, column = n;
+    double largest = negligible;
+    for (std::size_t r = rank; r < rows.size(); ++r)
+      for (std::size_t j = 0; j < n; ++j)
+        if (std::abs(rows[r][j]) > largest) largest = std::abs(rows[r][j]), row = r, column = j;
+    if (column == n) break;
+    std::swap(rows[rank], rows[row]);
+    const double pivot = rows[rank][column];
+    for (double& each : rows[rank]) each /= pivot;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      const double factor = rows[r][column];
+      if (r == rank || factor == 0) continue;
+      for (std::size_t j = 0; j < n; ++j) rows[r][j] -= factor * rows[rank][j];
+    }
+    pivots.push_back(column);
+  }
+  return pivots;
+}
+
+std::string sum_text(const std::vector<double>& weights, const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double w = weights[i];
+    if (w == 0) continue;
+    text += text.empty() ? (w < 0 ? "-" : "") : w < 0 ? " - " : " + ";
+    if (std::abs(std::abs(w) - 1) > 1e-9) text += fmt::format("{:.4g} ", std::abs(w));
+    text += names[i];
+  }
+  return text;
+}
+
+std::string joined(std::vector<std::string> names) {
+  const std::size_t more = names.size() > most_named ? names.size() - most_named : 0;
+  names.resize(names.size() - more);
+  return fmt::format("{}{}", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+}  // namespace
+
+std::vector<std::vector<double>> linear_invariants(const Case& c) {
+  const std::size_t n = c.y0.size();
+  if (n < 2 || n > most_unknowns || !c.problem.view.rhs) return {};
+  std::vector<std::vector<double>> rows = sampled_slopes(c);
+  if (rows.size() < 2 * n) return {};
+  constexpr double rounding = 1e-11;  // of slopes of 1, after as many eliminations as unknowns
+  const std::vector<std::size_t> pivots = reduce(rows, n, rounding);
+  std::vector<std::vector<double>> kept;
+  for (std::size_t free = 0; free < n; ++free) {
+    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+    std::vector<double> weights(n);
+    weights[free] = 1;
+    for (std::size_t r = 0; r < pivots.size(); ++r) weights[pivots[r]] = -rows[r][free];
+    double first = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      weights[i] = std::abs(weights[i]) > 1e-9 ? weights[i] / c.scale_of(i) : 0;
+      if (first == 0) first = weights[i];
+    }
+    for (double& w : weights) {
+      w /= first;
+      if (std::abs(w - std::round(w)) < 1e-7) w = std::round(w);
+    }
+    kept.push_back(std::move(weights));
+  }
+  return kept;
+}
+
+std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome) {
+  std::vector<std::string> all;
+  const std::size_t n = c.y0.size(), reached = n == 0 ? 0 : outcome.states.size() / n;
+  if (reached == 0) return all;
+  const std::vector<std::string> names = component_names(c);
+  const auto stops = std::min(reached, request.stops.size());
+  std::vector<std::string> uncontrolled, negative;
+  std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
+  for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
+  bool known = false;
+  for (std::size_t k = 0; k < stops; ++k) {
+    if (!c.truth.at || !c.truth.at(request.stops[k], exact.data())) continue;
+    known = true;
+    const double* y = outcome.states.data() + k * n;
+    for (std::size_t i = 0; i < n; ++i) {
+      largest[i] = std::max(largest[i], std::abs(exact[i]));
+      lowest_exact[i] = std::min(lowest_exact[i], exact[i]);
+      lowest[i] = std::min(lowest[i], y[i]);
+    }
+  }
+  if (!known) return all;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (request.mode == Mode::adaptive && largest[i] < request.tolerance.absolute(i))
+      uncontrolled.push_back(names[i]);
+    // Rounding and the truth's own error are no fault.
+    const double meant = 1e-12 * largest[i] + 10 * c.truth.floor * c.scale_of(i);
+    if (c.y0[i] >= 0 && lowest_exact[i] >= -meant && lowest[i] < -meant)
+      negative.push_back(fmt::format("{} ({:.2g})", names[i], lowest[i]));
+  }
+  if (!uncontrolled.empty())
+    all.push_back(fmt::format(
+        "{} never exceed{} the absolute tolerance, which leaves the error uncontrolled there",
+        joined(uncontrolled), uncontrolled.size() == 1 ? "s" : ""));
+  if (!negative.empty())
+    all.push_back(fmt::format("{} {} below zero where the solution is not", joined(negative),
+                              negative.size() == 1 ? "falls" : "fall"));
+  const double* end = outcome.states.data() + (stops - 1) * n;
+  for (const std::vector<double>& weights : linear_invariants(c)) {
+    double before = 0, after = 0, size = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      before += weights[i] * c.y0[i];
+      after += weights[i] * end[i];
+      size = std::max(size, std::abs(weights[i]) * std::max(largest[i], std::abs(end[i])));
+    }
+    const double allowed = request.mode == Mode::adaptive ? request.tolerance.relative : 1e-9;
+    if (std::abs(after - before) > std::max(allowed, 1e-12) * size)
+      all.push_back(fmt::format("the equations keep {}, which went from {:.6g} to {:.6g}",
+                                sum_text(weights, names), before, after));
+  }
+  return all;
+}
+
+}  // namespace odeum::judge

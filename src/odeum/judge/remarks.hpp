@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::judge {
+
+/// The sums sum_i w_i y_i that the equations of a case keep, whatever the state: rows of weights,
+/// each with a 1 first. Found from the right-hand side at random states; up to 64 unknowns.
+std::vector<std::vector<double>> linear_invariants(const Case& c);
+
+/// What a run that ended `ok` shows of faults that an error at the end may hide, in sentences:
+/// states that never reach their absolute tolerance, states below zero where the solution is not,
+/// and sums that the equations keep and the run does not.
+std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome);
+
+}  // namespace odeum::judge

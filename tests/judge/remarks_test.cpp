@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/judge/remarks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/text_case.hpp"
+
+namespace odeum {
+namespace {
+
+Case of_text(const std::string& text) {
+  return case_of(cases::text_statements("enzyme.yaml", text, "enzyme", {}).front());
+}
+
+const char* const enzyme =
+    "states: {S: 1e-3, E: 1e-6, C: 0, P: 0}\n"
+    "parameters: {k1: 1e6, km: 1e3, k2: 10}\n"
+    "equations:\n"
+    "  S: -k1*S*E + km*C\n"
+    "  E: -k1*S*E + (km + k2)*C\n"
+    "  C: k1*S*E - (km + k2)*C\n"
+    "  P: k2*C\n"
+    "time: {end: 1}\n";
+
+/// The truth at the end, as a run to a tolerance that ended there.
+struct Made {
+  Request request;
+  Outcome outcome;
+  explicit Made(const Case& c) {
+    request.mode = Mode::adaptive;
+    set_tolerance(request, c, 1e-6);
+    request.stops = {c.stops.back()};
+    outcome.states.resize(c.y0.size());
+    c.truth.at(c.stops.back(), outcome.states.data());
+  }
+};
+
+TEST(LinearInvariants, AreThoseOfTheEquations) {
+  using Sums = std::vector<std::vector<double>>;
+  EXPECT_EQ(judge::linear_invariants(known_case("robertson")), (Sums{{1, 1, 1}}));
+  Sums kept = judge::linear_invariants(of_text(enzyme));
+  // Any two of S + C + P, E + C and S - E + P.
+  ASSERT_EQ(kept.size(), 2U);
+  for (const std::vector<double>& w : kept) {
+    EXPECT_EQ(w[0], w[3]);
+    EXPECT_EQ(w[2], w[0] + w[1]);
+  }
+  EXPECT_TRUE(judge::linear_invariants(known_case("lotka_volterra")).empty());
+  EXPECT_TRUE(judge::linear_invariants(known_case("kepler_e06")).empty());
+}
+
+TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
+  const Case c = of_text(enzyme);
+  Made run(c);
+  EXPECT_TRUE(judge::remarks(c, run.request, run.outcome).empty());
+  // One absolute tolerance for all, as solvers have by default.
+  run.request.tolerance = Tolerance(1e-6, 1e-5);
+  std::vector<std::string> said = judge::remarks(c, run.request, run.outcome);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(
+      said[0],
+      "E, C, P never exceed the absolute tolerance, which leaves the error uncontrolled there");
+  set_tolerance(run.request, c, 1e-6);
+  run.outcome.states[0] = -1.8e-6;
+  said = judge::remarks(c, run.request, run.outcome);
+  ASSERT_GE(said.size(), 2U);
+  EXPECT_EQ(said[0], "S (-1.8e-06) falls below zero where the solution is not");
+  EXPECT_NE(said[1].find("the equations keep "), std::string::npos) << said[1];
+}
+
+TEST(ProposedScale, IsThatOfTheReference) {
+  const Case c = of_text(enzyme);
+  EXPECT_EQ(c.scale, (std::vector<double>{1e-3, 1e-6, 1e-6, 1e-5}));
+  EXPECT_EQ(c.tolerance.threshold(1), 1e-6);
+  const auto stated = [](const std::string& more) { return of_text(enzyme + more).scale; };
+  EXPECT_EQ(stated("scale: {S: 1, E: 1, C: 1, P: 1}\n"), (std::vector<double>{1, 1, 1, 1}));
+  EXPECT_TRUE(stated("tolerance: {relative: 1e-6, absolute: 1e-9}\n").empty());
+  // States near 1 stay in their own units.
+  EXPECT_TRUE(of_text("states: {y: 2}\nequations: {y: -y^2}\ntime: {end: 3}\n").scale.empty());
+}
+
+}  // namespace
+}  // namespace odeum
