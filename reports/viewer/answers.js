@@ -6,7 +6,7 @@
     facts, sameError, isClosedForm, idOf, html, addressOf, settingText, timeText, colourOf, times,
     number, isBetween, whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText,
     moreText, disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf,
-    writeAddress, showAgain, choices, loadCase,
+    writeAddress, showAgain, choices, loadCase, measuredCases,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -78,7 +78,7 @@
         'caption', {},
         'The fastest of each library: time of a whole solve, set-up included, least of several. ' +
           `The error is the largest of a component up to t = ${number(c.end)}, absolute, in the ` +
-          'units of the equation.' +
+          `units of the ${c.scaled ? 'scale of each component' : 'equation'}.` +
           (rows.some(isBetween)
             ? ' A time with ~ is interpolated to the error between two runs; the finer is named.'
             : ''),
@@ -168,10 +168,8 @@
 
   const reproduce = (c, row) =>
     row.setting_kind === 'tol'
-      ? `odeum run ${c.id} --solver ${idOf(row)} --tol ${number(row.setting)} --until ${c.end}`
-      : `odeum run ${c.id} --solver ${idOf(row)} --step ${roundedUp(row.setting)} --until ${c.end}`;
-  // A step that is not below the one that was run: `odeum run` takes the next smaller divisor.
-  const roundedUp = (step) => Number((step * (1 + 2e-8)).toPrecision(9));
+      ? `odeum run ${c.words} --solver ${idOf(row)} --tol ${row.setting} --until ${c.end}`
+      : `odeum run ${c.words} --solver ${idOf(row)} --step ${row.setting} --until ${c.end}`;
 
   const answerBody = (c, error, { timed }) => {
     const best = fastestOf(c.id, error, timed);
@@ -230,8 +228,14 @@
     return text && `${idOf(row)} ${text}`;
   };
 
+  // The jobs of this page that the report has; in a report of a person's own problems these.
+  const askedOf = () => {
+    const jobs = facts.questions.filter((q) => facts.caseOf.has(q.case));
+    return jobs.length ? jobs : measuredCases().map((c) => ({ case: c.id, title: c.title }));
+  };
+
   const showAnswers = (host, choice) => {
-    const asked = facts.questions.filter((q) => facts.caseOf.has(q.case));
+    const asked = askedOf();
     if (!asked.length)
       return host.replaceChildren(
         html('p', { class: 'missing' }, 'This report has none of the problems of this page.'),
@@ -263,5 +267,5 @@
     );
   };
 
-  Object.assign(odeum, { askedErrors, fastestOf, roundedUp, showAnswers });
+  Object.assign(odeum, { askedErrors, fastestOf, showAnswers });
 })();

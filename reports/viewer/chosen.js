@@ -4,7 +4,7 @@
 (() => {
   const {
     idOf, facts, sameError, colourOf, shapeOf, number, settingText, duration, plural, shorten,
-    statusText, roundedUp,
+    statusText,
   } = odeum;
 
   const horizontal = {
@@ -148,10 +148,10 @@
       curve ? shorten(orderText(curve.order), 110) : '',
     ].filter(Boolean);
   const commandOf = (run) => {
-    const how =
-      run.mode === 'fixed' ? `--step ${roundedUp(run.step)}` : `--tol ${number(run.tolerance)}`;
-    const until = run.timed ? ` --until ${facts.caseOf.get(run.case).end}` : '';
-    return `odeum run ${run.case} --solver ${idOf(run)} ${how}${until}`;
+    const c = facts.caseOf.get(run.case);
+    const how = run.mode === 'fixed' ? `--step ${run.step}` : `--tol ${run.tolerance}`;
+    const until = run.timed ? ` --until ${c.end}` : '';
+    return `odeum run ${c.words} --solver ${idOf(run)} ${how}${until}`;
   };
 
   Object.assign(odeum, {

@@ -127,7 +127,7 @@
         ' measures its orders on every problem; ',
         html(
           'code', {},
-          `odeum run ${example.id} --solver ${id} ` +
+          `odeum run ${example.words} --solver ${id} ` +
             `${solver.adaptive ? '--tol 1e-6' : '--step 0.01'}`,
         ),
         ' runs it once.',

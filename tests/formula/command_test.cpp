@@ -149,6 +149,19 @@ TEST_F(ProblemCommands, NothingWrittenReachesAShellOrACompiler) {
   EXPECT_FALSE(fs::exists(mark));
 }
 
+// Commands on a page name what the reader gave, and not an id that is known to that run only.
+TEST_F(ProblemCommands, APageNamesTheFileOfAUser) {
+  write("my decay.yaml",
+        "states: {x: 1e-6}\nparameters: {k: 1}\nequations: {x: -k*x}\ntime: {end: 1}\n");
+  const tests::Result result =
+      odeum("converge 'my decay.yaml' --set k=2 --solver odeum/rk4 --out rows");
+  EXPECT_EQ(result.code, 0) << result.output;
+  const std::string page = tests::text_of((folder_.path() / "rows/page.json").string());
+  EXPECT_NE(page.find(R"("words":"'my decay.yaml' --set k=2")"), std::string::npos);
+  // Its state is far below 1, so that errors have the unit 1e-6.
+  EXPECT_NE(page.find(R"("scaled":true)"), std::string::npos);
+}
+
 TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
   write("blow_up.yaml", "states: {x: 1}\nequations: {x: x^2}\ntime: {end: 2, stops: [0.5, 2]}\n");
   expect("run blow_up.yaml", 0, "no verdict is given beyond");

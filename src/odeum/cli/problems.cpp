@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 
@@ -29,6 +30,12 @@ namespace {
 std::string& mark() {
   static std::string text;
   return text;
+}
+
+/// By the id of a case the words that name it on a command line.
+std::map<std::string, std::string>& loaded_words() {
+  static std::map<std::string, std::string> words;
+  return words;
 }
 
 formula::Overrides overrides_of(const std::vector<std::string>& sets) {
@@ -215,6 +222,8 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
          scene ? Cases{&load_scene(*scene, options.sets)} : load_problem(word, options.sets)) {
       remark("{:<9}  {} ({})", scene ? "scene" : "problem", c->title, c->source);
       for (const auto& [name, fact] : c->facts) remark("{:<9}  {}", name, fact);
+      std::string& words = loaded_words()[c->id] = shell_word(word);
+      for (const std::string& set : options.sets) words += " --set " + shell_word(set);
       globs.push_back(c->id);
     }
     loaded = true;
@@ -225,5 +234,13 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
 }
 
 std::string mark_of_loaded() { return mark(); }
+
+report::Facts facts_for(const std::vector<const Case*>& cases) {
+  report::Facts facts = report::describe(cases, all_libraries());
+  for (report::CaseFacts& each : facts.cases)
+    if (const auto loaded = loaded_words().find(each.id); loaded != loaded_words().end())
+      each.words = loaded->second;
+  return facts;
+}
 
 }  // namespace odeum::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/report/facts.hpp"
 #include "odeum/solvers/case.hpp"
 
 namespace odeum::cli {
@@ -59,6 +60,9 @@ std::string words_of(const std::vector<std::string>& sets, const CLI::App& comma
 /// them loaded.
 std::vector<std::string> load_problems(const ProblemOptions& options,
                                        const std::vector<std::string>& case_globs);
+
+/// What a report says of cases; each with the words that name it on a command line.
+report::Facts facts_for(const std::vector<const Case*>& cases);
 
 /// A text that identifies the content of all that was loaded; empty: nothing was.
 std::string mark_of_loaded();

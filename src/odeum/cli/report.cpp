@@ -107,8 +107,7 @@ void run(const Options& options) {
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
-  report::Report report(report::describe(cases_of(options), all_libraries()), folder,
-                        options.jobs_or_cores());
+  report::Report report(facts_for(cases_of(options)), folder, options.jobs_or_cores());
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) {
       report.study(study->facts());

@@ -12,6 +12,8 @@ namespace odeum::report {
 /// What a page says about a case, apart from any result.
 struct CaseFacts {
   std::string id, title, equation, source, truth;
+  std::string words = {};  ///< that name it on a command line; empty: the id
+  bool scaled = false;     ///< errors are in the units of its scale
   std::string unit;        ///< of time: "s" where a scene, which is in SI units, states the problem
   double truth_floor = 0;  ///< absolute error below which the truth says nothing
   double timed_floor = 0;  ///< the same where studies of time measure the error
