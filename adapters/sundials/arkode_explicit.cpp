@@ -18,6 +18,7 @@ namespace {
 
 void create_erkstep(Session& session) {
   session.adopt(ERKStepCreate(Session::rhs, session.t0(), session.y(), session.context()));
+  if (session.interpolate_outputs()) return;
   // Nothing is interpolated, see create_arkstep; an interpolant of degree 1 costs no evaluation.
   check(ERKStepSetInterpolantDegree(session.integrator(), 1), "setting the interpolant's degree");
 }

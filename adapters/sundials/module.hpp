@@ -39,8 +39,9 @@ struct Module {
   int (*steps)(void*, long*);
   int (*error_test_failures)(void*, long*);
   int (*solve_failures)(void*, long*);  ///< null: explicit, without an iteration
-  /// Whether a stop before the last is best interpolated: CVODE has the polynomial of its step at
-  /// hand. ARKODE would pay evaluations for one, or interpolate at a lower order than it steps.
+  /// Whether a stop before the last is best interpolated where errors are measured: CVODE has the
+  /// polynomial of its step at hand. ARKODE would pay evaluations for one, or interpolate at a
+  /// lower order than it steps; explicit tables do so for output (Request::over_stops).
   bool interpolates_stops;
   char* (*flag_name)(long flag);
   void (*free)(void**);

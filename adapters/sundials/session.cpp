@@ -115,20 +115,23 @@ void Session::set_tolerances() {
         "setting the tolerances");
 }
 
-// The same steps, one a call.
-void Session::step_to(double stop, Outcome& outcome) {
+// The same steps, one a call. The first step follows from `end`, which outputs must not move.
+void Session::step_to(double stop, double end, Outcome& outcome) {
+  std::vector<double>& ends = outcome.step_ends;
   while (t_ < stop) {
-    check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_ONE_STEP), "integrating");
-    outcome.step_ends.push_back(t_);
+    check(module_.evolve(integrator_, end, y_.get(), &t_, CV_ONE_STEP), "integrating");
+    // After an interpolated state the step around it is returned again.
+    if (request_.record_steps && (ends.empty() || t_ > ends.back())) ends.push_back(t_);
   }
 }
 
 void Session::run_adaptive(Outcome& outcome) {
   set_tolerances();
+  const bool interpolates = module_.interpolates_stops || interpolates_;
   for (const double stop : request_.stops) {
-    check(module_.set_stop_time(integrator_, module_.interpolates_stops ? t_end() : stop),
-          "setting the stop time");
-    if (request_.record_steps) step_to(stop, outcome);
+    const double end = interpolates ? t_end() : stop;
+    check(module_.set_stop_time(integrator_, end), "setting the stop time");
+    if (request_.record_steps || request_.over_stops) step_to(stop, end, outcome);
     if (t_ != stop)
       check(module_.evolve(integrator_, stop, y_.get(), &t_, CV_NORMAL), "integrating");
     outcome.record(t_, state_.data(), state_.size());

@@ -40,6 +40,8 @@ class Session {
   const Module& module() const { return module_; }
   const Request& request() const { return request_; }
   bool fixed_step() const { return request_.mode == Mode::fixed; }
+  /// Has stops before the last interpolated where the request asks for that; returns whether.
+  bool interpolate_outputs() { return interpolates_ = !fixed_step() && request_.over_stops; }
   double t0() const { return t0_; }
   double t_end() const { return request_.stops.back(); }
   N_Vector y() const { return y_.get(); }
@@ -66,7 +68,7 @@ class Session {
   static void hear(int code, const char* module, const char* function, char* message, void* data);
   void run_fixed(Outcome& outcome);
   void run_adaptive(Outcome& outcome);
-  void step_to(double stop, Outcome& outcome);
+  void step_to(double stop, double end, Outcome& outcome);
   void set_tolerances();
 
   const Module& module_;
@@ -83,6 +85,7 @@ class Session {
   std::unique_ptr<ShiftedSolver> shifted_solver_;
   std::shared_ptr<StructuredJacobian> structured_;
   void* integrator_ = nullptr;
+  bool interpolates_ = false;
   int warnings_ = 0;
   std::string message_;  ///< the library's last error message, kept from stderr
 };
