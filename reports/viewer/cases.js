@@ -75,6 +75,7 @@
     const lines = [
       ['Equation', html('code', {}, c.equation)], ['Source', c.source],
       ['Truth', `${c.truth}${c.floor > 0 ? ` (known to ${number(c.floor)})` : ''}`],
+      ...c.linear.map(([name, text]) => [name, html('code', {}, text)]),
     ];
     const pictures = html('div', { class: 'solutions' });
     host.append(

@@ -159,6 +159,23 @@ TEST(ClassifyCommand, TellsTheTypeAndDrawsIt) {
   expect_refused("classify \"u_xx + u_yz\"", "character 8: unknown name");
 }
 
+TEST(ClassifyCommand, PrintsTheMatrixOfOneStepBesideTheSlidesCriterion) {
+  const Result result = shell(
+      "odeum classify damped_oscillator_undamped --solver explicit_euler --solver implicit_euler "
+      "--step 0.1");
+  EXPECT_EQ(result.code, 0) << result.output;
+  for (const char* line :
+       {"A            [0 1; -5 0]", "solution     y = -5*cos(2.236067977*t)",
+        "R            [1 0.1; -0.5 1]", "spectral radius 1.024695077, diverges as 1.024695077^n",
+        "no divergence if 1 + h sqrt(K/m) < 1, here 1.22361", "1 - h sqrt(K/m) < 1, here 0.776393",
+        "e^(h A) has 1, stays bounded"})
+    EXPECT_NE(result.output.find(line), std::string::npos) << line << "\n" << result.output;
+  expect_refused("classify lotka_volterra", "expected u' = A u + b");
+  expect_refused("classify free_fall --step 0.1", "expected both or none");
+  expect_refused("classify free_fall --solver cvode/bdf --step 0.1", "takes no fixed steps");
+  expect_refused("classify \"u_xx + u_yy\" --step 0.1", "for a linear problem");
+}
+
 // What odeum converge does with problems that have a mesh in place of steps.
 TEST(ConvergeCommand, MeasuresOrdersInTheMeshSize) {
   const tests::TemporaryFolder root;

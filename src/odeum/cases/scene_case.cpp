@@ -23,7 +23,7 @@ Contest<scene::SceneProblem> contest_of(const std::shared_ptr<const scene::Scene
 }
 
 // The exact motion in closed form, as a solver without steps.
-Entrant closed_form(const std::shared_ptr<const scene::SceneProblem>& problem) {
+Entrant exact_entrant(const std::shared_ptr<const scene::SceneProblem>& problem) {
   Entrant entrant{.info = {}, .unfit = {}, .solve = {}};
   entrant.info.library = "odeum";
   entrant.info.method = "closed_form";
@@ -182,7 +182,7 @@ Statement scene_statement(std::string id, std::string file, std::string text, sc
 
 Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem) {
   Entrants entrants = enroll(erase(contest_of(problem)));
-  entrants.add(closed_form(problem));
+  entrants.add(exact_entrant(problem));
   return entrants;
 }
 

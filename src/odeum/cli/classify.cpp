@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "odeum/cli/session.hpp"
+#include "odeum/cli/classify.hpp"
+#include "odeum/cli/run.hpp"
 #include "odeum/fem/second_order_pde.hpp"
 #include "odeum/formula/parser.hpp"
 #include "odeum/record/csv.hpp"
@@ -23,7 +24,18 @@ struct ClassifyOptions {
   std::vector<double> at, region{-1, 1, -1, 1};
   std::size_t divisions = 120;
   std::string out;
+  std::vector<std::string> solvers;  ///< of a linear problem
+  std::optional<double> step;
+  ProblemOptions problems;
 };
+
+/// Whether the arguments are an equation, not a problem: those have signs in them that names of
+/// cases and files have not.
+bool is_pde(const std::vector<std::string>& words) {
+  return words.size() != 1 || (!is_problem_file(words[0]) && !words[0].ends_with(".yaml") &&
+                               (words[0].find_first_of("+=*/ (") != std::string::npos ||
+                                words[0].starts_with("u_") || words[0] == "u"));
+}
 
 fem::SecondOrderPde read_pde(const std::vector<std::string>& pde) {
   try {
@@ -186,6 +198,14 @@ void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
 }
 
 void classify(const ClassifyOptions& given) {
+  if (!is_pde(given.pde)) {
+    if (given.step) require_positive("--step", *given.step);
+    classify_linear(case_of(given.pde[0], given.problems.sets), given.solvers, given.step);
+    return;
+  }
+  if (!given.solvers.empty() || given.step)
+    throw UsageError("--solver and --step: for a linear problem u' = A u + b, not for {}",
+                     given.pde[0]);
   const fem::SecondOrderPde pde = read_pde(given.pde);
   if (!given.at.empty() && given.at.size() != 2)
     throw UsageError("--at: expected two numbers, X Y");
@@ -218,11 +238,14 @@ void classify(const ClassifyOptions& given) {
 void add_classify(CLI::App& app) {
   const auto given = std::make_shared<ClassifyOptions>();
   CLI::App* command = app.add_subcommand(
-      "classify", "the type of a second-order partial differential equation, and where it changes");
+      "classify",
+      "the type of a second-order partial differential equation, and where it changes; of a linear "
+      "problem its matrix, eigenvalues, solution, and the matrix of one step");
   command
       ->add_option("pde", given->pde,
                    "an equation in u_xx, u_xy, u_yy, u_x, u_y, u, x and y (or t in place of y), or "
-                   "the coefficients of u_xx, u_xy and u_yy: expressions in x and y")
+                   "the coefficients of u_xx, u_xy and u_yy: expressions in x and y; or a linear "
+                   "problem of up to 8 unknowns: a case or a problem's file")
       ->required()
       ->expected(1, 3);
   command->add_option("--at", given->at, "the type at one point")->type_name("X Y")->expected(2);
@@ -234,6 +257,11 @@ void add_classify(CLI::App& app) {
       ->check(CLI::Range(1, 2000));
   command->add_option("--out", given->out, "folder for a table of the map and a page that draws it")
       ->type_name("DIR");
+  command->add_option("--solver", given->solvers, "of a linear problem: the matrix of one step")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  command->add_option("--step", given->step, "of these solvers")->type_name("H");
+  add_problem_options(*command, given->problems, false);
   command->callback([given] { classify(*given); });
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "odeum/cases/linear_form.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/report/text.hpp"
 
@@ -38,6 +39,7 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
     double scale = 0;
     for (const double value : c.y0) scale = std::max(scale, std::abs(value));
     Spectrum spectrum = spectrum_of(c);
+    const auto linear = cases::linear_form(c);
     facts.cases.push_back({.id = c.id,
                            .title = c.title,
                            .equation = c.equation,
@@ -52,7 +54,8 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
                            .scale = scale > 0 ? scale : 1,
                            .tags = c.tags,
                            .eigenvalues = std::move(spectrum.eigenvalues),
-                           .eigenvalues_time = spectrum.time});
+                           .eigenvalues_time = spectrum.time,
+                           .linear = linear ? cases::facts_of(*linear, c) : odeum::Facts{}});
     for (const Entrant& entrant : c.entrants)
       if (known.insert(entrant.info.id()).second) facts.solvers.push_back(entrant.info);
   }
@@ -62,6 +65,8 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
 ordered_json json_of(const CaseFacts& c) {
   ordered_json eigenvalues = ordered_json::array();
   for (const auto& z : c.eigenvalues) eigenvalues.push_back({z.real(), z.imag()});
+  ordered_json linear = ordered_json::array();
+  for (const auto& [name, text] : c.linear) linear.push_back({name, plain(text)});
   return {{"id", plain(c.id)},
           {"title", plain(c.title)},
           {"equation", plain(c.equation)},
@@ -77,7 +82,8 @@ ordered_json json_of(const CaseFacts& c) {
           {"scale", number(c.scale)},
           {"unit", c.unit},
           {"eigenvalues", eigenvalues},
-          {"eigenvalues_time", number(c.eigenvalues_time)}};
+          {"eigenvalues_time", number(c.eigenvalues_time)},
+          {"linear", linear}};
 }
 
 ordered_json json_of(const SolverInfo& solver) {

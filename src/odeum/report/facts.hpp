@@ -23,6 +23,7 @@ struct CaseFacts {
   std::vector<std::string> tags;
   std::vector<std::complex<double>> eigenvalues = {};  ///< see cases/spectrum.hpp
   double eigenvalues_time = 0;
+  odeum::Facts linear = {};  ///< of a linear problem of few unknowns, see cases/linear_form.hpp
 };
 
 /// What every part of a report may refer to: who took part, and on what. Plain data, so that a test
