@@ -3,8 +3,8 @@
 'use strict';
 (() => {
   const {
-    facts, sameError, isClosedForm, idOf, html, addressOf, settingText, timeText, colourOf, times,
-    number, isBetween, whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText,
+    facts, sameError, isClosedForm, idOf, html, addressOf, settingText, colourOf, times, number,
+    whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText,
     moreText, disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf,
     writeAddress, showAgain, choices, loadCase, measuredCases,
   } = odeum;
@@ -20,7 +20,7 @@
         run: timed.find(
           (t) =>
             idOf(t) === idOf(row) && t.setting_kind === row.setting_kind &&
-            Math.abs(t.setting / row.setting - 1) < 1e-6,
+            t.setting === row.setting && t.options === row.options,
         ),
       }))
       .sort((a, b) => a.wall_ns_min - b.wall_ns_min);
@@ -49,7 +49,7 @@
         ),
         html('small', {}, note || settingText(row)),
       ),
-      html('td', { class: 'time' }, timeText(row)),
+      html('td', { class: 'time' }, duration(row.wall_ns_min)),
       html(
         'td', { class: 'length' },
         html('i', {
@@ -78,10 +78,8 @@
         'caption', {},
         'The fastest of each library: time of a whole solve, set-up included, least of several. ' +
           `The error is the largest of a component up to t = ${number(c.end)}, absolute, in the ` +
-          `units of the ${c.scaled ? 'scale of each component' : 'equation'}.` +
-          (rows.some(isBetween)
-            ? ' A time with ~ is interpolated to the error between two runs; the finer is named.'
-            : ''),
+          `units of the ${c.scaled ? 'scale of each component' : 'equation'}, of a setting whose ` +
+          'neighbours keep it within twice.',
       ),
       html(
         'tbody', {}, rows.map((row) => barRow(row, longest, row.closed ? closedText(row) : '')),
@@ -152,7 +150,7 @@
     const sentences = [
       html(
         'p', { class: 'answer' }, html('strong', {}, idOf(first)), ` reaches ${number(error)} in `,
-        html('strong', {}, timeText(first)),
+        html('strong', {}, duration(first.wall_ns_min)),
         rival ? `, ${leadOf(first, rival)}` : '; no other library reaches it.',
       ),
     ];

@@ -5,7 +5,7 @@
 (() => {
   const {
     pagesOf, measuredIn, html, facts, addressOf, loadView, showProse, askedErrors, fastestOf, idOf,
-    linkOf, timeText, tableOf, number, showExact, loadCase,
+    linkOf, duration, tableOf, number, showExact, loadCase,
   } = odeum;
 
   const showCases = async (host) => {
@@ -48,12 +48,12 @@
           cells: [
             { node: html('a', { href: addressOf('answers', { case: c.id, error }) }, error) },
             { text: idOf(first), node: linkOf('{library}/{solver}', idOf(first)) },
-            { text: timeText(first), value: first.wall_ns_min },
+            { text: duration(first.wall_ns_min), value: first.wall_ns_min },
             {
               text: rival ? idOf(rival) : '–',
               node: rival && linkOf('{library}/{solver}', idOf(rival)),
             },
-            { text: rival ? timeText(rival) : '–', value: rival?.wall_ns_min },
+            { text: rival ? duration(rival.wall_ns_min) : '–', value: rival?.wall_ns_min },
           ],
         };
       });

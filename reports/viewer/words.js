@@ -60,11 +60,6 @@
     };
   };
 
-  // The time of a row of fastest.csv, which may lie between two runs: then it is no run's own.
-  const isBetween = (row) =>
-    Boolean(row.run) && Math.abs(row.run.wall_ns_min / row.wall_ns_min - 1) > 0.005;
-  const timeText = (row) => `${isBetween(row) ? '~' : ''}${duration(row.wall_ns_min)}`;
-
   // What a timed run did, by its own counts: no reason follows from a family, an order or a tag.
   const workText = (run) => {
     const counts = [
@@ -78,7 +73,8 @@
         `included`
       : '';
     return (
-      `${settingText(run)}, error ${number(run.error)}: ` +
+      `${settingText(run)}, error ${number(run.error)}` +
+      (run.near_error ? `, at most ${number(run.near_error)} at the next settings` : '') + ': ' +
       `${counts.filter(Boolean).join(', ') || 'it counts nothing'}${each}.`
     );
   };
@@ -86,7 +82,7 @@
   // By how much the best of one library leads the best of another.
   const leadOf = (best, second) => {
     const ratio = second.wall_ns_min / best.wall_ns_min,
-      other = `${idOf(second)} (${timeText(second)})`;
+      other = `${idOf(second)} (${duration(second.wall_ns_min)})`;
     return ratio < 1.1
       ? `level with ${other}, to within what times on this machine tell.`
       : `${times(ratio)} times as fast as the best of another library, ${other}.`;
@@ -231,7 +227,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, statusText, whyNotReached, isBetween, timeText, workText, leadOf,
+    sameError, settingText, statusText, whyNotReached, workText, leadOf,
     moreText, stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -89,6 +90,7 @@ TEST(Timing, ARunOfCheapEvaluationsIsTimedWithoutItsGuard) {
   // Less its guard it would take 3.2 ms, 1.3 of the fastest: it may be that one.
   solvers[0].trials[0].guarded_ns = 2.5e6;
   solvers[0].trials[0].row.error = behind.row.error = 0;
+  behind.done = false;
   time_all(stage, solvers, 0.001);
   EXPECT_GT(behind.times.ns.size(), 1U);
 }
@@ -113,6 +115,30 @@ TEST(Timing, WhatIsForeseenToExceedTheBudgetIsNotRun) {
     EXPECT_EQ(each.counters.rhs_evaluations, 0U);
   }
   EXPECT_EQ(foreseen, 1U);
+}
+
+// Every time of the first page is a run's own, whose error is the one asked for, not by luck.
+TEST(Timing, TheFastestAreRunsWhoseErrorIsTheOneAskedFor) {
+  const PrecisionResult result =
+      measure_precision({.cases = {"lotka_volterra"},
+                         .solvers = {"odeum/rk4", "odeum/dormand_prince54"},
+                         .own = {{"seconds", "0.01"}, {"attempts", "1"}}});
+  int near = 0;
+  for (const FastestRow& each : result.fastest) {
+    const auto run = std::find_if(result.rows.begin(), result.rows.end(), [&](const auto& row) {
+      return row.solver == each.solver && row.mode == each.mode && row.setting == each.setting;
+    });
+    ASSERT_NE(run, result.rows.end()) << each.solver << ' ' << each.setting;
+    EXPECT_EQ(run->wall_ns_min, each.wall_ns_min);
+    EXPECT_EQ(run->counters.rhs_evaluations, each.rhs_evaluations);
+    EXPECT_EQ(run->error, each.achieved);
+    EXPECT_LE(each.achieved, each.error);
+    EXPECT_LE(each.near_error, 2 * each.error);
+    near += each.achieved > each.error / 2;
+  }
+  // Half a decade apart the settings of the study have no such error at most of them.
+  EXPECT_GE(near, static_cast<int>(result.fastest.size() * 3 / 4));
+  EXPECT_GE(result.fastest.size(), 8U);
 }
 
 }  // namespace

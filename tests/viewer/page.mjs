@@ -356,8 +356,10 @@ const checks = {
 
 let failures = 0;
 await browser.size(1280, 900);
-for (const [name, check] of Object.entries(checks))
-  try { await check(); console.log(`ok: ${name}`); } catch (error) { failures += 1; console.log(`FAILED: ${name}: ${error.message}`); }
+for (const [name, check] of Object.entries(checks)) {
+  const start = performance.now();
+  try { await check(); console.log(`ok, ${((performance.now() - start) / 1000).toFixed(1)} s: ${name}`); } catch (error) { failures += 1; console.log(`FAILED: ${name}: ${error.message}`); }
+}
 for (const complaint of browser.complaints) { failures += 1; console.log(`the browser complains: ${complaint}`); }
 await browser.close();
 process.exit(failures ? 1 : 0);

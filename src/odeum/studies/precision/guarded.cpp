@@ -84,7 +84,21 @@ TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request
   return trial;
 }
 
-/// The guarded run, which counts and measures the error.
+/// Tolerances looser than the first, while that still reaches the largest error compared: a solver
+/// that is more accurate than its tolerance gets there by a looser one.
+void run_looser(const TimedCase& stage, TimedSolver& solver) {
+  for (int more = 0; more < 2; ++more) {
+    const TimedRun& coarsest = solver.trials.front();
+    if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
+    Request request = coarsest.request;
+    set_tolerance(request, stage.c, 10 * request.tolerance.relative);
+    TimedRun looser = run_guarded(stage, *solver.entrant, request);
+    solver.trials.insert(solver.trials.begin(), std::move(looser));
+  }
+}
+
+}  // namespace
+
 TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Request& request) {
   TimedRun trial = blank_run(stage, entrant, request);
   const double start = thread_seconds();
@@ -108,21 +122,6 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
   trial.states = std::move(outcome.states);
   return trial;
 }
-
-/// Tolerances looser than the first, while that still reaches the largest error compared: a solver
-/// that is more accurate than its tolerance gets there by a looser one.
-void run_looser(const TimedCase& stage, TimedSolver& solver) {
-  for (int more = 0; more < 2; ++more) {
-    const TimedRun& coarsest = solver.trials.front();
-    if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
-    Request request = coarsest.request;
-    set_tolerance(request, stage.c, 10 * request.tolerance.relative);
-    TimedRun looser = run_guarded(stage, *solver.entrant, request);
-    solver.trials.insert(solver.trials.begin(), std::move(looser));
-  }
-}
-
-}  // namespace
 
 void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds) {
   const Entrant& entrant = *solver.entrant;

@@ -24,6 +24,9 @@ struct PrecisionRow {
   std::string options;   ///< values given to the solver's own options: name=value, by spaces
   std::string jacobian;  ///< what the case offers to solvers that use df/dy, see jacobian_of
   double error = 0;      ///< NaN where the solve failed
+  /// The largest error at the neighbouring settings: steps 5 % more and, where the grid allows it,
+  /// fewer; tolerances 1.25 times as large and as small. NaN where these were not run.
+  double near_error = nan;
   double wall_ns_min = 0, wall_ns_median = 0;
   std::uint64_t repetitions = 0;
   Counters counters;
@@ -41,8 +44,8 @@ struct PrecisionRow {
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
-  /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times
-  static constexpr int schema = 4;
+  /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times; 5: near_error
+  static constexpr int schema = 5;
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
@@ -51,8 +54,9 @@ struct PrecisionRow {
         visit("setting", row.setting);
     visit("absolute_tolerance", row.absolute), visit("options", row.options);
     visit("jacobian", row.jacobian);
-    visit("error", row.error), visit("wall_ns_min", row.wall_ns_min);
-    visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
+    visit("error", row.error), visit("near_error", row.near_error);
+    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
+    visit("repetitions", row.repetitions);
     visit("rhs_evaluations", row.counters.rhs_evaluations);
     visit("jacobian_evaluations", row.counters.jacobian_evaluations);
     visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
@@ -103,19 +107,21 @@ struct PrecisionSummary {
   }
 };
 
-/// The fastest solver of one library at an error on a case: a line of fastest.csv. Libraries that
-/// do not reach the error have none.
+/// The fastest solver of one library at an error on a case, a run that was made and timed: a line
+/// of fastest.csv. Libraries that do not reach the error have none.
 struct FastestRow {
   std::string case_id;
   double error = 0;
   std::string library, solver;
   Mode mode = Mode::adaptive;
-  double setting = 0;   ///< tolerance or step: of the coarsest run of the solver that reaches it
+  double setting = 0;   ///< tolerance or step
   std::string options;  ///< as in PrecisionRow
   double wall_ns_min = 0, wall_ns_median = 0;
+  double achieved = 0, near_error = 0;  ///< the errors of the run, as in PrecisionRow
+  std::uint64_t rhs_evaluations = 0, steps = 0;
 
   static constexpr const char* file = "fastest.csv";
-  static constexpr int schema = 2;  ///< 2: options
+  static constexpr int schema = 3;  ///< 2: options; 3: only runs that were made, their errors
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("error", row.error), visit("library", row.library);
@@ -123,6 +129,8 @@ struct FastestRow {
         visit("setting_kind", record::PhraseColumn{row.mode, "step", "tol"});
     visit("setting", row.setting), visit("options", row.options);
     visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
+    visit("achieved", row.achieved), visit("near_error", row.near_error);
+    visit("rhs_evaluations", row.rhs_evaluations), visit("steps", row.steps);
   }
 };
 
@@ -158,9 +166,15 @@ std::string jacobian_of(const Case& c);
 /// Marks the Pareto-optimal rows of one case in time and error.
 void mark_pareto(std::vector<PrecisionRow>& rows);
 
-/// The fastest of each library at each error of 1e-2 ... 1e-12 over the rows of one case; times
-/// between two settings of a solver by linear interpolation of log time over log error, never
-/// beyond them. Errors at or below the truth's floor are not compared.
+/// The compared errors: 1e-2 ... 1e-12.
+std::vector<double> compared_errors();
+
+/// Whether a row is a timed run that reaches an error, and not by luck: the neighbouring settings
+/// keep it within twice.
+bool reaches(const PrecisionRow& row, double error);
+
+/// The fastest of each library at each compared error over the rows of one case: always a row that
+/// reaches it. Errors at or below the truth's floor are not compared.
 std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double floor);
 
 /// The fastest own solver and the fastest peer at each of these errors.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <string>
 
@@ -14,47 +13,23 @@ namespace {
 
 bool timed(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
 
-/// A time in which a solver reaches an error.
-struct Least {
-  double min = infinity, median = infinity;
-  const PrecisionRow* run = nullptr;  ///< the run that is accurate enough
-};
-
-/// The time in which a solver reaches `error`, from its rows from coarse to fine: the least time of
-/// a setting that is accurate enough, or interpolated between two neighbouring settings.
-Least time_at(const std::vector<const PrecisionRow*>& rows, double error) {
-  Least best;
-  for (const PrecisionRow* row : rows)
-    if (row->error <= error && row->wall_ns_min < best.min)
-      best = {row->wall_ns_min, row->wall_ns_median, row};
-  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
-    const PrecisionRow &coarse = *rows[k], &fine = *rows[k + 1];
-    if (!(coarse.error > error && fine.error < error && fine.error > 0)) continue;
-    const double part = std::log(coarse.error / error) / std::log(coarse.error / fine.error);
-    const auto between = [&](double from, double to) {
-      return std::exp((1 - part) * std::log(from) + part * std::log(to));
-    };
-    const Least found{between(coarse.wall_ns_min, fine.wall_ns_min),
-                      between(coarse.wall_ns_median, fine.wall_ns_median), &fine};
-    if (found.min < best.min) best = found;
-  }
-  return best;
-}
-
 std::string name_of(const FastestRow& row) {
   std::string how = row.mode == Mode::fixed ? "fixed step" : "";
   if (!row.options.empty()) how += (how.empty() ? "" : ", ") + row.options;
   return row.library + "/" + row.solver + (how.empty() ? "" : " (" + how + ")");
 }
 
-/// The compared errors.
-std::vector<double> errors() {
+}  // namespace
+
+std::vector<double> compared_errors() {
   std::vector<double> list;
   for (int exponent = 2; exponent <= 12; ++exponent) list.push_back(std::pow(10.0, -exponent));
   return list;
 }
 
-}  // namespace
+bool reaches(const PrecisionRow& row, double error) {
+  return timed(row) && row.error <= error && row.near_error <= 2 * error;
+}
 
 void mark_pareto(std::vector<PrecisionRow>& rows) {
   std::vector<PrecisionRow*> by_time;
@@ -71,26 +46,19 @@ void mark_pareto(std::vector<PrecisionRow>& rows) {
 }
 
 std::vector<FastestRow> fastest(const std::vector<PrecisionRow>& rows, double floor) {
-  struct Name {
-    std::string library, solver, options;
-    Mode mode;
-    auto operator<=>(const Name&) const = default;
-  };
-  std::map<Name, std::vector<const PrecisionRow*>> solvers;
-  for (const PrecisionRow& row : rows)
-    if (timed(row)) solvers[{row.library, row.solver, row.options, row.mode}].push_back(&row);
   std::vector<FastestRow> list;
-  for (const double error : errors()) {
+  for (const double error : compared_errors()) {
     if (!(error > floor)) continue;
-    std::map<std::string, Least> best;  // by library
-    for (const auto& [name, settings] : solvers)
-      if (const Least time = time_at(settings, error);
-          time.run && time.min < best[name.library].min)
-        best[name.library] = time;
-    for (const auto& [library, time] : best)
-      if (time.run)
-        list.push_back({time.run->case_id, error, library, time.run->solver, time.run->mode,
-                        time.run->setting, time.run->options, time.min, time.median});
+    std::map<std::string, const PrecisionRow*> best;  // by library
+    for (const PrecisionRow& row : rows)
+      if (reaches(row, error))
+        if (const PrecisionRow*& known = best[row.library];
+            !known || row.wall_ns_min < known->wall_ns_min)
+          known = &row;
+    for (const auto& [library, row] : best)
+      list.push_back({row->case_id, error, library, row->solver, row->mode, row->setting,
+                      row->options, row->wall_ns_min, row->wall_ns_median, row->error,
+                      row->near_error, row->counters.rhs_evaluations, row->counters.steps});
   }
   return list;
 }
@@ -106,7 +74,7 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
   };
   const char* const no_peer = ran(false) ? "no peer reaches it" : "no peer was run";
   const char* const no_own = ran(true) ? "no own solver reaches it" : "no own solver was run";
-  for (const double error : errors()) {
+  for (const double error : compared_errors()) {
     PrecisionSummary line;
     line.case_id = rows.front().case_id;
     line.error = error;

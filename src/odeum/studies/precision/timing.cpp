@@ -66,6 +66,7 @@ void mark_slow_solvers(std::vector<TimedSolver>& solvers) {
     const std::string& library = solver->entrant->info.library;
     double& known = least.try_emplace(library, trial->guarded_ns).first->second;
     known = std::min(known, trial->guarded_ns);
+    if (trial->done) continue;
     const bool exact = !solver->inlined && trial->measurable();
     trial->cannot_be_fastest =
         exact ? trial->guarded_ns - 2 * trial->guard_ns() > exact_slow_factor * known
@@ -81,7 +82,7 @@ void mark_slow_solvers(std::vector<TimedSolver>& solvers) {
 void time_slow_solvers(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
   parallel_for(solvers.size(), jobs, [&](std::size_t i) {
     for (TimedRun& trial : solvers[i].trials)
-      if (trial.ok() && trial.cannot_be_fastest && !trial.guarded())
+      if (trial.ok() && trial.cannot_be_fastest && !trial.guarded() && !trial.done)
         time_once(stage, solvers[i], trial);
   });
 }
@@ -97,7 +98,8 @@ void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double 
   for (const TimedSolver& solver : solvers) {
     most_settings = std::max(most_settings, solver.trials.size());
     for (const TimedRun& trial : solver.trials)
-      if (trial.ok() && !trial.cannot_be_fastest) once += std::max(trial.guarded_ns, 20'000.0);
+      if (trial.ok() && !trial.cannot_be_fastest && !trial.done)
+        once += std::max(trial.guarded_ns, 20'000.0);
   }
   const auto rounds = static_cast<std::uint64_t>(
       std::clamp(seconds * 1e9 / std::max(once, 1.0), 2.0, double(most_repetitions)));
@@ -108,11 +110,18 @@ void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double 
         if (k >= solver.trials.size() || !solver.trials[k].ok()) continue;
         if (interrupted) throw Interrupted();
         TimedRun& trial = solver.trials[k];
-        if (trial.failed || trial.cannot_be_fastest) continue;
+        if (trial.failed || trial.cannot_be_fastest || trial.done) continue;
         // A long run averages disturbances: two repetitions suffice.
         if (round > 1 && trial.guarded_ns > longest_repeated_ns) continue;
         time_once(stage, solver, trial);
       }
+  for (TimedSolver& solver : solvers)
+    for (TimedRun& trial : solver.trials) {
+      trial.done = true;
+      trial.row.wall_ns_min = trial.times.min();
+      trial.row.wall_ns_median = trial.times.median();
+      trial.row.repetitions = trial.times.ns.size();
+    }
 }
 
 }  // namespace odeum::study

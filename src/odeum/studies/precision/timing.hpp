@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "odeum/judge/amplification.hpp"
@@ -21,6 +22,7 @@ struct TimedRun {
   double guarded_ns = 0;           ///< processor time of the guarded run
   bool cannot_be_fastest = false;  ///< see mark_slow_solvers
   bool failed = false;             ///< in a timed run: it has no time
+  bool done = false;               ///< timed by an earlier call of time_all
   Times times;
 
   bool ok() const { return row.status == to_string(Status::ok); }
@@ -41,6 +43,7 @@ struct TimedSolver {
   const Entrant* inlined;  ///< the same for timed runs; null where there is none
   Variant options = {};
   std::vector<TimedRun> trials = {};
+  std::set<double> searched = {};  ///< the errors whose settings were searched, see settle_errors
 };
 
 struct TimedCase {
@@ -61,6 +64,9 @@ struct TimedCase {
   double stretch() const { return std::max(1.0, (stops.back() - c.t0) / (c.stops.back() - c.t0)); }
 };
 
+/// One guarded run, which counts evaluations and measures the error.
+TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Request& request);
+
 /// Runs a solver at the settings of its mode, from coarse to fine, each for `seconds` at most, as
 /// far as the budget goes.
 void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds);
@@ -73,8 +79,20 @@ void run_beyond_budget(const TimedCase& stage, std::vector<TimedSolver>& solvers
 
 /// Interleaved repetitions: round after round over all solvers at a setting, for about `seconds` in
 /// all. What cannot be the fastest of its library at its error is run once before, `jobs` at a
-/// time, or not again where the guarded run tells its time (lightly_guarded). Throws Interrupted.
+/// time, or not again where the guarded run tells its time (lightly_guarded). Runs that an earlier
+/// call has timed keep their times. Throws Interrupted.
 void time_all(const TimedCase& stage, std::vector<TimedSolver>& solvers, double seconds,
               unsigned jobs = 1);
+
+/// Searches the setting at which a solver just reaches an error, for the solvers of each library
+/// that promise the least times, by their timed runs, and for which no known run shows that they
+/// cannot be the fastest. What is found is a run that keeps the error within twice at the
+/// neighbouring settings too (PrecisionRow::near_error), and joins the trials, not timed yet.
+/// Returns whether it ran anything: after the next time_all others may promise more.
+bool settle_errors(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs);
+
+/// Runs the neighbouring settings of timed runs that are faster than what is known to reach an
+/// error, so that the fastest of a library is the fastest of its runs that reach it not by luck.
+void check_fastest(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs);
 
 }  // namespace odeum::study

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "odeum/core/numbers.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/report/facts.hpp"
+#include "odeum/studies/precision/timing.hpp"
+
+namespace odeum::study {
+namespace {
+
+/// The larger, the finer: steps, or the inverse of the tolerance.
+double fineness_of(const Request& request) {
+  return request.mode == Mode::fixed ? static_cast<double>(request.steps)
+                                     : 1 / request.tolerance.relative;
+}
+
+double of_two_digits(double tolerance) { return std::stod(fmt::format("{:.1e}", tolerance)); }
+
+/// The search for settings of one solver, by the errors of its guarded runs.
+class Search {
+ public:
+  Search(const TimedCase& stage, TimedSolver& solver) : stage_(stage), solver_(solver) {
+    for (const TimedRun& trial : solver.trials)
+      if (!std::isnan(trial.row.setting)) keep(trial);
+  }
+
+  /// Bisects between the coarsest run that reaches the error and the next coarser one, which does
+  /// not, until a run has at least 1 / 1.3 of the error; where luck has a part in that, goes on
+  /// with finer settings. The run found joins the trials.
+  void settle(double error) {
+    double coarse = 0, fine = 0;
+    for (const auto& [fineness, found] : errors_) {
+      if (found <= error) {
+        fine = fineness;
+        break;
+      }
+      coarse = fineness;
+    }
+    if (fine == 0) return;
+    // The settings of the study begin where all methods do something: some can do with fewer steps.
+    while (coarse == 0 && error_at(fine) < error / 1.3) {
+      const double coarser = snapped(fine / 2);
+      if (!(coarser < fine && coarser >= coarsest())) break;
+      (error_at(coarser) <= error ? fine : coarse) = coarser;
+    }
+    for (int k = 0; k < most_bisections && coarse > 0 && errors_[fine] < error / 1.3; ++k) {
+      const double middle = between(coarse, fine, error);
+      if (!(middle > coarse && middle < fine)) break;
+      (error_at(middle) <= error ? fine : coarse) = middle;
+    }
+    for (int k = 0; k < most_finer; ++k, fine = snapped(fine * (fixed() ? 1.15 : 2))) {
+      if (!(error_at(fine) <= error)) continue;
+      const double near = near_error(fine);
+      if (near <= 2 * error) return accept(fine, near);
+    }
+  }
+
+  /// Runs the neighbours of a trial.
+  void check(TimedRun& trial) { trial.row.near_error = near_error(fineness_of(trial.request)); }
+
+ private:
+  static constexpr int most_bisections = 5, most_finer = 5;
+
+  /// A step from stop to stop, or the loosest tolerance that asks for anything.
+  double coarsest() const {
+    return fixed() ? static_cast<double>(stage_.c.settings.steps_multiple) : 10;
+  }
+
+  bool fixed() const { return solver_.mode == Mode::fixed; }
+
+  static double finite_error(const TimedRun& run) {
+    return std::isnan(run.row.error) ? infinity : run.row.error;
+  }
+  void keep(const TimedRun& run) { errors_[fineness_of(run.request)] = finite_error(run); }
+
+  /// The next setting that there is: steps on the grid of the stops, tolerances of two digits.
+  double snapped(double fineness) const {
+    const auto multiple = static_cast<double>(stage_.c.settings.steps_multiple);
+    return fixed() ? std::ceil(fineness / multiple * (1 - 1e-12)) * multiple
+                   : 1 / of_two_digits(1 / fineness);
+  }
+
+  double between(double coarse, double fine, double error) const {
+    const double above = errors_.at(coarse), below = errors_.at(fine);
+    double part = 0.5;
+    if (std::isfinite(above))
+      part = std::clamp(std::log(above / (error / 1.15)) / std::log(above / below), 0.15, 0.85);
+    return snapped(coarse * std::pow(fine / coarse, part));
+  }
+
+  double error_at(double fineness) {
+    const auto known = errors_.lower_bound(fineness * (1 - 1e-9));
+    if (known != errors_.end() && known->first <= fineness * (1 + 1e-9)) return known->second;
+    Request request = solver_.trials.front().request;
+    if (fixed())
+      request.steps = static_cast<std::uint64_t>(fineness);
+    else
+      set_tolerance(request, stage_.c, of_two_digits(1 / fineness));
+    TimedRun run = run_guarded(stage_, *solver_.entrant, request);
+    const double error = errors_[fineness] = finite_error(run);
+    runs_.emplace(fineness, std::move(run));
+    return error;
+  }
+
+  double near_error(double fineness) {
+    const double finer = fixed() ? std::max(snapped(1.05 * fineness), snapped(fineness + 0.5))
+                                 : snapped(1.25 * fineness);
+    const double coarser = fixed() ? 2 * fineness - finer : snapped(fineness / 1.25);
+    const double error = error_at(finer);
+    // Few steps have no neighbour that is near.
+    return fixed() && coarser < 0.9 * fineness ? error : std::max(error, error_at(coarser));
+  }
+
+  void accept(double fineness, double near) {
+    std::vector<TimedRun>& trials = solver_.trials;
+    auto at = std::find_if(trials.begin(), trials.end(), [&](const TimedRun& trial) {
+      return fineness_of(trial.request) >= fineness * (1 - 1e-9);
+    });
+    if (const auto made = runs_.find(fineness); made != runs_.end()) {
+      at = trials.insert(at, std::move(made->second));
+      runs_.erase(made);
+    }
+    at->row.near_error = near;
+  }
+
+  const TimedCase& stage_;
+  TimedSolver& solver_;
+  std::map<double, double> errors_;  ///< by fineness; infinite where a run failed
+  std::map<double, TimedRun> runs_;  ///< those that are no trials
+};
+
+bool has_time(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
+
+/// The time in which a solver seems to reach an error: that of a run, or between two runs, where
+/// the logarithms of time and error are taken to be linear.
+double promised_ns(const TimedSolver& solver, double error) {
+  double least = infinity;
+  const PrecisionRow* coarse = nullptr;
+  for (const TimedRun& trial : solver.trials) {
+    const PrecisionRow& fine = trial.row;
+    if (!has_time(fine)) continue;
+    if (fine.error <= error) least = std::min(least, fine.wall_ns_min);
+    if (coarse && coarse->error > error && fine.error < error && fine.error > 0) {
+      const double part = std::log(coarse->error / error) / std::log(coarse->error / fine.error);
+      const double log_ns =
+          (1 - part) * std::log(coarse->wall_ns_min) + part * std::log(fine.wall_ns_min);
+      least = std::min(least, std::exp(log_ns));
+    }
+    coarse = &fine;
+  }
+  return least;
+}
+
+/// A closed form is compared with no method.
+bool competes(const TimedSolver& solver, const std::string& library) {
+  const SolverInfo& info = solver.entrant->info;
+  return info.library == library && !report::is_closed_form(info);
+}
+
+/// The least time of a run of a library that reaches an error.
+double found_ns(const std::vector<TimedSolver>& solvers, const std::string& library, double error) {
+  double least = infinity;
+  for (const TimedSolver& solver : solvers)
+    if (competes(solver, library))
+      for (const TimedRun& trial : solver.trials)
+        if (reaches(trial.row, error)) least = std::min(least, trial.row.wall_ns_min);
+  return least;
+}
+
+/// The solvers of a library that may be the fastest at an error and were not searched for it: those
+/// whose promises are within a tenth of the best, three at most.
+std::vector<std::size_t> promising(const std::vector<TimedSolver>& solvers,
+                                   const std::string& library, double error) {
+  const double found = found_ns(solvers, library, error);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < solvers.size(); ++i) {
+    if (!competes(solvers[i], library) || solvers[i].searched.contains(error)) continue;
+    if (const double promised = promised_ns(solvers[i], error); promised < found)
+      order.emplace_back(promised, i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> list;
+  for (const auto& [promised, i] : order)
+    if (list.size() < 3 && promised <= 1.1 * order.front().first) list.push_back(i);
+  return list;
+}
+
+/// The fastest run of a library that seems to reach an error, faster than what is known to, and
+/// whose neighbours were not run; null: none.
+std::pair<TimedSolver*, TimedRun*> unchecked(std::vector<TimedSolver>& solvers,
+                                             const std::string& library, double error) {
+  std::pair<TimedSolver*, TimedRun*> best{nullptr, nullptr};
+  double least = found_ns(solvers, library, error);
+  for (TimedSolver& solver : solvers) {
+    if (!competes(solver, library)) continue;
+    for (TimedRun& trial : solver.trials) {
+      const PrecisionRow& row = trial.row;
+      if (!has_time(row) || !std::isnan(row.near_error)) continue;
+      if (!(row.error <= error && row.wall_ns_min < least)) continue;
+      least = row.wall_ns_min;
+      best = {&solver, &trial};
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> libraries_of(const std::vector<TimedSolver>& solvers) {
+  std::set<std::string> libraries;
+  for (const TimedSolver& solver : solvers) libraries.insert(solver.entrant->info.library);
+  return {libraries.begin(), libraries.end()};
+}
+
+}  // namespace
+
+bool settle_errors(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
+  std::map<std::size_t, std::vector<double>> tasks;
+  for (const std::string& library : libraries_of(solvers))
+    for (const double error : compared_errors())
+      if (error > stage.floor)
+        for (const std::size_t i : promising(solvers, library, error)) tasks[i].push_back(error);
+  const std::vector<std::pair<std::size_t, std::vector<double>>> list(tasks.begin(), tasks.end());
+  parallel_for(list.size(), jobs, [&](std::size_t k) {
+    const auto& [i, errors] = list[k];
+    Search search(stage, solvers[i]);
+    for (const double error : errors) {
+      search.settle(error);
+      solvers[i].searched.insert(error);
+    }
+  });
+  return !list.empty();
+}
+
+void check_fastest(const TimedCase& stage, std::vector<TimedSolver>& solvers, unsigned jobs) {
+  const std::vector<std::string> libraries = libraries_of(solvers);
+  parallel_for(libraries.size(), jobs, [&](std::size_t k) {
+    for (const double error : compared_errors()) {
+      if (!(error > stage.floor)) continue;
+      for (auto [solver, trial] = unchecked(solvers, libraries[k], error); trial;
+           std::tie(solver, trial) = unchecked(solvers, libraries[k], error))
+        Search(stage, *solver).check(*trial);
+    }
+  });
+}
+
+}  // namespace odeum::study
