@@ -40,6 +40,7 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
       p.states.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(8, p.states.size())));
   facts.emplace_back("states", fmt::format("{}: {}{}", p.states.size(), fmt::join(names, ", "),
                                            names.size() < p.states.size() ? ", ..." : ""));
+  facts.insert(facts.end(), p.notes.begin(), p.notes.end());
   for (const std::string& line : formula::describe(analysis.structure))
     facts.emplace_back("found", line);
   if (c.has_tag("stiff"))

@@ -118,6 +118,7 @@ class Parser : Cursor {
   Id named() {
     const std::size_t where = at_;
     while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
+    take_primes();
     const std::string_view name = text_.substr(where, at_ - where);
     const char next = peek();
     if (next == '(') return call(where, name);
@@ -141,8 +142,17 @@ class Parser : Cursor {
     fail(where, "{} cannot be used here; got it, expected {}", name,
          scope_.refused.find(name)->second);
   }
+  /// Those of a rate, x' or u[3]'.
+  std::size_t take_primes() {
+    const std::size_t before = at_;
+    while (at_ < text_.size() && text_[at_] == '\'') ++at_;
+    return at_ - before;
+  }
   [[noreturn]] void fail_unknown(std::size_t where, std::string_view name) const {
     if (scope_.refused.contains(name)) fail_refused(where, name);
+    if (name.ends_with('\''))
+      fail(where, "no rate of a state; got {}, expected that of a state, among residuals",
+           shown(name));
     std::vector<std::string> candidates;
     for (const auto& [known, id] : scope_.names) candidates.push_back(known);
     for (const auto& [known, array] : scope_.arrays) candidates.push_back(known);
@@ -197,11 +207,14 @@ class Parser : Cursor {
   }
 
   Id element(std::size_t where, std::string_view name) {
-    const auto found = scope_.arrays.find(name);
     take('[');
     const Id id = sum();
     expect(']', "an open bracket");
+    const auto found = scope_.arrays.find(std::string(name) + std::string(take_primes(), '\''));
     if (found == scope_.arrays.end()) {
+      if (text_[at_ - 1] == '\'')
+        fail(where, "no rate of a state; got {}, expected that of a state, among residuals",
+             shown(text_.substr(where, at_ - where)));
       if (scope_.names.contains(name))
         fail(where, "{0} has no index; got {0}[...], expected {0}", name);
       fail_unknown(where, name);

@@ -39,6 +39,8 @@ struct Problem {
   std::string equations_text;
   Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
   std::string mass_text;        ///< M, for people
+  /// What people read of residuals, in place of which `equations` stand: names and texts.
+  std::vector<std::pair<std::string, std::string>> notes;
 };
 
 inline constexpr std::size_t most_states = 20'000;  ///< each is an equation of the C code
@@ -53,9 +55,10 @@ enum class Parameters { numbers, names };
 
 /// Reads a problem file (cases/problems/README.md has the format). Throws InputError with the place
 /// for every mistake: an unknown name or key, a state without an equation, a definition that needs
-/// a later one, what the limits of formula/parser.hpp exclude, an equation that is not finite at
-/// the start, an `exact` that does not fulfil the equations or the initial values, an invariant
-/// that changes at the start.
+/// a later one, residuals that are too few, of an index above 1, or that the start does not fulfil,
+/// what the limits of formula/parser.hpp exclude, an equation that is not finite at the start, an
+/// `exact` that does not fulfil the equations or the initial values, an invariant that changes at
+/// the start.
 Problem read_problem(const std::string& file, const std::string& text,
                      const Overrides& overrides = {}, Parameters kind = Parameters::numbers);
 Problem read_problem_file(const std::string& file, const Overrides& overrides = {});

@@ -12,9 +12,9 @@
 namespace odeum::formula {
 namespace {
 
-const std::vector<std::string> known_keys = {"name",       "parameters", "definitions", "states",
-                                             "equations",  "boundaries", "time",        "exact",
-                                             "invariants", "scale",      "tolerance",   "mass"};
+const std::vector<std::string> known_keys = {
+    "name",  "parameters", "definitions", "states",    "equations", "boundaries", "time",
+    "exact", "invariants", "scale",       "tolerance", "mass",      "residuals",  "rates"};
 
 }  // namespace
 
@@ -46,7 +46,10 @@ Problem Reader::read() {
   add_states(all);
   read_definitions(all);
   read_boundaries(all);
-  read_equations(all);
+  if (section("residuals"))
+    read_residuals(all);
+  else
+    read_equations(all);
   read_mass(all);
   read_exact();
   read_invariants(all);
@@ -201,7 +204,7 @@ Problem read_problem_file(const std::string& file, const Overrides& overrides) {
 
 bool looks_like_problem(const std::string& file, const std::string& text) {
   // Also where the rest is no YAML: the error is then that of a problem.
-  for (const char* key : {"equations:", "states:"})
+  for (const char* key : {"equations:", "residuals:", "states:"})
     if (text.starts_with(key) || text.find(std::string("\n") + key) != std::string::npos)
       return true;
   try {

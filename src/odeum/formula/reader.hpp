@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "odeum/formula/names.hpp"
 #include "odeum/formula/parser.hpp"
 #include "odeum/formula/problem.hpp"
+#include "odeum/formula/reduction.hpp"
 
 /// The parts of the reader of problem files.
 namespace odeum::formula::reading {
@@ -86,6 +88,8 @@ class Reader : Source {
   void read_definitions(Scope& scope);
 
   void add_state(const Item& item, const std::string& name);
+  /// A state that is the rate of another one, in residuals of higher order.
+  void require_rate(const Item& item, const std::string& of);
   void read_states();
   void add_states(Scope& scope);
   void read_boundaries(Scope& scope);
@@ -98,6 +102,17 @@ class Reader : Source {
   void apply_mass(const std::vector<std::size_t>& at,
                   const std::vector<std::vector<long double>>& m,
                   const std::vector<std::vector<long double>>& inverse, Scope& scope);
+  /// Solves residuals for the rates of all states: reader_residuals.cpp.
+  void read_residuals(const Scope& scope);
+  std::vector<Id> residuals_of(const Scope& scope);
+  void add_rates_as_states(std::vector<Id>& residuals);
+  void find_start(const std::vector<Constraint>& constraints);
+  void require_constraints(const std::vector<Constraint>& constraints);
+  void require_rates();
+  void note_residuals(const Reduction& reduction);
+  /// `residual 2` or `residuals 1 and 2 together`.
+  std::string name_of(const std::set<std::size_t>& residuals) const;
+  Place place_of_residual(std::size_t residual) const;
   void read_exact();
   void read_invariants(const Scope& scope);
   void read_scale();
@@ -117,6 +132,10 @@ class Reader : Source {
   std::map<std::string, std::string> names_;  ///< and the section that they are of
   std::map<std::string, Place> group_places_;
   std::map<std::string, std::int64_t> first_of_;  ///< of indexed states
+  std::set<std::size_t> unknown_;                 ///< states whose start follows from constraints
+  std::vector<Place> residual_places_;
+  std::size_t given_states_ = 0;          ///< before rates were added to them
+  std::vector<std::size_t> residual_of_;  ///< by state: the one that gives its rate
 };
 
 }  // namespace odeum::formula::reading

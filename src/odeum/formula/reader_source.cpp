@@ -152,7 +152,10 @@ Key Reader::read_key(const Item& item, const std::string& in) {
       fail(item.key_place, "{}: an empty range; got {}, expected first <= last", in,
            shown(item.key));
   }
-  if (const std::string fault = fault_of_name(key.name); !fault.empty())
+  // With residuals, x' may be a state: the rate of another one.
+  const std::string_view name = key.name;
+  const std::size_t letters = section("residuals") ? name.find_last_not_of('\'') + 1 : name.size();
+  if (const std::string fault = fault_of_name(name.substr(0, letters)); !fault.empty())
     fail(item.key_place, "{}: {}", in, fault);
   return key;
 }

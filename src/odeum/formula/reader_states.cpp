@@ -22,15 +22,30 @@ std::string on_one_line(std::string text) {
 void Reader::add_state(const Item& item, const std::string& name) {
   if (problem_.states.size() >= most_states)
     fail(item.key_place, "states: too many; got more than {}, expected at most that", most_states);
+  if (item.value->kind == YamlNode::Kind::null && section("residuals")) {
+    unknown_.insert(problem_.states.size());
+    problem_.start.push_back(problem_.graph.constant(0));
+  } else {
+    problem_.start.push_back(constant(*item.value, "states: " + item.key));
+  }
   problem_.states.push_back(name);
-  problem_.start.push_back(constant(*item.value, "states: " + item.key));
   problem_.y0.push_back(problem_.graph[problem_.start.back()].value);
+}
+
+void Reader::require_rate(const Item& item, const std::string& of) {
+  if (!group_places_.contains(of) || first_of_.contains(of))
+    fail(item.key_place,
+         "states: the rate of what is no state above; got {}, expected a state {} before it",
+         shown(item.key), of);
 }
 
 void Reader::read_states() {
   for (const Item& item : required_items("states")) {
     const Key key = read_key(item, "states");
-    require_new(item, "states", key.name);
+    if (const std::string_view name = key.name; name.ends_with('\''))
+      require_rate(item, std::string(name.substr(0, name.size() - 1)));
+    else
+      require_new(item, "states", key.name);
     group_places_[key.name] = item.key_place;
     if (!key.indexed) {
       add_state(item, key.name);

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "odeum/formula/graph.hpp"
+
+/// Residuals R(t, y, y') = 0 as an ordinary problem.
+namespace odeum::formula {
+
+/// In residuals the rate of state k is the state of this number plus k.
+inline constexpr std::uint32_t first_rate = 1'000'000;
+
+/// A residual that has no rate in it, or a sum of multiples of residuals from which the rates
+/// vanish.
+struct Constraint {
+  Id value = no_node;
+  std::set<std::size_t> of;  ///< the residuals, by their place in the list
+};
+
+/// What follows from residuals.
+struct Reduction {
+  std::vector<Id> rates;  ///< by state, of t and y
+  std::vector<Constraint> constraints;
+  std::vector<std::size_t> by;  ///< by state: the residual that gives its rate, or whose derivative
+                                ///< does
+};
+
+/// Why there is none: `residual` is the place in the list of the one that is to blame.
+class ReductionError : public std::runtime_error {
+ public:
+  ReductionError(std::size_t residual, const std::string& what)
+      : std::runtime_error(what), residual_(residual) {}
+  std::size_t residual() const { return residual_; }
+
+ private:
+  std::size_t residual_;
+};
+
+/// The rates that occur in a residual other than linearly: solving for them is no matter of
+/// symbols.
+std::set<std::uint32_t> nonlinear_rates(Graph& graph, const std::vector<Id>& residuals);
+
+/// The same expressions with other nodes in place of states, of which a map has the number.
+std::vector<Id> with_states_replaced(Graph& graph, const std::vector<Id>& roots,
+                                     const std::map<std::uint32_t, Id>& by);
+
+/// The constraints among residuals that are linear in the rates of the states `names`; (t, y) as in
+/// reduce(). Throws ReductionError.
+std::vector<Constraint> constraints_of(Graph& graph, const std::vector<Id>& residuals,
+                                       const std::vector<std::string>& names, long double t,
+                                       const std::vector<long double>& y);
+
+/// Solves residuals that are linear in the rates of the states `names` for these: those with rates
+/// by elimination, constraints by their derivative along the solution (index 1). Whether a factor
+/// is zero is decided by values in extended precision at (t, y) and nearby. Throws ReductionError
+/// where the index is higher, a residual follows from others or contradicts them, or a rate is
+/// multiplied by zero at (t, y).
+Reduction reduce(Graph& graph, const std::vector<Id>& residuals,
+                 const std::vector<std::string>& names, long double t,
+                 const std::vector<long double>& y);
+
+}  // namespace odeum::formula
