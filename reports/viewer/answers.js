@@ -4,9 +4,9 @@
 (() => {
   const {
     facts, sameError, isClosedForm, idOf, html, addressOf, settingText, colourOf, times, number,
-    whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText,
-    moreText, disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf,
-    writeAddress, showAgain, choices, loadCase, measuredCases,
+    whyNotReached, shapeOf, duration, plural, rangeOf, plot, leadOf, workText, moreText, commandOf,
+    disturbedText, fastestEigenvalue, limitNumber, growsAsFast, stableText, limitOf, writeAddress,
+    showAgain, choices, loadCase, measuredCases, equationOf,
   } = odeum;
 
   const askedErrors = ['1e-3', '1e-6', '1e-9'];
@@ -164,11 +164,6 @@
     return sentences;
   };
 
-  const reproduce = (c, row) =>
-    row.setting_kind === 'tol'
-      ? `odeum run ${c.words} --solver ${idOf(row)} --tol ${row.setting} --until ${c.end}`
-      : `odeum run ${c.words} --solver ${idOf(row)} --step ${row.setting} --until ${c.end}`;
-
   const answerBody = (c, error, { timed }) => {
     const best = fastestOf(c.id, error, timed);
     const closed = closedFormOf(timed, error);
@@ -189,7 +184,7 @@
         'div', {},
         html(
           'p', { class: 'equation' }, html('a', { href: addressOf('case', { id: c.id }) }, c.title),
-          ': ', html('code', {}, c.equation),
+          ': ', equationOf(c.equation),
         ),
         words,
         stable,
@@ -198,7 +193,7 @@
         best[0]
           ? html(
               'p', { class: 'command' }, html('b', {}, 'Reproduce: '),
-              html('code', {}, reproduce(c, best[0])),
+              html('code', {}, commandOf(c, best[0])),
             )
           : null,
         html(

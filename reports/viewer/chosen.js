@@ -147,15 +147,8 @@
       shorten(statusText(run, facts.caseOf.get(run.case).scale), 110),
       curve ? shorten(orderText(curve.order), 110) : '',
     ].filter(Boolean);
-  const commandOf = (run) => {
-    const c = facts.caseOf.get(run.case);
-    const how = run.mode === 'fixed' ? `--step ${run.step}` : `--tol ${run.tolerance}`;
-    const until = run.timed ? ` --until ${c.end}` : '';
-    return `odeum run ${c.words} --solver ${idOf(run)} ${how}${until}`;
-  };
 
   Object.assign(odeum, {
     horizontal, vertical, runsOf, sensible, front, curveOf, toldApart, orderText, tellRun,
-    commandOf,
   });
 })();

@@ -51,7 +51,7 @@
       ],
       ['order', curve ? orderText(curve.order) : ''],
     ];
-    const command = commandOf(run);
+    const command = commandOf(facts.caseOf.get(run.case), run);
     const solution = html('div', { class: 'solution' });
     panel.replaceChildren(
       html('h3', {}, 'This run'),

@@ -79,6 +79,21 @@
     );
   };
 
+  // The command that makes a run of the study of speed or of orders again, with its stops.
+  const commandOf = (c, run) => {
+    const timed = Boolean(run.setting_kind), kind = run.setting_kind || run.mode;
+    const steps = timed ? Math.round((c.end - c.start) / run.setting) : run.steps,
+      setting =
+        kind === 'step' || kind === 'fixed'
+          ? `--steps ${steps}`
+          : `--tol ${(timed ? run.setting : run.tolerance).toExponential()}`,
+      options = run.options ? ` --option ${run.options}` : '';
+    return (
+      `odeum run ${c.words} --solver ${idOf(run)} ${setting}${options} ` +
+      `--stops ${timed ? 'speed' : 'orders'}`
+    );
+  };
+
   // By how much the best of one library leads the best of another.
   const leadOf = (best, second) => {
     const ratio = second.wall_ns_min / best.wall_ns_min,
@@ -227,7 +242,7 @@
   };
 
   Object.assign(odeum, {
-    sameError, settingText, statusText, whyNotReached, workText, leadOf,
-    moreText, stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
+    sameError, settingText, statusText, commandOf, whyNotReached, workText, leadOf, moreText,
+    stableText, disturbedText, notDrawnText, notKeptText, solutionText, failureText,
   });
 })();

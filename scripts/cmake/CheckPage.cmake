@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DODEUM=<program> -DCHROMIUM=<program> -DNODE=<program> -DROOT=<source> -DFOLDER=<folder>
 #       -P CheckPage.cmake
-# Makes a small report and opens it in headless Chromium (tests/viewer/page.mjs).
+# Makes a small report and opens it in headless Chromium (tests/viewer/page.mjs), and runs the commands that it prints.
 if(NOT CHROMIUM OR NOT NODE)
   message("not checked: needs Chromium and Node (Debian: chromium, nodejs) on the path")
   return()
@@ -28,4 +28,9 @@ endif()
 execute_process(COMMAND ${NODE} ${ROOT}/tests/viewer/page.mjs ${CHROMIUM} ${FOLDER} ${AXE} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "the page does not hold what it should")
+endif()
+# The commands that it prints make its runs again (scripts/reproduce).
+execute_process(COMMAND ${NODE} ${ROOT}/scripts/viewer/reproduce.mjs ${CHROMIUM} ${FOLDER} ${ODEUM} RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "a command of the page does not make its run again")
 endif()

@@ -12,9 +12,12 @@ namespace {
 
 constexpr double most_steps = 1e9;
 
-void set_step(Request& request, double h, double length, const SolverInfo& info) {
+void set_step(Request& request, const RunSettings& settings, double length,
+              const SolverInfo& info) {
   if (!info.fixed) throw UsageError("{} runs to a tolerance only: use --tol", info.id());
   request.mode = Mode::fixed;
+  if (settings.steps) return void(request.steps = *settings.steps);
+  const double h = *settings.step;
   // Steps are equal and end at the horizon: take the next smaller divisor, unless the difference is
   // rounding.
   request.steps = static_cast<std::uint64_t>(std::ceil(length / h * (1 - 1e-12)));
@@ -50,7 +53,9 @@ void require_positive(const char* option, double value) {
     throw UsageError("{}: got {}, expected a positive number", option, value);
 }
 
-bool has_setting(const RunSettings& settings) { return settings.step || settings.tolerance; }
+bool has_setting(const RunSettings& settings) {
+  return settings.step || settings.steps || settings.tolerance;
+}
 
 RunSettings settings_for(const Case& c, RunSettings settings) {
   if (!has_setting(settings) && c.tolerance.relative > 0) settings.tolerance = c.tolerance;
@@ -75,6 +80,8 @@ void check_span(const RunSettings& settings, double t0, double horizon) {
   const double end = settings.until.value_or(horizon), length = end - t0;
   if (!std::isfinite(length) || !(length > 0))
     throw UsageError("--until: got {}, expected a finite time after {}", end, t0);
+  if (settings.steps && !(static_cast<double>(*settings.steps) <= most_steps && *settings.steps))
+    throw UsageError("--steps: got {}, expected 1 to {:g}", *settings.steps, most_steps);
   if (!settings.step) return;
   const double h = *settings.step;
   require_positive("--step", h);
@@ -90,8 +97,8 @@ Request make_request(const RunSettings& settings, double t0, double horizon, std
   check_span(settings, t0, horizon);
   const double end = settings.until.value_or(horizon), length = end - t0;
   request.stops = {end};
-  if (settings.step)
-    set_step(request, *settings.step, length, info);
+  if (settings.step || settings.steps)
+    set_step(request, settings, length, info);
   else
     set_tolerances(request, settings, numbers, info);
   // The user chose the setting; only the seconds are limited.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "odeum/cli/problems.hpp"
@@ -16,6 +19,7 @@ namespace odeum::cli {
 struct RunSettings {
   /// One of them.
   std::optional<double> step;
+  std::optional<std::uint64_t> steps;
   std::optional<Tolerance> tolerance;
   bool absolute_given = false;  ///< by --atol: a case's own thresholds do not hold
   std::optional<double> until;
@@ -56,6 +60,8 @@ struct RunOptions {
   std::string format = "table";
   bool verbose = false;
   bool code = false;  ///< print a program instead of running
+  std::string stops;  ///< speed or orders: the study at whose stops the run ends steps; empty: none
+  std::vector<std::string> library_options;  ///< NAME=NUMBER, see Request::options
   bool truth = true;  ///< compare with one that is computed where none is known
   RunSettings settings;
   ProblemOptions problems;  ///< values of parameters, of a case or a problem file
@@ -72,6 +78,14 @@ std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose);
 /// exit code.
 int run_scene(const SceneSource& source, const RunOptions& options);
 
+using Assignments = std::vector<std::pair<std::string, double>>;
+/// The values of an option NAME=NUMBER, in their order. Throws UsageError for what is none, a
+/// number that is not finite, and a name that is given twice.
+Assignments assignments(const char* option, const std::vector<std::string>& texts);
+
+/// The values of --option, of options that the solver's library has. Throws UsageError.
+std::map<std::string, double> library_options(const RunOptions& options, const SolverInfo& info);
+
 /// The case with the values of --set. Throws UsageError.
 Case with_sets(const Case& c, const std::vector<std::string>& sets);
 
@@ -80,10 +94,6 @@ int run_case(const RunOptions& options);
 
 /// Prints what was found in a problem file; the same for its case where a solver is given.
 int run_problem(const RunOptions& options);
-
-/// Lines: the error at the end, or at the last output at which it is known, whether the tolerance
-/// explains it, and what else the run shows.
-std::string error_text(const Case& c, const Request& request, const Outcome& outcome);
 
 /// A C++ program that makes one run of an own method on a case with the installed package and
 /// prints the state at its end. Throws UsageError for a solver of another library.

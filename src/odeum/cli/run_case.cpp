@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
 #include "odeum/advise/why_answer.hpp"
 #include "odeum/cli/run.hpp"
@@ -15,6 +13,7 @@
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/text.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/truth/computed_truth.hpp"
 
@@ -22,60 +21,6 @@ namespace odeum::cli {
 namespace {
 
 using trajectories::CaseRun;
-
-using Sets = std::vector<std::pair<std::string, double>>;
-
-// The values of --set, in their order. Throws UsageError for what is no NAME=NUMBER, a number that
-// is not finite, and a name that is given twice.
-Sets parse_sets(const std::vector<std::string>& texts) {
-  Sets sets;
-  for (const std::string& text : texts) {
-    const auto fail = [&](const char* what) {
-      throw UsageError("--set: {}; got {}, expected NAME=NUMBER", what, shown(text));
-    };
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) fail("no assignment");
-    const std::string name = text.substr(0, equals);
-    const char *begin = text.data() + equals + 1, *const end = text.data() + text.size();
-    if (begin != end && *begin == '+') ++begin;
-    double value = 0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end) fail("not a number");
-    if (!std::isfinite(value)) fail("not finite");
-    for (const auto& [other, unused] : sets)
-      if (other == name) fail("given twice");
-    sets.emplace_back(name, value);
-  }
-  return sets;
-}
-
-// The case with other values of some of its parameters. Throws UsageError.
-Case changed(const Case& c, const Sets& sets) {
-  std::vector<std::string> names;
-  std::vector<double> values;
-  for (const Parameter& parameter : c.parameters) {
-    names.push_back(parameter.name);
-    values.push_back(parameter.value);
-  }
-  if (names.empty())
-    throw UsageError(
-        "--set: {} has no parameters; odeum list cases --parameters lists the cases that have",
-        c.id);
-  for (const auto& [name, value] : sets) {
-    const auto at = std::find(names.begin(), names.end(), name);
-    if (at == names.end())
-      throw UsageError("--set: {} has no parameter {}{}; expected one of {}", c.id, name,
-                       did_you_mean(name, names), fmt::join(names, ", "));
-    values[static_cast<std::size_t>(at - names.begin())] = value;
-  }
-  try {
-    Case other = c.with_values(values);
-    other.id = c.id;
-    return other;
-  } catch (const std::invalid_argument& error) {
-    throw UsageError("--set: {}", error.what());
-  }
-}
 
 // Where the truth ends before the run does, the last time on its grid at which the error is known.
 void stop_at_last_truth(Request& request, const Case& c) {
@@ -92,11 +37,21 @@ void stop_at_last_truth(Request& request, const Case& c) {
   }
 }
 
+// Where the study measures the error; empty: no study is named.
+std::vector<double> stops_of(const Case& c, const std::string& study) {
+  if (study.empty()) return {};
+  return study == "speed" ? c.timed_stops() : study::convergence_stops(c);
+}
+
 CaseRun prepare(const Case& c, const std::string& solver, const RunOptions& options) {
   const Entrant& entrant = find_entrant(c.entrants, c.id, solver);
-  CaseRun run{
-      &entrant, make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info), {}};
-  if (!options.out.empty() || options.settings.every)
+  const std::vector<double> stops = stops_of(c, options.stops);
+  const double end = stops.empty() ? c.end() : stops.back();
+  CaseRun run{&entrant, make_request(options.settings, c.t0, end, c.y0.size(), entrant.info), {}};
+  run.request.options = library_options(options, entrant.info);
+  if (!stops.empty())
+    run.request.stops = stops;
+  else if (!options.out.empty() || options.settings.every)
     ask_for_output(run.request, options.settings, c.t0, c.y0.size());
   else
     stop_at_last_truth(run.request, c);
@@ -188,9 +143,11 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   for (const Parameter& parameter : c.parameters)
     texts.facts.emplace_back(parameter.name,
                              record::format_number(parameter.value) + ", " + parameter.meaning);
-  texts.facts.emplace_back("Setting", options.settings.step
-                                          ? fmt::format("step {}", *options.settings.step)
-                                          : "tolerance " + text_of_tolerance(runs.front().request));
+  const CaseRun& first = runs.front();
+  texts.facts.emplace_back(
+      "Setting", first.request.mode == Mode::fixed
+                     ? fmt::format("step {}", options.settings.step.value_or(first.step(c.t0)))
+                     : "tolerance " + text_of_tolerance(first.request));
   const bool page = trajectories::write_case_page(folder, c, runs, texts);
   remark_on_page(page);
   std::string text;
@@ -200,7 +157,7 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
   return text;
 }
 
-int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = false) {
+int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_file = false) {
   if (options.solvers.empty()) throw UsageError("--solver is required for a case");
   options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
@@ -236,16 +193,12 @@ int run_solvers(Case c, const Sets& sets, RunOptions options, bool from_file = f
 
 }  // namespace
 
-Case with_sets(const Case& c, const std::vector<std::string>& sets) {
-  return sets.empty() ? c : changed(c, parse_sets(sets));
-}
-
 int run_case(const RunOptions& options) {
   const Case& original = find_case(options.what);
-  const auto sets = parse_sets(options.problems.sets);
+  const auto sets = assignments("--set", options.problems.sets);
   if (sets.empty()) return run_solvers(original, {}, options);
   if (options.code) throw UsageError("--code takes a case with its own parameters, without --set");
-  return run_solvers(changed(original, sets), sets, options);
+  return run_solvers(with_sets(original, options.problems.sets), sets, options);
 }
 
 int run_problem(const RunOptions& options) {

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "odeum/judge/errors.hpp"
+#include "odeum/judge/remarks.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -14,8 +16,21 @@ struct LastError {
   bool known = false;
   double time = nan;
   judge::StopError error;
+  double floor = nan;
   judge::JudgedAnswer judged;
 };
+
+/// As studies have it: the largest error, and the root mean square over all stops.
+judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
+  judge::StopError all = errors.back();
+  double mean_square = 0;
+  for (const judge::StopError& error : errors) {
+    all.error_max = std::max(all.error_max, error.error_max);
+    mean_square += error.error_rms * error.error_rms / static_cast<double>(errors.size());
+  }
+  all.error_rms = std::sqrt(mean_square);
+  return all;
+}
 
 LastError last_error(const Case& c, const trajectories::CaseRun& run) {
   const Request& request = run.request;
@@ -26,28 +41,31 @@ LastError last_error(const Case& c, const trajectories::CaseRun& run) {
   const std::vector<double> stops(
       request.stops.begin(), request.stops.begin() + static_cast<std::ptrdiff_t>(errors.size()));
   const bool fixed = request.mode == Mode::fixed;
-  return {.known = true,
-          .time = stops.back(),
-          .error = errors.back(),
-          .judged = fixed ? judge::judge_fixed_answer(errors, judge.scale())
-                          : judge::judge_answer(
-                                errors, judge::measure_amplification(c, stops, request.tolerance),
-                                request.tolerance.relative,
-                                static_cast<double>(run.outcome.counters.steps), c.truth.floor,
-                                judge.scale())};
+  const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
+  return {
+      .known = true,
+      .time = stops.back(),
+      .error = request.over_stops ? errors.back() : largest_of(errors),
+      .floor = floor,
+      .judged = fixed ? judge::judge_fixed_answer(errors, judge.scale())
+                      : judge::judge_answer(
+                            errors, judge::measure_amplification(c, stops, request.tolerance),
+                            request.tolerance.relative,
+                            static_cast<double>(run.outcome.counters.steps), floor, judge.scale())};
 }
 
-}  // namespace
-
-std::string error_text(const Case& c, const trajectories::CaseRun& run) {
+std::string error_and_answer(const Case& c, const trajectories::CaseRun& run) {
   const LastError last = last_error(c, run);
   const double end = run.request.stops.back();
   if (!last.known)
     return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
   std::string text =
       fmt::format("error   {:.6g} (rms {:.6g}) ", last.error.error_max, last.error.error_rms);
-  if (last.time < end)
+  if (!run.request.over_stops && run.request.stops.size() > 1)
+    text += fmt::format("at {} stops to t = {}, ", run.request.stops.size(), last.time);
+  else if (last.time < end)
     text += fmt::format("at t = {}; no truth is known from there to t = {}; ", last.time, end);
+  if (!c.scale.empty()) text += "in the units of the scale, ";
   text += fmt::format("against {}\n", c.truth.source);
   const judge::JudgedAnswer& judged = last.judged;
   if (judged.answer == judge::Answer::not_applicable) return text;
@@ -58,6 +76,15 @@ std::string error_text(const Case& c, const trajectories::CaseRun& run) {
     text +=
         fmt::format(": tolerance, steps and amplification explain up to {:.2g}", judged.explained);
   return text + "\n";
+}
+
+}  // namespace
+
+std::string error_text(const Case& c, const trajectories::CaseRun& run) {
+  std::string text = error_and_answer(c, run);
+  for (const std::string& remark : judge::remarks(c, run.request, run.outcome))
+    text += fmt::format("remark  {}\n", remark);
+  return text;
 }
 
 RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs) {
@@ -80,7 +107,7 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs) {
                         .error_time = last.time,
                         .error_max = last.known ? last.error.error_max : nan,
                         .error_rms = last.known ? last.error.error_rms : nan,
-                        .floor = c.truth.floor,
+                        .floor = last.known ? last.floor : c.truth.floor,
                         .judged = last.judged,
                         .truth = c.truth.source});
   }

@@ -20,7 +20,8 @@ struct RunRow {
   std::string detail;
   Counters counters;
   double reached = nan;  ///< the last time whose state was recorded
-  /// At `error_time`, the last output at which the truth is known; nan: at none.
+  /// At `error_time`, the last output at which the truth is known; nan: at none. Of a run whose
+  /// steps end on several stops the largest at them.
   double error_time = nan, error_max = nan, error_rms = nan, floor = nan;
   judge::JudgedAnswer judged;
   std::string truth;
@@ -47,8 +48,8 @@ struct RunRows {
 
 RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs);
 
-/// The error at the end, or at the last output at which it is known, and whether the tolerance
-/// explains it, in lines.
+/// Lines: the error at the end, or at the last output at which it is known, whether the tolerance
+/// explains it, and what else the run shows.
 std::string error_text(const Case& c, const trajectories::CaseRun& run);
 
 }  // namespace odeum::cli
