@@ -5,7 +5,7 @@
 (() => {
   const {
     pagesOf, measuredIn, html, facts, addressOf, loadView, showProse, askedErrors, fastestOf, idOf,
-    linkOf, duration, tableOf, number, showExact, loadCase,
+    linkOf, duration, tableOf, number, showExact, loadCase, equationOf,
   } = odeum;
 
   const showCases = async (host) => {
@@ -17,7 +17,7 @@
           facts.cases.map((c) =>
             html(
               'li', {}, html('a', { href: addressOf('case', { id: c.id }) }, c.title), ' ',
-              html('code', {}, c.equation),
+              equationOf(c.equation),
             ),
           ),
         ),
@@ -73,7 +73,7 @@
     if (!c) throw new Error(`there is no case ${choice.id} in this report`);
     document.title = `${c.id} – Odeum report`;
     const lines = [
-      ['Equation', html('code', {}, c.equation)], ['Source', c.source],
+      ['Equation', equationOf(c.equation, true)], ['Source', c.source],
       ['Truth', `${c.truth}${c.floor > 0 ? ` (known to ${number(c.floor)})` : ''}`],
       ...c.linear.map(([name, text]) => [name, html('code', {}, text)]),
     ];

@@ -248,6 +248,24 @@ const checks = {
   },
 };
 
+const flat = (tree) => typeof tree === 'string' ? `"${tree}"` : tree[0] === 'row' ? tree.slice(1).map(flat).join(' ') : tree[0] === 'space' ? '~' : ['over', 'power', 'below', 'primed', 'root'].includes(tree[0]) ? `${tree[0]}{${tree.slice(1).map((each) => typeof each === 'string' ? each : flat(each)).join('|')}}` : tree[1];
+const formulas = (source) => page('partsOf')(source).map(flat).join(' ');
+checks['equations are read as they were written'] = () => {
+  for (const [source, expected] of [
+    ["y'' + 0.5 y' = -5 y", "primed{y|′′} + 0.5 ~ primed{y|′} = − 5 ~ y"],
+    ["y1' = k1 y2^2 / 2 d", "primed{below{y|1}|′} = over{below{k|1} ~ power{below{y|2}|2}|2} ~ d"],
+    ['u = (a - b) / (2 d)', 'u = over{a − b|2 ~ d}'],
+    ['u_{i-1}^2 = |q|^3', 'power{below{u|i − 1}|2} = power{| q ||3}'],
+    ['y(0) = sin theta', 'y ( 0 ) = sin ~ θ'],
+    ['x = sqrt(5) x^-1 * 1e-06', 'x = root{5} ~ power{x|− 1} · 1 · power{10|−6}'],
+    // A name that the text gives a value is one; other words stay words.
+    ['V = amplitude t; amplitude = 5', 'V = amplitude ~ t ";" amplitude = 5'],
+    ["y' = -y from the start, cyclic", `primed{y|′} = − y " from the start" "," " cyclic"`],
+    ['M = 1/4 [4 -2; -2 4]', '"M = 1/4 [4 -2; -2 4]"'],
+  ]) same(formulas(source), expected, source);
+  for (const wrong of ['', 'a +', '(a', 'a)', 'a = = b', '^2', '<b>x</b>']) hold(errorOf(() => page('treeOf')(wrong)) !== 'no error', `${wrong} is a formula`);
+};
+
 for (const [name, check] of Object.entries(checks)) {
   try {
     await check();
