@@ -86,6 +86,47 @@ std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose) {
   return lines;
 }
 
+namespace {
+
+/// Adds the options of the setting, the end and the output.
+void add_what_to_run(CLI::App& command, RunOptions& options) {
+  add_problem_options(command, options.problems, false);
+  add_step_and_tolerances(command, options.settings);
+  CLI::Option* step = command.get_option("--step");
+  CLI::Option* steps =
+      command.add_option("--steps", options.settings.steps, "number of equal fixed steps")
+          ->type_name("N")
+          ->excludes(step);
+  for (const char* other : {"--tol", "--rtol"}) steps->excludes(command.get_option(other));
+  command
+      .add_option("--option", options.library_options,
+                  "a value for an option that the solver's library has: sweeps=4")
+      ->type_name("NAME=VALUE ...");
+  CLI::Option* until =
+      command.add_option("--until", options.settings.until, "end time; default: the horizon")
+          ->type_name("T");
+  CLI::Option* every =
+      command
+          .add_option("--every", options.settings.every,
+                      "time between outputs; it does not change the steps of own solvers")
+          ->type_name("DT");
+  CLI::Option* out =
+      command
+          .add_option("--out", options.out, "folder for the files: index.html, trajectory.csv, ...")
+          ->type_name("DIR");
+  command
+      .add_option("--stops", options.stops,
+                  "the run of a study, speed or orders: to its end, with steps that end where it "
+                  "measures the error, which is the largest there")
+      ->type_name("STUDY")
+      ->check(CLI::IsMember({"speed", "orders"}))
+      ->excludes(until)
+      ->excludes(every)
+      ->excludes(out);
+}
+
+}  // namespace
+
 void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
@@ -100,39 +141,7 @@ void add_run(CLI::App& app, int& result) {
       ->add_option("--solver", options->solvers,
                    "a solver; several are compared; default: the scene's own")
       ->type_name("ID...");
-  add_problem_options(*command, options->problems, false);
-  add_step_and_tolerances(*command, options->settings);
-  CLI::Option* step = command->get_option("--step");
-  CLI::Option* steps =
-      command->add_option("--steps", options->settings.steps, "number of equal fixed steps")
-          ->type_name("N")
-          ->excludes(step);
-  for (const char* other : {"--tol", "--rtol"}) steps->excludes(command->get_option(other));
-  command
-      ->add_option("--option", options->library_options,
-                   "a value for an option that the solver's library has: sweeps=4")
-      ->type_name("NAME=VALUE ...");
-  CLI::Option* until =
-      command->add_option("--until", options->settings.until, "end time; default: the horizon")
-          ->type_name("T");
-  CLI::Option* every =
-      command
-          ->add_option("--every", options->settings.every,
-                       "time between outputs; it does not change the steps of own solvers")
-          ->type_name("DT");
-  CLI::Option* out = command
-                         ->add_option("--out", options->out,
-                                      "folder for the files: index.html, trajectory.csv, ...")
-                         ->type_name("DIR");
-  command
-      ->add_option("--stops", options->stops,
-                   "the run of a study, speed or orders: to its end, with steps that end where it "
-                   "measures the error, which is the largest there")
-      ->type_name("STUDY")
-      ->check(CLI::IsMember({"speed", "orders"}))
-      ->excludes(until)
-      ->excludes(every)
-      ->excludes(out);
+  add_what_to_run(*command, *options);
   command->add_flag("--verbose", options->verbose,
                     "name every solver that fits a scene or problem file, and that does not");
   command->add_flag_callback(

@@ -33,8 +33,8 @@ struct Request {
   Tolerance tolerance = 0;    ///< adaptive
   std::vector<double> stops;  ///< strictly increasing times, the last one is the horizon
   /// Adaptive: stops before the last do not limit the steps; states there come from inside them, at
-  /// the order of the method (own solvers, control/adaptive.hpp) or by a library's interpolant where
-  /// it has one. For output; where errors are measured, steps end on the stops.
+  /// the order of the method (own solvers, control/adaptive.hpp) or by a library's interpolant
+  /// where it has one. For output; where errors are measured, steps end on the stops.
   bool over_stops = false;
   /// Adaptive, own solvers: the ends of the accepted steps go to Outcome::step_ends.
   bool record_steps = false;
