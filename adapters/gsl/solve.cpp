@@ -24,7 +24,8 @@ constexpr double newton_tolerance = 1e-15;
 
 /// The problem as passed to the library's callbacks.
 struct Problem {
-  Problem(const OdeView& view, const Budget& budget) : guarded(view, budget), jacobian(guarded) {}
+  Problem(const OdeView& view, const Request& request)
+      : guarded(view, request.budget, &request.tolerance), jacobian(guarded) {}
 
   GuardedView guarded;
   DenseJacobian jacobian;
@@ -181,7 +182,7 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
         "or its corrector fails, depending on the tolerance",
         method.name));
 
-  Problem problem(contest.view, request.budget);
+  Problem problem(contest.view, request);
   const gsl_odeiv2_system system = {rhs, jacobian, n, &problem};
   const Tolerance tolerance = fixed ? Tolerance(newton_tolerance) : request.tolerance;
   const double first = fixed ? FixedGrid(contest.t0, request).h()

@@ -48,7 +48,7 @@ using System = std::pair<Rhs, Jacobian>;
 template <class Body>
 Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Request& request,
                 Body&& body) {
-  GuardedView problem(view, request.budget);
+  GuardedView problem(view, request.budget, &request.tolerance);
   DenseJacobian jacobian(problem);
   Outcome outcome;
   Vector y(y0.size());

@@ -17,7 +17,8 @@ namespace {
 
 /// The problem as the plug-in's callbacks reach it.
 struct System {
-  System(const OdeView& view, const Budget& budget) : guarded(view, budget), jacobian(guarded) {}
+  System(const OdeView& view, const Request& request)
+      : guarded(view, request.budget, &request.tolerance), jacobian(guarded) {}
   GuardedView guarded;
   DenseJacobian jacobian;
 
@@ -105,7 +106,7 @@ class Solve {
       : solver_(solver),
         contest_(contest),
         request_(request),
-        system_(contest.view, request.budget),
+        system_(contest.view, request),
         absolute_(absolute_of(request, contest.view.dimension)),
         callbacks_(callbacks(system_, absolute_)),
         y_(*contest.y0) {}

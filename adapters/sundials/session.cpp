@@ -31,7 +31,7 @@ Session::Session(const Module& module, const ErasedContest& contest, const Reque
       request_(request),
       t0_(contest.t0),
       t_(contest.t0),
-      problem_(contest.view, request.budget),
+      problem_(contest.view, request.budget, &request.tolerance),
       state_(*contest.y0),
       context_(context_of_this_thread()),
       y_(N_VMake_Serial(static_cast<sunindextype>(state_.size()), state_.data(), context_)) {

@@ -98,9 +98,11 @@ StructuredSolver make_structured_solver(Session& session) {
     };
   else
     jacobian->entries = differenced_entries(
-        pattern, [&problem = session.problem()](double t, const double* y, double* f) {
+        pattern,
+        [&problem = session.problem()](double t, const double* y, double* f) {
           problem.rhs(t, y, f);
-        });
+        },
+        session.problem().guard().weights());
   session.keep(jacobian);
   const auto [lower, upper] = band_of(pattern);
   StructuredSolver made;

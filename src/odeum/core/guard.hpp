@@ -14,8 +14,13 @@ namespace odeum {
 /// may reject the step that it came from; it explains a run that fails. One guard per solve.
 class Guard {
  public:
-  Guard(std::size_t dimension, const Budget& budget)
-      : dimension_(dimension), budget_(budget), start_(Clock::now()) {}
+  /// `tolerance`, which has to outlive this, weighs the components where their derivatives are
+  /// formed by differences.
+  Guard(std::size_t dimension, const Budget& budget, const Tolerance* tolerance = nullptr)
+      : dimension_(dimension), budget_(budget), start_(Clock::now()) {
+    if (tolerance && tolerance->thresholds.size() == dimension)
+      weights_ = tolerance->thresholds.data();
+  }
 
   /// To be called before an evaluation. False: the budget is spent, stop.
   bool admit() {
@@ -63,6 +68,9 @@ class Guard {
   /// A product of the Jacobian with a vector counts like an evaluation.
   void count_products(std::uint64_t count) { products_ += count; }
 
+  /// Of the components, one each, see DifferenceIncrements; null: all alike.
+  const double* weights() const { return weights_; }
+
   bool tripped() const { return !exhausted_.empty(); }  ///< the budget is spent
   const std::string& first_non_finite() const { return first_non_finite_; }  ///< empty: none
   std::uint64_t rhs_evaluations() const { return rhs_evaluations_; }
@@ -83,6 +91,7 @@ class Guard {
 
   std::size_t dimension_;
   Budget budget_;
+  const double* weights_ = nullptr;
   Clock::time_point start_;
   std::uint64_t rhs_evaluations_ = 0;
   std::uint64_t jacobian_evaluations_ = 0;

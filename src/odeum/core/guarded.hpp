@@ -145,8 +145,8 @@ class Guarded<Bare<P>, Guard&> : public P {
 
 namespace detail {
 struct ViewAndGuard {
-  ViewAndGuard(const OdeView& view, const Budget& budget)
-      : problem{view, nullptr}, guarding(view.dimension, budget) {}
+  ViewAndGuard(const OdeView& view, const Budget& budget, const Tolerance* tolerance)
+      : problem{view, nullptr}, guarding(view.dimension, budget, tolerance) {}
   SharedOde problem;
   Guard guarding;
 };
@@ -156,8 +156,8 @@ struct ViewAndGuard {
 /// is spent.
 class GuardedView : private detail::ViewAndGuard, public Guarded<SharedOde> {
  public:
-  GuardedView(const OdeView& view, const Budget& budget)
-      : ViewAndGuard(view, budget),
+  GuardedView(const OdeView& view, const Budget& budget, const Tolerance* tolerance = nullptr)
+      : ViewAndGuard(view, budget, tolerance),
         Guarded<SharedOde>(ViewAndGuard::problem, ViewAndGuard::guarding) {}
   GuardedView(const GuardedView&) = delete;
   GuardedView& operator=(const GuardedView&) = delete;

@@ -44,13 +44,14 @@ std::vector<int> column_colours(const Sparsity& pattern) {
 }
 
 JacobianEntries differenced_entries(const Sparsity& pattern,
-                                    std::function<void(double t, const double* y, double* f)> rhs) {
+                                    std::function<void(double t, const double* y, double* f)> rhs,
+                                    const double* weights) {
   const std::size_t n = pattern.unknowns();
-  return [n, rhs = std::move(rhs), colours = by_colour(pattern), f = std::vector<double>(n),
-          moved = std::vector<double>(n),
+  return [n, weights, rhs = std::move(rhs), colours = by_colour(pattern),
+          f = std::vector<double>(n), moved = std::vector<double>(n),
           f_moved = std::vector<double>(n)](double t, const double* y, double* values) mutable {
     rhs(t, y, f.data());
-    const DifferenceIncrements increment(n, y, f.data());
+    const DifferenceIncrements increment(n, y, f.data(), weights);
     std::copy(y, y + n, moved.begin());
     for (const std::vector<Entry>& entries : colours) {
       for (const Entry& e : entries) moved[e.column] = y[e.column] + increment(e.column);

@@ -16,9 +16,11 @@ using JacobianEntries = std::function<void(double t, const double* y, double* va
 
 /// The values by forward differences of f. Columns that share no row are moved together (Curtis,
 /// Powell, Reid, On the estimation of sparse Jacobian matrices, 1974), so that evaluations are one
-/// more than the colours, whatever the number of unknowns. The pattern must outlive the function.
+/// more than the colours, whatever the number of unknowns. `weights` as in DifferenceIncrements; it
+/// and the pattern must outlive the function.
 JacobianEntries differenced_entries(const Sparsity& pattern,
-                                    std::function<void(double t, const double* y, double* f)> rhs);
+                                    std::function<void(double t, const double* y, double* f)> rhs,
+                                    const double* weights = nullptr);
 
 /// By column: its colour, from 0. Columns of one colour share no row.
 std::vector<int> column_colours(const Sparsity& pattern);
@@ -61,10 +63,10 @@ JacobianEntries entries_of(const P& problem) {
         problem.jacobian_entries(t, y, values);
       };
   }
-  return [&problem, entries = differenced_entries(*problem.sparsity(),
-                                                  [&problem](double t, const double* y, double* f) {
-                                                    problem.rhs(t, y, f);
-                                                  })](double t, const double* y, double* values) {
+  const auto rhs = [&problem](double t, const double* y, double* f) { problem.rhs(t, y, f); };
+  return [&problem,
+          entries = differenced_entries(*problem.sparsity(), rhs, difference_weights(problem))](
+             double t, const double* y, double* values) {
     if constexpr (requires { problem.watch().count_jacobian(); }) problem.watch().count_jacobian();
     entries(t, y, values);
   };

@@ -71,6 +71,13 @@ bool difference_jacobian(Rhs&& rhs, std::size_t n, double t, const double* y, do
   return true;
 }
 
+/// What a problem that is watched weighs its components by; null: all alike.
+template <class P>
+const double* difference_weights(const P& problem) {
+  if constexpr (requires { problem.watch().weights(); }) return problem.watch().weights();
+  return nullptr;
+}
+
 /// The same of a problem. A guarded one counts each evaluation.
 template <Ode P>
 void difference_jacobian(const P& problem, double t, const double* y, double* j) {
@@ -79,7 +86,8 @@ void difference_jacobian(const P& problem, double t, const double* y, double* j)
     problem.rhs(time, at, value);
     return true;
   };
-  difference_jacobian(rhs, size_of(problem), t, y, j, {f.data(), moved.data(), f_moved.data()});
+  difference_jacobian(rhs, size_of(problem), t, y, j, {f.data(), moved.data(), f_moved.data()},
+                      difference_weights(problem));
 }
 
 /// The problem's own, else by differences; a watched problem counts either as a Jacobian.

@@ -34,7 +34,9 @@ int DenseJacobian::from_differences(double t, const double* y, double* j) {
     return problem_.rhs(time, at, f) == 0;
   };
   double* const f = work_.data();
-  return difference_jacobian(rhs, n, t, y, j, {f, f + n, f + 2 * n}) ? 0 : 1;
+  return difference_jacobian(rhs, n, t, y, j, {f, f + n, f + 2 * n}, problem_.guard().weights())
+             ? 0
+             : 1;
 }
 
 }  // namespace odeum

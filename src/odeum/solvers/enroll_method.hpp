@@ -46,7 +46,7 @@ SolverInfo info_of_own() {
 /// Solves with method M; the type of the problem is known down to the innermost loop.
 template <class M, Ode P>
 Outcome solve_own(const Contest<P>& contest, const Request& request) {
-  Guard guard(size_of(*contest.problem), request.budget);
+  Guard guard(size_of(*contest.problem), request.budget, &request.tolerance);
   const Guarded<P> problem(*contest.problem, guard);
   State<P> y0 = make_state(*contest.problem);
   std::copy(contest.y0->begin(), contest.y0->end(), y0.begin());
