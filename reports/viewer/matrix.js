@@ -7,6 +7,13 @@
     tableOf, lazyDetails, plural, functions,
   } = odeum;
 
+  // What the lines of a matrix are: the first column that its template names, but "solver" where
+  // that is one of them.
+  const nameOfRows = (template = 'solver') => {
+    const names = template.match(/\b[a-z_]+\b(?!\s*\()/g) || [''];
+    return names.includes('solver') ? 'solver' : names[0];
+  };
+
   //   row: template      of a line's header; default {library}/{solver}
   //   column: template   of a column; columns stand in the order in which they come first, cases in
   //                      that of the report
@@ -42,7 +49,7 @@
       columns = d3.sort(columns, ([id]) => at.get(id) ?? Infinity);
     }
     const headings = [
-      { text: spec.row ? 'row' : 'solver', class: 'corner' },
+      { text: nameOfRows(spec.row), class: 'corner' },
       ...before.map((c) => ({ text: c.heading, class: 'claim' })),
       ...columns.map(([name, members]) =>
         spec.column === 'case'
@@ -135,5 +142,5 @@
   functions.solver_group = (library, solver) =>
     solverGroups() && (facts.groupOf.get(`${library}/${solver}`) ?? library);
 
-  Object.assign(odeum, { versionOf, solverGroups });
+  Object.assign(odeum, { versionOf, solverGroups, nameOfRows });
 })();

@@ -248,6 +248,11 @@ const checks = {
   },
 };
 
+checks['the lines of a matrix have a name'] = () => {
+  for (const [template, name] of [[undefined, 'solver'], ['case', 'case'], ['{solver_group(library, solver)}', 'solver'], ['{divisions | d}', 'divisions'], ["{if(verdict == survived, 'none', caught_by)}", 'verdict'], ['{stiffness} N/m', 'stiffness']])
+    same(page('nameOfRows')(template), name, String(template));
+};
+
 const flat = (tree) => typeof tree === 'string' ? `"${tree}"` : tree[0] === 'row' ? tree.slice(1).map(flat).join(' ') : tree[0] === 'space' ? '~' : ['over', 'power', 'below', 'primed', 'root'].includes(tree[0]) ? `${tree[0]}{${tree.slice(1).map((each) => typeof each === 'string' ? each : flat(each)).join('|')}}` : tree[1];
 const formulas = (source) => page('partsOf')(source).map(flat).join(' ');
 checks['equations are read as they were written'] = () => {

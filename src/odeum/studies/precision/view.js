@@ -70,7 +70,21 @@
       (row) =>
         row.repetitions > 0 && row.wall_ns_min > 0 && row.error > 0 && row.error <= 10 * c.scale,
     );
-  const drawSpeed = (host, c, rows, height) => {
+  // The ranges of all cases together: pictures side by side have the same axes.
+  const sharedRanges = async (cases) => {
+    const all = await rowsOf('precision'), times = [], errors = [];
+    const [ids, ns, error, count] = ['case', 'wall_ns_min', 'error', 'repetitions'].map((name) =>
+      all.column(name),
+    );
+    const largest = new Map(cases.map((c) => [c.id, 10 * c.scale]));
+    for (let i = 0; i < all.length; ++i)
+      if (count[i] > 0 && ns[i] > 0 && error[i] > 0 && error[i] <= largest.get(ids[i])) {
+        times.push(ns[i]);
+        errors.push(error[i]);
+      }
+    return { x: rangeOf(times, 1.4), y: rangeOf(errors, 3) };
+  };
+  const drawSpeed = (host, c, rows, height, shared) => {
     const best = frontOf(rows), peers = frontOf(rows.filter((row) => row.library !== 'odeum')),
       onFront = new Set(best);
     const clouds = d3
@@ -86,18 +100,16 @@
           })),
       );
     // The floor's text stands below it.
-    const up = rangeOf(
-        rows.map((row) => row.error), 3,
-      ),
+    const up = shared ? shared.y : rangeOf(rows.map((row) => row.error), 3),
       floor = c.timed_floor,
       low =
-        floor > up.low && floor < up.high
+        !shared && floor > up.low && floor < up.high
           ? Math.min(up.low, floor * (floor / up.high) ** 0.08)
           : up.low;
     plot(host, {
       height, nameless: true, description: `error against time of a solve, ${c.id}`,
       x: {
-        ...rangeOf(rows.map((row) => row.wall_ns_min), 1.4),
+        ...(shared ? shared.x : rangeOf(rows.map((row) => row.wall_ns_min), 1.4)),
         label: 'time of a solve (minimum)',
         text: duration,
       },
@@ -129,6 +141,7 @@
         ? [figures, legendOfSpeed(facts.libraryNames)]
         : [legendOfSpeed(facts.libraryNames), figures]),
     );
+    const shared = context.caseId ? null : sharedRanges(cases);
     for (const c of cases) {
       const picture = html('div', { class: 'picture' });
       const caption = context.caseId
@@ -141,7 +154,7 @@
       figures.append(html('figure', { class: 'speed' }, caption, picture));
       whenSeen(picture, height, async () => {
         const rows = drawnOf(c, (await rowsOf('precision', c.id)).objects());
-        if (rows.length) drawSpeed(picture, c, rows, height);
+        if (rows.length) drawSpeed(picture, c, rows, height, await shared);
         else picture.replaceChildren(html('p', { class: 'missing' }, 'There is nothing to draw.'));
       });
     }
