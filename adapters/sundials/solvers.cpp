@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "sundials/ida.hpp"
 #include "sundials/session.hpp"
 
 namespace odeum::adapters::sundials {
@@ -31,6 +32,7 @@ void add_solvers(std::vector<Solver>& all) {
                        return solve(method, contest, request);
                      };
                    }});
+  add_ida(all);
 }
 
 }  // namespace odeum::adapters::sundials

@@ -16,6 +16,7 @@
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_truth.hpp"
+#include "odeum/formula/implicit_text.hpp"
 
 namespace odeum::cases {
 
@@ -138,6 +139,7 @@ class TextCase : CaseText {
       if (!offers.series) view.taylor = nullptr;
       case_.problem = {view, ode_, case_.t0, std::make_shared<const std::vector<double>>(case_.y0),
                        nullptr};
+      case_.problem.implicit = formula::implicit_form(problem_);
       add_invariants();
       case_.entrants = enroll(case_.problem);
     }

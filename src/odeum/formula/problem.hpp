@@ -39,6 +39,9 @@ struct Problem {
   std::string equations_text;
   Id kinetic_energy = no_node;  ///< v M v / 2 where the file has a mass matrix M
   std::string mass_text;        ///< M, for people
+  /// R(t, y, y') = 0 where not all rates could be solved for, one for each state, constraints among
+  /// them, with the rates as the states from first_rate on (formula/reduction.hpp); empty: none.
+  std::vector<Id> residuals;
   /// What people read of residuals, in place of which `equations` stand: names and texts.
   std::vector<std::pair<std::string, std::string>> notes;
 };

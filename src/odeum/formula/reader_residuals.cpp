@@ -176,7 +176,7 @@ void Reader::note_residuals(const Reduction& reduction) {
   for (const Constraint& constraint : reduction.constraints) {
     std::vector<std::string> gives;
     for (std::size_t k = 0; k < problem_.states.size(); ++k)
-      if (reduction.by[k] == *constraint.of.rbegin()) gives.push_back(problem_.states[k] + "'");
+      if (reduction.by[k] == constraint.own) gives.push_back(problem_.states[k] + "'");
     const std::size_t first = *constraint.of.begin();
     bool is_rate = false;
     for (const Id id : problem_.graph.needed({constraint.value}))
@@ -216,6 +216,11 @@ void Reader::read_residuals(const Scope& scope) {
         reduce(problem_.graph, residuals, problem_.states, problem_.t0, problem_.y0);
     problem_.equations = reduction.rates;
     residual_of_ = reduction.by;
+    // A constraint that is a difference of residuals is lost in the rounding of their rates where
+    // steps are short: it stands in place of one of them.
+    if (!reduction.constraints.empty()) problem_.residuals = residuals;
+    for (const Constraint& constraint : reduction.constraints)
+      problem_.residuals[constraint.own] = constraint.value;
     for (const std::size_t by : reduction.by) problem_.places.push_back(place_of_residual(by));
     note_residuals(reduction);
     require_rates();

@@ -59,7 +59,7 @@ class Elimination {
     for (Row& row : rows) {
       eliminate(row);
       if (row.of.empty())
-        constraints.push_back({row.rest.node, row.residuals});
+        constraints.push_back({row.rest.node, row.residuals, row.own});
       else
         take(std::move(row));
     }
@@ -177,7 +177,7 @@ class Elimination {
 
   /// Adds the derivative of a constraint along the solution.
   void differentiate(const Constraint& constraint) {
-    const std::size_t own = *constraint.of.rbegin();
+    const std::size_t own = constraint.own;
     const auto gradient = gradients(graph_, {constraint.value}, 2 * first_rate).front();
     Row row{.of = {}, .rest = {}, .residuals = constraint.of, .own = own};
     add_entries(row, gradient, 0);

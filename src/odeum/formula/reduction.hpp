@@ -20,6 +20,7 @@ inline constexpr std::uint32_t first_rate = 1'000'000;
 struct Constraint {
   Id value = no_node;
   std::set<std::size_t> of;  ///< the residuals, by their place in the list
+  std::size_t own = 0;       ///< the one among them that it may stand in place of
 };
 
 /// What follows from residuals.

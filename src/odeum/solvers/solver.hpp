@@ -12,6 +12,7 @@
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/extended_problem.hpp"
+#include "odeum/problem/implicit_form.hpp"
 
 namespace odeum {
 
@@ -77,6 +78,8 @@ struct ErasedContest {
   double t0 = 0;
   std::shared_ptr<const std::vector<double>> y0;
   std::shared_ptr<const scene::Scene> scene;
+  /// The residuals that state the problem, where they are not solved for all rates; else null.
+  std::shared_ptr<const ImplicitForm> implicit = nullptr;
 };
 
 template <Ode P>
