@@ -137,9 +137,9 @@ class TextCase : CaseText {
         view.sparsity = nullptr, view.linear_matrix = nullptr;
       if (!offers.second_order) view.acceleration = nullptr;
       if (!offers.series) view.taylor = nullptr;
-      case_.problem = {view, ode_, case_.t0, std::make_shared<const std::vector<double>>(case_.y0),
-                       nullptr};
-      case_.problem.implicit = formula::implicit_form(problem_);
+      case_.problem = {view,     ode_,
+                       case_.t0, std::make_shared<const std::vector<double>>(case_.y0),
+                       nullptr,  formula::implicit_form(problem_)};
       add_invariants();
       case_.entrants = enroll(case_.problem);
     }
@@ -177,14 +177,13 @@ class TextCase : CaseText {
   /// A reference holds for the usual parameters; else the closed form, or a computed reference. One
   /// in place of a reference that no longer holds is computed where a run asks for it.
   void set_truth() {
-    const bool usual = is_usual();
     const std::vector<std::string> files = texts("reference");
     double floor = 0;
     take_number("floor", floor);
     if (!files.empty() && !(floor > 0))
       fail(find("reference")->place, "{}: floor: got none, expected the error of the reference",
            id_);
-    if (!files.empty() && usual) {
+    if (!files.empty() && is_usual()) {
       case_.truth = reference(files.front(), floor);
       for (std::size_t k = 1; k < files.size(); ++k)
         case_.truth.at = [before = case_.truth.at, more = reference(files[k], floor).at](
@@ -229,9 +228,8 @@ class TextCase : CaseText {
     require_code();
     truth_ = truth_of(ode_);
     case_.truth = truth_.truth;
-    std::vector<double> known;
-    std::copy_if(truth_.stops.begin(), truth_.stops.end(), std::back_inserter(known),
-                 [&](double stop) { return stop <= case_.stops.back(); });
+    std::vector<double> known = truth_.stops;
+    std::erase_if(known, [&](double stop) { return stop > case_.stops.back(); });
     cut_stops(case_, known);
     if (problem_.scale.empty() && problem_.tolerance.relative == 0 && !has("thresholds"))
       proposed_ = take_proposed_scale(case_, truth_.extended_floor);
