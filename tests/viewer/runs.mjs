@@ -54,6 +54,16 @@ const checks = {
     same(await all('iframe', `e.getAttribute('src')`), ['odeum_explicit_euler/replay.html', 'odeum_midpoint/replay.html'], 'replays');
     hold((await all('input[aria-label="time of all replays"]')).length === 1, 'one time for all');
   },
+  async 'a replay is saved as a film and as pictures'() {
+    await browser.go(`file://${folder}/scene/odeum_midpoint/replay.html`);
+    await browser.until(`document.documentElement.dataset.drawn || document.documentElement.dataset.error`);
+    if (await browser.run(`document.documentElement.dataset.error || ''`) === 'no WebGL') return;
+    for (const what of ['film', 'pictures']) {
+      await browser.run(`document.getElementById('${what}').click(); 1`);
+      await browser.until(`document.documentElement.dataset.${what}`);
+      hold(await browser.run(`Number(document.documentElement.dataset.${what})`) > 1000, `no ${what}`);
+    }
+  },
   async 'types of an equation: regions, directions, the curve between them'() {
     await open('types');
     const picture = await all('svg.plot rect.type', `[e.getAttribute('class'), Number(e.getAttribute('y'))]`);

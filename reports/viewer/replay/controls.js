@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page's time, and the controls that change it.
 let time = 0, playing = !matchMedia('(prefers-reduced-motion: reduce)').matches, before = null,
-  dirty = true;
+  dirty = true, atEnd = null;
 const scrub = byId('scrub'), playButton = byId('play');
 scrub.max = duration;
 const showPlaying = () => {
@@ -63,7 +63,10 @@ const countLit = () => {
 const tick = (now) => {
   if (playing && before !== null) {
     time += Math.min((now - before) / 1000, 0.1) * Number(byId('rate').value);
-    if (time > duration) time = 0;
+    if (time > duration) {
+      time = 0;
+      if (atEnd) atEnd();
+    }
     dirty = true;
   }
   before = now;

@@ -150,6 +150,11 @@ void add_run(CLI::App& app, int& result) {
   command->add_flag("--code", options->code,
                     "print a C++ program that makes this run with the installed package");
   add_format(*command, options->format);
+  command
+      ->add_option("--frames", options->frames,
+                   "of a scene's run with --out: so many pictures, film/0001.png, ...")
+      ->type_name("N")
+      ->check(CLI::Range(2, 9999));
   command->add_option("--max-particles", options->limits.most_particles, "of a scene")
       ->type_name("N")
       ->capture_default_str();
@@ -160,11 +165,14 @@ void add_run(CLI::App& app, int& result) {
   command->callback([options, command, &result] {
     options->more = words_of(options->problems.sets, *command);
     options->limits.most_bytes = options->megabytes * 1'000'000;
-    if (is_problem_file(options->what)) {
+    const bool is_problem = is_problem_file(options->what);
+    const auto scene = is_problem ? std::nullopt : find_scene(options->what);
+    if (!scene && options->frames > 0)
+      throw UsageError("--frames: pictures are of a scene's run, and {} is none", options->what);
+    if (is_problem) {
       result = run_problem(*options);
       return;
     }
-    const auto scene = find_scene(options->what);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
     if (scene && options->format == "json")
       throw UsageError(

@@ -68,6 +68,7 @@ struct RunOptions {
   std::string more;         ///< the words of --set and --plugin, each after a space
   scene::ReadOptions limits;
   std::size_t megabytes = 64;
+  std::size_t frames = 0;  ///< pictures of a scene's run; 0: none
 };
 
 /// The number of solvers that fit, by library and family, and of the others by reason, in lines;

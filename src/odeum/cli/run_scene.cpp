@@ -12,6 +12,7 @@
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/scene/run/run.hpp"
+#include "odeum/trajectories/film.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/trajectories/scene_files.hpp"
 #include "odeum/trajectories/scene_verdict.hpp"
@@ -213,6 +214,12 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
   const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
   const RunSettings settings = settings_of(options, scene);
+  if (options.frames > 0 && options.out.empty())
+    throw UsageError("--frames: expected --out DIR too, where the pictures are written");
+  // Equally far apart in time.
+  if (options.frames > 0 && !options.settings.every)
+    scene.frame_interval =
+        settings.until.value_or(*scene.duration) / static_cast<double>(options.frames - 1);
   std::vector<const Entrant*> chosen;
   for (const std::string& solver : options.solvers)
     chosen.push_back(&choose(entrants, solver, scene));
@@ -252,6 +259,9 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
     write_files(*folder, one.folder, scene, one.outcome, facts);
     print("files      {}\n", (folder->path() / (one.folder + "replay.html")).string());
+    if (options.frames > 0)
+      print("film       {}\n",
+            trajectories::write_film(*folder, scene, one.outcome, options.frames, one.folder));
   }
   if (folder) {
     trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
