@@ -59,7 +59,7 @@ TEST(Film, OfAScenesRunIsWrittenWithTheLineOfFfmpeg) {
       "--frames 3 --out " +
       out);
   EXPECT_EQ(result.code, 0) << result.output;
-  EXPECT_NE(result.output.find("ffmpeg -framerate 2 -i " + out + "/film/%04d.png"),
+  EXPECT_NE(result.output.find("ffmpeg -framerate 2 -i '" + out + "/film/%04d.png'"),
             std::string::npos)
       << result.output;
   for (const char* name : {"0001", "0002", "0003"})

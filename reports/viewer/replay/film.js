@@ -39,7 +39,7 @@ const saveFilm = () => {
 filmButton.addEventListener('click', () => (recorder ? endFilm() : saveFilm()));
 filmButton.hidden = !window.MediaRecorder || !canvas.captureStream;
 
-// A member of an archive (POSIX.1-1988, ustar): a header of 512 bytes, and the bytes in whole blocks.
+// A member of an archive (POSIX.1-1988, ustar): a header of 512 bytes, and whole blocks of bytes.
 const tarMember = async (name, blob) => {
   const header = new Uint8Array(512), octal = (n, size) => n.toString(8).padStart(size - 1, '0');
   const put = (at, text) => header.set(new TextEncoder().encode(text), at);

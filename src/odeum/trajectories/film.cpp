@@ -211,10 +211,11 @@ std::string write_film(const record::OutputFolder& folder, const scene::Scene& s
                  picture_of(view, scene, run.frames[frames[k]]));
   const double duration = run.frames[frames.back()].t - run.frames[frames.front()].t;
   const double rate = duration > 0 ? static_cast<double>(frames.size() - 1) / duration : 25;
-  const std::string path = (folder.path() / in).string();
-  return fmt::format("ffmpeg -framerate {:.6g} -i {}/film/%04d.png -pix_fmt yuv420p {}/film.mp4",
-                     rate, path.ends_with('/') ? path.substr(0, path.size() - 1) : path,
-                     path.ends_with('/') ? path.substr(0, path.size() - 1) : path);
+  std::string path = (folder.path() / in).string();
+  if (path.ends_with('/')) path.pop_back();
+  return fmt::format(
+      "ffmpeg -framerate {:.6g} -i '{}/film/%04d.png' -pix_fmt yuv420p '{}/film.mp4'", rate, path,
+      path);
 }
 
 }  // namespace odeum::trajectories
