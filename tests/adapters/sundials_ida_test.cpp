@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "odeum/advise/recording.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/problem/implicit_form.hpp"
@@ -82,6 +83,16 @@ TEST(Ida, NeedsResidualsAndKeepsTheBudget) {
   const Outcome fixed =
       tests::find_entrant(c, "ida/bdf").solve(tests::fixed_request(10, {c.stops.back()}));
   EXPECT_EQ(fixed.status, Status::refused);
+}
+
+// Its run is made again with the evaluations noted, which are those of the residuals.
+TEST(Ida, TellsWhyItsStepsAreAsTheyAre) {
+  const Case c = case_of("akzo_nobel");
+  const advise::Run run =
+      advise::record(c, "ida/bdf", tests::adaptive_request(1e-6, {c.stops.back()}), 4);
+  EXPECT_TRUE(run.ok()) << run.outcome.detail;
+  EXPECT_GT(run.trace.times.size(), run.steps());
+  EXPECT_TRUE(run.exact);
 }
 
 }  // namespace

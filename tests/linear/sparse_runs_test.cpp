@@ -8,6 +8,7 @@
 #include "odeum/cases/stage.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/linear/sparse_system.hpp"
+#include "odeum/problem/difference_jacobian.hpp"
 
 namespace odeum::tests {
 namespace {

@@ -114,8 +114,18 @@ void Recording::enroll(const ErasedContest& contest, double t0, const std::vecto
       log.trace.first_bad.y.assign(q, q + half);
       log.trace.first_bad.y.resize(2 * half, nan);
     };
+  std::shared_ptr<ImplicitForm> implicit;
+  if (contest.implicit) {
+    implicit = std::make_shared<ImplicitForm>(*contest.implicit);
+    implicit->residual = [log = log_, inner = contest.implicit](double t, const double* y,
+                                                                const double* rates, double* r) {
+      inner->residual(t, y, rates, r);
+      if (log->note(t, r, inner->dimension, 0))
+        log->trace.first_bad.y.assign(y, y + inner->dimension);
+    };
+  }
   entrants_ = cases::enroll(
-      {view, log_, t0, std::make_shared<const std::vector<double>>(y0), contest.scene});
+      {view, log_, t0, std::make_shared<const std::vector<double>>(y0), contest.scene, implicit});
 }
 
 std::pair<double, double> Run::around(double t) const {
