@@ -196,13 +196,15 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
   return one;
 }
 
-void write_files(const record::OutputFolder& folder, const std::string& in, const Scene& scene,
-                 const scene::RunResult& run, const Lines& facts) {
-  if (run.status == Status::ok) folder.write(in + "final.csv", trajectories::final_csv(run));
-  folder.write(in + "trajectory.csv", trajectories::trajectory_csv(run));
-  folder.write(in + "energy.csv", trajectories::energy_csv(run));
-  folder.write(in + "replay.html", trajectories::replay_page(scene, run, facts));
-  trajectories::write_vtk_series(folder, scene, run, in);
+/// As asked for; pictures are equally far apart in time.
+void set_frame_interval(Scene& scene, const RunOptions& options, const RunSettings& settings) {
+  if (options.settings.every) scene.frame_interval = options.settings.every;
+  if (options.frames == 0) return;
+  if (options.out.empty())
+    throw UsageError("--frames: expected --out DIR too, where the pictures are written");
+  if (!options.settings.every)
+    scene.frame_interval =
+        settings.until.value_or(*scene.duration) / static_cast<double>(options.frames - 1);
 }
 
 int run_read(const scene::ReadScene& read, const SceneSource& source,
@@ -210,16 +212,10 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
   Scene scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
   scene.name = name_of(scene, source.file);
-  if (options.settings.every) scene.frame_interval = options.settings.every;
   const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
   const RunSettings settings = settings_of(options, scene);
-  if (options.frames > 0 && options.out.empty())
-    throw UsageError("--frames: expected --out DIR too, where the pictures are written");
-  // Equally far apart in time.
-  if (options.frames > 0 && !options.settings.every)
-    scene.frame_interval =
-        settings.until.value_or(*scene.duration) / static_cast<double>(options.frames - 1);
+  set_frame_interval(scene, options, settings);
   std::vector<const Entrant*> chosen;
   for (const std::string& solver : options.solvers)
     chosen.push_back(&choose(entrants, solver, scene));
@@ -257,7 +253,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
     if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
-    write_files(*folder, one.folder, scene, one.outcome, facts);
+    trajectories::write_scene_files(*folder, one.folder, scene, one.outcome, facts);
     print("files      {}\n", (folder->path() / (one.folder + "replay.html")).string());
     if (options.frames > 0)
       print("film       {}\n",

@@ -118,4 +118,14 @@ void write_vtk_series(const record::OutputFolder& folder, const scene::Scene& sc
   folder.write(in + "trajectory.vtk.series", series.dump(1) + "\n");
 }
 
+void write_scene_files(const record::OutputFolder& folder, const std::string& in,
+                       const scene::Scene& scene, const scene::RunResult& run,
+                       const std::vector<std::string>& facts) {
+  if (run.status == Status::ok) folder.write(in + "final.csv", final_csv(run));
+  folder.write(in + "trajectory.csv", trajectory_csv(run));
+  folder.write(in + "energy.csv", energy_csv(run));
+  folder.write(in + "replay.html", replay_page(scene, run, facts));
+  write_vtk_series(folder, scene, run, in);
+}
+
 }  // namespace odeum::trajectories

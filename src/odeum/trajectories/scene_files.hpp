@@ -32,4 +32,10 @@ std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
                         const std::vector<std::string>& facts,
                         const std::vector<std::vector<double>>& errors = {});
 
+/// All of these, into the subfolder `in`, which ends with a slash or is empty; the last frame where
+/// the run ended well. Throws FileError.
+void write_scene_files(const record::OutputFolder& folder, const std::string& in,
+                       const scene::Scene& scene, const scene::RunResult& run,
+                       const std::vector<std::string>& facts);
+
 }  // namespace odeum::trajectories
