@@ -196,6 +196,15 @@ SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& 
   return one;
 }
 
+void write_run(const record::OutputFolder& folder, const SceneRun& run, const Scene& scene,
+               const Lines& facts, std::size_t frames) {
+  trajectories::write_scene_files(folder, run.folder, scene, run.outcome, facts);
+  print("files      {}\n", (folder.path() / (run.folder + "replay.html")).string());
+  if (frames == 0) return;
+  print("film       {}\n",
+        trajectories::write_film(folder, scene, run.outcome, frames, run.folder));
+}
+
 /// As asked for; pictures are equally far apart in time.
 void set_frame_interval(Scene& scene, const RunOptions& options, const RunSettings& settings) {
   if (options.settings.every) scene.frame_interval = options.settings.every;
@@ -253,11 +262,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());
     if (chosen.size() > 1) one.folder = entrant->info.library + "_" + entrant->info.method + "/";
-    trajectories::write_scene_files(*folder, one.folder, scene, one.outcome, facts);
-    print("files      {}\n", (folder->path() / (one.folder + "replay.html")).string());
-    if (options.frames > 0)
-      print("film       {}\n",
-            trajectories::write_film(*folder, scene, one.outcome, options.frames, one.folder));
+    write_run(*folder, one, scene, facts, options.frames);
   }
   if (folder) {
     trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
