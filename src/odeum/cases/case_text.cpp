@@ -17,8 +17,8 @@ CaseText::CaseText(const std::string& file, const std::string& text, const std::
                    const formula::Overrides& set)
     : CaseKeys(file, text), id_(id) {
   enter(id);
-  formula::Overrides all = own_values(file, text);
-  problem_ = formula::read_problem(file, text, all);
+  values_ = own_values(file, text);
+  problem_ = formula::read_problem(file, text, values_);
   usual_ = problem_.parameters;
   read_offered();
   if (set.empty()) return;
@@ -27,11 +27,11 @@ CaseText::CaseText(const std::string& file, const std::string& text, const std::
         std::find(offered_.begin(), offered_.end(), name) == offered_.end())
       throw std::invalid_argument(fmt::format("{} has no parameter {}; expected one of {}", id,
                                               name, fmt::join(offered_, ", ")));
-    all[name] = value;
+    values_[name] = value;
   }
   take_values(set);
   require_signs();
-  problem_ = formula::read_problem(file, text, all);
+  problem_ = formula::read_problem(file, text, values_);
 }
 
 // Numbers alone, so that signs are checked before the problem is made of them.
@@ -133,6 +133,19 @@ bool CaseText::is_usual() const {
                     [](const auto& a, const auto& b) {
                       return static_cast<double>(a.second) == static_cast<double>(b.second);
                     });
+}
+
+OdeView offered(OdeView view, const formula::Offers& offers) {
+  if (!offers.jacobian) {
+    view.jacobian = nullptr;
+    view.jacobian_entries = nullptr;
+    view.jacobian_times = nullptr;
+    view.sparsity = nullptr;
+    view.linear_matrix = nullptr;
+  }
+  if (!offers.second_order) view.acceleration = nullptr;
+  if (!offers.series) view.taylor = nullptr;
+  return view;
 }
 
 std::pair<double, double> span_of_text(const std::string& file, const std::string& text,

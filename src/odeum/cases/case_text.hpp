@@ -9,6 +9,7 @@
 
 #include "odeum/formula/case_keys.hpp"
 #include "odeum/formula/problem.hpp"
+#include "odeum/problem/ode_view.hpp"
 
 namespace odeum::cases {
 
@@ -45,6 +46,7 @@ class CaseText : protected formula::CaseKeys {
 
   std::string id_;
   formula::Problem problem_;
+  formula::Overrides values_;         ///< with which it was read
   std::vector<std::string> offered_;  ///< parameters that a user may change
 
  private:
@@ -56,6 +58,9 @@ class CaseText : protected formula::CaseKeys {
 
   std::map<std::string, long double> usual_;
 };
+
+/// A view without what the file does not offer.
+OdeView offered(OdeView view, const formula::Offers& offers);
 
 /// The start and the end of the case `id` of a problem file, for which no truth is computed. Throws
 /// InputError and std::invalid_argument.

@@ -15,6 +15,7 @@
 #include "odeum/cases/stage.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_facts.hpp"
+#include "odeum/cases/text_family.hpp"
 #include "odeum/cases/text_truth.hpp"
 #include "odeum/formula/implicit_text.hpp"
 
@@ -84,6 +85,7 @@ class TextCase : CaseText {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
+    case_.family = text_family(file_.name, file_.text, id_, set_);
     // What stays as it is keeps all digits of the file.
     case_.with_values = [file = file_, id = id_, now = case_.parameters,
                          given = set_](const Values& values) {
@@ -131,15 +133,12 @@ class TextCase : CaseText {
       file_.printed->put(values.data(), case_);
     } else {
       require_code();
-      OdeView view = ode_->view();
-      if (!offers.jacobian)
-        view.jacobian = nullptr, view.jacobian_entries = nullptr, view.jacobian_times = nullptr,
-        view.sparsity = nullptr, view.linear_matrix = nullptr;
-      if (!offers.second_order) view.acceleration = nullptr;
-      if (!offers.series) view.taylor = nullptr;
-      case_.problem = {view,     ode_,
-                       case_.t0, std::make_shared<const std::vector<double>>(case_.y0),
-                       nullptr,  formula::implicit_form(problem_)};
+      case_.problem = {offered(ode_->view(), offers),
+                       ode_,
+                       case_.t0,
+                       std::make_shared<const std::vector<double>>(case_.y0),
+                       nullptr,
+                       formula::implicit_form(problem_)};
       add_invariants();
       case_.entrants = enroll(case_.problem);
     }

@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   add_run(app, result);
   add_advise(app, result);
   add_why(app, result);
+  add_sweep(app, result);
   const odeum::study::Studies studies = odeum::study::make_studies();
   for (const auto& study : studies) add_study(app, *study);
   add_report(app);

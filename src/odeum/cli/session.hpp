@@ -88,6 +88,7 @@ void add_list(CLI::App& app);
 void add_run(CLI::App& app, int& result);
 void add_advise(CLI::App& app, int& result);
 void add_why(CLI::App& app, int& result);
+void add_sweep(CLI::App& app, int& result);
 void add_report(CLI::App& app);
 void add_verify(CLI::App& app, int& result);
 void add_classify(CLI::App& app);

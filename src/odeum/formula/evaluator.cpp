@@ -12,7 +12,7 @@ Evaluator<Real>::Evaluator(const Graph& graph, const std::vector<Id>& roots) {
   for (const Id id : graph.needed(roots)) {
     const Node& node = graph[id];
     place.emplace(id, static_cast<std::uint32_t>(steps_.size()));
-    steps_.push_back({node.op, node.op == Op::state ? node.index : at(node.of[0]), at(node.of[1]),
+    steps_.push_back({node.op, is_leaf(node.op) ? node.index : at(node.of[0]), at(node.of[1]),
                       at(node.of[2]), static_cast<Real>(node.value)});
   }
   for (const Id root : roots) roots_.push_back(place.at(root));
@@ -46,6 +46,12 @@ template <class Real>
 void Evaluator<Real>::perturb(const std::function<Real(Real)>& moved) {
   for (Step& step : steps_)
     if (step.op == Op::constant) step.value = moved(step.value);
+}
+
+template <class Real>
+void Evaluator<Real>::define(const std::vector<Real>& values) {
+  for (Step& step : steps_)
+    if (step.op == Op::constant && step.a > 0) step.value = values[step.a - 1];
 }
 
 template class Evaluator<double>;

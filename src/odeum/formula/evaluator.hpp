@@ -18,11 +18,13 @@ class Evaluator {
   void operator()(Real t, const Real* y, Real* out) const;
   /// Replaces each constant c by moved(c).
   void perturb(const std::function<Real(Real)>& moved);
+  /// Gives constants with a name these values, by the number of their definition.
+  void define(const std::vector<Real>& values);
 
  private:
   struct Step {
     Op op;
-    std::uint32_t a, b, c;  ///< positions of the arguments; a: the index of a state
+    std::uint32_t a, b, c;  ///< positions of the arguments; a: the index of a state or constant
     Real value;             ///< of a constant
   };
   std::vector<Step> steps_;

@@ -136,6 +136,8 @@ void print_series(Printer& out, const std::string& head, const Problem& problem,
 
 std::string print_c(const Problem& problem, const Analysis& analysis) {
   Printer out(problem.graph);
+  out.owner = "(*(const double* const*)problem)";  // see TextOde::Handle
+  out.numbered = true;
   out.line("/* y' = f(t, y) with {} states, printed from a graph of operations */",
            problem.states.size());
   print_all(out, "rhs", problem.equations, in_double);

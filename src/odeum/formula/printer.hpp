@@ -56,8 +56,9 @@ class Printer {
   std::string name(Id id, const Type& type) const {
     const Node& node = graph_[id];
     if (node.op != Op::constant) return fmt::format("v{}", id);
-    return node.index == 0 ? constant_text(node.value, type)
-                           : owner + graph_.definitions()[node.index - 1].name;
+    if (node.index == 0) return constant_text(node.value, type);
+    return numbered ? fmt::format("{}[{}]", owner, node.index - 1)
+                    : owner + graph_.definitions()[node.index - 1].name;
   }
   static std::string operation(Op op, const std::string& a, const std::string& b,
                                const std::string& c, const Type& type) {
@@ -74,7 +75,8 @@ class Printer {
     };
     return operation(op, argument(0), argument(1), argument(2), type);
   }
-  std::string owner;  ///< what constants with a name are members of, with the sign of access
+  std::string owner;      ///< what constants with a name are members of, with the sign of access
+  bool numbered = false;  ///< they are its elements, in the order of their definitions
 
  private:
   const Graph& graph_;

@@ -71,6 +71,8 @@ class FormReader {
     if (as_state != shared.end() && !is_root) {
       line.op = Op::state;
       line.of[0] = add_state(as_state->second);
+    } else if (node.op == Op::constant && node.index != 0) {
+      line.id = id;  // its name says its value
     } else if (node.op == Op::constant) {
       line.of[0] = static_cast<std::uint32_t>(form_.constants.size());
       form_.constants.push_back(node.value);

@@ -38,7 +38,7 @@ TextOde::TextOde(Problem problem, Code code)
     : problem_(std::move(problem)),
       analysis_(analyse(problem_)),
       sparsity_(sparsity_of(analysis_)) {
-  view_.problem = this;
+  view_.problem = &handle_;
   view_.dimension = problem_.states.size();
   const Structure& s = analysis_.structure;
   if (s.second_order) {
@@ -62,17 +62,17 @@ TextOde::TextOde(Problem problem, Code code)
   }
   if (!view_.jacobian)
     view_.jacobian = [](const void* p, double t, const double* y, double* j) {
-      const auto& self = *static_cast<const TextOde*>(p);
+      const auto& self = of(p);
       fill_dense(self.sparsity_, self.entries(t, y).data(), j);
     };
   view_.jacobian_times = [](const void* p, double t, const double* y, const double* x,
                             double* product) {
-    const auto& self = *static_cast<const TextOde*>(p);
+    const auto& self = of(p);
     multiply(self.sparsity_, self.entries(t, y).data(), x, product);
   };
   if (s.linear && s.autonomous && s.states <= most_linear_states)
     view_.linear_matrix = [](const void* p, double* a) {
-      const auto& self = *static_cast<const TextOde*>(p);
+      const auto& self = of(p);
       const std::vector<double> zero(self.size());
       self.view_.jacobian(p, 0, zero.data(), a);
     };
@@ -92,18 +92,18 @@ void TextOde::use(const Library& library) {
 void TextOde::interpret() {
   interpreted_ = std::make_shared<const Interpreted>(problem_, analysis_);
   view_.rhs = [](const void* p, double t, const double* y, double* f) {
-    static_cast<const TextOde*>(p)->interpreted_->rhs(t, y, f);
+    of(p).interpreted_->rhs(t, y, f);
   };
   entries_ = [](const void* p, double t, const double* y, double* values) {
-    static_cast<const TextOde*>(p)->interpreted_->entries(t, y, values);
+    of(p).interpreted_->entries(t, y, values);
   };
   if (!analysis_.time_derivative.empty())
     view_.time_derivative = [](const void* p, double t, const double* y, double* d) {
-      static_cast<const TextOde*>(p)->interpreted_->time_derivative(t, y, d);
+      of(p).interpreted_->time_derivative(t, y, d);
     };
   if (analysis_.structure.second_order)
     view_.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
-      const auto& self = *static_cast<const TextOde*>(p);
+      const auto& self = of(p);
       const std::size_t half = self.size() / 2;
       std::vector<double> y(q, q + half), f(2 * half);
       y.insert(y.end(), v, v + half);
@@ -112,15 +112,34 @@ void TextOde::interpret() {
     };
   if (analysis_.series)
     view_.taylor = [](const void* p, double t, const double* y, int order, double* c) {
-      const auto& self = *static_cast<const TextOde*>(p);
+      const auto& self = of(p);
       Series<double>(self.problem_.graph, *self.analysis_.series, self.size())(t, y, order, c);
     };
   extended_rhs_ = [](const void* p, long double t, const long double* y, long double* f) {
-    static_cast<const TextOde*>(p)->interpreted_->extended_rhs(t, y, f);
+    of(p).interpreted_->extended_rhs(t, y, f);
   };
   extended_entries_ = [](const void* p, long double t, const long double* y, long double* values) {
-    static_cast<const TextOde*>(p)->interpreted_->extended_entries(t, y, values);
+    of(p).interpreted_->extended_entries(t, y, values);
   };
+}
+
+bool TextOde::set_parameters(const std::map<std::string, long double>& values) {
+  if (!library_) return false;
+  const Graph& graph = problem_.graph;
+  std::vector<long double> known;
+  const auto value = [&](Id id) {
+    if (id == no_node) return 0.0L;
+    return graph.is_number(id) ? graph[id].value : known[graph[id].index - 1];
+  };
+  for (const Definition& each : graph.definitions())
+    known.push_back(each.op == Op::constant
+                        ? values.at(each.name)
+                        : apply(each.op, value(each.of[0]), value(each.of[1]), value(each.of[2])));
+  constants_.assign(known.begin(), known.end());
+  handle_.constants = constants_.data();
+  std::transform(problem_.start.begin(), problem_.start.end(), problem_.y0.begin(), value);
+  problem_.parameters = values;
+  return true;
 }
 
 void TextOde::jacobian_extended(long double t, const long double* y, long double* j) const {
@@ -131,7 +150,7 @@ void TextOde::jacobian_extended(long double t, const long double* y, long double
 
 std::vector<double> TextOde::entries(double t, const double* y) const {
   std::vector<double> values(sparsity_.entries());
-  entries_(this, t, y, values.data());
+  entries_(&handle_, t, y, values.data());
   return values;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "odeum/formula/analysis.hpp"
 #include "odeum/formula/compile.hpp"
@@ -27,21 +29,28 @@ class TextOde {
   explicit TextOde(Problem problem, Code code = Code::compiled);
 
   std::size_t size() const { return problem_.states.size(); }
-  void rhs(double t, const double* y, double* f) const { view_.rhs(this, t, y, f); }
+  void rhs(double t, const double* y, double* f) const { view_.rhs(&handle_, t, y, f); }
   OdeView view() const { return view_; }
 
   /// In extended precision.
   void rhs_extended(long double t, const long double* y, long double* f) const {
-    extended_rhs_(this, t, y, f);
+    extended_rhs_(&handle_, t, y, f);
   }
   /// The values of sparsity().
   void entries_extended(long double t, const long double* y, long double* values) const {
-    extended_entries_(this, t, y, values);
+    extended_entries_(&handle_, t, y, values);
   }
   /// Dense, row-major.
   void jacobian_extended(long double t, const long double* y, long double* j) const;
   /// Which entries of the Jacobian are not zero by form.
   const Sparsity& sparsity() const { return sparsity_; }
+
+  /// Of a problem whose parameters kept their names (Parameters::names), and of compiled code:
+  /// gives them these values, and the start that follows from them. False where there is no
+  /// compiled code. Not while another thread computes with this.
+  bool set_parameters(const std::map<std::string, long double>& values);
+  /// Those of the graph's definitions that were set last.
+  const std::vector<double>& constants() const { return constants_; }
 
   const Problem& problem() const { return problem_; }
   const Analysis& analysis() const { return analysis_; }
@@ -53,7 +62,16 @@ class TextOde {
   void interpret();
   std::vector<double> entries(double t, const double* y) const;
 
+  /// What the functions of the view get: C code reads the constants alone.
+  struct Handle {
+    const double* constants;
+    const TextOde* ode;
+  };
+  static const TextOde& of(const void* handle) { return *static_cast<const Handle*>(handle)->ode; }
+
   Problem problem_;
+  std::vector<double> constants_;  ///< of the graph's definitions
+  Handle handle_{nullptr, this};
   Analysis analysis_;
   Sparsity sparsity_;
   std::string how_;

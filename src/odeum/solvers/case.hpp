@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,16 @@ struct Parameter {
   std::string name;
   double value = 0;
   std::string meaning;  ///< with its unit
+};
+
+/// The solvers on one problem whose parameters change between solves; for one thread.
+struct Family {
+  Entrants entrants;
+  std::shared_ptr<const std::vector<double>> y0;  ///< of the values that were placed last
+  std::function<double(const double* y)> energy;  ///< likewise; empty where there is none
+  /// Values of all parameters, in the case's order. Throws std::invalid_argument for those that
+  /// make no problem.
+  std::function<void(const std::vector<double>& values)> place;
 };
 
 /// How studies choose the settings of their solves on a case.
@@ -109,6 +120,10 @@ struct Case {
   /// std::invalid_argument for values that make no problem.
   std::vector<Parameter> parameters;
   std::function<Case(const std::vector<double>& values)> with_values;
+  /// Makes a family of the case with other values of its parameters, where they can change without
+  /// a new case: on `samples` its problems were found to be those of with_values. None: they are
+  /// not. Empty: there is no such function.
+  std::function<std::optional<Family>(const std::vector<std::vector<double>>& samples)> family;
   ErasedContest problem;                            ///< on which the entrants are enrolled
   std::shared_ptr<const ExtendedProblem> extended;  ///< null: none
 

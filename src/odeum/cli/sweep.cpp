@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "odeum/cli/run.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/input/yaml_tree.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/sweep/answer.hpp"
+
+namespace odeum::cli {
+namespace {
+
+struct SweepOptions {
+  std::string what, solver, quantities, over_file, out, format = "text";
+  std::vector<std::string> over;
+  std::uint64_t sample = 0, seed = 1, check = 100;
+  unsigned jobs = 0;
+  RunSettings settings;
+  ProblemOptions problems;
+};
+
+sweep::Members members_of(const SweepOptions& options) {
+  if (options.over.empty() == options.over_file.empty())
+    throw UsageError("sweep needs --over or --over-file, and not both");
+  if (!options.over_file.empty()) {
+    if (options.sample > 0) throw UsageError("--sample: the members are those of --over-file");
+    constexpr std::size_t most_bytes = 2'000'000'000;
+    return sweep::Members::of_csv(options.over_file,
+                                  read_text_file(options.over_file, "members", most_bytes));
+  }
+  std::vector<sweep::Axis> axes;
+  for (const std::string& text : options.over) {
+    try {
+      axes.push_back(sweep::axis_of(text));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError("--over {}: {}", shown(text), error.what());
+    }
+  }
+  return {axes, options.sample, options.seed};
+}
+
+/// Members are many, and have few outputs each.
+Request with_outputs(Request request, const RunSettings& settings, const Case& c) {
+  constexpr double outputs = 100;
+  RunSettings few = settings;
+  const double length = request.stops.back() - c.t0;
+  const double h = length / static_cast<double>(request.steps);
+  few.every = request.mode == Mode::fixed  // a whole number of steps
+                  ? h * std::max(1., std::round(static_cast<double>(request.steps) / outputs))
+                  : length / outputs;
+  ask_for_output(request, few, c.t0, c.y0.size());
+  request.record_steps = false;
+  return request;
+}
+
+sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
+  sweep::Plan plan(c, members_of(options));
+  const RunSettings settings = settings_for(c, options.settings);
+  if (!has_setting(settings)) throw UsageError("sweep needs --step or --tol, or --rtol and --atol");
+  const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
+  plan.solver = entrant.info.id();
+  plan.request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
+  // One member among many does not hold up the others.
+  plan.request.budget.evaluations = 20 * c.settings.evaluation_budget;
+  plan.quantities = sweep::quantities_of(options.quantities, c);
+  plan.jobs = options.jobs > 0 ? options.jobs : StudyOptions().jobs_or_cores();
+  plan.checks = options.check;
+  const Request outputs = with_outputs(plan.request, settings, c);
+  if (!options.out.empty()) plan.over_time = outputs;
+  for (const sweep::Quantity& quantity : plan.quantities)
+    if (quantity.over_time()) plan.request = outputs;
+  return plan;
+}
+
+int sweep_on(const SweepOptions& options, const CLI::App& command) {
+  try {
+    const Case c = case_of(options.what, options.problems.sets,
+                           [&](double t0, double end) { check_span(options.settings, t0, end); });
+    const sweep::Plan plan = plan_of(options, c);
+    const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
+    std::optional<record::OutputFolder> folder;
+    if (!options.out.empty()) folder.emplace(options.out);
+    const sweep::Result result = sweep::run(plan);
+    print(options.format == "json" ? sweep::json_of(plan, result, asked).dump(2) + "\n"
+                                   : sweep::text_of(plan, result, asked));
+    if (folder) {
+      remark_on_page(sweep::write_page(*folder, plan, result, asked));
+      remark("members.csv is in {}", options.out);
+    }
+    return result.solved > 0 ? success : solver_failed;
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& result) {
+  const auto options = std::make_shared<SweepOptions>();
+  CLI::App* command =
+      app.add_subcommand("sweep", "many runs of a problem with other values of its parameters");
+  command->add_option("problem", options->what, "a case, or a problem's file")
+      ->required()
+      ->type_name("CASE|PROBLEM.yaml");
+  command
+      ->add_option("--over", options->over,
+                   "values of a parameter: k=0..5:6, k=1e2..1e6:log20, k=1,2,5, or drawn: "
+                   "k~uniform(0,5), k~loguniform(1,1e6), k~normal(1,0.1); several combine")
+      ->type_name("NAME=RANGE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--over-file", options->over_file,
+                   "the members themselves: a line of names, then a line of numbers for each")
+      ->type_name("FILE.csv");
+  command->add_option("--sample", options->sample, "how many values are drawn")->type_name("N");
+  command->add_option("--seed", options->seed, "of the draws; default: 1")->type_name("N");
+  command->add_option("--solver", options->solver, "the solver")->required()->type_name("ID");
+  add_step_and_tolerances(*command, options->settings);
+  command->add_option("--until", options->settings.until, "end time; default: the horizon")
+      ->type_name("T");
+  command
+      ->add_option("--quantity", options->quantities,
+                   "what is kept of each member: max(x), min(x), x(end), energy; default: the "
+                   "state at the end")
+      ->type_name("LIST");
+  command
+      ->add_option("--check", options->check,
+                   "how many members are compared with a truth of their own, in at most 20 s; "
+                   "default: 100")
+      ->type_name("N");
+  add_problem_options(*command, options->problems, false);
+  command->add_option("--jobs", options->jobs, "threads; default: one a core")->type_name("N");
+  command->add_option("--format", options->format, "text or json; default: text")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->type_name("FORMAT");
+  command
+      ->add_option("--out", options->out,
+                   "folder for the files: members.csv, sweep.json and a page with a map")
+      ->type_name("DIR");
+  command->callback([options, command, &result] { result = sweep_on(*options, *command); });
+}
+
+}  // namespace odeum::cli

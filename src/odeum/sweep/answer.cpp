@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/sweep/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "odeum/report/text.hpp"
+
+namespace odeum::sweep {
+namespace {
+
+std::string setting_of(const Plan& plan) {
+  const Request& request = plan.request;
+  if (request.mode == Mode::fixed)
+    return fmt::format("--step {}",
+                       (request.stops.back() - plan.base->t0) / static_cast<double>(request.steps));
+  const std::vector<double>& absolutes = request.tolerance.absolutes();
+  if (absolutes.empty()) return fmt::format("--tol {}", request.tolerance.relative);
+  return fmt::format("--rtol {} --atol {}", request.tolerance.relative, fmt::join(absolutes, ","));
+}
+
+constexpr std::array names{"least", "5 %", "median", "95 %", "greatest"};
+
+}  // namespace
+
+std::string command_of(const Plan& plan, const Asked& asked, std::uint64_t member) {
+  const double end = plan.request.stops.back();
+  return fmt::format("odeum run {}{}{} --solver {} {}{}", asked.what, asked.more,
+                     sets_of(plan, member), plan.solver, setting_of(plan),
+                     end == plan.base->end() ? "" : fmt::format(" --until {}", end));
+}
+
+std::string text_of(const Plan& plan, const Result& result, const Asked& asked) {
+  std::string text = fmt::format("sweep     {} members of {}\nsolver    {} {}\n", result.size,
+                                 plan.base->id, plan.solver, setting_of(plan));
+  text += fmt::format("solved    {} ({:.4g} %)\n", result.solved,
+                      100 * static_cast<double>(result.solved) / static_cast<double>(result.size));
+  for (const auto& [status, ending] : result.endings)
+    text += fmt::format("failed    {} {}, first member {}{}{}\n          {}\n", ending.count,
+                        status, ending.first, ending.detail.empty() ? "" : ": ", ending.detail,
+                        command_of(plan, asked, ending.first));
+  constexpr std::size_t most = 12;
+  for (std::size_t q = 0; q < std::min(result.quantiles.size(), most); ++q) {
+    if (result.solved == 0) break;
+    text += fmt::format("{:<9}", plan.quantities[q].name);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      text += fmt::format("{}{} {:.6g}", k == 0 ? " " : ", ", names[k], result.quantiles[q][k]);
+    text += '\n';
+  }
+  if (result.quantiles.size() > most)
+    text += fmt::format("          and {} more: --quantity names those that are wanted\n",
+                        result.quantiles.size() - most);
+  const Checks& checks = result.checks;
+  if (checks.made > 0)
+    text += fmt::format(
+        "error     of {} members, evenly spread, each against a truth of its own: median {:.3g}, "
+        "largest {:.3g}, member {}\n          {}\n",
+        checks.made, checks.median, checks.largest, checks.worst,
+        command_of(plan, asked, checks.worst));
+  else if (checks.wanted > 0)
+    text += "error     not known: no member has a truth\n";
+  text += fmt::format(
+      "time      {:.3g} s on {} thread{}, {:.3g} us a member and thread; {} evaluations\n",
+      result.seconds, plan.jobs, plan.jobs == 1 ? "" : "s",
+      1e6 * result.seconds * plan.jobs / static_cast<double>(result.size), result.evaluations);
+  if (!result.one_code)
+    text +=
+        "note      a case was made for each member, since the parameters cannot change in place\n";
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Asked& asked) {
+  using nlohmann::ordered_json;
+  ordered_json json{{"problem", plan.base->id},
+                    {"solver", plan.solver},
+                    {"setting", setting_of(plan)},
+                    {"members", result.size},
+                    {"solved", result.solved}};
+  json["failed"] = ordered_json::array();
+  for (const auto& [status, ending] : result.endings)
+    json["failed"].push_back({{"status", status},
+                              {"members", ending.count},
+                              {"first", ending.first},
+                              {"detail", ending.detail},
+                              {"command", command_of(plan, asked, ending.first)}});
+  json["quantities"] = ordered_json::array();
+  for (std::size_t q = 0; q < result.quantiles.size(); ++q) {
+    ordered_json one{{"name", plan.quantities[q].name}};
+    for (std::size_t k = 0; k < names.size(); ++k) one[names[k]] = result.quantiles[q][k];
+    json["quantities"].push_back(one);
+  }
+  const Checks& checks = result.checks;
+  json["checked"] = {
+      {"members", checks.made}, {"error_median", checks.median}, {"error_largest", checks.largest}};
+  if (checks.made > 0) {
+    json["checked"]["worst"] = checks.worst;
+    json["checked"]["command"] = command_of(plan, asked, checks.worst);
+  }
+  json["seconds"] = result.seconds;
+  json["threads"] = plan.jobs;
+  json["evaluations"] = result.evaluations;
+  return json;
+}
+
+}  // namespace odeum::sweep

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "odeum/report/report.hpp"
+#include "odeum/sweep/answer.hpp"
+#include "odeum/trajectories/run_page.hpp"
+
+namespace odeum::sweep {
+namespace {
+
+/// One side of the map: the first or second parameter that has several values, in cells. A grid has
+/// a cell for each value, and others forty of equal width, by logarithms where they span decades.
+class Side {
+ public:
+  Side(const Plan& plan, std::size_t name) : name_(name) {
+    const auto& axes = plan.members.axes();
+    if (!axes.empty() && axes[name].kind == Axis::Kind::grid && axes[name].values.size() <= most) {
+      values_ = axes[name].values;
+      std::sort(values_.begin(), values_.end());
+      low_ = values_.front(), high_ = values_.back();
+    } else {
+      low_ = infinity, high_ = -infinity;
+      for (std::uint64_t member = 0; member < plan.members.size(); ++member) {
+        const double value = plan.members.values(member)[name];
+        low_ = std::min(low_, value), high_ = std::max(high_, value);
+      }
+    }
+    log_ = low_ > 0 && high_ >= 20 * low_;
+  }
+  bool varies() const { return high_ > low_; }
+  bool log() const { return log_; }
+  std::size_t cells() const { return values_.empty() ? most_bins : values_.size(); }
+  std::size_t cell_of(double value) const {
+    if (!values_.empty())
+      return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), value) -
+                                      values_.begin());
+    const double part = (scaled(value) - scaled(low_)) / (scaled(high_) - scaled(low_));
+    return std::min(most_bins - 1, static_cast<std::size_t>(part * static_cast<double>(most_bins)));
+  }
+  /// The ends of a cell: halfway to its neighbours.
+  std::pair<double, double> ends(std::size_t cell) const {
+    if (values_.empty()) {
+      const double width = (scaled(high_) - scaled(low_)) / static_cast<double>(most_bins);
+      return {unscaled(scaled(low_) + width * static_cast<double>(cell)),
+              unscaled(scaled(low_) + width * static_cast<double>(cell + 1))};
+    }
+    const auto between = [&](std::size_t k) {
+      return unscaled(0.5 * (scaled(values_[k]) + scaled(values_[k + 1])));
+    };
+    const std::size_t last = values_.size() - 1;
+    const double at = scaled(values_[cell]);
+    const double below = cell > 0 ? scaled(between(cell - 1)) : 2 * at - scaled(between(0)),
+                 above = cell < last ? scaled(between(cell)) : 2 * at - scaled(between(last - 1));
+    return {unscaled(below), unscaled(above)};
+  }
+  std::size_t name() const { return name_; }
+
+ private:
+  static constexpr std::size_t most = 400, most_bins = 40;
+  double scaled(double value) const { return log_ ? std::log(value) : value; }
+  double unscaled(double value) const { return log_ ? std::exp(value) : value; }
+
+  std::size_t name_;
+  std::vector<double> values_;
+  double low_ = 0, high_ = 0;
+  bool log_ = false;
+};
+
+/// The first two parameters that vary.
+std::vector<Side> sides_of(const Plan& plan) {
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < plan.members.names().size() && sides.size() < 2; ++k)
+    if (Side side(plan, k); side.varies()) sides.push_back(std::move(side));
+  return sides;
+}
+
+/// By cell, of one side or two: the share that was solved, and the median of each quantity.
+record::Records map_of(const Plan& plan, const Result& result, const std::vector<Side>& sides) {
+  const bool flat = sides.size() < 2;
+  const std::size_t wide = sides[0].cells(), high = flat ? 1 : sides[1].cells();
+  std::vector<std::vector<std::uint64_t>> members(wide * high);
+  for (std::uint64_t member = 0; member < result.size; ++member) {
+    const std::vector<double> values = plan.members.values(member);
+    members[sides[0].cell_of(values[sides[0].name()]) +
+            wide * (flat ? 0 : sides[1].cell_of(values[sides[1].name()]))]
+        .push_back(member);
+  }
+  constexpr std::size_t most_quantities = 6;
+  const std::size_t all = plan.quantities.size(), shown = std::min(all, most_quantities);
+  record::Records map{{"x0", "x1", "y0", "y1", "members", "solved"}};
+  for (std::size_t q = 0; q < shown; ++q) map.columns.push_back("q" + std::to_string(q));
+  for (std::size_t cell = 0; cell < members.size(); ++cell) {
+    if (members[cell].empty()) continue;
+    const auto [x0, x1] = sides[0].ends(cell % wide);
+    const auto [y0, y1] = flat ? std::pair(0., 1.) : sides[1].ends(cell / wide);
+    std::vector<record::Cell> row{x0, x1, y0, y1, std::uint64_t{members[cell].size()}};
+    std::vector<std::vector<double>> values(shown);
+    std::uint64_t solved = 0;
+    for (const std::uint64_t member : members[cell]) {
+      solved += std::isfinite(result.results[member * all]);
+      for (std::size_t q = 0; q < shown; ++q) values[q].push_back(result.results[member * all + q]);
+    }
+    row.emplace_back(static_cast<double>(solved) / static_cast<double>(members[cell].size()));
+    for (std::size_t q = 0; q < shown; ++q) row.emplace_back(quantiles(std::move(values[q]))[2]);
+    map.rows.push_back(std::move(row));
+  }
+  return map;
+}
+
+}  // namespace
+
+bool write_page(const record::OutputFolder& folder, const Plan& plan, const Result& result,
+                const Asked& asked) {
+  folder.write("members.csv", result.csv);
+  folder.write("sweep.json", json_of(plan, result, asked).dump(2) + "\n");
+  report::Report page({.cases = {}, .solvers = {}, .libraries = all_libraries()}, folder);
+  trajectories::RunTexts texts{.title = plan.base->title,
+                               .lead = plan.base->id,
+                               .facts = {{"Equation", plan.base->equation}},
+                               .command = "odeum sweep"};
+  std::istringstream lines(text_of(plan, result, asked));
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.substr(0, line.find(' ')),
+                      rest = line.substr(
+                          std::min(line.size(), line.find_first_not_of(' ', name.size())));
+    if (name.empty() && !texts.facts.empty())
+      texts.facts.back().second += "; " + rest;
+    else
+      texts.facts.emplace_back(name, rest);
+  }
+  nlohmann::ordered_json json = trajectories::page_facts("sweep", texts);
+  json["quantities"] = nlohmann::ordered_json::array();
+  for (const Quantity& quantity : plan.quantities) json["quantities"].push_back(quantity.name);
+  json["over_time_members"] = result.over_time_members;
+  const std::vector<Side> sides = sides_of(plan);
+  json["sides"] = nlohmann::ordered_json::array();
+  for (const Side& side : sides)
+    json["sides"].push_back({{"name", plan.members.names()[side.name()]}, {"log", side.log()}});
+  if (!sides.empty()) page.table("runs", "map", map_of(plan, result, sides));
+  page.table("runs", "over_time", result.over_time);
+  page.fact("runs", json);
+  return page.write({.command_line = "odeum sweep " + asked.what});
+}
+
+}  // namespace odeum::sweep

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/sweep/quantity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "odeum/core/glob.hpp"
+
+namespace odeum::sweep {
+namespace {
+
+Quantity quantity_of(const std::string& word, const std::vector<std::string>& names,
+                     bool has_energy) {
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument(
+        fmt::format("{}; got {}, expected max(X), min(X), X(end) or energy", what, word));
+  };
+  if (word == "energy") {
+    if (!has_energy) fail("the problem has no energy");
+    return {.name = word, .kind = Quantity::Kind::energy};
+  }
+  const std::size_t open = word.find('(');
+  if (open == std::string::npos || !word.ends_with(')')) fail("no quantity");
+  const std::string before = word.substr(0, open),
+                    within = word.substr(open + 1, word.size() - open - 2);
+  Quantity quantity{.name = word};
+  std::string component = within;
+  if (before == "max" || before == "min") {
+    quantity.kind = before == "max" ? Quantity::Kind::greatest : Quantity::Kind::least;
+  } else {
+    if (within != "end") fail("no quantity");
+    component = before;
+  }
+  const auto at = std::find(names.begin(), names.end(), component);
+  if (at == names.end())
+    fail(fmt::format("no component {}{}, the problem has {}", component, near_one(component, names),
+                     fmt::join(names.begin(),
+                               names.begin() + static_cast<std::ptrdiff_t>(
+                                                   std::min<std::size_t>(names.size(), 12)),
+                               ", ")));
+  quantity.component = static_cast<std::size_t>(at - names.begin());
+  return quantity;
+}
+
+}  // namespace
+
+double Quantity::of(const std::function<double(const double*)>& energy,
+                    const std::vector<double>& y0, const double* states, std::size_t count) const {
+  const std::size_t n = y0.size();
+  const double* const last = states + (count - 1) * n;
+  if (kind == Kind::energy) return energy(last);
+  double value = over_time() ? y0[component] : last[component];
+  for (std::size_t k = 0; over_time() && k < count; ++k) {
+    const double each = states[k * n + component];
+    value = kind == Kind::greatest ? std::max(value, each) : std::min(value, each);
+  }
+  return value;
+}
+
+std::vector<Quantity> quantities_of(const std::string& text, const Case& c) {
+  const std::vector<std::string> names = component_names(c);
+  std::vector<Quantity> all;
+  if (text.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      all.push_back({.name = names[i], .component = i});
+    return all;
+  }
+  // Not at commas within parentheses: components have names such as u[1].
+  std::string word;
+  int depth = 0;
+  for (const char letter : text + ',') {
+    depth += letter == '(' ? 1 : letter == ')' ? -1 : 0;
+    if (letter == ',' && depth <= 0) {
+      all.push_back(quantity_of(word, names, static_cast<bool>(c.energy)));
+      word.clear();
+    } else if (letter != ' ') {
+      word += letter;
+    }
+  }
+  if (!word.empty()) all.push_back(quantity_of(word, names, static_cast<bool>(c.energy)));
+  return all;
+}
+
+}  // namespace odeum::sweep

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "odeum/solvers/case.hpp"
+
+namespace odeum::sweep {
+
+/// A number of a member's solution.
+struct Quantity {
+  enum class Kind { end, least, greatest, energy };
+  std::string name;
+  Kind kind = Kind::end;
+  std::size_t component = 0;  ///< of the state; of no meaning for an energy
+
+  /// Whether it needs the solution between the start and the end.
+  bool over_time() const { return kind == Kind::least || kind == Kind::greatest; }
+  /// Of `count` states as long as y0, the last of which is at the end.
+  double of(const std::function<double(const double*)>& energy, const std::vector<double>& y0,
+            const double* states, std::size_t count) const;
+};
+
+/// `max(x)`, `min(x)`, `x(end)`, `energy` (at the end), separated by commas; without text all
+/// components at the end. Throws std::invalid_argument.
+std::vector<Quantity> quantities_of(const std::string& text, const Case& c);
+
+}  // namespace odeum::sweep

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/sweep/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace odeum::sweep {
+namespace {
+
+/// Some members from the first to the last, on which a family is checked.
+std::vector<std::vector<double>> samples_of(const Plan& plan) {
+  constexpr std::uint64_t most = 8;
+  const std::uint64_t size = plan.members.size(), count = std::min(size, most);
+  std::vector<std::vector<double>> samples;
+  for (std::uint64_t k = 0; k < count; ++k)
+    samples.push_back(parameters_of(plan, count == 1 ? 0 : k * (size - 1) / (count - 1)));
+  return samples;
+}
+
+Outcome refused(const std::string& why) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = why;
+  return outcome;
+}
+
+}  // namespace
+
+Outcome Runner::run(const std::vector<double>& values, const Request& request) {
+  const Entrants* entrants = nullptr;
+  try {
+    if (family_) {
+      family_->place(values);
+      entrants = &family_->entrants;
+      energy_ = family_->energy;
+      y0_ = family_->y0;
+    } else {
+      case_ = plan_.base->with_values(values);
+      entrants = &case_.entrants;
+      energy_ = case_.energy;
+      y0_ = std::make_shared<const std::vector<double>>(case_.y0);
+    }
+    const Entrant* const entrant = entrants->find(plan_.solver);
+    if (!entrant || !entrant->solve)
+      return refused("the solver does not fit: " + (entrant ? entrant->unfit : plan_.solver));
+    return entrant->solve(request);
+  } catch (const std::invalid_argument& error) {
+    return refused(error.what());
+  }
+}
+
+double Runner::value(const Quantity& quantity, const Outcome& outcome) const {
+  return quantity.of(energy_, *y0_, outcome.states.data(), outcome.states.size() / y0_->size());
+}
+
+Runners::Runners(const Plan& plan) : plan_(plan) {
+  if (!plan.base->family) return;
+  try {
+    std::optional<Family> family = plan.base->family(samples_of(plan));
+    in_place_ = family.has_value();
+    if (in_place_) free_.push_back(std::make_unique<Runner>(plan, std::move(family)));
+  } catch (const std::invalid_argument&) {
+    in_place_ = false;  // values that make no problem are told by member
+  }
+}
+
+std::unique_ptr<Runner> Runners::take() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!free_.empty()) {
+      std::unique_ptr<Runner> runner = std::move(free_.back());
+      free_.pop_back();
+      return runner;
+    }
+  }
+  return std::make_unique<Runner>(plan_, in_place_ ? plan_.base->family({}) : std::nullopt);
+}
+
+void Runners::give(std::unique_ptr<Runner> runner) {
+  const std::lock_guard lock(mutex_);
+  free_.push_back(std::move(runner));
+}
+
+}  // namespace odeum::sweep

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/sweep/sweep.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+#include <stdexcept>
+
+#include "odeum/core/glob.hpp"
+#include "odeum/core/parallel.hpp"
+#include "odeum/core/progress.hpp"
+#include "odeum/sweep/checks.hpp"
+#include "odeum/sweep/runner.hpp"
+
+namespace odeum::sweep {
+namespace {
+
+/// The rows of some members, in their order.
+struct Part {
+  std::string lines;
+  std::map<std::string, Ending> endings;
+  std::uint64_t solved = 0, evaluations = 0;
+};
+
+void add_ending(std::map<std::string, Ending>& endings, const std::string& status,
+                const Ending& more) {
+  Ending& ending = endings[status];
+  if (ending.count == 0 || more.first < ending.first)
+    ending = {ending.count, more.first, more.detail};
+  ending.count += more.count;
+}
+
+class Sweep {
+ public:
+  explicit Sweep(const Plan& plan) : plan_(plan), runners_(plan) {}
+
+  Result run() {
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint64_t size = plan_.members.size(),
+                        together = std::clamp<std::uint64_t>(size / (16 * plan_.jobs), 1, 512);
+    const auto parts = static_cast<std::size_t>((size + together - 1) / together);
+    result_.size = size;
+    result_.one_code = runners_.in_place();
+    result_.results.assign(size * plan_.quantities.size(), nan);
+    result_.csv = header();
+    Progress progress("sweep", static_cast<double>(size));
+    std::vector<Part> done(parts);
+    std::vector<bool> ready(parts, false);
+    std::size_t written = 0;
+    std::mutex mutex;
+    parallel_for(parts, plan_.jobs, [&](std::size_t k) {
+      const std::uint64_t first = k * together, last = std::min(size, first + together);
+      Part part = run_part(first, last);
+      progress.advance(static_cast<double>(last - first));
+      const std::lock_guard lock(mutex);
+      done[k] = std::move(part);
+      ready[k] = true;
+      for (; written < parts && ready[written]; ++written) take(std::exchange(done[written], {}));
+    });
+    for (std::size_t q = 0; q < plan_.quantities.size(); ++q) {
+      std::vector<double> values;
+      for (std::uint64_t member = 0; member < size; ++member)
+        values.push_back(result_.results[member * plan_.quantities.size() + q]);
+      result_.quantiles.push_back(quantiles(std::move(values)));
+    }
+    result_.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(result_);
+  }
+
+ private:
+  std::string header() const {
+    std::string text =
+        fmt::format("schema,member,solver,{},status,detail", fmt::join(plan_.members.names(), ","));
+    for (const Quantity& quantity : plan_.quantities)
+      text += ',' + record::format_text(quantity.name);
+    return text + ",rhs_evaluations\n";
+  }
+
+  void take(const Part& part) {
+    result_.csv += part.lines;
+    result_.solved += part.solved;
+    result_.evaluations += part.evaluations;
+    for (const auto& [status, ending] : part.endings) add_ending(result_.endings, status, ending);
+  }
+
+  Part run_part(std::uint64_t first, std::uint64_t last) {
+    const Lent runner(runners_);
+    Part part;
+    for (std::uint64_t member = first; member < last && !interrupted; ++member) {
+      const Outcome outcome = runner->run(parameters_of(plan_, member), plan_.request);
+      const bool ok = outcome.status == Status::ok;
+      part.solved += ok;
+      part.evaluations += outcome.counters.rhs_evaluations;
+      if (!ok) add_ending(part.endings, to_string(outcome.status), {1, member, outcome.detail});
+      part.lines += fmt::format("{},{},{}", record::csv_schema, member, plan_.solver);
+      for (const double value : plan_.members.values(member))
+        part.lines += ',' + record::format_number(value);
+      part.lines += fmt::format(",{},{}", to_string(outcome.status),
+                                outcome.detail.empty() ? "" : record::format_text(outcome.detail));
+      double* const results = result_.results.data() + member * plan_.quantities.size();
+      for (std::size_t q = 0; q < plan_.quantities.size(); ++q) {
+        if (ok) results[q] = runner->value(plan_.quantities[q], outcome);
+        part.lines += ',' + record::format_number(results[q]);
+      }
+      part.lines += fmt::format(",{}\n", outcome.counters.rhs_evaluations);
+    }
+    return part;
+  }
+
+  const Plan& plan_;
+  Runners runners_;
+  Result result_;
+};
+
+}  // namespace
+
+Quantiles quantiles(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  Quantiles found;
+  found.fill(nan);
+  if (values.empty()) return found;
+  constexpr std::array<double, 5> parts{0, 0.05, 0.5, 0.95, 1};
+  auto from = values.begin();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto at = values.begin() +
+                    static_cast<std::ptrdiff_t>(parts[k] * static_cast<double>(values.size() - 1));
+    if (at >= from) std::nth_element(from, at, values.end());
+    found[k] = *at;
+    from = at;
+  }
+  return found;
+}
+
+std::vector<double> parameters_of(const Plan& plan, std::uint64_t member) {
+  std::vector<double> values;
+  for (const Parameter& parameter : plan.base->parameters) values.push_back(parameter.value);
+  const std::vector<double> own = plan.members.values(member);
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const auto& all = plan.base->parameters;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Parameter& each) {
+      return each.name == plan.members.names()[k];
+    });
+    values[static_cast<std::size_t>(at - all.begin())] = own[k];
+  }
+  return values;
+}
+
+std::string sets_of(const Plan& plan, std::uint64_t member) {
+  const std::vector<double> own = plan.members.values(member);
+  std::string text;
+  for (std::size_t k = 0; k < own.size(); ++k)
+    text += fmt::format(" --set {}={}", plan.members.names()[k], own[k]);
+  return text;
+}
+
+Result run(const Plan& plan) {
+  std::vector<std::string> known;
+  for (const Parameter& parameter : plan.base->parameters) known.push_back(parameter.name);
+  for (const std::string& name : plan.members.names())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw std::invalid_argument(
+          known.empty() ? fmt::format("{} has no parameters", plan.base->id)
+                        : fmt::format("{} has no parameter {}{}; expected one of {}", plan.base->id,
+                                      name, near_one(name, known), fmt::join(known, ", ")));
+  Result result = Sweep(plan).run();
+  check_members(plan, result);
+  if (!plan.over_time.stops.empty()) add_over_time(plan, result);
+  return result;
+}
+
+}  // namespace odeum::sweep

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "odeum/record/csv.hpp"
+#include "odeum/sweep/members.hpp"
+#include "odeum/sweep/quantity.hpp"
+
+namespace odeum::sweep {
+
+/// What to run: each member from the case's start to the last stop.
+struct Plan {
+  Plan(const Case& c, Members of) : base(&c), members(std::move(of)) {}
+
+  const Case* base;
+  std::string solver;  ///< library/method
+  Request request;     ///< with stops between where a quantity needs them
+  Members members;
+  std::vector<Quantity> quantities;
+  unsigned jobs = 1;
+  std::uint64_t checks = 100;  ///< members that are held against a truth of their own
+  double check_seconds = 20;   ///< which takes no longer
+  /// For the quantiles of the components over time; without stops none are wanted.
+  Request over_time = {};
+};
+
+/// The members that ended in one way.
+struct Ending {
+  std::uint64_t count = 0, first = 0;
+  std::string detail;  ///< of the first
+};
+
+/// The least value, those at 5, 50 and 95 %, and the greatest.
+using Quantiles = std::array<double, 5>;
+/// Of the finite ones; NaN where there is none.
+Quantiles quantiles(std::vector<double> values);
+
+/// The errors of some members at the end, in the units of the case's errors.
+struct Checks {
+  std::uint64_t wanted = 0, made = 0;  ///< made: with a known truth
+  double median = nan, largest = nan;
+  std::uint64_t worst = 0;  ///< the member
+};
+
+struct Result {
+  std::uint64_t size = 0, solved = 0, evaluations = 0;
+  std::map<std::string, Ending> endings;  ///< by status
+  std::string csv;                        ///< members.csv
+  std::vector<double> results;            ///< by member, one a quantity; NaN where it failed
+  std::vector<Quantiles> quantiles;       ///< by quantity
+  Checks checks;
+  record::Records over_time;  ///< time, component, and its quantiles over some of the members
+  std::uint64_t over_time_members = 0;
+  bool one_code = false;  ///< parameters changed in place; false: a case was made for each member
+  double seconds = 0;
+};
+
+/// Runs every member; one that fails is a row with its status. Throws std::invalid_argument for a
+/// parameter that the case does not have, and Interrupted.
+Result run(const Plan& plan);
+
+/// The values of all of the case's parameters for a member.
+std::vector<double> parameters_of(const Plan& plan, std::uint64_t member);
+/// ` --set a=1 --set b=2`: what makes a member of the problem.
+std::string sets_of(const Plan& plan, std::uint64_t member);
+
+}  // namespace odeum::sweep
