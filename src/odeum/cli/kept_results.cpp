@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/machine.hpp"
@@ -16,9 +17,6 @@
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
-namespace {
-
-/// A hash of the program's file, and what is loaded besides.
 std::string mark_of_program() {
   const std::string bytes = text_of_file("/proc/self/exe").value_or("");
   std::string mark = fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags,
@@ -26,6 +24,8 @@ std::string mark_of_program() {
   for (const RuntimeLibrary& library : runtime_libraries()) mark += " " + library.mark;
   return mark;
 }
+
+namespace {
 
 /// The processor, and the shared libraries (the C library's functions among them).
 std::string mark_of_machine() {
@@ -43,7 +43,8 @@ std::string mark_of_machine() {
 }  // namespace
 
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
-  static const std::string build = mark_of_program() + ' ' + mark_of_machine() + ' ';
+  static const std::string here = mark_of_program() + ' ' + mark_of_machine() + ' ';
+  const std::string build = part().role == Role::alone ? here : part().mark + ' ';
   const std::string run = build + options.text() + mark_of_loaded();
   study::Options settings = options;
   settings.cases.clear();
@@ -52,10 +53,12 @@ study::ResultCache result_cache_of(record::Store* store, const study::Options& o
                                                                     const SolverInfo&) {
     return is_built_in(c) ? of_built_in : run;
   };
-  return {.store = store, .dependencies = run, .dependencies_of_pair = of_pair};
+  return {
+      .store = store, .dependencies = run, .dependencies_of_pair = of_pair, .share = part().share};
 }
 
 std::unique_ptr<record::Store> open_store(const StudyOptions& options) {
+  if (part().role != Role::alone) return store_of_part();
   const std::string folder = options.no_cache ? "" : formula::cache_folder();
   return folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/results");
 }

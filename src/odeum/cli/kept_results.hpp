@@ -13,6 +13,9 @@ namespace odeum::cli {
 /// loaded. A pair of a built-in case depends on neither the options that are globs nor these texts.
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options);
 
+/// Identifies the program's own bytes and the plug-ins that are loaded.
+std::string mark_of_program();
+
 /// The store of kept results; null with --no-cache, and where the user has no folder for it.
 std::unique_ptr<record::Store> open_store(const StudyOptions& options);
 

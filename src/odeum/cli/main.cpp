@@ -51,10 +51,12 @@ void add_plugin_option(CLI::App& app) {
         ->allow_extra_args(false);
   };
   add(app);
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) add(*command);
+  // What a plan does not know is the planned command's.
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    if (!command->get_allow_extras()) add(*command);
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& words) {
   CLI::App app{"Odeum: a laboratory that compares time integrators", "odeum"};
   app.formatter(std::make_shared<WrappedHelp>());
   const std::string_view revision = odeum::build::revision;
@@ -76,10 +78,11 @@ int run(int argc, char** argv) {
   add_poisson(app);
   add_doctor(app);
   add_completion(app);
+  add_plan(app, result, run);
   add_plugin_option(app);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {  // --help, --version
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back
+  } catch (const CLI::Success& help) {                                  // --help, --version
     return app.exit(help) == 0 ? success : usage;
   } catch (const CLI::ParseError& error) {
     const bool unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
@@ -101,7 +104,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of the write
   try {
-    return run(argc, argv);
+    return run({argv + 1, argv + argc});
   } catch (const odeum::LoadError& error) {
     fmt::print(stderr, "odeum: --plugin {}\n", error.what());
     return usage;

@@ -127,7 +127,11 @@ const Entrant& find_entrant(const Entrants& entrants, const std::string& on,
 }
 
 unsigned StudyOptions::jobs_or_cores() const {
-  return jobs ? jobs : std::max(1U, std::thread::hardware_concurrency());
+  if (jobs) return jobs;
+  // What a task of Slurm was given, where it is not bound to it.
+  if (const char* const given = std::getenv("SLURM_CPUS_PER_TASK"))
+    if (const int cores = std::atoi(given); cores > 0) return static_cast<unsigned>(cores);
+  return std::max(1U, std::thread::hardware_concurrency());
 }
 
 void add_study_options(CLI::App& command, StudyOptions& options) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -94,6 +95,10 @@ void add_verify(CLI::App& app, int& result);
 void add_classify(CLI::App& app);
 void add_poisson(CLI::App& app);
 void add_doctor(CLI::App& app);
+/// Runs a command line of Odeum, without the program's name; returns its exit code.
+using Again = std::function<int(const std::vector<std::string>& words)>;
+/// Adds plan, shard, merge and status.
+void add_plan(CLI::App& app, int& result, const Again& again);
 /// The command that a study declares.
 void add_study(CLI::App& app, study::Study& study);
 

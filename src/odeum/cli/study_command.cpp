@@ -6,8 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -56,7 +58,12 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   check_case_globs(options.cases);
   options.solvers = common.solvers;
   check_solver_globs(options.solvers);
-  const record::OutputFolder folder(common.out);
+  if (part().role != Role::alone && !declaration.no_resume.empty())
+    throw UsageError("{} cannot be done in shards: {}", declaration.name, declaration.no_resume);
+  require_same_content(mark_of_loaded());
+  const bool whole = part().role == Role::alone || part().role == Role::merge;
+  std::optional<record::OutputFolder> out;
+  if (whole) out.emplace(part().role == Role::merge ? part().out.string() : common.out);
   const auto store = declaration.no_resume.empty() ? open_store(common) : nullptr;
   try {
     study.measure(options,
@@ -64,19 +71,22 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
+  if (!whole) return;
+  const record::OutputFolder& folder = *out;
   study.write(folder, common.jobs_or_cores());
   show(study, options, folder, common.jobs_or_cores());
   print(common.format == "json" ? study.json() : study.table());
-  remark_on(store.get());
+  if (part().role == Role::alone) remark_on(store.get());
   std::vector<std::string> files = study.files();
   // Without rows a file is not written.
   std::erase_if(files, [&](const std::string& file) {
     return !std::filesystem::exists(folder.path() / file);
   });
   if (files.empty())
-    remark("no file is in {}: there are no rows", common.out);
+    remark("no file is in {}: there are no rows", folder.path().string());
   else
-    remark("{} {} in {}", fmt::join(files, ", "), files.size() == 1 ? "is" : "are", common.out);
+    remark("{} {} in {}", fmt::join(files, ", "), files.size() == 1 ? "is" : "are",
+           folder.path().string());
 }
 
 /// Takes the globs that match problems of the study `elements` and no case out of `globs`.

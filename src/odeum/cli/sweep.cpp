@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
@@ -18,7 +19,8 @@ namespace {
 struct SweepOptions {
   std::string what, solver, quantities, over_file, out, format = "text";
   std::vector<std::string> over;
-  std::uint64_t sample = 0, seed = 1, check = 100;
+  double sample = 0;
+  std::uint64_t seed = 1, check = 100;
   unsigned jobs = 0;
   RunSettings settings;
   ProblemOptions problems;
@@ -41,7 +43,10 @@ sweep::Members members_of(const SweepOptions& options) {
       throw UsageError("--over {}: {}", shown(text), error.what());
     }
   }
-  return {axes, options.sample, options.seed};
+  const double most = static_cast<double>(sweep::most_members);
+  if (options.sample != std::floor(options.sample) || options.sample < 0 || options.sample > most)
+    throw UsageError("--sample: got {}, expected a whole number up to {}", options.sample, most);
+  return {axes, static_cast<std::uint64_t>(options.sample), options.seed};
 }
 
 /// Members are many, and have few outputs each.
@@ -71,7 +76,7 @@ sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
   plan.jobs = options.jobs > 0 ? options.jobs : StudyOptions().jobs_or_cores();
   plan.checks = options.check;
   const Request outputs = with_outputs(plan.request, settings, c);
-  if (!options.out.empty()) plan.over_time = outputs;
+  if (!options.out.empty() || part().role == Role::merge) plan.over_time = outputs;
   for (const sweep::Quantity& quantity : plan.quantities)
     if (quantity.over_time()) plan.request = outputs;
   return plan;
@@ -81,16 +86,25 @@ int sweep_on(const SweepOptions& options, const CLI::App& command) {
   try {
     const Case c = case_of(options.what, options.problems.sets,
                            [&](double t0, double end) { check_span(options.settings, t0, end); });
-    const sweep::Plan plan = plan_of(options, c);
+    sweep::Plan plan = plan_of(options, c);
+    require_same_content(mark_of_loaded());
+    const auto store = part().role == Role::alone ? nullptr : store_of_part();
+    if (part().role != Role::alone)
+      plan.kept = {.store = store.get(),
+                   .dependencies = part().mark + mark_of_loaded(),
+                   .dependencies_of_pair = {},
+                   .share = part().share};
     const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
     std::optional<record::OutputFolder> folder;
-    if (!options.out.empty()) folder.emplace(options.out);
+    const std::string out = part().role == Role::merge ? part().out.string() : options.out;
+    if (!out.empty()) folder.emplace(out);
     const sweep::Result result = sweep::run(plan);
+    if (part().role == Role::plan || part().role == Role::shard) return success;
     print(options.format == "json" ? sweep::json_of(plan, result, asked).dump(2) + "\n"
                                    : sweep::text_of(plan, result, asked));
     if (folder) {
       remark_on_page(sweep::write_page(*folder, plan, result, asked));
-      remark("members.csv is in {}", options.out);
+      remark("members.csv is in {}", out);
     }
     return result.solved > 0 ? success : solver_failed;
   } catch (const std::invalid_argument& error) {

@@ -111,22 +111,27 @@ fs::path Store::file_of(const std::string& dependencies) const {
 Store::Results& Store::results_of(const std::string& dependencies) {
   const auto [place, is_new] = held_.try_emplace(dependencies);
   if (!is_new) return place->second;
-  const fs::path path = file_of(dependencies);
+  const fs::path own = file_of(dependencies);
+  read(own, dependencies, place->second);
+  for (const fs::path& folder : also_) read(folder / own.filename(), dependencies, place->second);
+  return place->second;
+}
+
+void Store::read(const fs::path& path, const std::string& dependencies, Results& into) {
   const std::string text = text_of_file(path).value_or("");
   std::string_view rest = text;
   bool first = true;
   for (std::size_t end = 0; (end = rest.find('\n')) != std::string_view::npos;
        rest.remove_prefix(end + 1)) {
     const auto line = checked(rest.substr(0, end));
-    if (first && (!line || *line != escape(dependencies))) return place->second;
+    if (first && (!line || *line != escape(dependencies))) return;
     first = false;
     if (!line) continue;
     if (const std::size_t tab = line->find('\t'); tab != std::string_view::npos)
-      place->second[unescape(line->substr(0, tab))] = unescape(line->substr(tab + 1));
+      into[unescape(line->substr(0, tab))] = unescape(line->substr(tab + 1));
   }
   std::error_code ignored;
   if (!text.empty()) fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-  return place->second;
 }
 
 std::optional<std::string> Store::take(const std::string& dependencies, const std::string& key) {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace odeum::record {
 
@@ -19,6 +20,9 @@ class Store {
   /// Makes the folder, and removes the files that were used least recently until the rest has at
   /// most `most_bytes`.
   explicit Store(std::filesystem::path folder, std::uintmax_t most_bytes = 1U << 30);
+
+  /// Takes results from another store's folder too.
+  void read_also(const std::filesystem::path& folder) { also_.push_back(folder); }
 
   /// The result of a key, which is then no longer held in memory. Dependencies, key and result may
   /// have any characters. Safe to call from several threads, as add is.
@@ -39,7 +43,10 @@ class Store {
   void append(const std::filesystem::path& path, const std::string& dependencies,
               const std::string& line);
 
+  void read(const std::filesystem::path& path, const std::string& dependencies, Results& into);
+
   std::filesystem::path folder_;
+  std::vector<std::filesystem::path> also_;
   std::mutex mutex_;
   std::map<std::string, Results> held_;  ///< by dependencies, once a result was asked for
   std::size_t taken_ = 0, added_ = 0;

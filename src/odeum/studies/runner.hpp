@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <atomic>
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +59,14 @@ Row not_applicable(Row row, const std::string& reason) {
   return row;
 }
 
+/// The tasks of a run that are its own: every `of`-th from number `at`, others are left out.
+struct Share {
+  std::uint64_t at = 0, of = 1;
+  bool all_kept = false;  ///< every result is to be in the store: another is an error
+  std::shared_ptr<std::atomic<std::uint64_t>> count = nullptr;  ///< only counts tasks
+  bool has(std::uint64_t task) const { return task % of == at; }
+};
+
 /// Where a run keeps results and takes those of earlier runs from, and what they depend on.
 struct ResultCache {
   record::Store* store = nullptr;  ///< null: nowhere
@@ -62,6 +74,7 @@ struct ResultCache {
   std::string dependencies = {};
   /// What a result of this case and solver depends on; empty: `dependencies` for them too.
   std::function<std::string(const Case&, const SolverInfo&)> dependencies_of_pair = {};
+  Share share = {};
 };
 
 /// Runs the tasks of a study: several at a time, with progress, and keeps their results, so that
@@ -80,9 +93,11 @@ class Runner {
   template <class Task, class Key, class Work>
   auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
     using Result = decltype(work(tasks.front()));
+    if (cache_.share.count) return *cache_.share.count += tasks.size(), Result();
     std::vector<Result> results(tasks.size());
     Progress progress(what, static_cast<double>(tasks.size()));
     parallel_for(tasks.size(), jobs_, [&](std::size_t i) {
+      if (!cache_.share.has(i)) return;
       results[i] = kept_or(
           tasks[i], [&] { return what + ' ' + key(tasks[i]); }, [&] { return work(tasks[i]); });
       progress.advance();
@@ -109,6 +124,7 @@ class Runner {
     const std::string name = key(), dependencies = dependencies_of(task);
     if (const auto kept = cache_.store->take(dependencies, name))
       return record::from_record<Result>(*kept);
+    if (cache_.share.all_kept) throw std::runtime_error("the shards lack the result of " + name);
     Result result = work();
     // An interrupted task has no result.
     if (interrupted) throw Interrupted();

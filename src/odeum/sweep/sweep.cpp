@@ -14,25 +14,11 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/sweep/checks.hpp"
+#include "odeum/sweep/part.hpp"
 #include "odeum/sweep/runner.hpp"
 
 namespace odeum::sweep {
 namespace {
-
-/// The rows of some members, in their order.
-struct Part {
-  std::string lines;
-  std::map<std::string, Ending> endings;
-  std::uint64_t solved = 0, evaluations = 0;
-};
-
-void add_ending(std::map<std::string, Ending>& endings, const std::string& status,
-                const Ending& more) {
-  Ending& ending = endings[status];
-  if (ending.count == 0 || more.first < ending.first)
-    ending = {ending.count, more.first, more.detail};
-  ending.count += more.count;
-}
 
 class Sweep {
  public:
@@ -40,10 +26,17 @@ class Sweep {
 
   Result run() {
     const auto start = std::chrono::steady_clock::now();
+    // The same on every machine: a shard has some of these parts.
+    constexpr std::uint64_t most_parts = 4096, most_together = 512;
     const std::uint64_t size = plan_.members.size(),
-                        together = std::clamp<std::uint64_t>(size / (16 * plan_.jobs), 1, 512);
+                        together = std::clamp<std::uint64_t>(size / most_parts, 1, most_together);
     const auto parts = static_cast<std::size_t>((size + together - 1) / together);
     result_.size = size;
+    const study::Share& share = plan_.kept.share;
+    if (share.count) {
+      *share.count += parts;
+      return std::move(result_);
+    }
     result_.one_code = runners_.in_place();
     result_.results.assign(size * plan_.quantities.size(), nan);
     result_.csv = header();
@@ -54,7 +47,7 @@ class Sweep {
     std::mutex mutex;
     parallel_for(parts, plan_.jobs, [&](std::size_t k) {
       const std::uint64_t first = k * together, last = std::min(size, first + together);
-      Part part = run_part(first, last);
+      Part part = share.has(k) ? kept_or_run(first, last) : Part();
       progress.advance(static_cast<double>(last - first));
       const std::lock_guard lock(mutex);
       done[k] = std::move(part);
@@ -86,6 +79,20 @@ class Sweep {
     result_.solved += part.solved;
     result_.evaluations += part.evaluations;
     for (const auto& [status, ending] : part.endings) add_ending(result_.endings, status, ending);
+  }
+
+  Part kept_or_run(std::uint64_t first, std::uint64_t last) {
+    const study::ResultCache& kept = plan_.kept;
+    if (!kept.store) return run_part(first, last);
+    const std::string key = fmt::format("members {} to {}", first, last);
+    const std::size_t quantities = plan_.quantities.size();
+    if (const auto text = kept.store->take(kept.dependencies, key))
+      return part_of(*text, quantities, result_.results.data() + first * quantities);
+    if (kept.share.all_kept) throw std::runtime_error("the shards lack " + key);
+    Part part = run_part(first, last);
+    if (interrupted) throw Interrupted();
+    kept.store->add(kept.dependencies, key, text_of(part));
+    return part;
   }
 
   Part run_part(std::uint64_t first, std::uint64_t last) {
@@ -168,6 +175,7 @@ Result run(const Plan& plan) {
                         : fmt::format("{} has no parameter {}{}; expected one of {}", plan.base->id,
                                       name, near_one(name, known), fmt::join(known, ", ")));
   Result result = Sweep(plan).run();
+  if (plan.kept.share.of != 1 || plan.kept.share.count) return result;
   check_members(plan, result);
   if (!plan.over_time.stops.empty()) add_over_time(plan, result);
   return result;

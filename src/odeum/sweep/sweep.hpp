@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "odeum/record/csv.hpp"
+#include "odeum/studies/runner.hpp"
 #include "odeum/sweep/members.hpp"
 #include "odeum/sweep/quantity.hpp"
 
@@ -23,8 +24,9 @@ struct Plan {
   Members members;
   std::vector<Quantity> quantities;
   unsigned jobs = 1;
-  std::uint64_t checks = 100;  ///< members that are held against a truth of their own
-  double check_seconds = 20;   ///< which takes no longer
+  std::uint64_t checks = 100;    ///< members that are held against a truth of their own
+  double check_seconds = 20;     ///< which takes no longer
+  study::ResultCache kept = {};  ///< where rows are kept; of a share only its rows are made
   /// For the quantiles of the components over time; without stops none are wanted.
   Request over_time = {};
 };

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "odeum/record/store.hpp"
+#include "odeum/studies/runner.hpp"
+
+/// The work of a command in shards: `odeum plan` counts its tasks, `odeum shard` does those of one
+/// shard and keeps their results, and `odeum merge` runs the command with all results there.
+namespace odeum::cli {
+
+enum class Role { alone, plan, shard, merge };
+
+/// What this process does of the command that it runs.
+struct Part {
+  Role role = Role::alone;
+  std::filesystem::path run;                   ///< the folder of the plan
+  std::string mark;                            ///< of the plan, by which results are kept
+  study::Share share;                          ///< of a shard
+  std::uint64_t tasks = 0;                     ///< as counted
+  std::string content;                         ///< of the files that the command loaded
+  std::vector<std::filesystem::path> results;  ///< folders of the shards' results, for a merge
+  std::filesystem::path out;                   ///< of a merge
+};
+Part& part();
+
+/// The folder of a shard's files, once it is done and before.
+std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
+                                   bool done);
+
+/// The store of this process's part: the shard's own; in a merge that of all shards.
+std::unique_ptr<record::Store> store_of_part();
+
+/// Notes in a plan, and compares elsewhere, what the command loaded. Throws UsageError where a
+/// file has changed since.
+void require_same_content(const std::string& content);
+
+}  // namespace odeum::cli

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "odeum/cli/distributed.hpp"
+#include "odeum/cli/job_scripts.hpp"
+#include "odeum/cli/kept_results.hpp"
+#include "odeum/cli/problems.hpp"
+#include "odeum/core/checksum.hpp"
+#include "odeum/core/interrupt.hpp"
+#include "odeum/core/machine.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/record/output_folder.hpp"
+#include "odeum/studies/study.hpp"
+
+namespace odeum::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr std::uint64_t most_shards = 1'000'000;
+
+struct PlanOptions {
+  std::string run, out;
+  std::uint64_t shards = 0, shard = 0;
+  bool resubmit = false;
+};
+
+struct PlanFile {
+  std::string id, program, content, folder;
+  std::vector<std::string> words;
+  std::uint64_t shards = 0, tasks = 0;
+};
+
+std::string sum_of(const std::string& text) { return fmt::format("{:016x}", checksum(text)); }
+std::string program_sum() { return sum_of(mark_of_program()); }
+
+/// Throws UsageError for a folder without a sound plan.
+PlanFile read_plan(const std::string& run) {
+  const fs::path file = fs::path(run) / "plan.json";
+  const std::optional<std::string> text = text_of_file(file);
+  if (!text) throw UsageError("{} has no plan.json; odeum plan makes one", run);
+  try {
+    const auto json = nlohmann::json::parse(*text);
+    return {.id = json.at("id"),
+            .program = json.at("program"),
+            .content = json.at("content"),
+            .folder = json.at("folder"),
+            .words = json.at("words"),
+            .shards = json.at("shards"),
+            .tasks = json.at("tasks")};
+  } catch (const nlohmann::json::exception& error) {
+    throw UsageError("{}: {}", file.string(), error.what());
+  }
+}
+
+void require_same_program(const PlanFile& plan) {
+  if (plan.program != program_sum())
+    throw UsageError(
+        "the plan was made by another build of odeum; make the plan anew with this one");
+}
+
+/// Runs the planned command in the folder in which it was planned.
+int run_planned(const PlanFile& plan, const Again& again) {
+  fs::current_path(plan.folder);
+  return again(plan.words);
+}
+
+int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
+              const Again& again) {
+  if (words.empty())
+    throw UsageError("plan: no command; expected one: odeum plan converge --shards 8 --out RUN");
+  const study::Studies studies = study::make_studies();
+  if (words.front() != "sweep" &&
+      std::none_of(studies.begin(), studies.end(),
+                   [&](const auto& each) { return each->declaration().name == words.front(); }))
+    throw UsageError("plan: {} cannot be done in shards; sweep and the studies can", words.front());
+  Part& here = part();
+  here.role = Role::plan;
+  here.share.count = std::make_shared<std::atomic<std::uint64_t>>(0);
+  const record::OutputFolder folder(options.run);
+  if (fs::exists(folder.path() / "plan.json") && !fs::is_empty(folder.path() / "shards"))
+    throw UsageError("--out {}: has shards of a plan already; expected a new folder", options.run);
+  if (const int code = again(words); code != success) return code;
+  const std::uint64_t tasks = here.tasks + *here.share.count;
+  if (tasks == 0)
+    throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
+  const std::uint64_t shards = std::min(options.shards, tasks);
+  const std::string program = program_sum();
+  const ordered_json json{{"id", sum_of(fmt::format("{} {} {} {}", program, here.content,
+                                                    fmt::join(words, "\n"), shards))},
+                          {"program", program},
+                          {"content", here.content},
+                          {"folder", fs::current_path().string()},
+                          {"words", words},
+                          {"shards", shards},
+                          {"tasks", tasks}};
+  fs::create_directories(folder.path() / "shards");
+  fs::create_directories(folder.path() / "logs");
+  folder.write("plan.json", json.dump(2) + "\n");
+  folder.write("shard.sh", shard_script(fs::absolute(folder.path())));
+  folder.write("submit.sh", submit_script(shards));
+  print("plan    {} tasks in {} shards\n", tasks, shards);
+  if (shards < options.shards)
+    print("note    fewer than {} shards, since a task is not split\n", options.shards);
+  print(
+      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P 2 -I K odeum shard {0} K\n"
+      "then    odeum merge {0} --out DIR\n",
+      shell_word(options.run), shards - 1);
+  return success;
+}
+
+/// The files of a shard with their sums; a name that another process has removed is skipped.
+ordered_json sums_of(const fs::path& folder) {
+  ordered_json sums = ordered_json::object();
+  for (const auto& entry : fs::directory_iterator(folder / "results"))
+    if (const auto text = text_of_file(entry.path()))
+      sums[entry.path().filename().string()] = {{"bytes", text->size()}, {"sum", sum_of(*text)}};
+  return sums;
+}
+
+/// What is wrong with a finished shard; empty: nothing.
+std::string fault_of(const PlanFile& plan, const fs::path& folder) {
+  const auto text = text_of_file(folder / "shard.json");
+  if (!text) return "has no shard.json";
+  try {
+    const auto json = nlohmann::json::parse(*text);
+    if (json.at("plan") != plan.id) return "is of another plan";
+    for (const auto& [name, file] : json.at("files").items()) {
+      const auto content = text_of_file(folder / "results" / name);
+      if (!content) return "lacks " + name;
+      if (file.at("bytes") != content->size() || file.at("sum") != sum_of(*content))
+        return name + " is damaged";
+    }
+  } catch (const nlohmann::json::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+int run_shard(const PlanOptions& options, const Again& again) {
+  const PlanFile plan = read_plan(options.run);
+  if (options.shard >= plan.shards)
+    throw UsageError("shard {}: the plan has shards 0 to {}", options.shard, plan.shards - 1);
+  require_same_program(plan);
+  Part& here = part();
+  here.role = Role::shard;
+  here.run = fs::absolute(options.run);
+  here.mark = "plan " + plan.id;
+  here.content = plan.content;
+  here.share = {.at = options.shard, .of = plan.shards};
+  const fs::path done = shard_folder(here.run, options.shard, true),
+                 doing = shard_folder(here.run, options.shard, false);
+  if (fs::exists(done)) {
+    const std::string fault = fault_of(plan, done);
+    if (fault.empty()) {
+      remark("shard {} is there already", options.shard);
+      return success;
+    }
+    remark("shard {} {}; it is run again", options.shard, fault);
+    fs::remove_all(done);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const record::OutputFolder folder(doing);
+  fs::create_directories(doing / "results");
+  if (const int code = run_planned(plan, again); code != success && code != solver_failed)
+    return code;
+  if (interrupted) throw Stopped("the same command continues");
+  const ordered_json json{
+      {"plan", plan.id},
+      {"shard", options.shard},
+      {"processor", cpu_model()},
+      {"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
+      {"files", sums_of(doing)}};
+  folder.write("shard.json", json.dump(2) + "\n");
+  fs::rename(doing, done);
+  return success;
+}
+
+/// The shards that are not there, or damaged, each with the reason.
+std::vector<std::pair<std::uint64_t, std::string>> missing_of(const PlanFile& plan,
+                                                              const fs::path& run) {
+  std::vector<std::pair<std::uint64_t, std::string>> missing;
+  for (std::uint64_t shard = 0; shard < plan.shards; ++shard) {
+    const fs::path done = shard_folder(run, shard, true);
+    if (!fs::exists(done))
+      missing.emplace_back(
+          shard, fs::exists(shard_folder(run, shard, false)) ? "is unfinished" : "was not run");
+    else if (const std::string fault = fault_of(plan, done); !fault.empty())
+      missing.emplace_back(shard, fault);
+  }
+  return missing;
+}
+
+/// `1, 2, 5-9` and so on; a few with their reason.
+std::string text_of(const std::vector<std::pair<std::uint64_t, std::string>>& missing) {
+  std::string text;
+  constexpr std::size_t most = 10;
+  for (std::size_t k = 0; k < std::min(missing.size(), most); ++k)
+    text += fmt::format("missing shard {}: {}\n", missing[k].first, missing[k].second);
+  if (missing.size() > most) text += fmt::format("        and {} more\n", missing.size() - most);
+  return text;
+}
+
+int merge(const PlanOptions& options, const Again& again) {
+  const PlanFile plan = read_plan(options.run);
+  require_same_program(plan);
+  const fs::path run = fs::absolute(options.run);
+  const auto missing = missing_of(plan, run);
+  if (!missing.empty()) {
+    print(text_of(missing));
+    if (options.resubmit) {
+      std::vector<std::uint64_t> shards;
+      for (const auto& [shard, reason] : missing) shards.push_back(shard);
+      const record::OutputFolder folder(options.run);
+      folder.write("resubmit.sh", resubmit_script(shards));
+      print("slurm   sh {}/resubmit.sh\n", shell_word(options.run));
+    }
+    return check_failed;
+  }
+  Part& here = part();
+  here.role = Role::merge;
+  here.run = run;
+  here.mark = "plan " + plan.id;
+  here.content = plan.content;
+  here.share.all_kept = true;
+  here.out = options.out.empty() ? run / "out" : fs::absolute(options.out);
+  for (std::uint64_t shard = 0; shard < plan.shards; ++shard)
+    here.results.push_back(shard_folder(run, shard, true) / "results");
+  const int code = run_planned(plan, again);
+  fs::remove_all(run / "merge");  // the store of a merge has no results of its own
+  return code;
+}
+
+int tell_status(const PlanOptions& options) {
+  const PlanFile plan = read_plan(options.run);
+  const auto missing = missing_of(plan, options.run);
+  std::uint64_t unfinished = 0;
+  for (const auto& [shard, reason] : missing) unfinished += reason == "is unfinished";
+  print("plan    odeum {}\nshards  {} of {} done, {} begun, {} tasks in all\n",
+        fmt::join(plan.words, " "), plan.shards - missing.size(), plan.shards, unfinished,
+        plan.tasks);
+  print(text_of(missing));
+  return missing.empty() ? success : check_failed;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, int& result, const Again& again) {
+  const auto options = std::make_shared<PlanOptions>();
+  const auto add_run = [&](CLI::App* command) {
+    command->add_option("run", options->run, "the folder of a plan")->required()->type_name("RUN");
+  };
+  CLI::App* plan =
+      app.add_subcommand("plan", "cut a sweep or a study into shards for a cluster or any shell");
+  plan->allow_extras();
+  plan->add_option("--shards", options->shards, "at most so many")
+      ->required()
+      ->type_name("N")
+      ->check(CLI::Range(std::uint64_t{1}, most_shards));
+  plan->add_option("--out", options->run, "the folder of the plan")->required()->type_name("RUN");
+  plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
+  CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");
+  add_run(shard);
+  shard->add_option("shard", options->shard, "its number, from 0")->required()->type_name("K");
+  shard->callback([=, &result] { result = run_shard(*options, again); });
+  CLI::App* merged = app.add_subcommand("merge", "the files of the whole plan, from its shards");
+  add_run(merged);
+  merged->add_option("--out", options->out, "folder for the files; default: RUN/out")
+      ->type_name("DIR");
+  merged->add_flag("--resubmit", options->resubmit,
+                   "where shards are missing, write resubmit.sh with an array of just these");
+  merged->callback([=, &result] { result = merge(*options, again); });
+  CLI::App* status = app.add_subcommand("status", "which shards of a plan are done");
+  add_run(status);
+  status->callback([=, &result] { result = tell_status(*options); });
+}
+
+}  // namespace odeum::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// odeum plan, shard, merge and status as a user runs them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum {
+namespace {
+
+using tests::Result;
+using tests::shell;
+using tests::TemporaryFolder;
+using tests::text_of;
+
+constexpr const char* decay =
+    "parameters: {k: 1}\nstates: {x: 1}\nequations: {x: -k*x}\ntime: {end: 2}\n";
+
+class Plan : public ::testing::Test {
+ protected:
+  Result odeum(const std::string& words) const {
+    return shell("cd " + folder_.path().string() + " && odeum " + words);
+  }
+  void expect_code(int code, const std::string& words, const std::string& part = "") const {
+    const Result result = odeum(words);
+    EXPECT_EQ(result.code, code) << words << "\n" << result.output;
+    EXPECT_NE(result.output.find(part), std::string::npos) << words << "\n" << result.output;
+  }
+  std::string text(const std::string& file) const { return text_of(folder_.path() / file); }
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(folder_.path() / file) << text;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Plan, OfASweepMergesToTheBytesOfOneRun) {
+  write("decay.yaml", decay);
+  const std::string words =
+      "sweep decay.yaml --over k=0.1..3:30 --solver rk4 --step 0.1 --check 0 --until 2 ";
+  expect_code(0, words + "--out one");
+  expect_code(0, "plan " + words + "--shards 4 --out run", "30 tasks in 4 shards");
+  expect_code(1, "status run", "0 of 4 done");
+  for (const char* shard : {"2", "0", "1", "2"}) expect_code(0, std::string("shard run ") + shard);
+  expect_code(1, "status run", "3 of 4 done");
+  expect_code(1, "merge run --out merged --resubmit", "missing shard 3: was not run");
+  EXPECT_NE(text("run/resubmit.sh").find("for shard in 3; do"), std::string::npos);
+  expect_code(0, "shard run 3");
+  expect_code(0, "merge run --out merged", "solved    30");
+  EXPECT_EQ(text("merged/members.csv"), text("one/members.csv"));
+  EXPECT_FALSE(text("one/members.csv").empty());
+
+  for (const auto& entry :
+       std::filesystem::directory_iterator(folder_.path() / "run/shards/1/results")) {
+    std::string content = text_of(entry.path());
+    content[content.size() / 2] ^= 1;
+    std::ofstream(entry.path()) << content;
+  }
+  expect_code(1, "merge run --out merged", "missing shard 1: ");
+  expect_code(0, "shard run 1", "it is run again");
+  expect_code(0, "merge run --out again");
+  EXPECT_EQ(text("again/members.csv"), text("one/members.csv"));
+
+  write("decay.yaml", std::string(decay) + "# another content\n");
+  expect_code(2, "merge run --out merged", "has changed since the plan");
+}
+
+TEST_F(Plan, OfAStudyMergesToTheBytesOfOneRun) {
+  const std::string words =
+      "converge --case lotka_volterra --solver rk4 --solver heun --solver 'gsl/rk8pd' --quick ";
+  expect_code(0, words + "--no-cache --out one");
+  expect_code(0, "plan " + words + "--shards 2 --out run", "in 2 shards");
+  expect_code(0, "shard run 0");
+  expect_code(0, "shard run 1");
+  expect_code(0, "merge run --out merged");
+  for (const char* file : {"convergence.csv", "orders.csv"}) {
+    EXPECT_EQ(text(std::string("merged/") + file), text(std::string("one/") + file)) << file;
+    EXPECT_FALSE(text(std::string("one/") + file).empty()) << file;
+  }
+}
+
+TEST_F(Plan, BadInputHasItsSentence) {
+  write("decay.yaml", decay);
+  expect_code(2, "plan --shards 2 --out run", "no command");
+  expect_code(2, "plan report --shards 2 --out run", "report cannot be done in shards");
+  expect_code(2, "plan precision --shards 2 --out run", "precision cannot be done in shards");
+  expect_code(2, "plan converge --case nothing_like_it --shards 2 --out run");
+  expect_code(2, "shard run 0", "no plan.json");
+  expect_code(0, "plan sweep decay.yaml --over k=1,2 --solver rk4 --step 0.1 --shards 9 --out run",
+              "2 tasks in 2 shards");
+  expect_code(2, "shard run 2", "the plan has shards 0 to 1");
+  expect_code(2, "merge nowhere");
+}
+
+}  // namespace
+}  // namespace odeum

@@ -1,0 +1,70 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# slurm.sh ODEUM ROOT FOLDER: a sweep through a real Slurm (scripts/slurm-here), whose tasks are cancelled, killed and
+# lose their node, is submitted again and merges to the bytes of one run. Exit code 77: Slurm cannot run here.
+set -eu
+odeum=$1 root=$2 folder=$3
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+"$root/scripts/slurm-here" start "$folder/slurm" || exit $?
+trap '"$root/scripts/slurm-here" stop "$folder/slurm"' EXIT
+. "$folder/slurm/environment"
+
+fail() { echo "$*" >&2; exit 1; }
+# Until no job is in the queue.
+settle() {
+  tries=0
+  while [ -n "$(squeue -h -o %i)" ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 240 ] || fail "jobs are still in the queue: $(squeue -a)"
+    sleep 0.5
+  done
+}
+
+cat > oscillator.yaml <<'TEXT'
+parameters: {w: 1, d: 0.1}
+states: {x: 1, v: 0}
+equations: {x: v, v: -w^2*x - d*v}
+time: {end: 20}
+TEXT
+words="sweep oscillator.yaml --over w=1..3:100 --over d=0..1:100 --solver dormand_prince54 --tol 1e-8 --check 0"
+"$odeum" $words --out one > one.txt 2> one.err
+"$odeum" plan $words --shards 12 --out run
+grep -q '^submit "0-' run/submit.sh && fail "the whole array was written into the script"
+
+sh run/submit.sh || fail "sbatch refused"
+# A task that is cancelled, one that is killed, and a node that goes away while others run.
+job=$(squeue -h -o %A | sort -u | head -n 1)
+scancel "${job}_11" || true
+tries=0
+until pkill -9 -f "shard $folder/run" || [ $tries -gt 100 ]; do tries=$((tries + 1)); sleep 0.05; done
+"$root/scripts/slurm-here" node n2 stop "$folder/slurm"
+sleep 1
+"$root/scripts/slurm-here" node n2 start "$folder/slurm"
+scontrol update NodeName=n2 State=RESUME 2> /dev/null || true
+settle
+
+"$odeum" status run > status.txt || true
+if "$odeum" merge run --out merged --resubmit > missing.txt 2>&1; then
+  fail "nothing was missing, though a task was cancelled"
+fi
+grep -q "missing shard 11: " missing.txt || fail "shard 11 is not named: $(cat missing.txt)"
+sh run/resubmit.sh || fail "sbatch refused"
+settle
+"$odeum" merge run --out merged > merged.txt 2> merged.err || fail "$(cat merged.txt merged.err)"
+cmp one/members.csv merged/members.csv || fail "the bytes differ"
+
+# A damaged shard is named, and made again where it is run again.
+results=$(ls run/shards/3/results/* | head -n 1)
+printf 'x' | dd of="$results" bs=1 seek=200 conv=notrunc 2> /dev/null
+"$odeum" merge run --out merged > missing.txt 2>&1 && fail "a damaged shard was merged"
+grep -q "missing shard 3: .* is damaged" missing.txt || fail "$(cat missing.txt)"
+"$odeum" shard run 3 2> /dev/null
+"$odeum" merge run --out merged > /dev/null 2>&1
+cmp one/members.csv merged/members.csv
+
+# Arrays as long as the site allows: offsets reach the rest.
+most=$(scontrol show config | sed -n 's/^MaxArraySize *= *\([0-9]*\).*/\1/p')
+[ "$most" = 1001 ] || fail "MaxArraySize is $most"
+echo "12 shards through Slurm, merged to the bytes of one run"
