@@ -56,6 +56,20 @@ int in_time(void*, double t, const double* y, double* f) {
   f[1] = 2 * t * y[0];
   return 0;
 }
+/// A pulse between 50.033 - w and 50.033 + w, with edges, or smooth.
+template <int PerMille>
+int pulse(void*, double t, const double* y, double* f) {
+  f[0] = (std::abs(t - 50.033) < PerMille / 1000.0 ? 100 : 0) - 0.1 * y[0];
+  f[1] = 0;
+  return 0;
+}
+template <int PerMille>
+int smooth_pulse(void*, double t, const double* y, double* f) {
+  const double at = (t - 50.033) / (PerMille / 1000.0);
+  f[0] = std::exp(-at * at);
+  f[1] = -y[1];
+  return 0;
+}
 int aborts(void*, double, const double* y, double* f) {
   if (y[0] < 0.5) std::abort();
   return oscillator(nullptr, 0, y, f);
@@ -115,6 +129,26 @@ TEST(ForeignReference, KeepsWhatItClaimsWhereTimeMatters) {
   EXPECT_LE(worst_over_claim(r, 0, [](long double t) { return std::sin(t); }), 1);
   EXPECT_LE(
       worst_over_claim(r, 1, [](long double t) { return 2 * (std::sin(t) - t * std::cos(t)); }), 1);
+}
+
+/// Both methods stepped over it, agreed, and full digits were claimed for what is off by all.
+TEST(ForeignReference, SeesPulsesThatAreLongerThanItSays) {
+  const auto expect_true = [](const truth::Reference& r, long double exact) {
+    ASSERT_FALSE(r.times.empty()) << r.end;
+    if (r.known_until < 100) return;  // nothing false is claimed
+    EXPECT_LE(std::abs(r.states.back()[0] - exact), r.floors.back() + 2e-14) << r.floors.back();
+  };
+  // 0.01 is the ten thousandth part of the horizon; pulses of twice 0.008, 0.05, 0.5.
+  const auto of_edges = [](long double w) {
+    return 1000 * (std::exp(-0.1L * (49.967L - w)) - std::exp(-0.1L * (49.967L + w)));
+  };
+  expect_true(reference(given(pulse<8>, 100, {0, 1})), of_edges(0.008L));
+  expect_true(reference(given(pulse<50>, 100, {0, 1})), of_edges(0.05L));
+  expect_true(reference(given(pulse<500>, 100, {0, 1})), of_edges(0.5L));
+  const auto area = [](long double w) { return w * std::sqrt(std::acos(-1.0L)); };
+  expect_true(reference(given(smooth_pulse<10>, 100, {0, 1})), area(0.01L));
+  expect_true(reference(given(smooth_pulse<100>, 100, {0, 1})), area(0.1L));
+  expect_true(reference(given(smooth_pulse<1000>, 100, {0, 1})), area(1));
 }
 
 TEST(ForeignReference, SaysFromWhereOnNothingIsKnown) {

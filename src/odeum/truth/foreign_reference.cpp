@@ -8,6 +8,7 @@
 #include "odeum/isolated/isolated_process.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 #include "odeum/problem/shared.hpp"
+#include "odeum/truth/samples.hpp"
 
 namespace odeum::foreign {
 namespace {
@@ -65,6 +66,9 @@ std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std:
   system.rhs = [widened](Real t, const Real* y, Real* f) { widened->rhs(t, y, f); };
   if (n <= Widened::dense)
     system.jacobian = [widened](Real t, const Real* y, Real* j) { widened->jacobian(t, y, j); };
+  system.insight = [&system](truth::Real span) {
+    return truth::sampled_insight(system, shortest_seen * span);
+  };
   system.rounding = 0x1p-53L;
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);

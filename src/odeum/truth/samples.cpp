@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/truth/samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odeum::truth {
+namespace {
+
+class Samples final : public Insight {
+ public:
+  Samples(const System& system, Real spacing)
+      : rhs_(system.rhs), spacing_(spacing), y_(system.states) {}
+
+  Inside look(Real t, Real h, const State& y, const State& next) override {
+    const auto count = static_cast<std::size_t>(std::ceil(h / spacing_)) + 1;
+    // The stages of shorter steps are closer than the samples.
+    constexpr std::size_t fewest = 16;
+    if (count < fewest) return {};
+    sample(t, h, y, next, count);
+    std::size_t first = count;
+    for (std::size_t i = 0; i < y.size(); ++i) first = std::min(first, first_unexpected(i, count));
+    if (first == count) return {};
+    const auto part = [&](std::size_t k) {
+      return static_cast<Real>(k) / static_cast<Real>(count - 1);
+    };
+    return {Inside::Kind::hidden, part(first - 2), part(first + 2)};
+  }
+
+ private:
+  /// f along the cubic through both ends of the step.
+  void sample(Real t, Real h, const State& y, const State& next, std::size_t count) {
+    f_.resize(count, State(y.size()));
+    rhs_(t, y.data(), f_.front().data());
+    rhs_(t + h, next.data(), f_[count - 1].data());
+    for (std::size_t k = 1; k + 1 < count; ++k) {
+      const Real s = static_cast<Real>(k) / static_cast<Real>(count - 1);
+      const Real risen = s * s * (3 - 2 * s), from = s * (1 - s) * (1 - s), to = s * s * (s - 1);
+      for (std::size_t i = 0; i < y.size(); ++i)
+        y_[i] = y[i] + risen * (next[i] - y[i]) + h * (from * f_[0][i] + to * f_[count - 1][i]);
+      rhs_(t + s * h, y_.data(), f_[k].data());
+    }
+  }
+
+  /// The first sample of a component that is farther from the cubic through two neighbours on each
+  /// side than a hundred times what is usual in the step, and than rounding; `count`: none.
+  std::size_t first_unexpected(std::size_t i, std::size_t count) {
+    constexpr Real unusual = 100, rounding = 1e-10L;
+    Real largest = 0;
+    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, std::abs(f_[k][i]));
+    apart_.clear();
+    for (std::size_t k = 2; k + 2 < count; ++k)
+      apart_.push_back(std::abs(
+          f_[k][i] - (4 * (f_[k - 1][i] + f_[k + 1][i]) - f_[k - 2][i] - f_[k + 2][i]) / 6));
+    sorted_ = apart_;
+    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
+    std::nth_element(sorted_.begin(), middle, sorted_.end());
+    const Real allowed = std::max(unusual * *middle, rounding * largest);
+    for (std::size_t k = 0; k < apart_.size(); ++k)
+      if (!(apart_[k] <= allowed)) return k + 2;
+    return count;
+  }
+
+  std::function<void(Real t, const Real* y, Real* f)> rhs_;
+  Real spacing_;
+  State y_, apart_, sorted_;
+  std::vector<State> f_;
+};
+
+}  // namespace
+
+std::unique_ptr<Insight> sampled_insight(const System& system, Real spacing) {
+  return std::make_unique<Samples>(system, spacing);
+}
+
+}  // namespace odeum::truth
