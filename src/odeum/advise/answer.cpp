@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "odeum/advise/answer_parts.hpp"
+#include "odeum/core/machine.hpp"
+#include "odeum/solvers/loaded.hpp"
 
 namespace odeum::advise {
 namespace {
@@ -87,6 +90,20 @@ std::string text_of_rest(const Advice& advice) {
   return text.empty() ? text : text + "          (--format json names each of them)\n";
 }
 
+/// Times of a library that was compiled without optimisation are none of its methods.
+std::string text_of_builds(const Advice& advice) {
+  std::set<std::string> slow;
+  for (const Candidate& candidate : advice.candidates) {
+    const std::string& library = candidate.entrant->info.library;
+    if (how_library_was_compiled(library) == unoptimised) slow.insert(library);
+  }
+  if (slow.empty()) return {};
+  return fmt::format(
+      "builds    {}: compiled without optimisation, so that their times are several times too long "
+      "(odeum doctor)\n",
+      fmt::join(slow, ", "));
+}
+
 /// What varies over a box of parameters, and the energy where it was asked for.
 std::string text_of_wishes(const Advice& advice, const Asked& asked) {
   const Trial& found = *winner_of(advice).found;
@@ -144,7 +161,8 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   text += fmt::format("cost      {} evaluations, {} steps, {} rejected\nlimit     {}\n",
                       found.counters.rhs_evaluations, found.counters.steps,
                       found.counters.rejected_steps, limit_of(advice));
-  return text + text_of_twice(advice) + text_of_runners(advice, c) + text_of_rest(advice);
+  return text + text_of_twice(advice) + text_of_runners(advice, c) + text_of_rest(advice) +
+         text_of_builds(advice);
 }
 
 }  // namespace odeum::advise

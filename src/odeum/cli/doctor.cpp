@@ -4,6 +4,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
+#include "odeum/solvers/loaded.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
@@ -17,6 +18,8 @@ void add_doctor(CLI::App& app) {
                           info.built
                               ? info.version
                               : fmt::format("not built in; configure with -D{}=ON", info.option));
+    for (const LoadedLibrary& loaded : loaded_of(all_libraries()))
+      text += fmt::format("loaded     {}\n", loaded.text());
     const std::string fmi = fmi_support();
     text += fmt::format("{:<10} {}\n", "fmi",
                         fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);

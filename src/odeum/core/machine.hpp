@@ -13,6 +13,13 @@ std::string cpu_model();
 /// tell.
 std::vector<std::string> loaded_libraries();
 
+inline constexpr const char* unoptimised = "without optimisation";
+
+/// Whether a shared library was compiled `with optimisation` or `without optimisation`, by the
+/// machine code of its functions; empty where that cannot be told: another processor than x86-64,
+/// or no such file.
+std::string how_compiled(const std::string& file);
+
 /// A time as ISO 8601, UTC, to the second.
 std::string utc_text(std::chrono::system_clock::time_point time);
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@
 #include "odeum/report/columns.hpp"
 #include "odeum/report/shared_files.hpp"
 #include "odeum/report/text.hpp"
+#include "odeum/solvers/loaded.hpp"
 
 namespace odeum::report {
 namespace {
@@ -90,18 +90,9 @@ ordered_json json_of(const StudyFacts& study) {
   return json;
 }
 
-/// Of each library that is built in, the first loaded file that bears the name of its adapter.
 std::vector<std::string> loaded_files(const std::vector<LibraryInfo>& libraries) {
   std::vector<std::string> files;
-  const std::vector<std::string> loaded = loaded_libraries();
-  for (const LibraryInfo& info : libraries) {
-    const auto found = std::find_if(loaded.begin(), loaded.end(), [&](const std::string& file) {
-      std::string name = fs::path(file).filename().string();
-      for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return name.find(info.name) != std::string::npos;
-    });
-    if (info.built && found != loaded.end()) files.push_back(*found);
-  }
+  for (const LoadedLibrary& each : loaded_of(libraries)) files.push_back(each.text());
   return files;
 }
 

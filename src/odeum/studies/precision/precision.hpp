@@ -33,6 +33,8 @@ struct PrecisionRow {
   /// How the timed runs call it: `function pointer`, `inlined` (compiled into the solver), or
   /// `guarded`: the time is that of the run that gave the error.
   std::string right_hand_side = "function pointer";
+  /// `with optimisation` or `without optimisation`; empty for what is compiled with the program.
+  std::string library_compiled;
   bool pareto = false;  ///< no other row is both faster and more accurate
   /// How the machine's own speed changed from before the timed runs of the case to after them, as a
   /// fraction: an effect of other programs on times. NaN where nothing was timed.
@@ -44,8 +46,9 @@ struct PrecisionRow {
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
-  /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times; 5: near_error
-  static constexpr int schema = 5;
+  /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times; 5: near_error;
+  /// 6: library_compiled
+  static constexpr int schema = 6;
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
@@ -61,6 +64,7 @@ struct PrecisionRow {
     visit("jacobian_evaluations", row.counters.jacobian_evaluations);
     visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
     visit("right_hand_side", row.right_hand_side);
+    visit("library_compiled", row.library_compiled);
     visit("pareto", row.pareto), visit("drift", row.drift);
     visit("processor_share", row.processor_share), visit("measured", row.measured);
     visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);

@@ -11,6 +11,7 @@
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/solvers/loaded.hpp"
 
 namespace odeum::study {
 namespace {
@@ -22,6 +23,7 @@ constexpr double longest_repeated_ns = 2e7;
 /// counted run: to a tenth of that run's error, or to rounding. A run that fails has no time.
 void time_once(const TimedCase& stage, TimedSolver& solver, TimedRun& trial) {
   const auto& solve = solver.inlined ? solver.inlined->solve : solver.entrant->solve;
+  trial.row.library_compiled = how_library_was_compiled(trial.row.library);
   trial.row.right_hand_side = solver.inlined ? "inlined" : "function pointer";
   Request request = trial.request;
   request.budget.watched = false;
