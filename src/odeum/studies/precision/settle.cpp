@@ -81,11 +81,14 @@ class Search {
   }
   void keep(const TimedRun& run) { errors_[fineness_of(run.request)] = finite_error(run); }
 
-  /// The next setting that there is: steps on the grid of the stops, tolerances of two digits.
+  /// The next setting that there is: steps on the grid of the stops, tolerances of two digits; one
+  /// that was run, but for rounding, is that one.
   double snapped(double fineness) const {
     const auto multiple = static_cast<double>(stage_.c.settings.steps_multiple);
-    return fixed() ? std::ceil(fineness / multiple * (1 - 1e-12)) * multiple
-                   : 1 / of_two_digits(1 / fineness);
+    const double next = fixed() ? std::ceil(fineness / multiple * (1 - 1e-12)) * multiple
+                                : 1 / of_two_digits(1 / fineness);
+    const auto known = errors_.lower_bound(next * (1 - 1e-9));
+    return known != errors_.end() && known->first <= next * (1 + 1e-9) ? known->first : next;
   }
 
   double between(double coarse, double fine, double error) const {
@@ -97,8 +100,7 @@ class Search {
   }
 
   double error_at(double fineness) {
-    const auto known = errors_.lower_bound(fineness * (1 - 1e-9));
-    if (known != errors_.end() && known->first <= fineness * (1 + 1e-9)) return known->second;
+    if (const auto known = errors_.find(fineness); known != errors_.end()) return known->second;
     Request request = solver_.trials.front().request;
     if (fixed())
       request.steps = static_cast<std::uint64_t>(fineness);
