@@ -104,7 +104,7 @@ class Reader : Source {
                   const std::vector<std::vector<long double>>& inverse, Scope& scope);
   /// Solves residuals for the rates of all states: reader_residuals.cpp.
   void read_residuals(const Scope& scope);
-  std::vector<Id> residuals_of(const Scope& scope);
+  std::vector<Id> residuals_of(const Scope& all);
   void add_rates_as_states(std::vector<Id>& residuals);
   void find_start(const std::vector<Constraint>& constraints);
   void require_constraints(const std::vector<Constraint>& constraints);

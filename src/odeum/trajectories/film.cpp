@@ -35,7 +35,7 @@ Vec3 plus(Vec3 a, double factor, const Vec3& b) {
 
 /// The box of all positions of a run, and the largest speed.
 struct Extent {
-  Vec3 low, high, centre{};
+  Vec3 low{}, high{}, centre{};
   double size = 0, fastest = 0;
 
   explicit Extent(const scene::RunResult& run) {

@@ -79,7 +79,8 @@ void Picture::fill(double x0, double x1, double y0, double y1, const Inside& ins
     }
 }
 
-void Picture::triangle(const std::array<ScreenPoint, 3>& p, const Colour& colour) {
+void Picture::triangle(const std::array<ScreenPoint, 3>& corners, const Colour& colour) {
+  const auto& p = corners;
   const auto area = [](const ScreenPoint& a, const ScreenPoint& b, double x, double y) {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
   };
