@@ -20,7 +20,7 @@ std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64
 std::unique_ptr<record::Store> store_of_part() {
   const Part& here = part();
   if (here.role == Role::plan) return nullptr;
-  constexpr std::uintmax_t no_limit = static_cast<std::uintmax_t>(-1);
+  constexpr auto no_limit = static_cast<std::uintmax_t>(-1);
   const std::filesystem::path own =
       here.role == Role::shard ? shard_folder(here.run, here.share.at, false) : here.run / "merge";
   auto store = std::make_unique<record::Store>(own / "results", no_limit);

@@ -43,7 +43,7 @@ sweep::Members members_of(const SweepOptions& options) {
       throw UsageError("--over {}: {}", shown(text), error.what());
     }
   }
-  const double most = static_cast<double>(sweep::most_members);
+  const auto most = static_cast<double>(sweep::most_members);
   if (options.sample != std::floor(options.sample) || options.sample < 0 || options.sample > most)
     throw UsageError("--sample: got {}, expected a whole number up to {}", options.sample, most);
   return {axes, static_cast<std::uint64_t>(options.sample), options.seed};
