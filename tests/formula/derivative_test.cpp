@@ -41,7 +41,7 @@ TEST(Derivative, IsThatOfDifferences) {
   }
   const double y_double[] = {0.7, 1.3};
   double dfdt[2];
-  ode.view().time_derivative(&ode, 0.4, y_double, dfdt);
+  ode.view().time_derivative(ode.view().problem, 0.4, y_double, dfdt);
   EXPECT_EQ(dfdt[0], 0);
   EXPECT_NEAR(dfdt[1], -0.7 * std::exp(-0.28), 1e-15);
 }
@@ -71,11 +71,11 @@ TEST(Derivative, CompiledAsInterpreted) {
   compiled.rhs(0.4, y, a);
   interpreted.rhs(0.4, y, b);
   expect_near(2);
-  compiled.view().jacobian(&compiled, 0.4, y, a);
-  interpreted.view().jacobian(&interpreted, 0.4, y, b);
+  compiled.view().jacobian(compiled.view().problem, 0.4, y, a);
+  interpreted.view().jacobian(interpreted.view().problem, 0.4, y, b);
   expect_near(4);
-  compiled.view().time_derivative(&compiled, 0.4, y, a);
-  interpreted.view().time_derivative(&interpreted, 0.4, y, b);
+  compiled.view().time_derivative(compiled.view().problem, 0.4, y, a);
+  interpreted.view().time_derivative(interpreted.view().problem, 0.4, y, b);
   expect_near(2);
 }
 
@@ -86,7 +86,7 @@ void expect_series(const TextOde& ode, double t, std::vector<double> y) {
   const std::size_t n = y.size();
   std::vector<double> c((order + 1) * n), f(n);
   ASSERT_NE(ode.view().taylor, nullptr);
-  ode.view().taylor(&ode, t, y.data(), order, c.data());
+  ode.view().taylor(ode.view().problem, t, y.data(), order, c.data());
   // The derivative of the series is the right-hand side along it.
   for (const double h : {0.01, 0.03}) {
     std::vector<double> at(n), slope(n);

@@ -161,7 +161,7 @@ TEST(CaseTexts, FollowTheirParameters) {
   const double y[] = {0.3, 0.5, 0.7};
   double f[3], expected[3];
   c.problem.view.rhs(c.problem.view.problem, 0, y, f);
-  text.view().rhs(&text, 0, y, expected);
+  text.view().rhs(text.view().problem, 0, y, expected);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(f[i], expected[i], 1e-15);
     EXPECT_NEAR(c.y0[i], static_cast<double>(text.problem().y0[i]), 1e-15);
