@@ -66,9 +66,9 @@ class Search {
 
   /// A case with its judges, by the stops of a run.
   struct Stage {
-    const Case* c;
+    const Case* c = nullptr;
     judge::Judge all, first, end;
-    double first_energy;
+    double first_energy = nan;
     const judge::Judge& judge(To to) const {
       return to == To::all ? all : to == To::first ? first : end;
     }

@@ -6,6 +6,7 @@
 
 #include "odeum/advise/search.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
 
 namespace odeum::advise {
 
