@@ -72,11 +72,11 @@ struct OrderFit {
 
 /// The tolerances for confirming or denying a claim.
 struct FitTolerance {
-  double order;    ///< how far from the claim a slope may lie to confirm it
-  double apart;    ///< how far at least, to be another order
-  double settled;  ///< how far the local slopes of a window may differ from their mean
-  double stray;    ///< the factor by which finer errors may miss the fitted power of the step
-  double whole;    ///< how far another order may lie from a whole one, see fit_order
+  double order = 0;    ///< how far from the claim a slope may lie to confirm it
+  double apart = 0;    ///< how far at least, to be another order
+  double settled = 0;  ///< how far the local slopes of a window may differ from their mean
+  double stray = 0;    ///< the factor by which finer errors may miss the fitted power of the step
+  double whole = 0;    ///< how far another order may lie from a whole one, see fit_order
   bool at_least = false;  ///< whether slopes above the claim confirm it, too
 };
 /// Fixed steps: neighbouring orders are told apart by 0.15. Above order 4 errors fall to rounding
