@@ -18,7 +18,7 @@ inline constexpr const char* unoptimised = "without optimisation";
 /// Whether a shared library was compiled `with optimisation` or `without optimisation`, by the
 /// machine code of its functions; empty where that cannot be told: another processor than x86-64,
 /// or no such file.
-std::string how_compiled(const std::string& file);
+std::string how_compiled(const std::string& path);
 
 /// A time as ISO 8601, UTC, to the second.
 std::string utc_text(std::chrono::system_clock::time_point time);
