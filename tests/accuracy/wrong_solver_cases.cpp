@@ -140,7 +140,7 @@ const std::vector<Case>& campaign_cases() {
     std::vector<Case> list;
     for (const auto& test : proof::test_problems()) list.push_back(on_test_problem(test.id, test));
     list.push_back(on_test_problem("second_order", proof::separable_test_problems()[1]));
-    list.back().tags.push_back("second_order");
+    list.back().tags.emplace_back("second_order");
     list.push_back(make_case("stiff", std::make_shared<const Kaps>(), 0, 2,
                              at_start(Kaps::dimension, kaps_truth), kaps_truth));
     list.push_back(make_case("larger", std::make_shared<const Ring>(), 0, 2,
@@ -148,7 +148,7 @@ const std::vector<Case>& campaign_cases() {
     list.back().settings.finest_steps = 512;  // its Jacobians by differences are dear
     list.push_back(make_case("kepler", std::make_shared<const Kepler>(), 0, 6,
                              at_start(Kepler::dimension, kepler_truth), kepler_truth));
-    list.back().tags.push_back("second_order");
+    list.back().tags.emplace_back("second_order");
     list.push_back(make_case("relaxation", std::make_shared<const Relaxation>(), 0, 2,
                              at_start(Relaxation::dimension, relaxation_truth), relaxation_truth));
     return list;
