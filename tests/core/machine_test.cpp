@@ -26,8 +26,8 @@ TEST(Machine, TellsByItsCodeWhetherALibraryWasOptimised) {
                                          {"-O2", "with optimisation"},
                                          {"-O3 -fno-omit-frame-pointer", "with optimisation"}}) {
     const std::string library = (folder.path() / "some.so").string();
-    const std::string command =
-        std::string("cc -shared -fPIC ") + option + " -o " + library + " " + source;
+    std::string command = "cc -shared -fPIC ";
+    command.append(option).append(" -o ").append(library).append(" ").append(source);
     if (std::system(command.c_str()) != 0) GTEST_SKIP() << "needs a C compiler";
     EXPECT_EQ(how_compiled(library), expected) << option;
   }

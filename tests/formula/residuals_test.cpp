@@ -30,7 +30,7 @@ std::string error_of(const std::string& text) {
 
 std::string notes_of(const Problem& p) {
   std::string text;
-  for (const auto& [name, note] : p.notes) text += name + ": " + note + "\n";
+  for (const auto& [name, note] : p.notes) text.append(name).append(": ").append(note).append("\n");
   return text;
 }
 
