@@ -81,6 +81,21 @@ TEST_F(Plan, OfAStudyMergesToTheBytesOfOneRun) {
   }
 }
 
+TEST_F(Plan, AShardWhoseResultsAreNotKeptFails) {
+  write("decay.yaml", decay);
+  expect_code(
+      0,
+      "plan sweep decay.yaml --over k=0.1..3:60 --solver rk4 --step 0.1 --check 0 --shards 1 "
+      "--out run");
+  const Result full =
+      shell("cd " + folder_.path().string() + " && ulimit -f 1 && odeum shard run 0");
+  EXPECT_EQ(full.code, 4) << full.output;
+  EXPECT_NE(full.output.find("could not be kept"), std::string::npos) << full.output;
+  expect_code(1, "merge run", "missing shard 0: is unfinished");
+  expect_code(0, "shard run 0");
+  expect_code(0, "merge run --out merged", "solved    60");
+}
+
 TEST_F(Plan, BadInputHasItsSentence) {
   write("decay.yaml", decay);
   expect_code(2, "plan --shards 2 --out run", "no command");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 
+#include "odeum/linear/dense_lu.hpp"
 #include "odeum/linear/eigenvalues.hpp"
 #include "odeum/linear/matrix_exponential.hpp"
 
@@ -51,28 +52,6 @@ Complex derivative(const Mode& mode, int r, Real unit) {
   return value;
 }
 
-/// Solves a x = b for several right-hand sides by elimination; false where a is singular.
-bool eliminate(std::vector<std::vector<Complex>>& a, std::vector<std::vector<Complex>>& b) {
-  const std::size_t n = a.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    if (std::abs(a[pivot][k]) == 0) return false;
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Complex factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
-      for (std::size_t j = 0; j < b[i].size(); ++j) b[i][j] -= factor * b[k][j];
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k)
-    for (Complex& x : b[k]) x /= a[k][k];
-  return true;
-}
-
 /// Gives modes their coefficients from the derivatives M^r z0; those that are rounding become 0.
 bool set_coefficients(std::vector<Mode>& modes, const std::vector<double>& m,
                       const std::vector<double>& z0) {
@@ -80,18 +59,24 @@ bool set_coefficients(std::vector<Mode>& modes, const std::vector<double>& m,
   Real unit = 0;
   for (const Mode& mode : modes) unit = std::max(unit, std::abs(mode.rate));
   if (unit == 0) unit = 1;
-  std::vector<std::vector<Complex>> a(n, std::vector<Complex>(n)), b(n, std::vector<Complex>(n));
+  linear::Lu<Complex> derivatives(n);
+  std::vector<std::vector<Complex>> b(n, std::vector<Complex>(n));  // by component
   std::vector<Real> z(z0.begin(), z0.end());
   for (std::size_t r = 0; r < n; ++r) {
-    for (std::size_t k = 0; k < n; ++k) a[r][k] = derivative(modes[k], static_cast<int>(r), unit);
-    std::copy(z.begin(), z.end(), b[r].begin());
+    for (std::size_t k = 0; k < n; ++k)
+      derivatives.data()[r * n + k] = derivative(modes[k], static_cast<int>(r), unit);
+    for (std::size_t i = 0; i < n; ++i) b[i][r] = z[i];
     std::vector<Real> next(n);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) next[i] += static_cast<Real>(m[i * n + j]) * z[j] / unit;
     z = next;
   }
-  if (!eliminate(a, b)) return false;
-  for (std::size_t k = 0; k < n; ++k) modes[k].of = b[k];
+  if (!derivatives.factorise()) return false;
+  for (Mode& mode : modes) mode.of.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    derivatives.solve(b[i].data());
+    for (std::size_t k = 0; k < n; ++k) modes[k].of[i] = b[i][k];
+  }
   constexpr Real rounding = 1e-13L;
   for (std::size_t i = 0; i < n; ++i) {
     Real largest = 0;

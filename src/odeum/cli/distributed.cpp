@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/record/output_folder.hpp"
 
 namespace odeum::cli {
 
@@ -27,6 +28,22 @@ std::unique_ptr<record::Store> store_of_part() {
   for (const std::filesystem::path& folder : here.results) store->read_also(folder);
   if (!store->problem().empty()) throw record::FileError(store->problem());
   return store;
+}
+
+void require_kept(const record::Store* store) {
+  if (part().role == Role::shard && !store->problem().empty())
+    throw record::FileError("the shard's results could not be kept: " + store->problem());
+}
+
+std::string output_of_part(const std::string& given) {
+  switch (part().role) {
+    case Role::alone:
+      return given;
+    case Role::merge:
+      return part().out.string();
+    default:
+      return "";
+  }
 }
 
 void require_same_content(const std::string& content) {

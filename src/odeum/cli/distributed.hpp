@@ -20,7 +20,6 @@ struct Part {
   std::filesystem::path run;                   ///< the folder of the plan
   std::string mark;                            ///< of the plan, by which results are kept
   study::Share share;                          ///< of a shard
-  std::uint64_t tasks = 0;                     ///< as counted
   std::string content;                         ///< of the files that the command loaded
   std::vector<std::filesystem::path> results;  ///< folders of the shards' results, for a merge
   std::filesystem::path out;                   ///< of a merge
@@ -33,6 +32,12 @@ std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64
 
 /// The store of this process's part: the shard's own; in a merge that of all shards.
 std::unique_ptr<record::Store> store_of_part();
+
+/// Throws FileError where a shard's results could not be kept.
+void require_kept(const record::Store* store);
+
+/// The folder to which this process writes: that of the command, or of the merge; empty: to none.
+std::string output_of_part(const std::string& given);
 
 /// Notes in a plan, and compares elsewhere, what the command loaded. Throws UsageError where a
 /// file has changed since.

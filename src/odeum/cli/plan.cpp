@@ -54,10 +54,10 @@ PlanFile read_plan(const std::string& run) {
             .content = json.at("content"),
             .folder = json.at("folder"),
             .words = json.at("words"),
-            .shards = json.at("shards"),
+            .shards = std::max<std::uint64_t>(1, json.at("shards")),
             .tasks = json.at("tasks")};
   } catch (const nlohmann::json::exception& error) {
-    throw UsageError("{}: {}", file.string(), error.what());
+    throw UsageError("{} is damaged, or no plan: {}", file.string(), error.what());
   }
 }
 
@@ -69,7 +69,11 @@ void require_same_program(const PlanFile& plan) {
 
 /// Runs the planned command in the folder in which it was planned.
 int run_planned(const PlanFile& plan, const Again& again) {
-  fs::current_path(plan.folder);
+  std::error_code error;
+  fs::current_path(plan.folder, error);
+  if (error)
+    throw UsageError("the plan was made in {}, which cannot be entered: {}", plan.folder,
+                     error.message());
   return again(plan.words);
 }
 
@@ -89,7 +93,7 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   if (fs::exists(folder.path() / "plan.json") && !fs::is_empty(folder.path() / "shards"))
     throw UsageError("--out {}: has shards of a plan already; expected a new folder", options.run);
   if (const int code = again(words); code != success) return code;
-  const std::uint64_t tasks = here.tasks + *here.share.count;
+  const std::uint64_t tasks = here.share.count->load();
   if (tasks == 0)
     throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
   const std::uint64_t shards = std::min(options.shards, tasks);
@@ -199,7 +203,7 @@ std::vector<std::pair<std::uint64_t, std::string>> missing_of(const PlanFile& pl
   return missing;
 }
 
-/// `1, 2, 5-9` and so on; a few with their reason.
+/// A line for each of the first ten, and how many more there are.
 std::string text_of(const std::vector<std::pair<std::uint64_t, std::string>>& missing) {
   std::string text;
   constexpr std::size_t most = 10;
@@ -269,7 +273,10 @@ void add_plan(CLI::App& app, int& result, const Again& again) {
   plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
   CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");
   add_run(shard);
-  shard->add_option("shard", options->shard, "its number, from 0")->required()->type_name("K");
+  shard->add_option("shard", options->shard, "its number, from 0")
+      ->required()
+      ->type_name("K")
+      ->check(CLI::Range(std::uint64_t{0}, most_shards));
   shard->callback([=, &result] { result = run_shard(*options, again); });
   CLI::App* merged = app.add_subcommand("merge", "the files of the whole plan, from its shards");
   add_run(merged);

@@ -61,9 +61,8 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   if (part().role != Role::alone && !declaration.no_resume.empty())
     throw UsageError("{} cannot be done in shards: {}", declaration.name, declaration.no_resume);
   require_same_content(mark_of_loaded());
-  const bool whole = part().role == Role::alone || part().role == Role::merge;
   std::optional<record::OutputFolder> out;
-  if (whole) out.emplace(part().role == Role::merge ? part().out.string() : common.out);
+  if (const std::string path = output_of_part(common.out); !path.empty()) out.emplace(path);
   const auto store = declaration.no_resume.empty() ? open_store(common) : nullptr;
   try {
     study.measure(options,
@@ -71,7 +70,8 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
-  if (!whole) return;
+  require_kept(store.get());
+  if (!out) return;
   const record::OutputFolder& folder = *out;
   study.write(folder, common.jobs_or_cores());
   show(study, options, folder, common.jobs_or_cores());

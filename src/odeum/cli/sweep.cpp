@@ -21,7 +21,7 @@ struct SweepOptions {
   std::vector<std::string> over;
   double sample = 0;
   std::uint64_t seed = 1, check = 100;
-  unsigned jobs = 0;
+  StudyOptions common;  ///< its number of threads
   RunSettings settings;
   ProblemOptions problems;
 };
@@ -73,10 +73,10 @@ sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
   // One member among many does not hold up the others.
   plan.request.budget.evaluations = 20 * c.settings.evaluation_budget;
   plan.quantities = sweep::quantities_of(options.quantities, c);
-  plan.jobs = options.jobs > 0 ? options.jobs : StudyOptions().jobs_or_cores();
+  plan.jobs = options.common.jobs_or_cores();
   plan.checks = options.check;
   const Request outputs = with_outputs(plan.request, settings, c);
-  if (!options.out.empty() || part().role == Role::merge) plan.over_time = outputs;
+  if (!output_of_part(options.out).empty()) plan.over_time = outputs;
   for (const sweep::Quantity& quantity : plan.quantities)
     if (quantity.over_time()) plan.request = outputs;
   return plan;
@@ -96,9 +96,10 @@ int sweep_on(const SweepOptions& options, const CLI::App& command) {
                    .share = part().share};
     const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
     std::optional<record::OutputFolder> folder;
-    const std::string out = part().role == Role::merge ? part().out.string() : options.out;
+    const std::string out = output_of_part(options.out);
     if (!out.empty()) folder.emplace(out);
     const sweep::Result result = sweep::run(plan);
+    require_kept(store.get());
     if (part().role == Role::plan || part().role == Role::shard) return success;
     print(options.format == "json" ? sweep::json_of(plan, result, asked).dump(2) + "\n"
                                    : sweep::text_of(plan, result, asked));
@@ -134,7 +135,9 @@ void add_sweep(CLI::App& app, int& result) {
                    "the members themselves: a line of names, then a line of numbers for each")
       ->type_name("FILE.csv");
   command->add_option("--sample", options->sample, "how many values are drawn")->type_name("N");
-  command->add_option("--seed", options->seed, "of the draws; default: 1")->type_name("N");
+  command->add_option("--seed", options->seed, "of the draws; default: 1")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000));
   command->add_option("--solver", options->solver, "the solver")->required()->type_name("ID");
   add_step_and_tolerances(*command, options->settings);
   command->add_option("--until", options->settings.until, "end time; default: the horizon")
@@ -148,9 +151,12 @@ void add_sweep(CLI::App& app, int& result) {
       ->add_option("--check", options->check,
                    "how many members are compared with a truth of their own, in at most 20 s; "
                    "default: 100")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000'000));
   add_problem_options(*command, options->problems, false);
-  command->add_option("--jobs", options->jobs, "threads; default: one a core")->type_name("N");
+  command->add_option("--jobs", options->common.jobs, "threads; default: one a core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--format", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");

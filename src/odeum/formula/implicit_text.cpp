@@ -2,6 +2,8 @@
 #include "odeum/formula/implicit_text.hpp"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "odeum/formula/compile.hpp"
@@ -99,17 +101,32 @@ class TextResiduals {
   std::pair<Values, Values> interpreted_;
 };
 
+/// Made, and compiled, when a solver first asks for them: most solvers take the equations.
+class LateResiduals {
+ public:
+  explicit LateResiduals(const Problem& problem) : problem_(problem) {}
+  const TextResiduals& get() const {
+    std::call_once(once_, [this] { made_.emplace(problem_); });
+    return *made_;
+  }
+
+ private:
+  Problem problem_;
+  mutable std::once_flag once_;
+  mutable std::optional<TextResiduals> made_;
+};
+
 }  // namespace
 
 std::shared_ptr<const ImplicitForm> implicit_form(const Problem& problem) {
   if (problem.residuals.empty()) return nullptr;
-  const auto text = std::make_shared<const TextResiduals>(problem);
+  const auto text = std::make_shared<const LateResiduals>(problem);
   return std::make_shared<const ImplicitForm>(
       ImplicitForm{.dimension = problem.states.size(),
                    .residual = [text](double t, const double* y, const double* rates,
-                                      double* r) { text->residual(t, y, rates, r); },
+                                      double* r) { text->get().residual(t, y, rates, r); },
                    .matrix = [text](double t, const double* y, const double* rates, double alpha,
-                                    double* j) { text->matrix(t, y, rates, alpha, j); }});
+                                    double* j) { text->get().matrix(t, y, rates, alpha, j); }});
 }
 
 }  // namespace odeum::formula

@@ -5,30 +5,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include "odeum/report/text.hpp"
+#include "odeum/advise/why_answer.hpp"
 
 namespace odeum::sweep {
 namespace {
 
-std::string setting_of(const Plan& plan) {
-  const Request& request = plan.request;
-  if (request.mode == Mode::fixed)
-    return fmt::format("--step {}",
-                       (request.stops.back() - plan.base->t0) / static_cast<double>(request.steps));
-  const std::vector<double>& absolutes = request.tolerance.absolutes();
-  if (absolutes.empty()) return fmt::format("--tol {}", request.tolerance.relative);
-  return fmt::format("--rtol {} --atol {}", request.tolerance.relative, fmt::join(absolutes, ","));
-}
+std::string setting_of(const Plan& plan) { return advise::setting_of(plan.request, *plan.base); }
 
 constexpr std::array names{"least", "5 %", "median", "95 %", "greatest"};
 
 }  // namespace
 
 std::string command_of(const Plan& plan, const Asked& asked, std::uint64_t member) {
-  const double end = plan.request.stops.back();
-  return fmt::format("odeum run {}{}{} --solver {} {}{}", asked.what, asked.more,
-                     sets_of(plan, member), plan.solver, setting_of(plan),
-                     end == plan.base->end() ? "" : fmt::format(" --until {}", end));
+  return fmt::format("odeum run {}{}{} --solver {} {}", asked.what, asked.more,
+                     sets_of(plan, member), plan.solver, setting_of(plan));
 }
 
 std::string text_of(const Plan& plan, const Result& result, const Asked& asked) {
@@ -59,7 +49,7 @@ std::string text_of(const Plan& plan, const Result& result, const Asked& asked) 
         checks.made, checks.median, checks.largest, checks.worst,
         command_of(plan, asked, checks.worst));
   else if (checks.wanted > 0)
-    text += "error     not known: no member has a truth\n";
+    text += "error     not known: no member that was compared ended and has a truth\n";
   text += fmt::format(
       "time      {:.3g} s on {} thread{}, {:.3g} us a member and thread; {} evaluations\n",
       result.seconds, plan.jobs, plan.jobs == 1 ? "" : "s",

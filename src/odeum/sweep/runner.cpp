@@ -27,14 +27,19 @@ Outcome refused(const std::string& why) {
 
 }  // namespace
 
+Runner::Runner(const Plan& plan, std::optional<Family> family)
+    : plan_(plan), family_(std::move(family)) {
+  if (!family_) return;
+  energy_ = family_->energy;
+  y0_ = family_->y0;
+}
+
 Outcome Runner::run(const std::vector<double>& values, const Request& request) {
   const Entrants* entrants = nullptr;
   try {
     if (family_) {
       family_->place(values);
       entrants = &family_->entrants;
-      energy_ = family_->energy;
-      y0_ = family_->y0;
     } else {
       case_ = plan_.base->with_values(values);
       entrants = &case_.entrants;

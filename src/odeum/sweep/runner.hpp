@@ -15,8 +15,7 @@ namespace odeum::sweep {
 class Runner {
  public:
   /// Without a family a case is made for each member.
-  Runner(const Plan& plan, std::optional<Family> family)
-      : plan_(plan), family_(std::move(family)) {}
+  Runner(const Plan& plan, std::optional<Family> family);
   /// `refused` where the values make no problem, or the solver does not fit it.
   Outcome run(const std::vector<double>& values, const Request& request);
   /// Of an outcome of run() that is ok, the last one.
