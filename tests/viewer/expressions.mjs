@@ -232,11 +232,11 @@ const checks = {
         if (k % 2 === 0) { rest += part; continue; }
         const [kind] = part.split('\n', 1), spec = specOf(part.slice(kind.length + 1));
         // Blocks of the page's own need its markdown reader or a browser; here are those of rows.
-        if (!['table', 'matrix', 'chart'].includes(kind.trim())) continue;
+        if (!['table', 'matrix', 'chart', 'profile', 'duels'].includes(kind.trim())) continue;
         const [, condition] = /^[a-z_0-9]+\s+where\s+(.*)$/.exec(spec.rows) || [];
         if (condition) { hold(errorOf(() => parse(condition)) === 'no error', `${where}: ${errorOf(() => parse(condition))}`); ++expressions; }
         for (const key of ['columns', 'shade', 'tips', 'before']) for (const line of Array.isArray(spec[key]) ? spec[key] : []) check(columnOf(line).cell, where);
-        const axes = kind.trim() === 'chart' ? ['by', 'facet', 'tip'] : ['sort', 'group', 'one', 'row', 'column', 'order', 'heading', 'cell', 'shade', 'tip', 'keep'];
+        const axes = ['chart', 'profile', 'duels'].includes(kind.trim()) ? ['by', 'facet', 'tip'] : ['sort', 'group', 'one', 'row', 'column', 'order', 'heading', 'cell', 'shade', 'tip', 'keep'];
         for (const key of axes) if (typeof spec[key] === 'string' && spec[key]) check(spec[key], where);
         for (const key of ['x', 'y']) if (spec[key]) { const wrong = errorOf(() => page('axisOf')(spec[key])); hold(wrong === 'no error', `${where}: ${wrong}`); }
       }
@@ -269,6 +269,26 @@ checks['equations are read as they were written'] = () => {
     ['M = 1/4 [4 -2; -2 4]', '"M = 1/4 [4 -2; -2 4]"'],
   ]) same(formulas(source), expected, source);
   for (const wrong of ['', 'a +', '(a', 'a)', 'a = = b', '^2', '<b>x</b>']) hold(errorOf(() => page('treeOf')(wrong)) !== 'no error', `${wrong} is a formula`);
+};
+
+checks['performance profiles count what was asked of whom'] = () => {
+  const run = (id, wall_ns_min, error, near_error = error, status = 'ok') => ({ case: id, wall_ns_min, error, near_error, status, repetitions: 3, library: 'l', solver: 's' });
+  const rows = [
+    // On a, p is the fastest at 1e-3, since its faster run is a lucky one; q alone reaches 1e-6.
+    run('a', 10, 1e-4, 1e-2), run('a', 20, 1e-4), run('a', 40, 1e-7),
+    // On b, q takes 30; p was tried and reaches nothing, r does not fit and is not asked.
+    run('b', 30, 1e-4), run('b', 5, 1), run('b', NaN, NaN, NaN, 'not_applicable'),
+    // On c, nobody answers.
+    run('c', 5, 1),
+  ], names = ['p', 'p', 'q', 'q', 'p', 'r', 'q'];
+  const questions = page('answersOf')(rows, names, [1e-3, 1e-6]);
+  same(questions.map((each) => [each.case, each.error, [...each.times].flat(), [...each.tried]]), [['a', 1e-3, ['p', 20, 'q', 40], ['p', 'q']], ['a', 1e-6, ['q', 40], ['p', 'q']], ['b', 1e-3, ['q', 30], ['q', 'p']]], 'questions');
+  const profile = (name, across = 'ratio') => page('profileOf')(questions, name, across);
+  same(profile('p'), { asked: 3, points: [{ x: 1, y: 1 / 3 }] }, 'p wins one of three');
+  same(profile('q'), { asked: 3, points: [{ x: 1, y: 2 / 3 }, { x: 2, y: 1 }] }, 'q wins two, and is twice the fastest on one');
+  same(profile('q', 'time').points, [{ x: 30, y: 1 / 3 }, { x: 40, y: 1 }], 'times');
+  same(profile('r'), { asked: 0, points: [] }, 'r was not asked');
+  same([page('duelOf')(questions, 'p', 'q'), page('duelOf')(questions, 'q', 'p')], [{ count: 1, faster: 1, median: 2 }, { count: 1, faster: 0, median: 0.5 }], 'duels');
 };
 
 for (const [name, check] of Object.entries(checks)) {

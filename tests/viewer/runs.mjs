@@ -48,6 +48,28 @@ const checks = {
     hold((await all('dl.facts dt')).includes('stability'), 'the causes');
     same((await all('tbody tr th')).length, 2, 'the run and the better one');
   },
+  async 'an advice: the answer, the runs of the race, and what was timed beside one another'() {
+    await open('advice');
+    const facts = Object.fromEntries(await all('dl.facts dt', `[e.textContent, e.nextSibling.textContent]`));
+    hold(/^(odeum|gsl)\/[a-z0-9_]+ --(tol|step) .*: error /.test(facts.Answer), facts.Answer);
+    hold(facts.run?.startsWith('odeum run lotka_volterra --solver '), JSON.stringify(facts));
+    same(await titles(), ['Error against time'], 'figures');
+    const timed = await all('tbody tr', `[...e.cells].map((c) => c.textContent)`);
+    same(timed[0][0], facts.Answer.split(' ')[0], 'the winner stands first');
+    same(timed[0][4], '1', 'the fastest is as fast as itself');
+    hold(timed.length > 1 && timed.every((cells) => Number(cells[5]) <= 1e-4), JSON.stringify(timed));
+    // A run of the race has its time; of those that were timed only one a solver has the bare one.
+    const rows = readFileSync(join(folder, 'advice/race.csv'), 'utf8').trim().split('\n').map((line) => line.split(','));
+    const [named] = rows, column = (name) => rows.slice(1).map((row) => row[named.indexOf(name)]);
+    same(column('repetitions').filter((count) => Number(count) > 0).length, timed.length, 'timed rows of race.csv');
+    hold(column('status').filter((status) => status === 'ok').length > timed.length, 'runs of the race');
+  },
+  async 'a sweep: a line over its parameter, the quantiles over time'() {
+    await open('sweep');
+    hold((await all('dl.facts dt')).includes('solved'), String(await all('dl.facts dt')));
+    hold((await titles()).some((title) => title.endsWith(' over time')), String(await titles()));
+    hold((await all('.figures path.curve')).length >= 2, 'lines');
+  },
   async 'a scene: the plot of its file, energy, replays in step'() {
     await open('scene');
     hold((await titles()).length === 3, String(await titles()));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "odeum/advise/race.hpp"
+#include "odeum/record/output_folder.hpp"
 
 /// An advice for people and for programs.
 namespace odeum::advise {
@@ -23,5 +24,10 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked);
 /// `error_high`, `time_ns`, `time_low`, `time_high`, `limited_by`, `runners_up`, `not_tried`,
 /// `command` and more. Without an answer: `failure` and `not_tried`.
 nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked& asked);
+
+/// Writes the runs of the race (race.csv), the answer (advice.json) and their page; false where
+/// there is no page, see Report::write. Throws FileError.
+bool write_page(const record::OutputFolder& folder, const Advice& advice, const Case& c,
+                const Asked& asked);
 
 }  // namespace odeum::advise

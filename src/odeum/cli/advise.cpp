@@ -17,7 +17,7 @@ namespace odeum::cli {
 namespace {
 
 struct AdviseOptions {
-  std::string what, format = "text", time, frame;
+  std::string what, format = "text", time, frame, out;
   std::vector<std::string> vary;
   advise::Wishes wishes;
   ProblemOptions problems;
@@ -157,6 +157,10 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   }
   print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n"
                                  : advise::text_of(advice, c, asked));
+  if (!options.out.empty()) {
+    const record::OutputFolder folder(options.out);
+    remark_on_page(advise::write_page(folder, advice, c, asked));
+  }
   return advice.failure.empty() ? success : check_failed;
 }
 
@@ -212,6 +216,10 @@ void add_advise(CLI::App& app, int& result) {
   command->add_option("--format", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("FORMAT");
+  command
+      ->add_option("--out", options->out,
+                   "folder for the files: race.csv, advice.json and a page with the diagram")
+      ->type_name("DIR");
   add_problem_options(*command, options->problems, false);
   command->callback([options, command, &result] { result = advise_on(*options, *command); });
 }

@@ -122,16 +122,7 @@ bool write_page(const record::OutputFolder& folder, const Plan& plan, const Resu
                                .lead = plan.base->id,
                                .facts = {{"Equation", plan.base->equation}},
                                .command = "odeum sweep"};
-  std::istringstream lines(text_of(plan, result, asked));
-  for (std::string line; std::getline(lines, line);) {
-    const std::string name = line.substr(0, line.find(' ')),
-                      rest = line.substr(
-                          std::min(line.size(), line.find_first_not_of(' ', name.size())));
-    if (name.empty() && !texts.facts.empty())
-      texts.facts.back().second += "; " + rest;
-    else
-      texts.facts.emplace_back(name, rest);
-  }
+  trajectories::add_lines(texts, text_of(plan, result, asked));
   nlohmann::ordered_json json = trajectories::page_facts("sweep", texts);
   json["quantities"] = nlohmann::ordered_json::array();
   for (const Quantity& quantity : plan.quantities) json["quantities"].push_back(quantity.name);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "odeum/judge/errors.hpp"
 #include "odeum/record/rows.hpp"
@@ -89,6 +90,23 @@ std::optional<scene::Plot> plot_of(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+void add_lines(RunTexts& texts, const std::string& lines) {
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) {
+    // A name takes ten columns with the spaces behind it, unless it is longer.
+    constexpr std::size_t column = 9;
+    const bool short_name = line.size() > column && line[column] == ' ';
+    std::string name = line.substr(0, short_name ? column : line.find(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
+    const std::string rest =
+        line.substr(std::min(line.size(), line.find_first_not_of(' ', name.size())));
+    if (name.empty() && !texts.facts.empty())
+      texts.facts.back().second += "; " + rest;
+    else
+      texts.facts.emplace_back(name, rest);
+  }
+}
 
 nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts) {
   ordered_json facts = ordered_json::array();

@@ -12,8 +12,8 @@
 #include "odeum/solvers/case.hpp"
 #include "odeum/trajectories/case_runs.hpp"
 
-/// The page of one problem (odeum run, classify and poisson with --out): rows and facts, see
-/// reports/viewer/runs.js.
+/// The page of one problem (odeum run, advise, sweep, classify and poisson with --out): rows and
+/// facts, see reports/viewer/runs.js.
 namespace odeum::trajectories {
 
 /// A solver's run of a scene.
@@ -31,6 +31,10 @@ struct RunTexts {
   record::Records bounds = {};        ///< what bounds the steps of the first run, see why.csv
   std::string command = "odeum run";  ///< that made it
 };
+
+/// Adds the lines of an answer for a terminal, `name  text`, as facts; one that begins with a space
+/// goes on with the one before.
+void add_lines(RunTexts& texts, const std::string& lines);
 
 /// As the fact "runs" of page.json; what is drawn depends on `kind`.
 nlohmann::ordered_json page_facts(const std::string& kind, const RunTexts& texts);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "odeum/advise/answer_parts.hpp"
+#include "odeum/record/rows.hpp"
+#include "odeum/report/report.hpp"
+#include "odeum/trajectories/run_page.hpp"
+
+namespace odeum::advise {
+namespace {
+
+/// A run of the race: a line of race.csv.
+struct RaceRow {
+  std::string library, solver, status, setting_kind;
+  double setting = nan, error = nan;
+  double ns = nan;  ///< of the guarded run, less what the guard takes
+  /// Of the bare runs of what was timed, else NaN.
+  double wall_ns_min = nan, wall_ns_median = nan;
+  std::uint64_t repetitions = 0;
+  Counters counters;
+
+  static constexpr const char* file = "race.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
+    visit("setting_kind", row.setting_kind), visit("setting", row.setting);
+    visit("error", row.error), visit("guarded_ns", row.ns);
+    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
+    visit("repetitions", row.repetitions);
+    visit("rhs_evaluations", row.counters.rhs_evaluations);
+    visit("jacobian_evaluations", row.counters.jacobian_evaluations);
+    visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
+  }
+};
+
+/// Those of what was timed first, the fastest at the head.
+std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
+  std::vector<RaceRow> rows;
+  const auto add = [&](const Candidate& candidate, bool timed) {
+    for (const Trial& trial : candidate.trials) {
+      const SolverInfo& info = candidate.entrant->info;
+      rows.push_back({.library = info.library,
+                      .solver = info.method,
+                      .status = to_string(trial.status),
+                      .setting_kind = kind_of(candidate.mode),
+                      .setting = setting_of(trial, c),
+                      .error = trial.status == Status::ok ? trial.state_error() : nan,
+                      .ns = trial.ns,
+                      .counters = trial.counters});
+      if (!timed || !candidate.found || trial.fineness != candidate.found->fineness) continue;
+      rows.back().wall_ns_min = candidate.times.min();
+      rows.back().wall_ns_median = candidate.times.median();
+      rows.back().repetitions = candidate.times.ns.size();
+    }
+  };
+  for (const std::size_t k : advice.timed) add(advice.candidates[k], true);
+  each_dropped(advice, [&](const Candidate& candidate) { add(candidate, false); });
+  return rows;
+}
+
+}  // namespace
+
+bool write_page(const record::OutputFolder& folder, const Advice& advice, const Case& c,
+                const Asked& asked) {
+  folder.write("advice.json", json_of(advice, c, asked).dump(2) + "\n");
+  report::Facts facts{.cases = {}, .solvers = {}, .libraries = all_libraries()};
+  for (const Candidate& candidate : advice.candidates)
+    facts.solvers.push_back(candidate.entrant->info);
+  report::Report page(std::move(facts), folder);
+  const std::vector<RaceRow> rows = rows_of(advice, c);
+  record::write_rows(rows, folder);
+  page.rows("runs", rows);
+  trajectories::RunTexts texts{.title = c.title, .lead = c.id, .facts = {{"Equation", c.equation}}};
+  const std::string text = text_of(advice, c, asked);
+  const std::size_t first = text.find('\n');
+  texts.facts.emplace_back("Answer", text.substr(0, first));
+  trajectories::add_lines(texts, text.substr(first + 1));
+  nlohmann::ordered_json json = trajectories::page_facts("advice", texts);
+  json["error"] = advice.run_ns > 0 ? 0 : advice.wishes.error;
+  json["time_ns"] = advice.run_ns;
+  json["floor"] = advice.floor;
+  json["winner"] = advice.failure.empty() ? winner_of(advice).entrant->info.id() : "";
+  page.fact("runs", json);
+  return page.write({.command_line = "odeum advise " + asked.problem + asked.more});
+}
+
+}  // namespace odeum::advise
