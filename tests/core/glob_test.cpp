@@ -45,22 +45,5 @@ TEST(Glob, NoPatternMatchesEverything) {
   EXPECT_FALSE(any_glob_matches({"gsl/*", ""}, "odeum/rk4"));
 }
 
-TEST(Nearest, FindsWhatWasMeant) {
-  const std::vector<std::string> ids{"odeum/rk4", "odeum/heun", "odeum/midpoint", "free_fall"};
-  EXPECT_EQ(nearest("odeum/rk5", ids), "odeum/rk4");
-  EXPECT_EQ(nearest("odeum/midpiont", ids), "odeum/midpoint");
-  EXPECT_EQ(nearest("freefall", ids), "free_fall");
-  EXPECT_EQ(nearest("heun", {"heun", "huen"}), "heun");
-}
-
-TEST(Nearest, SaysNothingWhereNothingIsNear) {
-  EXPECT_EQ(nearest("lorenz", {"odeum/rk4", "free_fall"}), "");
-  EXPECT_EQ(nearest("abc", {"xyz"}), "");
-  EXPECT_EQ(nearest("anything", {}), "");
-  // At most one more than a third of the word: three letters of six, not four.
-  EXPECT_EQ(nearest("abcdef", {"abcxyz"}), "abcxyz");
-  EXPECT_EQ(nearest("abcdef", {"abwxyz"}), "");
-}
-
 }  // namespace
 }  // namespace odeum::tests

@@ -96,7 +96,7 @@ TEST(ProblemReader, NamesAndEquations) {
   expect_fault("states: {x: 1}\nequations: {x: 1, y: x}\ntime: {end: 1}\n",
                "2:19: equations: no state", "got y");
   expect_fault("states: {x: 1}\nequations: {x: 1, x: 2}\ntime: {end: 1}\n",
-               "2:19: ", "a key twice");
+               "2:19: equations.x: duplicate key", "line 2");
   expect_fault("states: {x: 1}\nequation: {x: 1}\ntime: {end: 1}\n",
                "2:1: ", "did you mean equations?");
   expect_fault("states: {x: 1}\nequations: {x: 1}\n", "1:1: time: missing", "end: 20");
@@ -222,7 +222,7 @@ TEST(ProblemReader, ClosedFormsAndInvariantsAreChecked) {
   expect_fault(oscillator + "tolerance: {absolute: 1}\n", "4:12: tolerance", "no relative one");
   expect_fault(oscillator + "tolerance: {relative: 1e-3, absolute: [1, 2, 3]}\n",
                "4:39: tolerance: absolute", "got 3 numbers, expected one, or 2");
-  expect_fault(oscillator + "tolerance: {relativ: 1}\n", "4:13: tolerance: an unknown key",
+  expect_fault(oscillator + "tolerance: {relativ: 1}\n", "4:13: tolerance.relativ: an unknown key",
                "got relativ");
 }
 

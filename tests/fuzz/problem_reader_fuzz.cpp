@@ -3,7 +3,7 @@
 //   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I src -I tests \
 //     tests/fuzz/problem_reader_fuzz.cpp src/odeum/formula/{analysis,check,cursor,derivative}.cpp \
 //     src/odeum/formula/{evaluator,graph,names,parser,series}.cpp src/odeum/formula/reader*.cpp \
-//     src/odeum/input/*.cpp src/odeum/core/glob.cpp -lyaml-cpp -lfmt -o problem_reader_fuzz
+//     src/odeum/input/*.cpp -lyaml-cpp -lfmt -o problem_reader_fuzz
 //   ./problem_reader_fuzz -max_total_time=60 cases/problems
 // The normal suite has a short deterministic run, tests/formula/fuzz_test.cpp.
 #include "fuzz/read_any_problem.hpp"

@@ -60,7 +60,7 @@ TEST(TableauReader, NamesThePlaceOfAFault) {
            Fault{"A: [[]]\nb: [1]\norder: 1.5\n", "got 1.5, expected a whole number from 1 to 10"},
            Fault{"A: [[]]\nb: [1]\norder_embedded: 1\n", "claim without the row"},
            Fault{"b: [1]\n", "A: missing"},
-           Fault{"[1, 2]", "got a list of 2, expected a mapping with A and b"},
+           Fault{"[1, 2]", "tableau: not a mapping; got a list of 2"},
            Fault{"", "t.yaml:1:1: tableau: empty"},
            Fault{"A: [\n", "not YAML"},
            Fault{"A: \x01\n", "t.yaml:1:4: tableau: a binary file or a control character"},

@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"second_document", std::string(two) + "---\nmore: 1\n", "a second document"},
         Fault{"empty", "", "s.yaml:1:1: scene: empty"},
         Fault{"comment_only", "# nothing\n", "scene: empty"},
-        Fault{"a_list", "- 1\n", "scene: not a scene; got a list of 1"},
+        Fault{"a_list", "- 1\n", "scene: not a mapping; got a list of 1"},
         Fault{"binary", std::string("ab\0cd", 5), "s.yaml:1:3: scene: a binary file"},
         Fault{"not_utf8", "name: \xff\n", "s.yaml:1:7: scene: not UTF-8 text; got the byte 0xff"},
         Fault{"overlong", "name: \xc0\xaf\n", "not UTF-8"},

@@ -2,14 +2,13 @@
 #include "odeum/cases/case_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "odeum/cases/parameters.hpp"
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/parser.hpp"
+#include "odeum/input/near_words.hpp"
 
 namespace odeum::cases {
 
@@ -25,8 +24,8 @@ CaseText::CaseText(const std::string& file, const std::string& text, const std::
   for (const auto& [name, value] : set) {
     if (problem_.parameters.contains(name) &&
         std::find(offered_.begin(), offered_.end(), name) == offered_.end())
-      throw std::invalid_argument(fmt::format("{} has no parameter {}; expected one of {}", id,
-                                              name, fmt::join(offered_, ", ")));
+      throw std::invalid_argument(
+          fmt::format("{} has no parameter {}; expected {}", id, name, one_of(offered_, name)));
     values_[name] = value;
   }
   take_values(set);
@@ -57,8 +56,8 @@ formula::Overrides CaseText::own_values(const std::string& file, const std::stri
   formula::Overrides values;
   for (const Item& item : given) {
     if (!known.contains(item.key))
-      fail(item.key_place, "set: no parameter; got {}, expected one of {}{}", shown(item.key),
-           fmt::join(names, ", "), near_one(item.key, names));
+      fail(item.key_place, "set: no parameter; got {}, expected {}", shown(item.key),
+           one_of(names, item.key));
     values[item.key] = scalar(*item.value, "set: " + item.key);
   }
   return values;

@@ -77,7 +77,7 @@ class TextCase : CaseText {
   void add_parameters() {
     const std::vector<Item> meanings = mapping("meanings");
     for (const std::string& name : offered_) {
-      const Item* const meaning = of_name(meanings, name);
+      const Item* const meaning = input::entry_of(meanings, name);
       const auto value = static_cast<double>(problem_.parameters.at(name));
       if (has("parameters") || has("meanings"))
         case_.equation +=

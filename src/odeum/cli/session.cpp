@@ -13,6 +13,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/input/near_words.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 

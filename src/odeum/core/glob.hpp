@@ -13,11 +13,4 @@ bool glob_matches(std::string_view pattern, std::string_view text);
 /// that does not, everything matches that is not excluded.
 bool any_glob_matches(const std::vector<std::string>& patterns, std::string_view text);
 
-/// The candidate with the smallest edit distance to an unknown word, for "did you mean"; empty
-/// where that exceeds a third of its length plus one.
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
-
-/// "; did you mean X?" with the nearest candidate; empty where none is near.
-std::string near_one(std::string_view word, const std::vector<std::string>& candidates);
-
 }  // namespace odeum

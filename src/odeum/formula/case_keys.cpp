@@ -2,24 +2,25 @@
 #include "odeum/formula/case_keys.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/names.hpp"
 
 namespace odeum::formula {
+
+using input::entry_of;
+
 namespace {
 
-const std::vector<std::string> known_keys{"title",        "equation",       "source",
-                                          "tags",         "parameters",     "meanings",
-                                          "set",          "positive",       "not_negative",
-                                          "stops",        "thresholds",     "reference",
-                                          "floor",        "invariants",     "no_fixed_steps",
-                                          "timed_stops",  "steps_multiple", "coarsest_steps",
-                                          "finest_steps", "timed_floor",    "evaluation_budget"};
+constexpr std::string_view known_keys[] = {"title",        "equation",       "source",
+                                           "tags",         "parameters",     "meanings",
+                                           "set",          "positive",       "not_negative",
+                                           "stops",        "thresholds",     "reference",
+                                           "floor",        "invariants",     "no_fixed_steps",
+                                           "timed_stops",  "steps_multiple", "coarsest_steps",
+                                           "finest_steps", "timed_floor",    "evaluation_budget"};
 
 /// A node as text; of a mapping the keys alone where `keys` is true.
 std::string serialised(const YamlNode& node, bool keys = false) {
@@ -33,15 +34,16 @@ std::string serialised(const YamlNode& node, bool keys = false) {
 }  // namespace
 
 CaseKeys::CaseKeys(const std::string& file, const std::string& text) : Source(file, text) {
-  const std::vector<Item> all = items(root(), "problem");
-  if (const Item* const item = of_name(all, "case")) common_ = items(*item->value, "case");
-  if (const Item* const item = of_name(all, "cases")) cases_ = items(*item->value, "cases");
-  if (const Item* const item = of_name(all, "name")) name_ = scalar(*item->value, "name");
-  require_known(common_, "case");
+  const std::vector<Item> all = items(root(), "");
+  std::vector<std::string_view> known(std::begin(known_keys), std::end(known_keys));
+  known.emplace_back("offers");  // for all cases alike
+  if (const Item* const item = entry_of(all, "case")) common_ = items(*item->value, "case", known);
+  if (const Item* const item = entry_of(all, "cases")) cases_ = items(*item->value, "cases");
+  if (const Item* const item = entry_of(all, "name")) name_ = scalar(*item->value, "name");
   for (const Item& item : cases_) {
     if (const std::string fault = fault_of_name(item.key); !fault.empty())
       fail(item.key_place, "cases: {}", fault);
-    require_known(items(*item.value, item.key), item.key);
+    items(*item.value, item.key, known_keys);
   }
 }
 
@@ -54,34 +56,19 @@ std::vector<std::string> CaseKeys::ids() const {
 }
 
 void CaseKeys::enter(const std::string& id) {
-  const Item* const item = of_name(cases_, id);
+  const Item* const item = entry_of(cases_, id);
   own_ = item ? items(*item->value, id) : std::vector<Item>{};
-}
-
-void CaseKeys::require_known(const std::vector<Item>& list, const std::string& in) const {
-  std::vector<std::string> known = known_keys;
-  if (&list == &common_) known.emplace_back("offers");
-  for (const Item& item : list)
-    if (std::find(known.begin(), known.end(), item.key) == known.end())
-      fail(item.key_place, "{}: an unknown key; got {}, expected one of {}{}", in, shown(item.key),
-           fmt::join(known, ", "), near_one(item.key, known));
 }
 
 const YamlNode* CaseKeys::find(std::string_view key) const {
   for (const auto* list : {&own_, &common_})
-    if (const Item* const item = of_name(*list, key)) return item->value;
+    if (const Item* const item = entry_of(*list, key)) return item->value;
   return nullptr;
 }
 
 std::vector<CaseKeys::Item> CaseKeys::mapping(const std::string& key) const {
   const YamlNode* const value = find(key);
   return value ? items(*value, key) : std::vector<Item>{};
-}
-
-const CaseKeys::Item* CaseKeys::of_name(const std::vector<Item>& list, std::string_view name) {
-  const auto at =
-      std::find_if(list.begin(), list.end(), [&](const Item& item) { return item.key == name; });
-  return at == list.end() ? nullptr : &*at;
 }
 
 std::vector<const YamlNode*> CaseKeys::entries(const YamlNode* value) {
@@ -110,13 +97,13 @@ std::string CaseKeys::text(std::string_view key, const std::string& otherwise) c
 std::vector<std::string> CaseKeys::tags() const {
   std::vector<std::string> all;
   for (const auto* list : {&common_, &own_})
-    if (const Item* const given = of_name(*list, "tags"))
+    if (const Item* const given = entry_of(*list, "tags"))
       for (std::string& tag : texts_of(given->value, "tags")) all.push_back(std::move(tag));
   return all;
 }
 
 Offers CaseKeys::offers() const {
-  const Item* const given = of_name(common_, "offers");
+  const Item* const given = entry_of(common_, "offers");
   if (!given) return {};
   Offers offers{.jacobian = false, .second_order = false, .series = false};
   const std::pair<const char*, bool*> known[] = {{"jacobian", &offers.jacobian},

@@ -38,13 +38,11 @@ class CaseKeys : protected reading::Source {
   Offers offers() const;
 
  protected:
-  static const Item* of_name(const std::vector<Item>& list, std::string_view name);
   std::vector<Item> mapping(const std::string& key) const;
   /// A scalar, or the entries of a list; nothing for null.
   static std::vector<const YamlNode*> entries(const YamlNode* value);
 
  private:
-  void require_known(const std::vector<Item>& list, const std::string& in) const;
   std::vector<std::string> texts_of(const YamlNode* value, std::string_view key) const;
 
   std::string name_;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/cursor.hpp"
 #include "odeum/formula/names.hpp"
+#include "odeum/input/near_words.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
 namespace odeum::formula {

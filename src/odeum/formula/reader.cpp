@@ -2,19 +2,20 @@
 #include "odeum/formula/reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "odeum/core/glob.hpp"
+#include "odeum/input/near_words.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum::formula {
 namespace {
 
-const std::vector<std::string> known_keys = {
-    "name",  "parameters", "definitions", "states",    "equations", "boundaries", "time",
-    "exact", "invariants", "scale",       "tolerance", "mass",      "residuals",  "rates"};
+// `case` and `cases` are read by CaseKeys.
+constexpr std::string_view known_keys[] = {"name",       "parameters", "definitions", "states",
+                                           "equations",  "boundaries", "time",        "exact",
+                                           "invariants", "scale",      "tolerance",   "mass",
+                                           "residuals",  "rates",      "case",        "cases"};
 
 }  // namespace
 
@@ -27,16 +28,8 @@ Reader::Reader(const std::string& file, const std::string& text, const Overrides
 }
 
 Problem Reader::read() {
-  for (const Item& item : items(root(), "problem")) {
-    if (item.key == "case" || item.key == "cases") continue;  // read where Odeum is built
-    if (std::find(known_keys.begin(), known_keys.end(), item.key) == known_keys.end())
-      fail(item.key_place, "an unknown key; got {}, expected {}{}", shown(item.key),
-           fmt::join(known_keys, ", "), near_one(item.key, known_keys));
-    if (item.key == "name" && item.value->kind != YamlNode::Kind::scalar)
-      fail(item.value->place, "name: got {}, expected text", item.value->kind_name());
-    if (item.key == "name") problem_.name = with_brackets(item.value->text);
-    sections_.push_back(item);
-  }
+  sections_ = items(root(), "", known_keys);
+  if (const Item* const name = section("name")) problem_.name = scalar(*name->value, "name");
   constants_.refused["t"] = "a constant";
   read_parameters();
   read_states();
@@ -58,12 +51,6 @@ Problem Reader::read() {
   require_start();
   require_exact();
   return std::move(problem_);
-}
-
-const Item* Reader::section(std::string_view key) const {
-  for (const Item& item : sections_)
-    if (item.key == key) return &item;
-  return nullptr;
 }
 
 std::vector<Item> Reader::items(const std::string& key) const {
@@ -96,11 +83,9 @@ void Reader::read_parameters() {
       std::vector<std::string> candidates;
       for (const Item& item : all) candidates.push_back(item.key);
       fail(section("parameters") ? section("parameters")->key_place : Place{},
-           "parameters: none to set of that name; got --set {}={}, expected {}{}", shown(name),
+           "parameters: none to set of that name; got --set {}={}, expected {}", shown(name),
            shown(value),
-           candidates.empty() ? "no --set: the file has no parameters"
-                              : fmt::format("one of: {}", fmt::join(candidates, ", ")),
-           near_one(name, candidates));
+           candidates.empty() ? "no --set: the file has no parameters" : one_of(candidates, name));
     }
   for (const Item& item : all) constants_.refused[item.key] = "a parameter that stands above";
   for (const Item& item : all) {
@@ -123,20 +108,11 @@ void Reader::read_parameters() {
 void Reader::read_time() {
   const Item* const time = section("time");
   if (!time) fail({}, "time: missing; got no such key, expected `time: {{end: 20}}`");
-  const Item* end = nullptr;
-  const Item* stops = nullptr;
-  const std::vector<Item> all = items(*time->value, "time");
-  for (const Item& item : all) {
-    if (item.key == "start")
-      problem_.t0 = number(*item.value, "time: start");
-    else if (item.key == "end")
-      end = &item;
-    else if (item.key == "stops")
-      stops = &item;
-    else
-      fail(item.key_place, "time: an unknown key; got {}, expected start, end, stops{}",
-           shown(item.key), near_one(item.key, {"start", "end", "stops"}));
-  }
+  constexpr std::string_view keys[] = {"start", "end", "stops"};
+  const std::vector<Item> all = items(*time->value, "time", keys);
+  const Item *const start = input::entry_of(all, "start"), *const end = input::entry_of(all, "end"),
+                    *const stops = input::entry_of(all, "stops");
+  if (start) problem_.t0 = number(*start->value, "time: start");
   if (!end) fail(time->value->place, "time: end: missing; got none, expected a time");
   const auto last = static_cast<double>(number(*end->value, "time: end"));
   const auto first = static_cast<double>(problem_.t0);

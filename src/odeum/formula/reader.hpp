@@ -12,44 +12,39 @@
 #include "odeum/formula/parser.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/formula/reduction.hpp"
+#include "odeum/input/mapping.hpp"
 
 /// The parts of the reader of problem files.
 namespace odeum::formula::reading {
 
-/// The text of a scalar or of an error, with the brackets that its reader replaced.
-std::string with_brackets(std::string text);
-
-/// A key of the file with its value.
-struct Item {
-  std::string key;  ///< with its brackets
-  Place key_place;
-  const YamlNode* value;
-};
+using Item = input::Entry;
 
 /// A file while it is read: its mappings, errors with their places.
 class Source {
  public:
-  Source(std::string file, const std::string& text);
+  Source(const std::string& file, const std::string& text);
 
   const YamlNode& root() const { return *root_; }
-  /// The items of a mapping (nothing counts as an empty one): keys are unique and scalars.
-  std::vector<Item> items(const YamlNode& mapping, const std::string& key) const;
+  /// The items of a mapping (nothing counts as an empty one); of known keys alone, if any.
+  std::vector<Item> items(const YamlNode& mapping, const std::string& path,
+                          input::Keys known = {}) const {
+    return input::Value(reading_, mapping, path).entries(known);
+  }
 
  protected:
   template <class... Values>
   [[noreturn]] void fail(Place place, fmt::format_string<Values...> what,
                          Values&&... values) const {
-    throw InputError(file_, place,
-                     with_brackets(fmt::format(what, std::forward<Values>(values)...)));
+    throw InputError(reading_.file, place, fmt::format(what, std::forward<Values>(values)...));
   }
   std::string scalar(const YamlNode& value, const std::string& key) const;
   /// The place of byte `at` of a scalar's text, as far as the file's lines show it.
   Place place_in(const YamlNode& value, const std::string& text, std::size_t at) const;
 
  private:
-  std::string file_;
-  std::vector<std::string> lines_;
   std::shared_ptr<const YamlNode> root_;
+  mutable input::Reading reading_;  // it collects warnings, of which problems have none
+  std::vector<std::string> lines_;
 };
 
 /// A key `x`, `u[4]` or `u[1..100]`.
@@ -77,7 +72,8 @@ class Reader : Source {
   std::int64_t index(const Item& item, std::string_view text);
   Key read_key(const Item& item, const std::string& in);
 
-  const Item* section(std::string_view key) const;  ///< null where the file has none
+  /// Null where the file has none.
+  const Item* section(std::string_view key) const { return input::entry_of(sections_, key); }
   using Source::items;
   std::vector<Item> items(const std::string& key) const;
   std::vector<Item> required_items(const std::string& key) const;

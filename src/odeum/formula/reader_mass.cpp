@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
+#include "odeum/input/near_words.hpp"
 
 namespace odeum::formula::reading {
 namespace {
@@ -66,8 +66,8 @@ void Reader::read_mass(Scope& scope) {
     for (const Item& entry : items(*rows[i].value, "mass: " + rows[i].key)) {
       const auto column = std::find(names.begin(), names.end(), entry.key);
       if (column == names.end())
-        fail(entry.key_place, "mass: {}: no row of that name; got {}, expected one of {}",
-             rows[i].key, shown(entry.key), fmt::join(names, ", "));
+        fail(entry.key_place, "mass: {}: no row of that name; got {}, expected {}", rows[i].key,
+             shown(entry.key), one_of(names, entry.key));
       m[i][static_cast<std::size_t>(column - names.begin())] =
           number(*entry.value, fmt::format("mass: {}: {}", rows[i].key, entry.key));
     }

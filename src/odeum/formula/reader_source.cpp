@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <set>
 #include <sstream>
 
 #include "odeum/formula/reader.hpp"
@@ -9,78 +8,22 @@
 namespace odeum::formula::reading {
 namespace {
 
-constexpr std::string_view left = "\xe2\x9f\xa6", right = "\xe2\x9f\xa7";
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-    text.replace(at, what.size(), by);
-}
-
 std::size_t characters(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
   return count;
 }
 
-/// The text with the brackets of u[i] replaced by characters that YAML has no use for: in a mapping
-/// in braces, a bracket would end the key or the expression.
-std::string without_brackets(const std::string& text) {
-  std::string masked;
-  std::size_t open = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\n') open = 0;
-    if (c == '[' && (open > 0 || (i > 0 && continues_name(text[i - 1])))) {
-      ++open;
-      masked += left;
-    } else if (c == ']' && open > 0) {
-      --open;
-      masked += right;
-    } else {
-      masked += c;
-    }
-  }
-  return masked;
-}
-
 }  // namespace
 
-std::string with_brackets(std::string text) {
-  replace_all(text, left, "[");
-  replace_all(text, right, "]");
-  return text;
-}
-
-Source::Source(std::string file, const std::string& text) : file_(std::move(file)) {
+Source::Source(const std::string& file, const std::string& text)
+    : root_(parse_yaml(
+          file, text,
+          {.name = "problem", .depth = 8, .nodes = 100'000, .aliases = false, .indices = true})),
+      reading_{.file = file, .format = "problem"} {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines_.push_back(line);
-  try {
-    root_ = parse_yaml(file_, without_brackets(text),
-                       {.name = "problem", .depth = 8, .nodes = 100'000, .aliases = false});
-  } catch (const InputError& error) {
-    throw InputError(with_brackets(error.what()));
-  }
-  if (root_->kind != YamlNode::Kind::mapping)
-    fail(root_->place, "problem: not a mapping; got {}, expected keys: states, equations, time",
-         root_->kind_name());
-}
-
-std::vector<Item> Source::items(const YamlNode& mapping, const std::string& key) const {
-  if (mapping.kind == YamlNode::Kind::null) return {};
-  if (mapping.kind != YamlNode::Kind::mapping)
-    fail(mapping.place, "{}: not a mapping; got {}, expected `name: value` entries", key,
-         mapping.kind_name());
-  std::vector<Item> all;
-  std::set<std::string> seen;
-  for (std::size_t k = 0; k + 1 < mapping.items.size(); k += 2) {
-    const YamlNode& name = *mapping.items[k];
-    if (name.kind != YamlNode::Kind::scalar)
-      fail(name.place, "{}: not a key; got {}, expected a name", key, name.kind_name());
-    all.push_back({with_brackets(name.text), name.place, mapping.items[k + 1].get()});
-    if (!seen.insert(all.back().key).second)
-      fail(name.place, "{}: a key twice; got {}, expected it once", key, shown(all.back().key));
-  }
-  return all;
+  input::Value(reading_, *root_, "").require_keys({});
 }
 
 std::string Source::scalar(const YamlNode& value, const std::string& key) const {
@@ -88,7 +31,7 @@ std::string Source::scalar(const YamlNode& value, const std::string& key) const 
     fail(value.place, "{}: not an expression; got {}, expected one{}", key, value.kind_name(),
          value.kind == YamlNode::Kind::mapping ? " (quote it where it has a colon or { } around it)"
                                                : "");
-  return with_brackets(value.text);
+  return value.text;
 }
 
 Place Source::place_in(const YamlNode& value, const std::string& text, std::size_t at) const {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/formula/reader.hpp"
+#include "odeum/input/near_words.hpp"
 
 namespace odeum::formula::reading {
 namespace {
@@ -155,9 +155,9 @@ void Reader::read_equations(const Scope& scope) {
   problem_.equations = read_by_state("equations", scope, problem_.places);
   require_all("equations", problem_.equations);
   for (const Item& item : items("equations"))
-    problem_.equations_text += fmt::format(
-        "{}{}' = {}", problem_.equations_text.empty() ? "" : ", ", item.key,
-        item.value->text.size() > 200 ? "..." : on_one_line(with_brackets(item.value->text)));
+    problem_.equations_text +=
+        fmt::format("{}{}' = {}", problem_.equations_text.empty() ? "" : ", ", item.key,
+                    item.value->text.size() > 200 ? "..." : on_one_line(item.value->text));
 }
 
 void Reader::read_exact() {
@@ -202,25 +202,25 @@ void Reader::read_tolerance() {
     if (!(given > 0)) fail(value.place, "{}: got {}, expected a positive number", key, given);
     return given;
   };
+  const Item* const given = section("tolerance");
+  if (!given) return;
+  constexpr std::string_view keys[] = {"relative", "absolute"};
   double relative = 0;
   std::vector<double> absolute;
-  for (const Item& item : items("tolerance")) {
-    const std::string key = "tolerance: " + item.key;
-    if (item.key == "relative") {
-      relative = positive(*item.value, key);
-    } else if (item.key != "absolute") {
-      fail(item.key_place, "tolerance: an unknown key; got {}, expected relative, absolute",
-           shown(item.key));
-    } else if (item.value->kind == YamlNode::Kind::sequence) {
-      for (const auto& each : item.value->items) absolute.push_back(positive(*each, key));
+  for (const auto& [key, place, value] : items(*given->value, "tolerance", keys)) {
+    const std::string path = "tolerance: " + key;
+    if (key == "relative") {
+      relative = positive(*value, path);
+    } else if (value->kind == YamlNode::Kind::sequence) {
+      for (const auto& each : value->items) absolute.push_back(positive(*each, path));
       if (absolute.size() != problem_.states.size())
-        fail(item.value->place, "{}: got {} numbers, expected one, or {}: one for each state", key,
+        fail(value->place, "{}: got {} numbers, expected one, or {}: one for each state", path,
              absolute.size(), problem_.states.size());
     } else {
-      absolute = {positive(*item.value, key)};
+      absolute = {positive(*value, path)};
     }
   }
-  if (const Item* const given = section("tolerance"); given && relative == 0)
+  if (relative == 0)
     fail(
         given->value->place,
         "tolerance: got no relative one, expected `tolerance: {{relative: 1e-6, absolute: 1e-9}}`");

@@ -8,8 +8,10 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <unordered_map>
+#include <utility>
 
 namespace odeum {
 namespace {
@@ -17,6 +19,37 @@ namespace {
 Place place_of(const YAML::Mark& mark) {
   if (mark.is_null()) return {};
   return {static_cast<std::size_t>(mark.line) + 1, static_cast<std::size_t>(mark.column) + 1};
+}
+
+// What stands for the brackets of u[i] while yaml-cpp reads.
+constexpr std::string_view left = "\xe2\x9f\xa6", right = "\xe2\x9f\xa7";
+
+std::string without_brackets(const std::string& text) {
+  std::string masked;
+  std::size_t open = 0;
+  char before = ' ';
+  for (const char c : text) {
+    const bool in_name = (std::isalnum(static_cast<unsigned char>(before)) != 0) || before == '_';
+    if (c == '\n') open = 0;
+    if (c == '[' && (open > 0 || in_name)) {
+      ++open;
+      masked += left;
+    } else if (c == ']' && open > 0) {
+      --open;
+      masked += right;
+    } else {
+      masked += c;
+    }
+    before = c;
+  }
+  return masked;
+}
+
+std::string with_brackets(std::string text) {
+  for (const auto& [what, by] : {std::pair(left, '['), std::pair(right, ']')})
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+      text.replace(at, what.size(), 1, by);
+  return text;
 }
 
 /// Builds the tree from yaml-cpp's events and enforces the limits at each event.
@@ -36,7 +69,7 @@ class Builder final : public YAML::EventHandler {
                 const std::string& value) override {
     check_tag(mark, tag);
     auto node = make(mark, YamlNode::Kind::scalar);
-    node->text = value;
+    node->text = format_.indices ? with_brackets(value) : value;
     node->quoted = tag == "!";
     if (!node->quoted && (value.empty() || value == "~" || value == "null"))
       node->kind = YamlNode::Kind::null;
@@ -248,7 +281,7 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::s
   require_text(file, text, format.name);
   Builder builder(file, format);
   try {
-    std::istringstream in(text);
+    std::istringstream in(format.indices ? without_brackets(text) : text);
     YAML::Parser parser(in);
     if (!parser.HandleNextDocument(builder) || !builder.root() ||
         builder.root()->kind == YamlNode::Kind::null)
@@ -261,9 +294,9 @@ std::shared_ptr<const YamlNode> parse_yaml(const std::string& file, const std::s
           format.name + ": a second document; got more after ---, expected one document");
     return root;
   } catch (const YAML::Exception& error) {
-    throw InputError(
-        file, place_of(error.mark),
-        format.name + ": not YAML; got: " + shown(error.msg) + ", expected a mapping of keys");
+    throw InputError(file, place_of(error.mark),
+                     format.name + ": not YAML; got: " + shown(with_brackets(error.msg)) +
+                         ", expected a mapping of keys");
   }
 }
 

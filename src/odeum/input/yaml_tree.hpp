@@ -49,6 +49,9 @@ struct YamlFormat {
   std::size_t depth = 32;          ///< levels of nesting
   std::size_t nodes = 20'000'000;  ///< with aliases expanded
   bool aliases = true;             ///< whether it may have anchors and aliases
+  /// Whether names may have indices, u[i], in mappings in braces too, where YAML's rules would end
+  /// the key or the value at a bracket.
+  bool indices = false;
 };
 
 /// Parses one document. Throws InputError (with `file` for its text) for a text that is not YAML,

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "odeum/core/glob.hpp"
+#include "odeum/input/near_words.hpp"
 
 namespace odeum::sweep {
 namespace {

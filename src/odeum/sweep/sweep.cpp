@@ -10,9 +10,9 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "odeum/core/glob.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
+#include "odeum/input/near_words.hpp"
 #include "odeum/sweep/checks.hpp"
 #include "odeum/sweep/part.hpp"
 #include "odeum/sweep/runner.hpp"
@@ -170,10 +170,10 @@ Result run(const Plan& plan) {
   for (const Parameter& parameter : plan.base->parameters) known.push_back(parameter.name);
   for (const std::string& name : plan.members.names())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw std::invalid_argument(
-          known.empty() ? fmt::format("{} has no parameters", plan.base->id)
-                        : fmt::format("{} has no parameter {}{}; expected one of {}", plan.base->id,
-                                      name, near_one(name, known), fmt::join(known, ", ")));
+      throw std::invalid_argument(known.empty()
+                                      ? fmt::format("{} has no parameters", plan.base->id)
+                                      : fmt::format("{} has no parameter {}; expected {}",
+                                                    plan.base->id, name, one_of(known, name)));
   Result result = Sweep(plan).run();
   if (plan.kept.share.of != 1 || plan.kept.share.count) return result;
   check_members(plan, result);

@@ -26,7 +26,7 @@ SolverChoice read_solver(const Value& value) {
   SolverChoice choice;
   const Value type = mapping.at("type");
   choice.type = type.text();
-  choice.where = fmt::format("{}:{}:{}: {}", value.context().file, type.place().line,
+  choice.where = fmt::format("{}:{}:{}: {}", context_of(value).file, type.place().line,
                              type.place().column, type.key());
   mapping.with("timestep", [&](const Value& v) { choice.step = v.number(Sign::positive); });
   mapping.with("tolerance", [&](const Value& v) {
@@ -69,12 +69,10 @@ void warn_of_duplicates(Context& context) {
 }
 
 void read_all(Context& context, const YamlNode& root) {
-  const Value whole(context, root, "");
-  if (root.kind != YamlNode::Kind::mapping)
-    Value(context, root, "scene").fail("not a scene", "a mapping of keys");
   const Mapping mapping(
-      whole, {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth",
-              "forces", "contacts", "emitters", "output", "plot", "allow_negative_damping"});
+      {context, root, ""},
+      {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth", "forces",
+       "contacts", "emitters", "output", "plot", "allow_negative_damping"});
   Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
@@ -118,9 +116,7 @@ ReadScene read_scene_file(const std::string& path, const ReadOptions& options) {
 }
 
 ReadScene read_scene(const std::string& file, const std::string& text, const ReadOptions& options) {
-  Context context;
-  context.file = file;
-  context.options = options;
+  Context context(file, options);
   const auto root = parse_yaml(file, text, {.name = "scene"});
   read_all(context, *root);
   return {std::move(context.scene), std::move(context.warnings), context.duration_given};

@@ -13,7 +13,7 @@ constexpr std::uint64_t most_whole = std::uint64_t{1} << 53;
 
 // The end of a spring: the id of a particle read before.
 std::size_t particle_id(const Value& value) {
-  const std::size_t count = value.context().scene.particles.size();
+  const std::size_t count = context_of(value).scene.particles.size();
   const std::uint64_t id = value.whole(0, most_whole);
   if (id >= count)
     value.fail("no such particle", count == 0 ? "a scene with particles"
@@ -31,15 +31,15 @@ Vec3 velocity_of(const Value& value, bool fixed) {
 }  // namespace
 
 void make_room(const Value& at, std::uint64_t more) {
-  const std::uint64_t most = at.context().options.most_particles;
-  const std::uint64_t count = at.context().scene.particles.size() + more;
+  const std::uint64_t most = context_of(at).options.most_particles;
+  const std::uint64_t count = context_of(at).scene.particles.size() + more;
   if (count > most)
     at.fail("too many particles", std::to_string(count),
             fmt::format("at most {} (--max-particles raises it)", most));
 }
 
 void add_spring(const Value& at, Spring spring, bool rest_length_given) {
-  Scene& scene = at.context().scene;
+  Scene& scene = context_of(at).scene;
   const Vec3 &a = scene.particles[spring.a].position, &b = scene.particles[spring.b].position;
   const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   if (a == b)
@@ -51,7 +51,7 @@ void add_spring(const Value& at, Spring spring, bool rest_length_given) {
     at.fail("particles too far apart for a spring", fmt::format("{}", length), "a finite length");
   if (!rest_length_given) spring.rest_length = length;
   scene.springs.push_back(spring);
-  at.context().spring_places.push_back(at.place());
+  context_of(at).spring_places.push_back(at.place());
 }
 
 void read_particles(const Value& list) {
@@ -68,7 +68,7 @@ void read_particles(const Value& list) {
     else
       particle.mass = mapping.number_or("mass", Sign::not_negative, 1);
     particle.radius = mapping.number_or("radius", Sign::not_negative, 0);
-    list.context().scene.particles.push_back(particle);
+    context_of(list).scene.particles.push_back(particle);
   }
 }
 
@@ -85,8 +85,8 @@ void read_springs(const Value& list) {
       ids.fail("a spring from a particle to itself", fmt::format("[{}, {}]", spring.a, spring.b),
                "two different ids");
     spring.stiffness = mapping.at("stiffness").number(Sign::not_negative);
-    spring.damping = mapping.damping();
-    spring.axial = mapping.axial();
+    spring.damping = damping_of(mapping);
+    spring.axial = is_axial(mapping);
     spring.rest_length = mapping.number_or("rest_length", Sign::not_negative, 0);
     spring.tension_only = mapping.boolean_or("tension_only", false);
     add_spring(entry, spring, mapping.has("rest_length"));
@@ -105,7 +105,7 @@ void read_plot(const Value& value) {
       v.fail("an empty range", fmt::format("[{}, {}]", (*plot.y_range)[0], (*plot.y_range)[1]),
              "the lower end first");
   });
-  value.context().scene.plot = plot;
+  context_of(value).scene.plot = plot;
 }
 
 }  // namespace odeum::scene::reading

@@ -32,7 +32,7 @@ void for_each_of(Scene& scene, const ClothPatch& patch, Range rows, Range column
 }
 
 void read_particles_of(const Mapping& cloth, const ClothPatch& patch) {
-  Scene& scene = cloth.value().context().scene;
+  Scene& scene = context_of(cloth.value()).scene;
   const Vec3 origin = cloth.has("origin") ? cloth.at("origin").vector() : Vec3{};
   const Vec3 row_edge = cloth.at("row_edge").vector(), edge = cloth.at("column_edge").vector();
   Particle particle;
@@ -61,7 +61,7 @@ void read_fixed(const Mapping& cloth, const ClothPatch& patch) {
       which.with("row", [&](const Value& v) { rows.first = rows.last = v.whole(0, rows.last); });
       which.with("column",
                  [&](const Value& v) { columns.first = columns.last = v.whole(0, columns.last); });
-      for_each_of(cloth.value().context().scene, patch, rows, columns,
+      for_each_of(context_of(cloth.value()).scene, patch, rows, columns,
                   [](Particle& particle) { particle.fixed = true; });
     }
   });
@@ -74,7 +74,7 @@ void read_velocity(const Mapping& cloth, const ClothPatch& patch) {
       const Range rows = read_range(which, "rows", patch.rows);
       const Range columns = read_range(which, "columns", patch.columns);
       const Vec3 velocity = which.at("value").vector();
-      for_each_of(cloth.value().context().scene, patch, rows, columns, [&](Particle& particle) {
+      for_each_of(context_of(cloth.value()).scene, patch, rows, columns, [&](Particle& particle) {
         if (!particle.fixed) particle.velocity = velocity;
       });
     }
@@ -86,13 +86,13 @@ std::optional<Spring> read_links(const Mapping& cloth, std::string_view key, Spr
   if (!cloth.has(key)) return std::nullopt;
   const Mapping mapping(cloth.at(key), {"stiffness", "damping"});
   like.stiffness = mapping.at("stiffness").number(Sign::not_negative);
-  like.damping = mapping.damping();
+  like.damping = damping_of(mapping);
   return like;
 }
 
 void read_springs_of(const Mapping& cloth, const ClothPatch& patch) {
   Spring like;
-  like.axial = cloth.axial();
+  like.axial = is_axial(cloth);
   like.tension_only = cloth.boolean_or("tension_only", false);
   const auto structural = read_links(cloth, "structural", like);
   const auto shear = read_links(cloth, "shear", like), bend = read_links(cloth, "bend", like);
@@ -123,7 +123,7 @@ void read_cloth(const Value& value) {
   const Mapping cloth(
       value, {"rows", "columns", "origin", "row_edge", "column_edge", "mass", "structural", "shear",
               "bend", "damping_model", "tension_only", "radius", "fixed", "velocity"});
-  Scene& scene = value.context().scene;
+  Scene& scene = context_of(value).scene;
   const ClothPatch patch{.first = scene.particles.size(),
                          .rows = cloth.at("rows").whole(2, 1'000'000),
                          .columns = cloth.at("columns").whole(2, 1'000'000)};

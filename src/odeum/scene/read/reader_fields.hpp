@@ -1,93 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <functional>
-#include <initializer_list>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "odeum/input/mapping.hpp"
 #include "odeum/scene/read/reader.hpp"
 
-/// The parts of the scene reader: checked values, and mappings with a set of known keys.
+/// The parts of the scene reader.
 namespace odeum::scene::reading {
 
-/// The state of reading: file, limits, warnings.
-struct Context {
-  std::string file;
-  ReadOptions options;
-  Scene scene;
-  std::vector<std::string> warnings;
-  std::vector<Place> spring_places;  ///< of each spring of the scene
-  bool allow_negative_damping = false;
-  bool duration_given = true;
-
-  void warn(Place place, const std::string& rest);
-};
-
-enum class Sign { any, not_negative, positive };
-
-/// A value and its path: `particles[3].pos`.
-class Value {
- public:
-  Value(Context& context, const YamlNode& node, std::string key)
-      : context_(&context), node_(&node), key_(std::move(key)) {}
-
-  double number(Sign sign = Sign::any) const;
-  std::uint64_t whole(std::uint64_t least, std::uint64_t most) const;
-  bool boolean() const;
-  std::string text() const;
-  Vec3 vector() const;
-  /// The elements of a list (nothing counts as an empty one).
-  std::vector<Value> list() const;
-  /// The elements of a list of exactly n.
-  std::vector<Value> list_of(std::size_t n, const char* expected) const;
-
-  bool is_list() const { return node_->kind == YamlNode::Kind::sequence; }
-  [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
-  [[noreturn]] void fail(const std::string& what, const std::string& got,
-                         const std::string& expected) const;
-  void warn(const std::string& what) const { context_->warn(node_->place, key_ + ": " + what); }
-
-  Context& context() const { return *context_; }
-  const YamlNode& node() const { return *node_; }
-  const std::string& key() const { return key_; }
-  Place place() const { return node_->place; }
-
- private:
-  Context* context_;
-  const YamlNode* node_;
-  std::string key_;
-};
-
-/// A mapping with known keys: a duplicate key is an error, and so is an unknown one, unless it is
-/// one of those that only a viewer needs (viewer_keys), which gets a warning.
-class Mapping {
- public:
-  Mapping(const Value& value, std::initializer_list<std::string_view> known);
-
-  bool has(std::string_view key) const { return value_.node().find(key) != nullptr; }
-  /// Throws where the key is missing.
-  Value at(std::string_view key) const;
-  void with(std::string_view key, const std::function<void(const Value&)>& use) const;
-  double number_or(std::string_view key, Sign sign, double otherwise) const;
-  bool boolean_or(std::string_view key, bool otherwise) const;
-  /// A damping: not negative, or a warning where the scene allows it.
-  double damping() const;
-  /// Whether the damping model is `axial`, the default, and not `full`.
-  bool axial() const;
-
-  const Value& value() const { return value_; }
-
- private:
-  Value value_;
-};
+using input::Mapping;
+using input::Sign;
+using input::Value;
 
 /// Keys for drawing that scene files of courses and viewers have; nothing physical is named so.
 inline constexpr std::string_view viewer_keys[] = {
     "author", "background",   "camera", "color", "colour", "comment",        "description",
     "fps",    "ground_color", "label",  "light", "lights", "material_color", "opacity",
     "render", "resolution",   "show",   "title", "view",   "viewer",         "window"};
+
+/// The state of reading: file, limits, warnings.
+struct Context : input::Reading {
+  explicit Context(const std::string& name, const ReadOptions& limits)
+      : Reading{.file = name, .format = "scene", .unused = viewer_keys}, options(limits) {}
+
+  ReadOptions options;
+  Scene scene;
+  std::vector<Place> spring_places;  ///< of each spring of the scene
+  bool allow_negative_damping = false;
+  bool duration_given = true;
+};
+inline Context& context_of(const Value& value) { return static_cast<Context&>(value.reading()); }
+
+/// A damping: not negative, or a warning where the scene allows it.
+double damping_of(const Mapping& mapping);
+/// Whether the damping model is `axial`, the default, and not `full`.
+bool is_axial(const Mapping& mapping);
 
 void read_particles(const Value& list);
 void read_springs(const Value& list);

@@ -90,7 +90,7 @@ Vec3 read_colour(const Value& value) {
 // The bytes of a PNG file beside the scene's file.
 std::string read_texture(const Value& value) {
   const std::filesystem::path file(value.text());
-  const auto path = std::filesystem::path(value.context().file).parent_path() / file;
+  const auto path = std::filesystem::path(context_of(value).file).parent_path() / file;
   std::string bytes;
   try {
     bytes = read_text_file(path.string(), "texture", 4'000'000);
@@ -125,14 +125,14 @@ Look read_look(const Value& value) {
 void read_forces(const Value& list) {
   for (const Value& entry : list.list()) {
     const auto [kind, value] = read_choice(entry, {"drag", "quadratic_drag", "wind", "magnetic"});
-    list.context().scene.forces.push_back(read_force(kind, value));
+    context_of(list).scene.forces.push_back(read_force(kind, value));
   }
 }
 
 void read_contacts(const Value& list) {
   for (const Value& entry : list.list()) {
     const auto [kind, value] = read_choice(entry, {"plane", "sphere", "particles"});
-    list.context().scene.contacts.push_back(read_contact(kind, value));
+    context_of(list).scene.contacts.push_back(read_contact(kind, value));
   }
 }
 
@@ -152,7 +152,7 @@ void read_emitters(const Value& list) {
     mapping.with("seed",
                  [&](const Value& v) { emitter.seed = v.whole(0, std::uint64_t{1} << 53); });
     mapping.with("look", [&](const Value& v) { emitter.look = read_look(v); });
-    list.context().scene.emitters.push_back(emitter);
+    context_of(list).scene.emitters.push_back(emitter);
   }
 }
 
