@@ -124,7 +124,7 @@ TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
   expect("run " + cases + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
   write_own("kepler.yaml");
   expect("run kepler.yaml --set eccentricity=1", 2, "division by zero");
-  expect("run " + cases + "lorenz.yaml --set zz=1", 2, "expected one of: ");
+  expect("run " + cases + "lorenz.yaml --set zz=1", 2, "expected one of ");
   write("plain.yaml", "states: {x: 1}\nequations: {x: -x}\ntime: {end: 1}\n");
   expect("run plain.yaml --set x=3", 2, "the file has no parameters");
   expect("run lotka_volterra --solver rk4 --step 0.1 --set zz=1", 2, "no parameter zz");

@@ -13,6 +13,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "odeum/input/utf8.hpp"
+
 namespace odeum {
 namespace {
 
@@ -193,32 +195,11 @@ class Builder final : public YAML::EventHandler {
   Place start_;
 };
 
-// The length of the UTF-8 sequence that starts here, 0 where it is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const auto follows = [&](std::size_t i) { return (byte(i) & 0xc0U) == 0x80U; };
-  const unsigned first = byte(0), second = byte(1);
-  if (first < 0x80) return 1;
-  if (first >= 0xc2 && first <= 0xdf) return follows(1) ? 2 : 0;
-  if (first >= 0xe0 && first <= 0xef) {
-    const bool overlong = first == 0xe0 && second < 0xa0,
-               surrogate = first == 0xed && second > 0x9f;
-    return follows(1) && follows(2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (first >= 0xf0 && first <= 0xf4) {
-    const bool beyond = (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-    return follows(1) && follows(2) && follows(3) && !beyond ? 4 : 0;
-  }
-  return 0;
-}
-
 void require_text(const std::string& file, std::string_view text, const std::string& name) {
   Place place;
   for (std::size_t i = 0; i < text.size();) {
     const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t length = utf8_length(text.substr(i));
+    const std::size_t length = first_character(text.substr(i)).bytes;
     if (length == 0)
       throw InputError(file, place,
                        fmt::format("{}: not UTF-8 text; got the byte 0x{:02x}, expected UTF-8",
@@ -243,15 +224,12 @@ InputError::InputError(const std::string& file, Place place, const std::string& 
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string line;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = std::max<std::size_t>(utf8_length(text.substr(i)), 1);
+  while (!text.empty()) {
+    const auto [code, bytes] = first_character(text);
+    const std::size_t length = std::max<std::size_t>(bytes, 1);
     if (line.size() + length > longest) return line + "...";
-    const auto c = static_cast<unsigned char>(text[i]);
-    const bool control =
-        c < 0x20 || c == 0x7f ||
-        (c == 0xc2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xa0);
-    line += control ? " " : std::string(text.substr(i, length));
-    i += length;
+    line += bytes > 0 && is_control(code) ? " " : text.substr(0, length);
+    text.remove_prefix(length);
   }
   return line;
 }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "odeum/input/utf8.hpp"
+
 namespace odeum::record {
 namespace {
 
@@ -28,13 +30,13 @@ std::string format_text(std::string_view text) {
   std::string field;
   bool quote = false;
   if (begins_a_formula(text)) field += '\'';
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto code = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-    const bool c1 = code(i) == 0xc2 && i + 1 < text.size() && (code(i + 1) & 0xe0) == 0x80;
-    if (c1) ++i;  // U+0080 to U+009F are two bytes; U+009B begins an escape as ESC [ does
-    if (text[i] == '"') field += '"';
-    if (text[i] == '"' || text[i] == ',') quote = true;
-    field += c1 || code(i) < 0x20 || code(i) == 0x7f ? ' ' : text[i];
+  while (!text.empty()) {
+    const auto [code, bytes] = first_character(text);
+    const std::string_view character = text.substr(0, bytes == 0 ? 1 : bytes);
+    if (code == '"') field += '"';
+    if (code == '"' || code == ',') quote = true;
+    field += bytes > 0 && is_control(code) ? " " : character;
+    text.remove_prefix(character.size());
   }
   return quote ? '"' + field + '"' : field;
 }

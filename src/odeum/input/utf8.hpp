@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace odeum {
+
+/// A character at the head of a text: its code point and bytes; 0 bytes where it is no UTF-8.
+struct Utf8Character {
+  std::uint32_t code = 0;
+  std::size_t bytes = 0;
+};
+Utf8Character first_character(std::string_view text);
+
+/// Line breaks, terminal escapes, and those of Latin-1, of which U+009B begins an escape too.
+inline bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+}  // namespace odeum
