@@ -3,12 +3,11 @@
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
-#include <array>
 #include <cmath>
 
 #include "engine.hpp"
+#include "exerted.hpp"
 #include "expressible.hpp"
-#include "odeum/scene/problem/scene_problem.hpp"
 #include "soft_body.hpp"
 
 namespace odeum::adapters::bullet {
@@ -16,8 +15,9 @@ namespace {
 
 class ClassicEngine : public Engine {
  public:
-  ClassicEngine(const scene::Scene& scene, const std::vector<double>& state)
-      : world_(&parts_.dispatcher, &parts_.broadphase, &solver_, &parts_.configuration) {
+  ClassicEngine(const scene::Scene& scene, const std::vector<double>& state, bool springs)
+      : exerted_(scene, springs),
+        world_(&parts_.dispatcher, &parts_.broadphase, &solver_, &parts_.configuration) {
     btSoftBodyWorldInfo& info = world_.getWorldInfo();
     info.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
     info.m_maxDisplacement = no_displacement_limit;
@@ -25,66 +25,41 @@ class ClassicEngine : public Engine {
     world_.addSoftBody(body_.get());
   }
 
+  void exert(double t, Guard& guard) override {
+    if (exerted_.any()) add_forces(t, {}, guard);
+  }
   bool step(double h) override { return world_.stepSimulation(h, 0) == 1; }
   const btSoftBody& body() const override { return *body_; }
 
  protected:
   btSoftBody& body() { return *body_; }
+  void add_forces(double t, const scene::Mat3& matrix, Guard& guard) {
+    exerted_.visit(t, *body_, matrix, guard, [&](std::size_t i, const scene::Vec3& f) {
+      body_->addForce(btVector3(f[0], f[1], f[2]), static_cast<int>(i));
+    });
+  }
 
  private:
+  Exerted exerted_;
   CollisionParts parts_;
   btSequentialImpulseConstraintSolver solver_;
   std::unique_ptr<btSoftBody> body_;  // outlives the world, which only refers to it
   btSoftRigidDynamicsWorld world_;
 };
 
-/// The adapter applies the forces of springs and medium, the world gravity.
+/// The adapter applies the forces of all terms but gravity, which is the world's.
 class ForceEngine final : public ClassicEngine {
  public:
   ForceEngine(const scene::Scene& scene, const std::vector<double>& state)
-      : ClassicEngine(scene, state),
-        springs_(springs_of(scene)),
-        medium_(scene.velocity_matrix),
-        n_(3 * scene.size()),
-        q_(n_),
-        v_(n_),
-        a_(n_) {
+      : ClassicEngine(scene, state, true), medium_(scene.velocity_matrix) {
     body().m_links.clear();
     body().m_cfg.piterations = 0;  // otherwise velocities are recomputed from positions
   }
 
-  void exert(double t, Guard& guard) override {
-    const auto& nodes = body().m_nodes;
-    const auto node = [&](std::size_t i) -> const btSoftBody::Node& {
-      return nodes[static_cast<int>(i)];
-    };
-    for (std::size_t i = 0; i < n_; ++i) {
-      q_[i] = node(i / 3).m_x[static_cast<int>(i % 3)];
-      v_[i] = node(i / 3).m_v[static_cast<int>(i % 3)];
-    }
-    springs_.acceleration(t, q_.data(), v_.data(), a_.data());
-    for (std::size_t i = 0; i < n_; i += 3)
-      for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column)
-          a_[i + row] += medium_[3 * row + column] * v_[i + column];
-    guard.inspect(t, a_.data(), n_);
-    for (std::size_t i = 0; i < n_ / 3; ++i)
-      if (node(i).m_im > 0)
-        body().addForce(btVector3(a_[3 * i], a_[3 * i + 1], a_[3 * i + 2]) / node(i).m_im,
-                        static_cast<int>(i));
-  }
+  void exert(double t, Guard& guard) override { add_forces(t, medium_, guard); }
 
  private:
-  static scene::Scene springs_of(scene::Scene scene) {
-    scene.gravity = {};
-    scene.velocity_matrix = {};
-    return scene;
-  }
-
-  scene::SceneProblem springs_;
-  std::array<double, 9> medium_;
-  std::size_t n_;
-  std::vector<double> q_, v_, a_;
+  scene::Mat3 medium_;
 };
 
 /// Position-based links. A link is projected towards its rest length by the share kLST in each of
@@ -96,7 +71,7 @@ class LinkEngine final : public ClassicEngine {
   /// number of sweeps; otherwise Bullet's default of 1.
   LinkEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
              bool matched)
-      : ClassicEngine(scene, state) {
+      : ClassicEngine(scene, state, false) {
     const double h = plan.h;
     if (plan.sweeps > 0) body().m_cfg.piterations = plan.sweeps;
     for (std::size_t s = 0; matched && s < scene.springs.size(); ++s) {

@@ -7,9 +7,11 @@
 #include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
 #include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
 
-#include <optional>
+#include <map>
+#include <tuple>
 
 #include "engine.hpp"
+#include "exerted.hpp"
 #include "expressible.hpp"
 #include "soft_body.hpp"
 
@@ -53,11 +55,52 @@ class CountedSolver final : public btDeformableBodySolver {
   }
 };
 
+/// Forces on the nodes that are given for a step, in place of a law.
+class GivenForces final : public btDeformableLagrangianForce {
+ public:
+  void set(int node, const btVector3& force) { forces_[node] = force; }
+  void addSoftBody(btSoftBody* body) override {
+    btDeformableLagrangianForce::addSoftBody(body);
+    forces_.resize(body->m_nodes.size(), btVector3(0, 0, 0));
+  }
+
+  void addScaledForces(btScalar scale, TVStack& force) override {
+    const auto& nodes = m_softBodies[0]->m_nodes;
+    for (int i = 0; i < nodes.size(); ++i) force[nodes[i].index] += scale * forces_[i];
+  }
+  void addScaledExplicitForce(btScalar scale, TVStack& force) override {
+    addScaledForces(scale, force);
+  }
+  void addScaledDampingForce(btScalar, TVStack&) override {}
+  void addScaledElasticForceDifferential(btScalar, const TVStack&, TVStack&) override {}
+  void addScaledDampingForceDifferential(btScalar, const TVStack&, TVStack&) override {}
+  void buildDampingForceDifferentialDiagonal(btScalar, TVStack&) override {}
+  // One that this world has no other force of, and Bullet's solver no rule for.
+  btDeformableLagrangianForceType getForceType() override { return BT_LINEAR_ELASTICITY_FORCE; }
+
+ private:
+  TVStack forces_;
+};
+
+/// The links of equal stiffness and damping with their force, which acts on all links of a body: on
+/// a body that is not in the world and has links alone, between the nodes of the one that is.
+struct LinkGroup {
+  LinkGroup(btSoftBodyWorldInfo& info, const scene::Spring& spring)
+      : links(&info), force(spring.stiffness, spring.damping, spring.axial) {
+    links.setActivationState(DISABLE_DEACTIVATION);
+    force.addSoftBody(&links);
+  }
+  btSoftBody links;
+  /// Its third argument: whether damping acts on the relative velocity along the spring only.
+  btDeformableMassSpringForce force;
+};
+
 class DeformableEngine final : public Engine {
  public:
   DeformableEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
                    bool implicit)
-      : world_(&parts_.dispatcher, &parts_.broadphase, &contacts_, &parts_.configuration,
+      : exerted_(scene, false),
+        world_(&parts_.dispatcher, &parts_.broadphase, &contacts_, &parts_.configuration,
                &solver_) {
     if (implicit) solver_.count(plan);
     contacts_.setDeformableSolver(&solver_);
@@ -72,30 +115,48 @@ class DeformableEngine final : public Engine {
     }
   }
 
+  void exert(double t, Guard& guard) override {
+    if (!exerted_.any()) return;
+    exerted_.visit(t, *body_, {}, guard, [&](std::size_t i, const scene::Vec3& f) {
+      given_.set(static_cast<int>(i), btVector3(f[0], f[1], f[2]));
+    });
+  }
   bool step(double h) override { return world_.stepSimulation(h, 0) == 1; }
   const btSoftBody& body() const override { return *body_; }
 
  private:
   void build(const scene::Scene& scene, const std::vector<double>& state) {
-    body_ = make_body(world_.getWorldInfo(), scene, state);
+    btSoftBodyWorldInfo& info = world_.getWorldInfo();
+    body_ = make_body(info, scene, state);
     world_.addSoftBody(body_.get());
     // Also for zero gravity: without this force the implicit solver reads an uninitialised one.
     gravity_.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
     world_.addForce(body_.get(), &gravity_);
-    if (!scene.springs.empty()) {
-      // "false": damping acts on the whole relative velocity, as in the scene, not along the spring
-      // only.
-      springs_.emplace(scene.springs[0].stiffness, scene.springs[0].damping, false);
-      world_.addForce(body_.get(), &*springs_);
+    if (exerted_.any()) world_.addForce(body_.get(), &given_);
+    std::map<std::tuple<double, double, bool>, LinkGroup*> kinds;
+    for (std::size_t s = 0; s < scene.springs.size(); ++s) {
+      const scene::Spring& spring = scene.springs[s];
+      LinkGroup*& group = kinds[{spring.stiffness, spring.damping, spring.axial}];
+      if (!group) {
+        groups_.push_back(std::make_unique<LinkGroup>(info, spring));
+        group = groups_.back().get();
+        // Not by addForce, which gives the body to the first force of a kind in place of the
+        // second.
+        group->force.setIndices(solver_.getIndices());
+        solver_.getLagrangianForceArray()->push_back(&group->force);
+      }
+      group->links.m_links.push_back(body_->m_links[static_cast<int>(s)]);
     }
   }
 
+  Exerted exerted_;
   CollisionParts parts_;
   CountedSolver solver_;
   btDeformableMultiBodyConstraintSolver contacts_;
   btDeformableGravityForce gravity_{btVector3(0, 0, 0)};
-  std::optional<btDeformableMassSpringForce> springs_;
-  std::unique_ptr<btSoftBody> body_;  // outlives the world, which lets go of it
+  GivenForces given_;
+  std::vector<std::unique_ptr<LinkGroup>> groups_;  // made in the world, and outlive it
+  std::unique_ptr<btSoftBody> body_;                // outlives the world, which lets go of it
   btDeformableMultiBodyDynamicsWorld world_;
 };
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes as problems of every command: truth, errors in m, runs that blow up.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <sstream>
 
 #include "odeum/cases/scene_case.hpp"
 #include "support/program.hpp"
@@ -84,6 +87,79 @@ TEST(SceneCommands, ARunThatBlowsUpIsNotOk) {
   EXPECT_EQ(result.code, 3) << result.output;
   EXPECT_NE(result.output.find("it has blown up: the energy is"), std::string::npos)
       << result.output;
+}
+
+// Steps at which explicit methods are not stable, on cloths, chains, bodies, contacts and emitted
+// particles.
+TEST(SceneCommands, NoUnstableRunEndsOk) {
+  const char* const runs[] = {
+      "flag --solver rk4 --step 0.005 --until 1",
+      "flag --solver explicit_euler --step 0.002 --until 1",
+      "flag --solver heun --step 0.005 --until 1",
+      "flag --solver velocity_verlet --step 0.004 --until 1",
+      "flag --solver bullet/soft_body_force --step 0.004 --until 1",
+      "hanging_cloth --solver midpoint --step 0.01 --until 1",
+      "hanging_cloth --solver velocity_verlet --step 0.02 --until 1",
+      "hanging_cloth --solver explicit_euler --step 0.005 --until 1",
+      "notebook_cloth --solver rk4 --step 0.2 --until 4",
+      "notebook_cloth --solver explicit_euler --step 0.05 --until 4",
+      "notebook_cloth_two_way --solver symplectic_euler --step 0.2 --until 4",
+      "notebook_cloth_two_way --solver explicit_euler --step 0.05 --until 4",
+      "tension_only_cloth --solver rk4 --step 0.007 --until 1",
+      "tension_only_cloth --solver heun --step 0.01 --until 1",
+      "sheet_coarse --solver midpoint --step 0.05 --until 2",
+      "sheet_coarse --solver velocity_verlet --step 0.05 --until 2",
+      "sheet_fine --solver rk4 --step 0.02 --until 1",
+      "sheet_fine_heavy --solver rk4 --step 0.05 --until 2",
+      "chain --solver velocity_verlet --step 0.02 --until 2",
+      "chain --solver explicit_euler --step 0.01 --until 2",
+      "stiff_rope --solver rk4 --step 0.01 --until 1",
+      "stiff_rope --solver symplectic_euler --step 0.01 --until 1",
+      "spring_explicit_euler --solver explicit_euler --step 0.5 --until 20",
+      "spring_midpoint --solver midpoint --step 1 --until 20",
+      "spring_symplectic_euler --solver symplectic_euler --step 1.25 --until 20",
+      "spinning_pair --solver explicit_euler --step 0.1 --until 20",
+      "spinning_pair --solver rk4 --step 0.5 --until 20",
+      "spherical_pendulum --solver rk4 --step 0.05 --until 2",
+      "spherical_pendulum --solver heun --step 0.02 --until 2",
+      "magnetic_helix --solver explicit_euler --step 0.5 --until 12",
+      "magnetic_helix --solver heun --step 3 --until 12",
+      "raindrop --solver explicit_euler --step 2.5 --until 25",
+      "jelly_cube --solver rk4 --step 0.02 --until 1",
+      "jelly_cube --solver symplectic_euler --step 0.02 --until 1",
+      "box_of_edges --solver rk4 --step 0.05 --until 1",
+      "box_with_diagonals --solver heun --step 0.02 --until 1",
+      "net --solver velocity_verlet --step 0.0053 --until 1",
+      "bowl_of_balls --solver rk4 --step 0.05 --until 2",
+      "bowl_of_balls --solver symplectic_euler --step 0.0069 --until 1",
+      "stack_of_three --solver rk4 --step 0.03 --until 1",
+      "stack_of_three --solver explicit_euler --step 0.01 --until 1",
+      "cloth_on_sphere --solver velocity_verlet --step 0.02 --until 1",
+      "cloth_on_sphere --solver rk4 --step 0.01 --until 1",
+      "sparks --solver rk4 --step 0.25 --until 3",
+      "sparks --solver explicit_euler --step 0.05 --until 3",
+  };
+  std::string script;
+  for (const char* const run : runs)
+    script += fmt::format("odeum run {0} --no-truth > /dev/null 2>&1; echo \"$? {0}\"\n", run);
+  const Result result = shell(script + "true");
+  std::istringstream lines(result.output);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_TRUE(line.starts_with("3 ")) << line;
+  EXPECT_EQ(count, std::size(runs)) << result.output;
+}
+
+// Their energy stays below what gravity and springs give them, or only rounds it.
+TEST(SceneCommands, RunsThatAreStableDoNotBlowUp) {
+  for (const char* const run :
+       {"spring_symplectic_euler --solver symplectic_euler --step 0.4 --until 20",
+        "raindrop --solver explicit_euler --step 0.5 --until 5", "fountain --until 2",
+        "sparks --until 2", "smoke --until 4", "stack_of_three --until 1",
+        "fountain --solver explicit_euler --step 0.1 --until 3"}) {
+    const Result result = shell(std::string("odeum run ") + run + " --no-truth");
+    EXPECT_EQ(result.code, 0) << run << result.output;
+  }
 }
 
 TEST(SceneCommands, ARunHasItsErrorInMetres) {

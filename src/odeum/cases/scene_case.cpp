@@ -18,7 +18,7 @@ Contest<scene::SceneProblem> contest_of(const std::shared_ptr<const scene::Scene
   Contest<scene::SceneProblem> contest;
   contest.problem = problem;
   contest.y0 = {problem, &problem->start()};
-  contest.scene = problem->plain_scene();
+  contest.scene = problem->scene();
   return contest;
 }
 

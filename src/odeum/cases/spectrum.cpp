@@ -95,16 +95,39 @@ Vector arnoldi(const Case& c, const Moment& at, std::size_t most, std::size_t& s
   return part;
 }
 
+using Values = std::vector<std::complex<double>>;
+
+/// Those of Arnoldi's matrix that its leading part has too, to a hundredth, and the largest: others
+/// are no eigenvalues yet.
+Values settled(const Vector& matrix, std::size_t size) {
+  const std::size_t part = size * 3 / 4;
+  Vector leading(part * part);
+  for (std::size_t i = 0; i < part; ++i)
+    for (std::size_t j = 0; j < part; ++j) leading[i * part + j] = matrix[i * size + j];
+  const Values before = eigenvalues(leading, part), now = eigenvalues(matrix, size);
+  double size_of_largest = 0;
+  for (const auto& z : now) size_of_largest = std::max(size_of_largest, std::abs(z));
+  Values found;
+  for (const auto& z : now)
+    if (std::abs(z) == size_of_largest ||
+        std::any_of(before.begin(), before.end(),
+                    [&](const auto& other) { return std::abs(other - z) <= 0.01 * std::abs(z); }))
+      found.push_back(z);
+  return found;
+}
+
 /// In the upper half plane; empty where the Jacobian is not finite.
-std::vector<std::complex<double>> eigenvalues_at(const Case& c, const Moment& at) {
+Values eigenvalues_at(const Case& c, const Moment& at) {
   constexpr std::size_t products = 96;
   std::size_t n = c.y0.size();
-  const Vector matrix =
-      n <= dense_dimension_limit ? dense_jacobian(c, at) : arnoldi(c, at, products, n);
+  const bool dense = n <= dense_dimension_limit;
+  const Vector matrix = dense ? dense_jacobian(c, at) : arnoldi(c, at, products, n);
   if (std::any_of(matrix.begin(), matrix.end(), [](double x) { return !std::isfinite(x); }))
     return {};
-  std::vector<std::complex<double>> upper;
-  for (const std::complex<double>& z : eigenvalues(matrix, n))
+  // Where the iteration ended before, its matrix has all that the start has a part along.
+  const bool whole = dense || n < products;
+  Values upper;
+  for (const std::complex<double>& z : whole ? eigenvalues(matrix, n) : settled(matrix, n))
     if (z.imag() >= 0) upper.push_back(z);
   return upper;
 }

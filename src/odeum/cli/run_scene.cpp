@@ -251,7 +251,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     SceneRun& one = runs.back();
     std::string excess;
     if (one.outcome.status == Status::ok)
-      excess = trajectories::excess_of_energy(scene, *whole, one.outcome);
+      excess = trajectories::excess_of_energy(scene, one.outcome);
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
     if (one.outcome.status != Status::ok && scene.emitters.empty())

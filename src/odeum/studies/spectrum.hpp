@@ -8,19 +8,18 @@
 
 namespace odeum::study {
 
-/// The eigenvalues of a problem's Jacobian at a state, per unit of time, in no particular order.
-/// Throws std::invalid_argument where the problem offers no Jacobian, std::runtime_error where the
-/// iteration for them does not converge.
-std::vector<std::complex<double>> spectrum(const OdeView& view, double t, const double* y);
-
-/// The spectrum along a solution, and the sizes of its components: at the start and at 32 equal
-/// times, from a solution by Radau IIA to 1e-8.
+/// The spectrum of the Jacobian along a solution (cases/spectrum.hpp), and the sizes of the
+/// solution's components: at the start and at equal times, 32 of a small system and 8 of a large
+/// one. The solution is by Radau IIA to 1e-8, or, of a large system that is not stiff, by Dormand's
+/// and Prince's pair to 1e-6.
 struct SpectrumAlong {
   std::string reason;         ///< why there is none; empty: there is
   std::vector<double> sizes;  ///< by component, the largest along the solution
-  /// All that lie in the left half plane, one of each conjugate pair.
+  /// Those in the left half plane, one of each conjugate pair: all, or the outermost of a large
+  /// system.
   std::vector<std::complex<double>> eigenvalues;
   std::complex<double> largest;  ///< of all
+  double growing = 0;            ///< the largest real part to the right of the axis; 0: none
 };
 SpectrumAlong spectrum_along(const Case& c, double time);
 

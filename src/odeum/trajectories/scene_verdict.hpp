@@ -26,11 +26,11 @@ SceneErrors scene_errors(const scene::SceneProblem& problem, const scene::RunRes
 std::vector<double> times_to_judge(const std::vector<const scene::RunResult*>& runs);
 
 /// Why the energy at a frame is more than the scene can have, as a sentence; empty where it is not,
-/// or where that is not known: with emitters and with negative damping. Springs, drag, contacts and
-/// magnetic fields add nothing to the energy of the start; wind adds at most c w^2 / 4 a second to
-/// a particle. A method's own error of energy may be as large as the energy of the start above rest
-/// and the work of gravity over the scene's size.
-std::string excess_of_energy(const scene::Scene& scene, const scene::SceneProblem& problem,
-                             const scene::RunResult& run);
+/// or where that is not known, with negative damping. Springs, drag, contacts and magnetic fields
+/// add nothing to the energy that particles have at the start or at their birth; wind adds at most
+/// c w^2 / 4 a second to each. A method's own error of energy may be as large as what is exchanged:
+/// the energy of springs and motion at the start, and what gravity has given; where forces
+/// dissipate, twice that above the lowest energy before.
+std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& run);
 
 }  // namespace odeum::trajectories

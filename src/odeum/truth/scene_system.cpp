@@ -57,9 +57,8 @@ System system_of(const std::shared_ptr<const SceneProblem>& problem) {
   system.y0.assign(problem->start().begin(), problem->start().end());
   system.smooth = structure.smooth;
   system.concurrent = true;
-  const auto plain = problem->plain_scene();
-  if (plain && plain->springs.size() <= few_springs) {
-    system.rhs = scene::extended_problem(*plain).f;
+  if (problem->plain() && problem->springs().size() <= few_springs) {
+    system.rhs = scene::extended_problem(*problem->scene()).f;
   } else {
     system.rounding = 0x1p-53L;
     system.rhs = [problem, n](Real t, const Real* y, Real* f) {

@@ -79,7 +79,8 @@ class ProductSink final : public BlockSink {
 SceneProblem::SceneProblem(const Scene& scene)
     : gravity_(scene.gravity),
       start_(start_of(scene)),
-      springs_("springs", springs_of(scene, false)) {
+      springs_("springs", springs_of(scene, false)),
+      scene_(std::make_shared<const Scene>(scene)) {
   require_sound(scene);
   bool any_radius = false;
   for (const Particle& particle : scene.particles) {
@@ -96,7 +97,6 @@ SceneProblem::SceneProblem(const Scene& scene)
   for (const Contact& contact : scene.contacts)
     if (any_radius || !std::holds_alternative<ParticleContact>(contact))  // points never touch
       terms_.push_back(make_contact(contact));
-  if (terms_.empty() && scene.contacts.empty()) plain_ = std::make_shared<const Scene>(scene);
   describe(scene);
 }
 

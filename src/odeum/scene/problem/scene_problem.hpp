@@ -79,8 +79,10 @@ class SceneProblem {
   const std::vector<Spring>& springs() const { return springs_.springs(); }
   /// The grid that `springs` form; null where they are computed edge by edge.
   const GridCloth<double>* grid() const { return grid_ ? &*grid_ : nullptr; }
-  /// The scene for physics engines; null where it has terms other than gravity and `springs`.
-  std::shared_ptr<const Scene> plain_scene() const { return plain_; }
+  /// The scene that it was compiled from, for physics engines.
+  const std::shared_ptr<const Scene>& scene() const { return scene_; }
+  /// Whether it has no terms other than gravity and `springs`.
+  bool plain() const { return terms_.empty(); }
   /// Evaluations are counted there from now on.
   void count_into(Tally* tally) { tally_ = tally; }
 
@@ -94,7 +96,7 @@ class SceneProblem {
   EdgeSprings springs_;
   std::optional<GridCloth<double>> grid_;
   std::vector<std::unique_ptr<Term>> terms_;  ///< beside gravity and springs_
-  std::shared_ptr<const Scene> plain_;
+  std::shared_ptr<const Scene> scene_;
   Structure structure_;
   Tally* tally_ = nullptr;
 };

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
@@ -20,12 +23,13 @@ struct Rays {
   const Case* c = nullptr;
   std::string reason;  ///< why there are none; empty: there are
   std::vector<std::complex<double>> eigenvalues;
+  double growing = 0;  ///< the largest real part that is positive; 0: none
 };
 
 Rays rays_of(const Case& c) {
   constexpr double sectors = 96, small = 0.05;
   const SpectrumAlong along = spectrum_along(c, c.stops.back() - c.t0);
-  Rays rays{&c, along.reason, {}};
+  Rays rays{&c, along.reason, {}, along.growing};
   double largest = 0;
   for (const auto& z : along.eigenvalues) largest = std::max(largest, std::abs(z));
   std::map<double, std::complex<double>> by_sector;
@@ -42,10 +46,40 @@ Rays rays_of(const Case& c) {
   return rays;
 }
 
+/// A problem on which growth is measured: y' = z y, or, for methods that need equations of second
+/// order, the oscillator, whose damping others of them do not take.
+struct Plane {
+  const Case* c;
+  bool oscillator;
+  Probe probe;
+  bool runs(const std::string& solver) const {
+    const Entrant* const entrant = probe.entrants.find(solver);
+    return entrant && entrant->unfit.empty();
+  }
+};
+
+std::vector<Plane> planes() {
+  std::vector<Plane> found;
+  for (const char* name : {"lambda", "oscillator", "undamped"})
+    for (const Case& c : all_cases())
+      if (c.plane == name) found.push_back({&c, name != std::string_view("lambda"), c.probe()});
+  return found;
+}
+
+/// The point at a distance on the ray of an eigenvalue. Of an oscillator z is an eigenvalue; a real
+/// one, of strong damping, has a slow one beside it.
+judge::PlaneState point_on_ray(bool oscillator, const std::complex<double>& z, double x) {
+  const std::complex<double> ray = z / std::abs(z);
+  if (!oscillator) return {x * ray.real(), x * ray.imag()};
+  if (ray.imag() > 1e-6) return {x, std::max(0.0, -ray.real())};
+  constexpr double strong = 10;  // the damping ratio
+  return {x / (strong + std::sqrt(strong * strong - 1)), strong};
+}
+
 /// A unit of work.
 struct RayTask {
   const Rays* rays;
-  const Case* plane;  ///< of y' = z y
+  const Plane* plane;
   SolverInfo info;
   std::string unfit;
 };
@@ -54,14 +88,15 @@ StableStep answer(const RayTask& task) {
   auto row = named_row<StableStep>(*task.rays->c, task.info);
   if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   if (!task.rays->reason.empty()) return not_applicable(row, task.rays->reason);
-  const Probe probe = task.plane->probe();
-  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), false, limit_length);
+  const bool oscillator = task.plane->oscillator;
+  const Probe probe = task.plane->c->probe();
+  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), oscillator, limit_length);
   row.status = to_string(Status::ok);
   for (const std::complex<double>& z : task.rays->eigenvalues) {
-    const std::complex<double> ray = z / std::abs(z);
     const judge::LimitFound found = judge::find_limit([&](double x) {
       if (interrupted) throw Interrupted();
-      return meter.measure(x * ray.real(), x * ray.imag());
+      const auto [first, second] = point_on_ray(oscillator, z, x);
+      return meter.measure(first, second);
     });
     if (std::isnan(found.limit)) {
       row.status = to_string(meter.status());
@@ -76,6 +111,12 @@ StableStep answer(const RayTask& task) {
     row.eigenvalue = z;
     row.detail = found.how;
   }
+  if (task.rays->growing > 0) {
+    if (!row.detail.empty()) row.detail += "; ";
+    row.detail +=
+        fmt::format("an eigenvalue of {:.3g} grows at one of the times, where no step is stable",
+                    task.rays->growing);
+  }
   return row;
 }
 
@@ -85,22 +126,25 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
   const std::vector<const Case*> cases = select_cases(options.cases);
   std::vector<Rays> rays(cases.size());
   parallel_for(cases.size(), runner.jobs(), [&](std::size_t i) { rays[i] = rays_of(*cases[i]); });
-  const Case* plane = nullptr;
-  for (const Case& c : all_cases())
-    if (c.plane == "lambda") plane = &c;
-  if (!plane) throw std::logic_error("no case has the plane of lambda");
-  const Probe probe = plane->probe();
+  const std::vector<Plane> all = planes();
+  if (all.empty()) throw std::logic_error("no case has a plane");
   std::vector<RayTask> tasks;
   for (const Rays& each : rays)
     for (const Pair& pair : select_pairs({each.c}, options.solvers)) {
-      RayTask task{&each, plane, pair.entrant->info, pair.entrant->unfit};
-      const bool runs_there =
-          std::any_of(probe.entrants.begin(), probe.entrants.end(), [&](const Entrant& entrant) {
-            return entrant.unfit.empty() && entrant.info.id() == task.info.id();
-          });
+      RayTask task{&each, nullptr, pair.entrant->info, pair.entrant->unfit};
+      const bool damped = std::any_of(each.eigenvalues.begin(), each.eigenvalues.end(),
+                                      [](const auto& z) { return z.real() < -1e-6 * std::abs(z); });
+      // An engine takes z as a force on a velocity, which it treats unlike that of a spring.
+      const bool engine =
+          task.info.common_use == CommonUse::engine && each.c->problem.view.second_order();
+      for (const Plane& plane : all)
+        if (!task.plane && plane.runs(task.info.id()) && (plane.oscillator || !engine) &&
+            !(damped && plane.c->plane == "undamped"))
+          task.plane = &plane;
       if (task.unfit.empty() && !task.info.fixed) task.unfit = "chooses its own steps only";
-      if (task.unfit.empty() && !runs_there)
-        task.unfit = "has no region in the plane of z: it does not run on y' = z y";
+      if (task.unfit.empty() && !task.plane)
+        task.unfit =
+            "has no region of stability: it runs neither on y' = z y nor on the oscillator";
       tasks.push_back(std::move(task));
     }
   return runner.run(
