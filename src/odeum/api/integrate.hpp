@@ -103,6 +103,19 @@ inline void require(bool sound, const char* what) {
   if (!sound) throw std::invalid_argument(what);
 }
 
+/// How many equal steps end at t1.
+inline std::uint64_t whole_steps(double t0, double t1, Step step) {
+  require(step.h > 0 && std::isfinite(step.h), "a step has to be positive and finite");
+  const double count = std::ceil((t1 - t0) / step.h * (1 - 1e-12));
+  require(count < 1e15, "the step is too small for the interval");
+  return static_cast<std::uint64_t>(std::max(count, 1.0));
+}
+inline void require_sound(const Tolerance& tolerance, std::size_t size) {
+  require(tolerance.sound_for(size),
+          "a tolerance has to be positive and finite, an absolute one a number or a vector of the "
+          "state's size");
+}
+
 template <class M, Ode P>
 void require_fit(const P& problem, const State<P>& y, double t0, double t1) {
   static_assert(M::template fits<Plain<P>>,
@@ -122,10 +135,7 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, Step st
                  Parts... parts) {
   static_assert(M::info.fixed_step, "this method chooses its own steps: give a Tolerance");
   detail::require_fit<M>(problem, y, t0, t1);
-  detail::require(step.h > 0 && std::isfinite(step.h), "a step has to be positive and finite");
-  const double count = std::ceil((t1 - t0) / step.h * (1 - 1e-12));
-  detail::require(count < 1e15, "the step is too small for the interval");
-  const auto steps = static_cast<std::uint64_t>(std::max(count, 1.0));
+  const std::uint64_t steps = detail::whole_steps(t0, t1, step);
   const double h = (t1 - t0) / static_cast<double>(steps);
 
   const Plain<P> seen(problem);
@@ -161,9 +171,7 @@ RunEnd integrate(const P& problem, M, State<P>& y, double t0, double t1, const T
                  Parts... parts) {
   static_assert(has_trial_steps<M>, "this method runs at fixed steps only: give a Step");
   detail::require_fit<M>(problem, y, t0, t1);
-  detail::require(tolerance.sound_for(y.size()),
-                  "a tolerance has to be positive and finite, an absolute one a number or a vector "
-                  "of the state's size");
+  detail::require_sound(tolerance, y.size());
   Plain<P> seen(problem);
   seen.weigh_by(tolerance);
   auto steps = trial_steps_of<M>(seen, t0, y, t1, tolerance);

@@ -61,12 +61,13 @@ struct StepMade {
 /// tolerance (Hairer, Norsett, Wanner, Solving ODEs I, (II.4.10)-(II.4.11)); not finite where y_new
 /// is not. Always inlined: timed units round it in their own way.
 template <class S>
-[[gnu::always_inline]] inline double scaled_error_square(const S& error, const S& y, const S& y_new,
-                                                         const ErrorScale<S>& error_scale) {
-  const double sum = sum_of_components(
+[[gnu::always_inline]] inline auto scaled_error_square(const S& error, const S& y, const S& y_new,
+                                                       const ErrorScale<S>& error_scale) {
+  using std::abs, std::max;
+  const auto sum = sum_of_components(
       y, [&](std::size_t i) __attribute__((always_inline)) {
-        const double scale = error_scale(i, std::max(std::abs(y[i]), std::abs(y_new[i])));
-        const double scaled = error[i] * (1 / scale);
+        const auto scale = error_scale(i, max(abs(y[i]), abs(y_new[i])));
+        const auto scaled = error[i] * (1 / scale);
         return scaled * scaled + 0 * y_new[i];
       });
   return sum * (1 / static_cast<double>(y.size()));
@@ -110,53 +111,83 @@ TrialSteps(double, Trial) -> TrialSteps<Trial>;
 /// How one trial step of an AdaptiveWalk ended.
 enum class Trialled { accepted, rejected, tripped, too_small };
 
+/// The time of an adaptive run and the length of the step to come.
+class StepClock {
+ public:
+  // The first step is a guess, and no failure where it is shorter than t resolves.
+  StepClock(double t0, double first_step)
+      : t_(t0), h_(std::max(first_step, 2 * rounding * std::abs(t0))), t_made_(t0) {}
+
+  /// Begins a trial step, shortened where it would end beyond `target`; false where it is at the
+  /// rounding of t. That is relative to t, not to the horizon: near t = 0 a first step may be very
+  /// short.
+  bool begin(double target) {
+    if (!(h_ >= std::max(rounding * std::abs(t_), std::numeric_limits<double>::min())))
+      return false;
+    last_ = t_ + h_ >= target - rounding * std::abs(target);
+    used_ = last_ ? target - t_ : h_;
+    target_ = target;
+    return true;
+  }
+  /// Ends it by a decision; returns whether it was accepted.
+  bool end(const Decision& decision) {
+    if (!decision.accept) {
+      h_ = decision.next_step;
+      return false;
+    }
+    t_made_ = t_;
+    h_made_ = used_;
+    t_ = last_ ? target_ : t_ + used_;
+    // A step shortened to meet a stop does not limit the next one.
+    h_ = last_ ? std::max(h_, decision.next_step) : decision.next_step;
+    return true;
+  }
+
+  double t() const { return t_; }
+  double h() const { return h_; }        ///< the step to come
+  void set(double h) { h_ = h; }         ///< the same
+  double used() const { return used_; }  ///< the length of the trial step
+  double t_made() const { return t_made_; }
+  double h_made() const { return h_made_; }  ///< of the step accepted last
+
+ private:
+  static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  double t_, h_, t_made_, h_made_ = 0, used_ = 0, target_ = 0;
+  bool last_ = false;
+};
+
 /// The adaptive loop, one trial step at a time: t, the state and the step to come. `P` is what the
 /// solver sees, with `tripped()` where it may end a run.
 template <class P, class Trial>
 class AdaptiveWalk {
  public:
   AdaptiveWalk(const P& problem, double t0, const State<P>& y0, double first_step, Trial& trial)
-      : problem_(problem), trial_(trial), t_(t0), y_(y0), y_new_(y0) {
-    // The first step is a guess, and no failure where it is shorter than t resolves.
-    h_ = std::max(first_step, 2 * rounding * std::abs(t0));
-  }
+      : problem_(problem), trial_(trial), clock_(t0, first_step), y_(y0), y_new_(y0) {}
 
   /// One trial step, shortened where it would end beyond `target`. Where it is accepted, t() and
   /// y() have moved and before() is the state before; `tripped` leaves all as it was.
   Trialled attempt(double target) {
-    if constexpr (requires { trial_.longest_step(t_, y_); }) h_ = trial_.longest_step(t_, y_);
-    // Relative to t, not to the horizon: near t = 0 a first step may be very short.
-    if (!(h_ >= std::max(rounding * std::abs(t_), std::numeric_limits<double>::min())))
-      return Trialled::too_small;
-    const bool last = t_ + h_ >= target - rounding * std::abs(target);
-    const double h_used = last ? target - t_ : h_;
-    const Decision decision = trial_(t_, h_used, y_, y_new_);
+    if constexpr (requires { trial_.longest_step(t(), y_); })
+      clock_.set(trial_.longest_step(t(), y_));
+    if (!clock_.begin(target)) return Trialled::too_small;
+    const Decision decision = trial_(t(), clock_.used(), y_, y_new_);
     if constexpr (requires { problem_.tripped(); })
       if (problem_.tripped()) return Trialled::tripped;
-    if (!decision.accept) {
-      h_ = decision.next_step;
-      return Trialled::rejected;
-    }
-    t_made_ = t_;
-    h_made_ = h_used;
-    t_ = last ? target : t_ + h_used;
+    if (!clock_.end(decision)) return Trialled::rejected;
     exchange_components(y_, y_new_);
-    // A step shortened to meet a stop does not limit the next one.
-    h_ = last ? std::max(h_, decision.next_step) : decision.next_step;
     return Trialled::accepted;
   }
 
-  double t() const { return t_; }
-  double h() const { return h_; }  ///< the step to come
+  double t() const { return clock_.t(); }
+  double h() const { return clock_.h(); }  ///< the step to come
   const State<P>& y() const { return y_; }
   const State<P>& before() const { return y_new_; }  ///< the last accepted step began here
-  StepMade<State<P>> made() const { return {t_made_, h_made_, y_new_, y_}; }
+  StepMade<State<P>> made() const { return {clock_.t_made(), clock_.h_made(), y_new_, y_}; }
 
  private:
-  static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   const P& problem_;
   Trial& trial_;
-  double t_, h_ = 0, t_made_ = t_, h_made_ = 0;
+  StepClock clock_;
   State<P> y_, y_new_;
 };
 

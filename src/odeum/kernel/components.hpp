@@ -17,6 +17,12 @@ inline constexpr std::size_t few_components = 12;
 /// Up to so many the loop is unrolled; more would not fit into the registers.
 inline constexpr std::size_t unrolled_components = 4;
 
+/// The choice among numbers that core/lanes.hpp has for members in lanes.
+template <class Real>
+constexpr Real select(bool which, Real a, Real b) {
+  return which ? a : b;
+}
+
 template <class S>
 inline constexpr std::size_t static_size = 0;
 template <class Real, std::size_t N>
@@ -48,14 +54,15 @@ template <class S, class F>
 /// The sum of f(0), f(1), ...; in pairs where the components are few and their number is known,
 /// since each sum waits for the one before it.
 template <class S, class F>
-[[gnu::always_inline]] inline double sum_of_components(const S& like, F&& f) {
+[[gnu::always_inline]] inline auto sum_of_components(const S& like, F&& f) {
+  using Real = decltype(f(std::size_t{}));
   constexpr std::size_t known = static_size<S>;
   if constexpr (known > 2 && known <= few_components) {
-    double even = 0, odd = 0;
+    Real even = 0, odd = 0;
     each_component(like, [&](std::size_t n) { (n % 2 == 0 ? even : odd) += f(n); });
     return even + odd;
   } else {
-    double sum = 0;
+    Real sum = 0;
     each_component(like, [&](std::size_t n) { sum += f(n); });
     return sum;
   }

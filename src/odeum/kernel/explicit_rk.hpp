@@ -67,6 +67,7 @@ class ExplicitRungeKutta {
   }
   /// f at the start of the last step, and (first same as last) at its end; before advance().
   const State<P>& first_stage() const { return k_.front(); }
+  State<P>& first_stage() { return k_.front(); }
   const State<P>& last_stage() const { return k_.back(); }
 
  private:

@@ -18,6 +18,7 @@ template <const auto& T, Ode P>
 class Rosenbrock {
  public:
   static constexpr std::size_t stages = T.stages;
+  using Real = RealOf<P>;
 
   explicit Rosenbrock(const P& problem)
       : problem_(problem),
@@ -29,16 +30,16 @@ class Rosenbrock {
     u_.fill(f_);
   }
 
-  Status step(double t, double h, State<P>& y) {
+  Status step(Real t, Real h, State<P>& y) {
     if (!solve_stages(t, h, y)) return Status::newton_failed;
     add_row<Row::main>(y, y, std::make_index_sequence<stages>{});
     return Status::ok;
   }
 
   /// The same step; `error` becomes sum_i (m_i - m_hat_i) u_i.
-  Status step(double t, double h, State<P>& y, State<P>& error) requires(T.embedded()) {
+  Status step(Real t, Real h, State<P>& y, State<P>& error) requires(T.embedded()) {
     if (!solve_stages(t, h, y)) return Status::newton_failed;
-    for (double& e : error) e = 0;
+    for (Real& e : error) e = 0;
     add_row<Row::difference>(error, error, std::make_index_sequence<stages>{});
     add_row<Row::main>(y, y, std::make_index_sequence<stages>{});
     return Status::ok;
@@ -58,7 +59,7 @@ class Rosenbrock {
   }
   enum class Row { main, difference };
 
-  bool solve_stages(double t, double h, const State<P>& y) {
+  bool solve_stages(Real t, Real h, const State<P>& y) {
     // A step that is repeated from the same point (rejected, or halved) keeps f and its
     // derivatives.
     if (!(linearised_ && t == linearised_t_ && y == linearised_at_)) {
@@ -74,12 +75,12 @@ class Rosenbrock {
   }
 
   template <std::size_t... I>
-  bool solve_all(double t, double h, const State<P>& y, std::index_sequence<I...>) {
+  bool solve_all(Real t, Real h, const State<P>& y, std::index_sequence<I...>) {
     return (solve_stage<I>(t, h, y, std::make_index_sequence<I>{}) && ...);
   }
 
   template <std::size_t I, std::size_t... J>
-  bool solve_stage(double t, double h, const State<P>& y, std::index_sequence<J...>) {
+  bool solve_stage(Real t, Real h, const State<P>& y, std::index_sequence<J...>) {
     State<P>& u = u_[I];
     if constexpr (I == 0) {
       u = f_;
@@ -87,17 +88,17 @@ class Rosenbrock {
       u = f_;
     } else {
       each_component(y, [&](std::size_t n) {
-        double sum = y[n];
+        Real sum = y[n];
         ((T.a[I][J] != 0 ? void(sum += T.a[I][J] * u_[J][n]) : void()), ...);
         argument_[n] = sum;
       });
       problem_.rhs(t + alpha[I] * h, argument_.data(), u.data());
     }
-    const double gamma_h = T.gamma * h;
+    const Real gamma_h = T.gamma * h;
     each_component(y, [&](std::size_t n) {
-      double sum = 0;
+      Real sum = 0;
       ((T.c[I][J] != 0 ? void(sum += (T.gamma * T.c[I][J]) * u_[J][n]) : void()), ...);
-      double slope = u[n];
+      Real slope = u[n];
       if constexpr (NonAutonomous<P> && has_time_term(I))
         slope += gamma[I] * h * time_derivative_[n];
       u[n] = gamma_h * slope + sum;
@@ -111,7 +112,7 @@ class Rosenbrock {
       return row == Row::main ? T.m[i] : T.m[i] - T.m_hat[i];
     };
     each_component(to, [&](std::size_t n) {
-      double sum = from[n];
+      Real sum = from[n];
       ((weight(I) != 0 ? void(sum += weight(I) * u_[I][n]) : void()), ...);
       to[n] = sum;
     });
@@ -121,7 +122,7 @@ class Rosenbrock {
   ShiftedSystem<P> system_;
   State<P> f_, time_derivative_, argument_, linearised_at_;
   std::array<State<P>, stages> u_;
-  double linearised_t_ = 0;
+  Real linearised_t_ = 0;
   bool linearised_ = false;
 };
 

@@ -23,7 +23,7 @@ class ErrorScale {
 
   double relative() const { return relative_; }
   template <class Real>
-  double operator()(std::size_t i, Real size) const {
+  auto operator()(std::size_t i, Real size) const {
     return relative_ * (thresholds_[i] + size);
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 
 #include "odeum/linear/small_inverse.hpp"
 #include "odeum/linear/sparse_system.hpp"
@@ -118,11 +119,19 @@ class StructuredSystem {
   State<P> y_{};
 };
 
+namespace detail {
+/// By type of numbers.
+template <class Real>
+struct SystemIn {
+  template <Ode P>
+  using type = std::conditional_t<MayHaveStructure<P>, StructuredSystem<P>, DenseShiftedSolver<P>>;
+};
+}  // namespace detail
+
 /// Solves (I - gamma_h J) x = r by the problem's own solver or the default, in two parts:
 /// `linearise` evaluates the Jacobian at (t, y), `factorise` takes gamma_h and may be called again
-/// alone.
+/// alone. Members in lanes have a solver in lanes (lane_system.hpp).
 template <Ode P>
-using ShiftedSystem =
-    std::conditional_t<MayHaveStructure<P>, StructuredSystem<P>, DenseShiftedSolver<P>>;
+using ShiftedSystem = typename detail::SystemIn<RealOf<P>>::template type<P>;
 
 }  // namespace odeum

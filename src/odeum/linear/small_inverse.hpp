@@ -38,14 +38,15 @@ struct RowVector<16> {
 
 /// The inverse of a row-major N x N matrix, N small and known at compile time: a solve by
 /// multiplication has no chain of dependent operations, unlike a triangular solve, which repays the
-/// more expensive factorisation after two or three solves. Same interface as DenseLu.
-template <std::size_t N>
+/// more expensive factorisation after two or three solves. Same interface as DenseLu. Up to 3 x 3
+/// for any type of numbers.
+template <std::size_t N, class Real = double>
 class SmallInverse {
  public:
   /// The argument is that of DenseLu.
   explicit SmallInverse(std::size_t /*n*/ = N) {}
   /// The N x N entries: fill them, then call factorise().
-  double* data() { return a_.data(); }
+  Real* data() { return a_.data(); }
 
   /// False where the matrix is singular or has an entry that is not finite.
   bool factorise() {
@@ -55,8 +56,8 @@ class SmallInverse {
       invert_by_cofactors();
     else if (!eliminate<false>() && !eliminate<true>())
       return false;
-    double finite = 0;  // NaN when any entry is not finite
-    for (const double entry : inverse_) finite += entry * 0.0;
+    Real finite = 0;  // NaN when any entry is not finite
+    for (const Real& entry : inverse_) finite += entry * 0.0;
     Row rows{};
     for (const Row& row : m_) rows += row * 0.0;
     for (std::size_t i = 0; i < N; ++i) finite += rows[i];
@@ -64,9 +65,9 @@ class SmallInverse {
   }
 
   /// Overwrites x (N entries) by the solution.
-  void solve(double* x) const {
+  void solve(Real* x) const {
     if constexpr (N <= 3) {
-      std::array<double, N> sum{};
+      std::array<Real, N> sum{};
       for (std::size_t j = 0; j < N; ++j)
         for (std::size_t i = 0; i < N; ++i) sum[i] += inverse_[j * N + i] * x[j];
       for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
@@ -79,17 +80,17 @@ class SmallInverse {
   }
 
  private:
-  double a(std::size_t i, std::size_t j) const { return a_[i * N + j]; }
+  Real a(std::size_t i, std::size_t j) const { return a_[i * N + j]; }
 
   void invert_by_cofactors() {
     if constexpr (N == 2) {
-      const double d = 1 / (a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0));
+      const Real d = 1 / (a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0));
       inverse_ = {a(1, 1) * d, -a(1, 0) * d, -a(0, 1) * d, a(0, 0) * d};
     } else if constexpr (N == 3) {
-      const double c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1);
-      const double c01 = a(1, 2) * a(2, 0) - a(1, 0) * a(2, 2);
-      const double c02 = a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0);
-      const double d = 1 / (a(0, 0) * c00 + a(0, 1) * c01 + a(0, 2) * c02);
+      const Real c00 = a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1);
+      const Real c01 = a(1, 2) * a(2, 0) - a(1, 0) * a(2, 2);
+      const Real c02 = a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0);
+      const Real d = 1 / (a(0, 0) * c00 + a(0, 1) * c01 + a(0, 2) * c02);
       inverse_ = {c00 * d,
                   c01 * d,
                   c02 * d,
@@ -145,8 +146,8 @@ class SmallInverse {
   static constexpr std::size_t width = std::max(std::bit_ceil(N), std::size_t{4});
   using Row = typename RowVector<width>::type;
   using Mask = typename RowVector<width>::mask;
-  std::array<double, N * N> a_{};
-  std::array<double, (N <= 3 ? N * N : 0)> inverse_{};  ///< column by column, as the rows below
+  std::array<Real, N * N> a_{};
+  std::array<Real, (N <= 3 ? N * N : 0)> inverse_{};  ///< column by column, as the rows below
   std::array<Row, (N <= 3 ? 0 : N)> m_{};
 };
 

@@ -61,28 +61,31 @@ struct dormand_prince853 : ForAnyProblem, TableauMethod<dormand_prince853_tablea
   template <class P>
   class Stepper {
    public:
+    using Real = RealOf<P>;
     explicit Stepper(const P& problem)
         : rk_(problem), third_(make_state(problem)), before_(third_) {}
 
-    Status step(double t, double h, State<P>& y) { return rk_.step(t, h, y); }
+    Status step(Real t, Real h, State<P>& y) { return rk_.step(t, h, y); }
 
-    Status step(double t, double h, State<P>& y, State<P>& error) {
+    Status step(Real t, Real h, State<P>& y, State<P>& error) {
       copy_components(y, before_);
       const Status status = rk_.step(t, h, y, error);
       rk_.template weighted_sum<third_order_difference>(h, third_);
-      double five = 0, three = 0;
+      using std::abs, std::max, std::sqrt;
+      Real five = 0, three = 0;
       each_component(y, [&](std::size_t i) {
-        const double weight = 1 / (1 + std::max(std::abs(before_[i]), std::abs(y[i])));
+        const Real weight = 1 / (1 + max(abs(before_[i]), abs(y[i])));
         five += weight * error[i] * (weight * error[i]);
         three += weight * third_[i] * (weight * third_[i]);
       });
-      const double both = five + 0.01 * three, share = both > 0 ? std::sqrt(five / both) : 1;
+      const Real both = five + 0.01 * three, share = select(both > 0, sqrt(five / both), Real(1));
       each_component(y, [&](std::size_t i) { error[i] *= share; });
       return status;
     }
     void advance() { rk_.advance(); }
     void repeat() { rk_.repeat(); }
     const State<P>& first_stage() const { return rk_.first_stage(); }
+    State<P>& first_stage() { return rk_.first_stage(); }
 
    private:
     static constexpr std::array<double, 12> third_order_difference = [] {

@@ -2,31 +2,12 @@
 #pragma once
 #include <cstddef>
 #include <type_traits>
-#if defined(__AVX512F__)
-#include <immintrin.h>
-#endif
 
-// Units compiled for wider vectors than the rest of the program have these under a name of their
-// own.
-#if defined(__AVX512F__)
-#define ODEUM_LANES lanes_64
-#elif defined(__AVX__)
-#define ODEUM_LANES lanes_32
-#else
-#define ODEUM_LANES lanes_16
-#endif
+#include "odeum/core/lanes.hpp"
 
 /// As many numbers as the widest vector register holds, in the compiler's own vector types.
 namespace odeum::scene {
 inline namespace ODEUM_LANES {
-
-#if defined(__AVX512F__)
-inline constexpr std::size_t vector_bytes = 64;
-#elif defined(__AVX__)
-inline constexpr std::size_t vector_bytes = 32;
-#else
-inline constexpr std::size_t vector_bytes = 16;  // SSE2, NEON
-#endif
 
 template <class Real>
 struct Lanes {

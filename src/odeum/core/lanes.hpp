@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+// Units compiled for wider vectors than the rest of the program have these under a name of their
+// own.
+#if defined(__AVX512F__)
+#define ODEUM_LANES lanes_64
+#elif defined(__AVX__)
+#define ODEUM_LANES lanes_32
+#else
+#define ODEUM_LANES lanes_16
+#endif
+
+namespace odeum {
+inline namespace ODEUM_LANES {
+
+/// Of the widest vector register.
+#if defined(__AVX512F__)
+inline constexpr std::size_t vector_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t vector_bytes = 32;
+#else
+inline constexpr std::size_t vector_bytes = 16;  // SSE2, NEON
+#endif
+
+using LaneVector __attribute__((vector_size(vector_bytes))) = double;
+using LaneBits __attribute__((vector_size(vector_bytes))) = std::int64_t;
+
+/// A truth value for each lane, which chooses among numbers: select(x < y, x, y).
+struct LaneMask {
+  LaneBits bits;
+  bool operator[](std::size_t lane) const { return bits[lane] != 0; }
+  void set(std::size_t lane, bool value) { bits[lane] = value ? -1 : 0; }
+  /// Whether it is true in every lane.
+  [[gnu::always_inline]] friend bool all(const LaneMask& mask) {
+#if defined(__AVX512F__)
+    return _mm512_test_epi64_mask(__m512i(mask.bits), __m512i(mask.bits)) == 0xff;
+#elif defined(__AVX__)
+    return _mm256_movemask_pd(__m256d(mask.bits)) == 0xf;
+#elif defined(__SSE2__)
+    return _mm_movemask_pd(__m128d(mask.bits)) == 0x3;
+#else
+    return mask[0] && mask[1];
+#endif
+  }
+};
+
+/// A number for the member in each lane of a vector register, in the compiler's own vector types:
+/// the number type (`real`) of a problem whose members are computed together. Each lane is rounded
+/// as a double is. Functions of <cmath> are found where they are called without std::, after
+/// `using std::sin;`.
+struct Lanes {
+  static constexpr std::size_t count = vector_bytes / sizeof(double);
+  LaneVector v;
+
+  Lanes() = default;
+  [[gnu::always_inline]] Lanes(double all) : v(LaneVector{} + all) {}
+  [[gnu::always_inline]] explicit Lanes(LaneVector lanes) : v(lanes) {}
+  double operator[](std::size_t lane) const { return v[lane]; }
+  void set(std::size_t lane, double x) { v[lane] = x; }
+
+#define ODEUM_OPERATOR(op)                                                          \
+  [[gnu::always_inline]] friend Lanes operator op(const Lanes& a, const Lanes& b) { \
+    return Lanes(a.v op b.v);                                                       \
+  }                                                                                 \
+  [[gnu::always_inline]] Lanes& operator op##=(const Lanes& b) {                    \
+    v = v op b.v;                                                                   \
+    return *this;                                                                   \
+  }
+  ODEUM_OPERATOR(+)
+  ODEUM_OPERATOR(-)
+  ODEUM_OPERATOR(*)
+  ODEUM_OPERATOR(/)
+#undef ODEUM_OPERATOR
+  [[gnu::always_inline]] friend Lanes operator-(const Lanes& a) { return Lanes(-a.v); }
+#define ODEUM_COMPARISON(op)                                                           \
+  [[gnu::always_inline]] friend LaneMask operator op(const Lanes& a, const Lanes& b) { \
+    return {LaneBits(a.v op b.v)};                                                     \
+  }
+  ODEUM_COMPARISON(<)
+  ODEUM_COMPARISON(<=)
+  ODEUM_COMPARISON(>)
+  ODEUM_COMPARISON(>=)
+#undef ODEUM_COMPARISON
+  /// In all lanes.
+  friend bool operator==(const Lanes& a, const Lanes& b) {
+    return all(LaneMask{LaneBits(a.v == b.v)});
+  }
+
+  [[gnu::always_inline]] friend Lanes select(const LaneMask& m, const Lanes& a, const Lanes& b) {
+    return Lanes(LaneVector((m.bits & LaneBits(a.v)) | (~m.bits & LaneBits(b.v))));
+  }
+  [[gnu::always_inline]] friend Lanes abs(const Lanes& a) {
+    return Lanes(LaneVector(LaneBits(a.v) & INT64_MAX));
+  }
+  [[gnu::always_inline]] friend Lanes min(const Lanes& a, const Lanes& b) {
+    return select(b < a, b, a);
+  }
+  [[gnu::always_inline]] friend Lanes max(const Lanes& a, const Lanes& b) {
+    return select(a < b, b, a);
+  }
+  [[gnu::always_inline]] friend Lanes sqrt(const Lanes& a) {
+#if defined(__AVX512F__)
+    return Lanes(LaneVector(_mm512_maskz_sqrt_pd(0xff, __m512d(a.v))));
+#elif defined(__AVX__)
+    return Lanes(LaneVector(_mm256_sqrt_pd(__m256d(a.v))));
+#elif defined(__SSE2__)
+    return Lanes(LaneVector(_mm_sqrt_pd(__m128d(a.v))));
+#elif defined(__aarch64__)
+    return Lanes(LaneVector(vsqrtq_f64(float64x2_t(a.v))));
+#else
+    return each_lane([](double x) { return std::sqrt(x); }, a);
+#endif
+  }
+
+  /// f of the numbers of each lane.
+  template <class F, class... More>
+  static Lanes each_lane(F f, const Lanes& a, const More&... more) {
+    Lanes result = 0;
+    for (std::size_t lane = 0; lane < count; ++lane) result.set(lane, f(a[lane], more[lane]...));
+    return result;
+  }
+#define ODEUM_FUNCTION(name)                                    \
+  friend Lanes name(const Lanes& a) {                           \
+    return each_lane([](double x) { return std::name(x); }, a); \
+  }
+  ODEUM_FUNCTION(sin)
+  ODEUM_FUNCTION(cos)
+  ODEUM_FUNCTION(tan)
+  ODEUM_FUNCTION(asin)
+  ODEUM_FUNCTION(acos)
+  ODEUM_FUNCTION(atan)
+  ODEUM_FUNCTION(sinh)
+  ODEUM_FUNCTION(cosh)
+  ODEUM_FUNCTION(tanh)
+  ODEUM_FUNCTION(exp)
+  ODEUM_FUNCTION(log)
+  ODEUM_FUNCTION(log10)
+  ODEUM_FUNCTION(cbrt)
+#undef ODEUM_FUNCTION
+#define ODEUM_FUNCTION(name)                                                    \
+  friend Lanes name(const Lanes& a, const Lanes& b) {                           \
+    return each_lane([](double x, double y) { return std::name(x, y); }, a, b); \
+  }
+  ODEUM_FUNCTION(pow)
+  ODEUM_FUNCTION(atan2)
+  ODEUM_FUNCTION(hypot)
+#undef ODEUM_FUNCTION
+};
+
+}  // namespace ODEUM_LANES
+
+}  // namespace odeum
