@@ -53,16 +53,28 @@ TEST_F(ProblemCommands, RunSaysWhatWasFoundAndHowGoodTheTruthIs) {
   expect("run kepler.yaml --solver exponential_propagator --step 0.1", 2, "does not fit");
 }
 
-// A file says of its cases what a built-in one says: run takes the first.
+// A file says of its cases what a built-in one says.
 TEST_F(ProblemCommands, AFileOfSeveralCasesHasThemAll) {
-  const std::string run = "run " + cases + "kepler.yaml --solver rk4 --step 0.01";
-  expect(run, 0, "kepler_e06_text, the first of 2: kepler_e06_text, kepler_e09_text");
+  const std::string run = "run " + cases + "kepler.yaml --case kepler_e06 --solver rk4 --step 0.01";
   expect(run, 0, "against cases/reference/kepler_e06.csv");
   expect(run, 0, "as a built-in case");
   expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
   expect(run + " --set eccentricity=1", 2, "1 - eccentricity: got 0, expected a positive number");
   expect("converge " + cases + "kepler.yaml --solver odeum/ralston2 --mode fixed --out out", 0,
          "kepler_e09_text");
+}
+
+TEST_F(ProblemCommands, OfSeveralCasesOneIsChosen) {
+  const std::string of_two = cases + "kepler.yaml --solver rk4 --step 0.01";
+  const std::string one = "expected --case with one of kepler_e06, kepler_e09";
+  expect("run " + of_two, 2, one);
+  expect("why " + of_two, 2, one);
+  expect("sweep " + of_two + " --over eccentricity=0.1..0.2:2", 2, one);
+  expect("run " + of_two + " --case kepler_e6", 2, "did you mean kepler_e06?");
+  expect("run " + of_two + " --case kepler_e09", 0, "cases/reference/kepler_e09.csv");
+  expect("why " + of_two + " --case kepler_e09 --seconds 2 --until 1", 0,
+         "kepler.yaml --case kepler_e09 --solver odeum/");
+  expect("run kepler_e06 --case kepler_e06 --solver rk4 --step 0.01", 2, "expected no --case");
 }
 
 TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
@@ -120,7 +132,7 @@ TEST_F(ProblemCommands, MistakesHaveTheirPlaceAndTheExitCode2) {
   write("broken.yaml", "states: {x: 1\nequations:\n  x: y\n");
   expect("run broken.yaml", 2, "problem: not YAML");
   expect("converge nowhere.yaml", 2, "nowhere.yaml:1:1: problem: cannot be read");
-  expect("run " + cases + "kepler.yaml --set e=2", 2, "none to set of that name");
+  expect("run " + cases + "kepler.yaml --case kepler_e06 --set e=2", 2, "none to set of that name");
   expect("run " + cases + "kepler.yaml --set eccentricity", 2, "NAME=VALUE");
   write_own("kepler.yaml");
   expect("run kepler.yaml --set eccentricity=1", 2, "division by zero");

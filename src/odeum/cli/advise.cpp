@@ -137,7 +137,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
-  const Case given = case_of(options.what, options.problems.sets);
+  const Case given = case_of(options.what, options.problems);
   Box box;
   if (options.vary.empty())
     box.cases.push_back(given);
@@ -172,54 +172,35 @@ void add_advise(CLI::App& app, int& result) {
       "advise",
       "which solver, at which setting, has an error on a problem in the least time, or the least "
       "error within a time");
-  command->add_option("problem", options->what, "a case, a scene, a problem's file, or an FMU")
-      ->required()
-      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
-  command
-      ->add_option("--error", options->wishes.error,
-                   "the largest error at the problem's stops, in the units of its errors: the "
-                   "least time to it")
-      ->type_name("E");
-  command
-      ->add_option("--time", options->time,
-                   "the processor time of a run, as 5ms: the least error within it")
-      ->type_name("T");
-  command
-      ->add_option(
-          "--frame", options->frame,
-          "with --time, which is then that of a frame: fixed steps that divide it, as 1/60")
-      ->type_name("DT");
-  command
-      ->add_option("--energy", options->wishes.energy,
-                   "with --error: the largest error of the energy, relative to its size")
-      ->type_name("E");
-  command
-      ->add_option("--horizon", options->wishes.horizon,
-                   "with --energy: the time up to which it holds, for problems that conserve it")
-      ->type_name("T");
-  command
-      ->add_option("--vary", options->vary,
-                   "a box of parameters, as k=0.5..2: one setting for its middle and its corners")
-      ->type_name("NAME=FROM..TO ...")
+  add_option(*command, "problem CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu", options->what,
+             "a case, a scene, a problem's file, or an FMU")
+      ->required();
+  add_option(*command, "--error E", options->wishes.error,
+             "the largest error at the problem's stops, in the units of its errors: the "
+             "least time to it");
+  add_option(*command, "--time T", options->time,
+             "the processor time of a run, as 5ms: the least error within it");
+  add_option(*command, "--frame DT", options->frame,
+             "with --time, which is then that of a frame: fixed steps that divide it, as 1/60");
+  add_option(*command, "--energy E", options->wishes.energy,
+             "with --error: the largest error of the energy, relative to its size");
+  add_option(*command, "--horizon T", options->wishes.horizon,
+             "with --energy: the time up to which it holds, for problems that conserve it");
+  add_option(*command, "--vary NAME=FROM..TO ...", options->vary,
+             "a box of parameters, as k=0.5..2: one setting for its middle and its corners")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--library", options->wishes.libraries, "only solvers of these: cvode,gsl")
-      ->type_name("NAME,...")
+  add_option(*command, "--library NAME,...", options->wishes.libraries,
+             "only solvers of these: cvode,gsl")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("--solver", options->wishes.solvers, "solvers, with * and ?")
-      ->type_name("GLOB...");
-  command
-      ->add_option("--seconds", options->wishes.seconds,
-                   "for the answer; default: 20, and 60 where a run takes over 2 ms")
-      ->type_name("S");
-  command->add_option("--format", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->type_name("FORMAT");
-  command
-      ->add_option("--out", options->out,
-                   "folder for the files: race.csv, advice.json and a page with the diagram")
-      ->type_name("DIR");
+  add_option(*command, "--solver GLOB...", options->wishes.solvers, "solvers, with * and ?");
+  add_option(*command, "--seconds S", options->wishes.seconds,
+             "for the answer; default: 20, and 60 where a run takes over 2 ms");
+  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
+      ->check(CLI::IsMember({"text", "json"}));
+  add_option(*command, "--out DIR", options->out,
+             "folder for the files: race.csv, advice.json and a page with the diagram");
   add_problem_options(*command, options->problems, false);
   command->callback([options, command, &result] { result = advise_on(*options, *command); });
 }

@@ -200,7 +200,7 @@ void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
 void classify(const ClassifyOptions& given) {
   if (!is_pde(given.pde)) {
     if (given.step) require_positive("--step", *given.step);
-    classify_linear(case_of(given.pde[0], given.problems.sets), given.solvers, given.step);
+    classify_linear(case_of(given.pde[0], given.problems), given.solvers, given.step);
     return;
   }
   if (!given.solvers.empty() || given.step)
@@ -248,19 +248,17 @@ void add_classify(CLI::App& app) {
                    "problem of up to 8 unknowns: a case or a problem's file")
       ->required()
       ->expected(1, 3);
-  command->add_option("--at", given->at, "the type at one point")->type_name("X Y")->expected(2);
-  command->add_option("--region", given->region, "where the type is mapped; default: -1 1 -1 1")
-      ->type_name("X0 X1 Y0 Y1")
+  add_option(*command, "--at X Y", given->at, "the type at one point")->expected(2);
+  add_option(*command, "--region X0 X1 Y0 Y1", given->region,
+             "where the type is mapped; default: -1 1 -1 1")
       ->expected(4);
-  command->add_option("--divisions", given->divisions, "of the map, each way; default: 120")
-      ->type_name("N")
+  add_option(*command, "--divisions N", given->divisions, "of the map, each way; default: 120")
       ->check(CLI::Range(1, 2000));
-  command->add_option("--out", given->out, "folder for a table of the map and a page that draws it")
-      ->type_name("DIR");
-  command->add_option("--solver", given->solvers, "of a linear problem: the matrix of one step")
-      ->type_name("ID")
+  add_option(*command, "--out DIR", given->out,
+             "folder for a table of the map and a page that draws it");
+  add_option(*command, "--solver ID", given->solvers, "of a linear problem: the matrix of one step")
       ->allow_extra_args(false);
-  command->add_option("--step", given->step, "of these solvers")->type_name("H");
+  add_option(*command, "--step H", given->step, "of these solvers");
   add_problem_options(*command, given->problems, false);
   command->callback([given] { classify(*given); });
 }

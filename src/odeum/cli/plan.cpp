@@ -260,28 +260,25 @@ int tell_status(const PlanOptions& options) {
 void add_plan(CLI::App& app, int& result, const Again& again) {
   const auto options = std::make_shared<PlanOptions>();
   const auto add_run = [&](CLI::App* command) {
-    command->add_option("run", options->run, "the folder of a plan")->required()->type_name("RUN");
+    add_option(*command, "run RUN", options->run, "the folder of a plan")->required();
   };
   CLI::App* plan =
       app.add_subcommand("plan", "cut a sweep or a study into shards for a cluster or any shell");
   plan->allow_extras();
-  plan->add_option("--shards", options->shards, "at most so many")
+  add_option(*plan, "--shards N", options->shards, "at most so many")
       ->required()
-      ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, most_shards));
-  plan->add_option("--out", options->run, "the folder of the plan")->required()->type_name("RUN");
+  add_option(*plan, "--out RUN", options->run, "the folder of the plan")->required();
   plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
   CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");
   add_run(shard);
-  shard->add_option("shard", options->shard, "its number, from 0")
+  add_option(*shard, "shard K", options->shard, "its number, from 0")
       ->required()
-      ->type_name("K")
       ->check(CLI::Range(std::uint64_t{0}, most_shards));
   shard->callback([=, &result] { result = run_shard(*options, again); });
   CLI::App* merged = app.add_subcommand("merge", "the files of the whole plan, from its shards");
   add_run(merged);
-  merged->add_option("--out", options->out, "folder for the files; default: RUN/out")
-      ->type_name("DIR");
+  add_option(*merged, "--out DIR", options->out, "folder for the files; default: RUN/out");
   merged->add_flag("--resubmit", options->resubmit,
                    "where shards are missing, write resubmit.sh with an array of just these");
   merged->callback([=, &result] { result = merge(*options, again); });

@@ -252,10 +252,8 @@ void add_poisson(CLI::App& app) {
   const auto given = std::make_shared<PoissonOptions>();
   CLI::App* command = app.add_subcommand(
       "poisson", "solves -div(a grad u) = f by linear finite elements on a mesh");
-  command
-      ->add_option("mesh", given->mesh,
-                   "a Gmsh file (format 4.1, ASCII), or square:N, l_shape:N or disc:N")
-      ->type_name("MESH")
+  add_option(*command, "mesh MESH", given->mesh,
+             "a Gmsh file (format 4.1, ASCII), or square:N, l_shape:N or disc:N")
       ->required();
   command->add_option("--load", given->load, "f, an expression in x and y; default: 1");
   command->add_option("--a", given->a, "a, one expression or three: a_xx a_xy a_yy; default: 1")
@@ -272,8 +270,7 @@ void add_poisson(CLI::App& app) {
       ->check(CLI::Range(0, 10));
   command->add_option("--tolerance", given->tolerance, "of the residual; default: 1e-10")
       ->check(CLI::Range(1e-15, 1.0));
-  command->add_option("--out", given->out, "folder for solution.vtk and a page that draws it")
-      ->type_name("DIR");
+  add_option(*command, "--out DIR", given->out, "folder for solution.vtk and a page that draws it");
   command->callback([given] {
     try {
       solve(*given);

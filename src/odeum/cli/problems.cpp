@@ -19,6 +19,7 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/formula/compile.hpp"
+#include "odeum/input/near_words.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -76,18 +77,58 @@ std::string unused_id(const std::string& id, const std::string& otherwise) {
   return unused;
 }
 
-Cases load_fmu(const std::string& path, const std::vector<std::string>& sets,
-               const SpanCheck& check) {
+/// Leaves those statements of a file's text that a command takes, one at least.
+using Choice = std::function<void(const std::string& text, std::vector<Statement>& statements)>;
+
+const Case& load_fmu(const std::string& path, const std::vector<std::string>& sets,
+                     const SpanCheck& check) {
   try {
     foreign::ProblemCallbacks given = open_fmu(path, overrides_of(sets));
     given.id = unused_id(stem_of(path), "_fmu");
     mark() += " " + given.content;
     const odeum_problem& p = given.functions;
     if (check) check(p.t0, p.stops[p.stop_count - 1]);
-    return {&add_user_case(cases::foreign_statement(std::move(given)))};
+    return add_user_case(cases::foreign_statement(std::move(given)));
   } catch (const LoadError& error) {
     throw UsageError(error.what());
   }
+}
+
+Cases load_text(const std::string& path, const std::vector<std::string>& sets,
+                const Choice& choose) {
+  try {
+    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
+    std::vector<Statement> statements =
+        cases::text_statements(path, text, stem_of(path), overrides_of(sets));
+    if (choose) choose(text, statements);
+    Cases given;
+    for (Statement& statement : statements) {
+      statement.id = unused_id(statement.id, "_text");
+      given.push_back(&add_user_case(std::move(statement)));
+    }
+    mark() += fmt::format(" {} {}", formula::content_key(text), sets);
+    return given;
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--set: {}", error.what());
+  } catch (const std::length_error& error) {
+    throw UsageError("{}:1:1: {}", path, error.what());
+  }
+}
+
+void keep_chosen(const std::string& path, const std::string& chosen,
+                 std::vector<Statement>& statements) {
+  std::vector<std::string> ids;
+  for (const Statement& each : statements) ids.push_back(each.id);
+  if (chosen.empty() && ids.size() > 1)
+    throw UsageError("{} has {} cases; got no --case, expected --case with {}", path, ids.size(),
+                     one_of(ids));
+  if (chosen.empty()) return;
+  std::erase_if(statements, [&](const Statement& each) { return each.id != chosen; });
+  if (statements.empty())
+    throw UsageError("--case: {} has no such case; got {}, expected {}", path, shown(chosen),
+                     one_of(ids, chosen));
 }
 
 }  // namespace
@@ -106,14 +147,13 @@ std::optional<SceneSource> find_scene(const std::string& what) {
 
 void add_problem_options(CLI::App& command, ProblemOptions& options, bool words) {
   if (words)
-    command
-        .add_option("problem", options.words,
-                    "cases, with * and ?, scenes, and files of your own problems and FMUs")
-        ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
-  command
-      .add_option("--set", options.sets,
-                  "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
-      ->type_name("NAME=VALUE")
+    add_option(command, "problem CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu", options.words,
+               "cases, with * and ?, scenes, and files of your own problems and FMUs");
+  else
+    add_option(command, "--case ID", options.chosen,
+               "of a problem's file that has several cases: the one that is meant");
+  add_option(command, "--set NAME=VALUE", options.sets,
+             "another value of a parameter, see odeum list cases --parameters: --set B=2.5")
       ->allow_extra_args(false);
 }
 
@@ -129,33 +169,31 @@ bool is_problem_file(const std::string& path) {
   }
 }
 
-Cases load_problem(const std::string& path, const std::vector<std::string>& sets,
-                   const SpanCheck& check) {
-  if (is_fmu(path)) return load_fmu(path, sets, check);
-  try {
-    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
-    std::vector<Statement> statements =
-        cases::text_statements(path, text, stem_of(path), overrides_of(sets));
-    // A command that takes one problem takes the first.
-    if (check) {
-      const auto [t0, end] =
-          cases::span_of_text(path, text, statements.front().id, overrides_of(sets));
-      check(t0, end);
-    }
-    Cases given;
-    for (Statement& statement : statements) {
-      statement.id = unused_id(statement.id, "_text");
-      given.push_back(&add_user_case(std::move(statement)));
-    }
-    mark() += fmt::format(" {} {}", formula::content_key(text), sets);
-    return given;
-  } catch (const InputError& error) {
-    throw UsageError(error.what());
-  } catch (const std::invalid_argument& error) {
-    throw UsageError("--set: {}", error.what());
-  } catch (const std::length_error& error) {
-    throw UsageError("{}:1:1: {}", path, error.what());
+void require_no_choice(const std::string& what, const std::string& chosen) {
+  if (!chosen.empty())
+    throw UsageError("--case: chooses a case of a problem's file; got {}, expected no --case",
+                     shown(what));
+}
+
+Cases load_problems_of(const std::string& path, const std::vector<std::string>& sets) {
+  return is_fmu(path) ? Cases{&load_fmu(path, sets, {})} : load_text(path, sets, {});
+}
+
+const Case& load_problem(const std::string& path, const ProblemOptions& options,
+                         const SpanCheck& check) {
+  if (is_fmu(path)) {
+    require_no_choice(path, options.chosen);
+    return load_fmu(path, options.sets, check);
   }
+  return *load_text(path, options.sets,
+                    [&](const std::string& text, std::vector<Statement>& statements) {
+                      keep_chosen(path, options.chosen, statements);
+                      if (!check) return;
+                      const auto [t0, end] = cases::span_of_text(path, text, statements.front().id,
+                                                                 overrides_of(options.sets));
+                      check(t0, end);
+                    })
+              .front();
 }
 
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets) {
@@ -175,15 +213,11 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
   }
 }
 
-Case case_of(const std::string& what, const std::vector<std::string>& sets,
-             const SpanCheck& check) {
-  const bool is_text = is_problem_file(what);
-  if (const auto scene = is_text ? std::nullopt : find_scene(what)) return load_scene(*scene, sets);
-  if (!is_text) return with_sets(find_case(what), sets);
-  const Cases given = load_problem(what, sets, check);
-  if (given.size() > 1)
-    remark("case       {}, the first of {} in {}", given.front()->id, given.size(), what);
-  return *given.front();
+Case case_of(const std::string& what, const ProblemOptions& options, const SpanCheck& check) {
+  if (is_problem_file(what)) return load_problem(what, options, check);
+  require_no_choice(what, options.chosen);
+  if (const auto scene = find_scene(what)) return load_scene(*scene, options.sets);
+  return with_sets(find_case(what), options.sets);
 }
 
 std::string shell_word(const std::string& word) {
@@ -200,6 +234,8 @@ std::string shell_word(const std::string& word) {
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
   std::string words;
   for (const std::string& set : sets) words += " --set " + shell_word(set);
+  if (const auto* const chosen = command.get_option_no_throw("--case"); chosen && *chosen)
+    words += " --case " + shell_word(chosen->results().front());
   for (const std::string& file : command.get_option("--plugin")->results())
     words += " --plugin " + shell_word(file);
   return words;
@@ -219,7 +255,7 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
       continue;
     }
     for (const Case* c :
-         scene ? Cases{&load_scene(*scene, options.sets)} : load_problem(word, options.sets)) {
+         scene ? Cases{&load_scene(*scene, options.sets)} : load_problems_of(word, options.sets)) {
       remark("{:<9}  {} ({})", scene ? "scene" : "problem", c->title, c->source);
       for (const auto& [name, fact] : c->facts) remark("{:<9}  {}", name, fact);
       std::string& words = loaded_words()[c->id] = shell_word(word);

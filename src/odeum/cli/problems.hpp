@@ -15,8 +15,10 @@ namespace odeum::cli {
 struct ProblemOptions {
   std::vector<std::string> words;  ///< cases and files
   std::vector<std::string> sets;   ///< name=value
+  std::string chosen;              ///< the case of a file with several; empty: none was named
 };
-/// Adds `--set`, and unless `words` is false the problems themselves.
+/// Adds `--set`, and the problems themselves, or where `words` is false `--case`, which chooses a
+/// case of the file that a command takes.
 void add_problem_options(CLI::App& command, ProblemOptions& options, bool words = true);
 
 /// Whether that is a file whose text is that of a problem, with states or equations, or an FMU by
@@ -37,23 +39,28 @@ std::optional<SceneSource> find_scene(const std::string& what);
 using SpanCheck = std::function<void(double t0, double end)>;
 
 /// Makes the cases of a problem file, one at least, or of an FMU. Throws UsageError for a file that
-/// is no problem, for a value that is none, and what `check` throws of the first.
+/// is no problem, and for a value that is none.
 using Cases = std::vector<const Case*>;
-Cases load_problem(const std::string& path, const std::vector<std::string>& sets,
-                   const SpanCheck& check = {});
+Cases load_problems_of(const std::string& path, const std::vector<std::string>& sets);
+/// Makes the one that is chosen. Throws as above, what `check` throws, and UsageError where a file
+/// has several cases and none of them is chosen.
+const Case& load_problem(const std::string& path, const ProblemOptions& options,
+                         const SpanCheck& check = {});
 
 /// Makes the case of a scene. Throws UsageError for a text that is wrong, for emitters, whose
 /// particles change in number, and for `sets`, since a scene has no parameters.
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets);
 
-/// The case of a command that takes one problem: a case, a scene, or the first of a problem's file,
-/// with a remark where that has others. Throws UsageError.
-Case case_of(const std::string& what, const std::vector<std::string>& sets,
-             const SpanCheck& check = {});
+/// Throws UsageError where a case was chosen of what is no problem file.
+void require_no_choice(const std::string& what, const std::string& chosen);
+
+/// The case of a command that takes one problem: a case, a scene, or the one of a problem's file.
+/// Throws UsageError.
+Case case_of(const std::string& what, const ProblemOptions& options, const SpanCheck& check = {});
 
 /// As one word of a shell.
 std::string shell_word(const std::string& word);
-/// The words that say `sets`, and the plug-ins of `command`, each after a space.
+/// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
 
 /// The globs on cases that words and `case_globs` come to, with the problem files and scenes among

@@ -144,10 +144,8 @@ void add_report(CLI::App& app) {
       app.add_subcommand("report", "the whole comparison: tables, plots and a page");
   command->add_flag("--quick", options->quick,
                     "nine cases, each in full but for the orders on the cloth; coarser regions");
-  command
-      ->add_option("--case", options->cases,
-                   "only these of the cases that a report measures, with * and ?; !GLOB excludes")
-      ->type_name("GLOB");
+  add_option(*command, "--case GLOB", options->cases,
+             "only these of the cases that a report measures, with * and ?; !GLOB excludes");
   add_study_options(*command, *options);
   add_problem_options(*command, options->problems);
   command->callback([options] {

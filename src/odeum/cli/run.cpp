@@ -10,7 +10,7 @@
 namespace odeum::cli {
 
 void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
-  CLI::Option* step = command.add_option("--step", settings.step, "fixed step")->type_name("H");
+  CLI::Option* step = add_option(command, "--step H", settings.step, "fixed step");
   CLI::Option* tol = command
                          .add_option_function<double>(
                              "--tol", [&](double both) { settings.tolerance = both; },
@@ -24,15 +24,12 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
   };
   const auto given = std::make_shared<Given>();
   CLI::Option* rtol =
-      command.add_option("--rtol", given->relative, "relative tolerance, with --atol")
-          ->type_name("R")
+      add_option(command, "--rtol R", given->relative, "relative tolerance, with --atol")
           ->excludes(step)
           ->excludes(tol);
   CLI::Option* atol =
-      command
-          .add_option("--atol", given->absolute,
-                      "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
-          ->type_name("A")
+      add_option(command, "--atol A", given->absolute,
+                 "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->needs(rtol);
@@ -94,31 +91,21 @@ void add_what_to_run(CLI::App& command, RunOptions& options) {
   add_step_and_tolerances(command, options.settings);
   CLI::Option* step = command.get_option("--step");
   CLI::Option* steps =
-      command.add_option("--steps", options.settings.steps, "number of equal fixed steps")
-          ->type_name("N")
+      add_option(command, "--steps N", options.settings.steps, "number of equal fixed steps")
           ->excludes(step);
   for (const char* other : {"--tol", "--rtol"}) steps->excludes(command.get_option(other));
-  command
-      .add_option("--option", options.library_options,
-                  "a value for an option that the solver's library has: sweeps=4")
-      ->type_name("NAME=VALUE ...");
+  add_option(command, "--option NAME=VALUE ...", options.library_options,
+             "a value for an option that the solver's library has: sweeps=4");
   CLI::Option* until =
-      command.add_option("--until", options.settings.until, "end time; default: the horizon")
-          ->type_name("T");
+      add_option(command, "--until T", options.settings.until, "end time; default: the horizon");
   CLI::Option* every =
-      command
-          .add_option("--every", options.settings.every,
-                      "time between outputs; it does not change the steps of own solvers")
-          ->type_name("DT");
-  CLI::Option* out =
-      command
-          .add_option("--out", options.out, "folder for the files: index.html, trajectory.csv, ...")
-          ->type_name("DIR");
-  command
-      .add_option("--stops", options.stops,
-                  "the run of a study, speed or orders: to its end, with steps that end where it "
-                  "measures the error, which is the largest there")
-      ->type_name("STUDY")
+      add_option(command, "--every DT", options.settings.every,
+                 "time between outputs; it does not change the steps of own solvers");
+  CLI::Option* out = add_option(command, "--out DIR", options.out,
+                                "folder for the files: index.html, trajectory.csv, ...");
+  add_option(command, "--stops STUDY", options.stops,
+             "the run of a study, speed or orders: to its end, with steps that end where it "
+             "measures the error, which is the largest there")
       ->check(CLI::IsMember({"speed", "orders"}))
       ->excludes(until)
       ->excludes(every)
@@ -131,16 +118,11 @@ void add_run(CLI::App& app, int& result) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       app.add_subcommand("run", "one case, scene, problem file or FMU with one or more solvers");
-  command
-      ->add_option(
-          "case", options->what,
-          "a case, a scene (its file, or a name of odeum list), a problem's file, or an FMU")
-      ->required()
-      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
-  command
-      ->add_option("--solver", options->solvers,
-                   "a solver; several are compared; default: the scene's own")
-      ->type_name("ID...");
+  add_option(*command, "case CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu", options->what,
+             "a case, a scene (its file, or a name of odeum list), a problem's file, or an FMU")
+      ->required();
+  add_option(*command, "--solver ID...", options->solvers,
+             "a solver; several are compared; default: the scene's own");
   add_what_to_run(*command, *options);
   command->add_flag("--verbose", options->verbose,
                     "name every solver that fits a scene or problem file, and that does not");
@@ -150,16 +132,12 @@ void add_run(CLI::App& app, int& result) {
   command->add_flag("--code", options->code,
                     "print a C++ program that makes this run with the installed package");
   add_format(*command, options->format);
-  command
-      ->add_option("--frames", options->frames,
-                   "of a scene's run with --out: so many pictures, film/0001.png, ...")
-      ->type_name("N")
+  add_option(*command, "--frames N", options->frames,
+             "of a scene's run with --out: so many pictures, film/0001.png, ...")
       ->check(CLI::Range(2, 9999));
-  command->add_option("--max-particles", options->limits.most_particles, "of a scene")
-      ->type_name("N")
+  add_option(*command, "--max-particles N", options->limits.most_particles, "of a scene")
       ->capture_default_str();
-  command->add_option("--max-megabytes", options->megabytes, "of a scene's file")
-      ->type_name("N")
+  add_option(*command, "--max-megabytes N", options->megabytes, "of a scene's file")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
   command->callback([options, command, &result] {
@@ -173,6 +151,7 @@ void add_run(CLI::App& app, int& result) {
       result = run_problem(*options);
       return;
     }
+    require_no_choice(options->what, options->problems.chosen);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
     if (scene && options->format == "json")
       throw UsageError(

@@ -208,16 +208,8 @@ int run_problem(const RunOptions& options) {
   SpanCheck check;
   if (has_setting(options.settings) && !options.solvers.empty())
     check = [&](double t0, double end) { check_span(options.settings, t0, end); };
-  const Cases given = load_problem(options.what, options.problems.sets, check);
-  const Case& c = *given.front();
-  std::string text;
-  if (given.size() > 1) {
-    std::vector<std::string> ids;
-    for (const Case* each : given) ids.push_back(each->id);
-    text =
-        fmt::format("case       {}, the first of {}: {}\n", c.id, ids.size(), fmt::join(ids, ", "));
-  }
-  text +=
+  const Case& c = load_problem(options.what, options.problems, check);
+  std::string text =
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
   for (const auto& [name, fact] : c.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));

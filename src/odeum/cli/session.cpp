@@ -136,17 +136,12 @@ unsigned StudyOptions::jobs_or_cores() const {
 }
 
 void add_study_options(CLI::App& command, StudyOptions& options) {
-  command
-      .add_option("--solver", options.solvers,
-                  "solvers, as library/method with * and ? (a method alone: Odeum's own); !GLOB "
-                  "excludes")
-      ->type_name("GLOB")
+  add_option(command, "--solver GLOB", options.solvers,
+             "solvers, as library/method with * and ? (a method alone: Odeum's own); !GLOB "
+             "excludes")
       ->transform(with_library);
-  command.add_option("--out", options.out, "folder for the files")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command.add_option("--jobs", options.jobs, "solves at a time; default: the number of cores")
-      ->type_name("N")
+  add_option(command, "--out DIR", options.out, "folder for the files")->capture_default_str();
+  add_option(command, "--jobs N", options.jobs, "solves at a time; default: the number of cores")
       ->check(CLI::Range(1, 1024));
   CLI::Option* resume = command.add_flag(
       "--resume", options.resume,
@@ -158,11 +153,9 @@ void add_study_options(CLI::App& command, StudyOptions& options) {
 }
 
 void add_format(CLI::App& command, std::string& format) {
-  command
-      .add_option("--format", format,
-                  "of what is printed: table, or json with all columns of the files")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->type_name("FORMAT");
+  add_option(command, "--format FORMAT", format,
+             "of what is printed: table, or json with all columns of the files")
+      ->check(CLI::IsMember({"table", "json"}));
 }
 
 }  // namespace odeum::cli

@@ -69,6 +69,14 @@ const Entrant& find_entrant(const Entrants& entrants, const std::string& on, con
 /// candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
+/// Adds an option with the name of its value behind its own: "--step H".
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const std::string& name, Value& value,
+                        const std::string& help) {
+  const std::size_t space = name.find(' ');
+  return command.add_option(name.substr(0, space), value, help)->type_name(name.substr(space + 1));
+}
+
 /// The options of every study.
 struct StudyOptions {
   std::vector<std::string> solvers;

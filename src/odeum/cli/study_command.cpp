@@ -137,7 +137,7 @@ void add_study(CLI::App& app, study::Study& study) {
   const study::Declaration& declaration = study.declaration();
   CLI::App* command = app.add_subcommand(declaration.name, declaration.help);
   if (!declaration.cases_help.empty()) {
-    command->add_option("--case", given->study.cases, declaration.cases_help)->type_name("GLOB");
+    add_option(*command, "--case GLOB", given->study.cases, declaration.cases_help);
     add_problem_options(*command, given->problems);
   }
   if (!declaration.quick_help.empty())

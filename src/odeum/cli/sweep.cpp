@@ -84,7 +84,7 @@ sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
 
 int sweep_on(const SweepOptions& options, const CLI::App& command) {
   try {
-    const Case c = case_of(options.what, options.problems.sets,
+    const Case c = case_of(options.what, options.problems,
                            [&](double t0, double end) { check_span(options.settings, t0, end); });
     sweep::Plan plan = plan_of(options, c);
     require_same_content(mark_of_loaded());

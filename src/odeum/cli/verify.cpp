@@ -9,8 +9,7 @@ void add_verify(CLI::App& app, int& result) {
   auto path = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "verify", "orders and stability of a Runge-Kutta tableau, proven and measured");
-  command->add_option("tableau", *path, "a YAML file, see cases/tableaus/README.md")
-      ->type_name("FILE")
+  add_option(*command, "tableau FILE", *path, "a YAML file, see cases/tableaus/README.md")
       ->required();
   command->callback([path, &result] {
     try {

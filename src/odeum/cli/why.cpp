@@ -57,7 +57,7 @@ void write_files(const std::string& out, const Case& c, const advise::Why& why,
 
 int why_on(const WhyOptions& options, const CLI::App& command) {
   require_positive("--seconds", options.seconds);
-  const Case c = case_of(options.what, options.problems.sets,
+  const Case c = case_of(options.what, options.problems,
                          [&](double t0, double end) { check_span(options.settings, t0, end); });
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("why needs --step or --tol, or --rtol and --atol");
@@ -77,24 +77,18 @@ void add_why(CLI::App& app, int& result) {
   const auto options = std::make_shared<WhyOptions>();
   CLI::App* command = app.add_subcommand(
       "why", "what a run spends its steps on, why it failed or crawls, and what does better");
-  command->add_option("problem", options->what, "a case, a scene, a problem's file, or an FMU")
-      ->required()
-      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
-  command->add_option("--solver", options->solver, "the solver of the run")
-      ->required()
-      ->type_name("ID");
+  add_option(*command, "problem CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu", options->what,
+             "a case, a scene, a problem's file, or an FMU")
+      ->required();
+  add_option(*command, "--solver ID", options->solver, "the solver of the run")->required();
   add_problem_options(*command, options->problems, false);
   add_step_and_tolerances(*command, options->settings);
-  command->add_option("--until", options->settings.until, "end time; default: the horizon")
-      ->type_name("T");
-  command->add_option("--seconds", options->seconds, "for the answer; default: 20")->type_name("S");
-  command->add_option("--format", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->type_name("FORMAT");
-  command
-      ->add_option("--out", options->out,
-                   "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...")
-      ->type_name("DIR");
+  add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
+  add_option(*command, "--seconds S", options->seconds, "for the answer; default: 20");
+  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
+      ->check(CLI::IsMember({"text", "json"}));
+  add_option(*command, "--out DIR", options->out,
+             "folder for the files: index.html, why.csv, why.json, trajectory.csv, ...");
   command->callback([options, command, &result] { result = why_on(*options, *command); });
 }
 

@@ -3,37 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "odeum/formula/evaluator.hpp"
+#include "odeum/linear/dense_lu.hpp"
 
 namespace odeum::formula {
-namespace {
 
 using Real = long double;
-
-/// x of a x = b by elimination; false where a is singular.
-bool solve(std::vector<std::vector<Real>> a, std::vector<Real>& b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    if (!(std::abs(a[pivot][k]) > 0)) return false;
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k) continue;
-      const Real factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= factor * a[k][j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) b[k] /= a[k][k];
-  return true;
-}
-
-}  // namespace
 
 Linearised linearise(Graph& graph, const std::vector<Id>& roots, Real t, const std::vector<Real>& y,
                      const std::vector<std::size_t>& by) {
@@ -67,7 +43,11 @@ bool find_roots(Graph& graph, const std::vector<Id>& roots, Real t, std::vector<
   for (int iteration = 0; iteration < 100; ++iteration) {
     const Linearised at = linearise(graph, roots, t, y, unknown);
     std::vector<Real> change = at.values;
-    if (!solve(at.slopes, change)) return false;
+    linear::Lu<Real> slopes(unknown.size());
+    for (std::size_t k = 0; k < unknown.size(); ++k)
+      std::copy(at.slopes[k].begin(), at.slopes[k].end(), slopes.data() + k * unknown.size());
+    if (!slopes.factorise()) return false;
+    slopes.solve(change.data());
     Real largest = 0;
     for (std::size_t k = 0; k < unknown.size(); ++k) {
       Real& value = y[unknown[k]];
