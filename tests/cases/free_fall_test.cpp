@@ -61,7 +61,7 @@ TEST(FreeFall, EveryOwnSchemeMatchesItsClosedFormToRounding) {
     if (entrant.info.family == "taylor" || entrant.info.family == "exponential" ||
         entrant.info.family == "splitting")
       continue;
-    if (!entrant.info.fixed) continue;
+    if (!entrant.info.fixed || entrant.info.needs.starts_with("residuals")) continue;
     ASSERT_TRUE(entrant.solve) << entrant.info.id() << " does not fit free fall";
     std::optional<double> coefficient = coefficient_of(entrant.info);
     if (!coefficient) {  // a new method of order 1: its first step determines the coefficient

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
-// lists/methods.inc is generated, and so is a unit for each method (odeum_generate_methods).
+// lists/methods.inc is generated, and so is a unit for each method (odeum_generate_methods); those
+// on residuals are residual_methods.cpp.
 namespace odeum {
 
 #define ODEUM_ITEM(method) void add_##method(std::vector<Solver>&);
 #include "lists/methods.inc"
 #undef ODEUM_ITEM
+void add_residual_methods(std::vector<Solver>&);
 
 const std::vector<Solver>& own_methods() {
   static const std::vector<Solver> all = [] {
@@ -16,6 +18,7 @@ const std::vector<Solver>& own_methods() {
 #define ODEUM_ITEM(method) add_##method(list);
 #include "lists/methods.inc"
 #undef ODEUM_ITEM
+    add_residual_methods(list);
     return list;
   }();
   return all;

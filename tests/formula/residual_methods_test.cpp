@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "odeum/cases/text_case.hpp"
+#include "odeum/input/text_file.hpp"
+#include "odeum/problem/implicit_form.hpp"
+#include "support/catalogue.hpp"
+
+namespace odeum {
+namespace {
+
+const char* const methods[] = {"odeum/radau_iia5_residual", "odeum/radau_iia9_residual"};
+
+Case case_of(const std::string& stem) {
+  const std::string file = std::string(ODEUM_SOURCE_DIR "/cases/problems/") + stem + ".yaml";
+  return cases::text_statements(file, read_text_file(file, "problem", 100'000), stem)
+      .front()
+      .make();
+}
+
+std::vector<double> end_of(const Case& c, const char* solver, const Request& request) {
+  const Outcome outcome = tests::find_entrant(c, solver).solve(request);
+  EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
+  EXPECT_GT(outcome.counters.rhs_evaluations, outcome.counters.steps);
+  EXPECT_GT(outcome.counters.jacobian_evaluations, 0U);
+  return outcome.states;
+}
+
+/// The largest error at the end, over the scale of the component.
+double error_of(const Case& c, const std::vector<double>& y) {
+  std::vector<double> exact(c.y0.size());
+  EXPECT_TRUE(c.truth.at(c.stops.back(), exact.data()));
+  double largest = 0;
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    largest = std::max(largest, std::abs(y.at(k) - exact[k]) / c.scale_of(k));
+  return largest;
+}
+
+// The pendulum's errors grow with time; those of the others stay below the tolerance, which bounds
+// an estimate of a lower order.
+TEST(ResidualMethods, ReachTheDigitsOfTheTestSet) {
+  for (const char* id : {"akzo_nobel", "robertson_constraint", "cubic_rate", "transistor_amplifier",
+                         "pendulum_xy"}) {
+    const Case c = case_of(id);
+    const double room = std::string(id) == "pendulum_xy" ? 100 : 1;
+    for (const char* solver : methods)
+      for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+        SCOPED_TRACE(std::string(id) + " " + solver + " " + std::to_string(tolerance));
+        const Request request = tests::adaptive_request(tolerance, {c.stops.back()});
+        EXPECT_LT(error_of(c, end_of(c, solver, request)), 3 * room * tolerance);
+      }
+  }
+}
+
+// Stiffly accurate: the end of a step is its last stage, which meets the residuals. In the ordinary
+// problem of the same residuals the constraints drift by the errors of the steps.
+TEST(ResidualMethods, KeepTheConstraints) {
+  const auto drift = [](const Case& c, const char* solver) {
+    const std::size_t n = c.y0.size();
+    std::vector<double> y = end_of(c, solver, tests::adaptive_request(1e-6, {c.stops.back()})),
+                        rates(n), r(n);
+    c.problem.view.rhs(c.problem.view.problem, c.stops.back(), y.data(), rates.data());
+    c.problem.implicit->residual(c.stops.back(), y.data(), rates.data(), r.data());
+    return std::abs(r.back());
+  };
+  // Its last residual is the constraint, of terms of size 30. At this tolerance Newton's iteration
+  // stops at some 1e-10 of them; the errors of the steps are 1e-6.
+  const Case c = case_of("pendulum_xy");
+  for (const char* solver : methods) EXPECT_LT(drift(c, solver), 1e-8) << solver;
+  EXPECT_GT(drift(c, "odeum/radau_iia5"), 1e-7);
+}
+
+// Both have their full order in all components where the index is 1 (Solving ODEs II, theorem
+// VI.1.1): a tenth is the distance that halvings at these steps leave.
+TEST(ResidualMethods, HaveTheirOrderAtFixedSteps) {
+  const Case c = case_of("pendulum_xy");
+  const auto order = [&](const char* solver, std::uint64_t steps) {
+    double errors[2];
+    for (int k = 0; k < 2; ++k) {
+      Request request;
+      request.mode = Mode::fixed;
+      request.steps = steps << k;
+      request.stops = {c.stops.back()};
+      errors[k] = error_of(c, end_of(c, solver, request));
+    }
+    return std::log2(errors[0] / errors[1]);
+  };
+  EXPECT_NEAR(order(methods[0], 200), 5, 0.1);
+  EXPECT_NEAR(order(methods[1], 40), 9, 0.1);
+}
+
+// Stops between the ends of the steps change no step, and have errors of the same size.
+TEST(ResidualMethods, StepOverOutputs) {
+  const Case c = case_of("akzo_nobel");
+  for (const char* solver : methods) {
+    SCOPED_TRACE(solver);
+    const Entrant& entrant = tests::find_entrant(c, solver);
+    Request request = tests::adaptive_request(1e-6, {c.stops.back()});
+    request.record_steps = true;
+    const Outcome alone = entrant.solve(request);
+    request.over_stops = true;
+    request.stops.clear();
+    for (int k = 1; k <= 40; ++k) request.stops.push_back(c.stops.back() * k / 40);
+    const Outcome outcome = entrant.solve(request);
+    ASSERT_EQ(outcome.status, Status::ok) << outcome.detail;
+    EXPECT_EQ(outcome.detail, "");
+    EXPECT_EQ(outcome.step_ends, alone.step_ends);
+    std::vector<double> exact(c.y0.size());
+    for (std::size_t k = 0; k < 40; ++k) {
+      if (!c.truth.at(request.stops[k], exact.data())) continue;
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        EXPECT_NEAR(outcome.states[k * exact.size() + i], exact[i], 1e-7 * c.scale_of(i)) << k;
+    }
+  }
+}
+
+TEST(ResidualMethods, NeedResidualsAndKeepTheBudget) {
+  for (const char* solver : methods) {
+    const Entrant& none = tests::find_entrant(tests::find_case("lotka_volterra"), solver);
+    EXPECT_NE(none.unfit.find("needs residuals"), std::string::npos);
+    const Case c = case_of("akzo_nobel");
+    Request request = tests::adaptive_request(1e-9, {c.stops.back()});
+    request.budget.evaluations = 50;
+    const Outcome outcome = tests::find_entrant(c, solver).solve(request);
+    EXPECT_EQ(outcome.status, Status::over_budget);
+    EXPECT_LE(outcome.counters.rhs_evaluations, 50U);
+  }
+}
+
+}  // namespace
+}  // namespace odeum
