@@ -65,6 +65,7 @@ class TextCase : CaseText {
     case_.scale = problem_.scale;
     set_problem();
     set_truth();
+    if (!file_.folder.empty()) prove_truth();
     select_invariants();
     choose_settings();
     case_.facts =
@@ -139,7 +140,7 @@ class TextCase : CaseText {
                        std::make_shared<const std::vector<double>>(case_.y0),
                        nullptr,
                        formula::implicit_form(problem_)};
-      add_invariants();
+      add_invariants(problem_, case_);
       case_.entrants = enroll(case_.problem);
     }
     const formula::Structure& s = analysis_->structure;
@@ -155,22 +156,6 @@ class TextCase : CaseText {
     if (ode_) return;
     ode_ = std::make_shared<const TextOde>(problem_);
     analysis_ = {ode_, &ode_->analysis()};
-  }
-
-  void add_invariants() {
-    for (const formula::Kept& kept : problem_.invariants) {
-      const auto value = std::make_shared<const formula::Evaluator<double>>(
-          problem_.graph, std::vector<formula::Id>{kept.value});
-      const auto function = [value](const double* state) {
-        double result = 0;
-        (*value)(0, state, &result);
-        return result;
-      };
-      if (!case_.energy && (kept.name == "energy" || kept.name == "H"))
-        case_.energy = function;
-      else
-        case_.invariants.push_back({kept.name, function});
-    }
   }
 
   /// A reference holds for the usual parameters; else the closed form, or a computed reference. One
@@ -190,6 +175,12 @@ class TextCase : CaseText {
       if (!problem_.exact.empty())
         case_.truth.at = [before = case_.truth.at, between = closed_form(problem_).truth.at](
                              double t, double* y) { return before(t, y) || between(t, y); };
+      if (case_.extended && file_.folder.empty()) {
+        ExtendedProblem extended = *case_.extended;
+        extended.truth = extended_truth(files.front());
+        extended.floor = std::max(floor, 1e-20);  // the digits of the file
+        case_.extended = std::make_shared<const ExtendedProblem>(std::move(extended));
+      }
       return;
     }
     if (problem_.exact.empty() && !files.empty()) {
@@ -213,6 +204,14 @@ class TextCase : CaseText {
                         .y0 = problem_.y0,
                         .truth = truth_.extended,
                         .floor = truth_.extended_floor});
+  }
+
+  void prove_truth() {
+    const formula::Problem& problem = ode_ ? ode_->problem() : problem_;
+    const std::string proof = proof_of(problem, *analysis_, case_.truth, case_.stops);
+    if (proof.empty()) return;
+    case_.truth.source += "; " + proof;
+    if (!truth_.words.empty()) truth_.words += "; " + proof;
   }
 
   Truth reference(const std::string& name, double floor) const {

@@ -25,4 +25,8 @@ std::vector<Statement> text_statements(const std::string& file, const std::strin
                                        const std::string& id, const formula::Overrides& set = {});
 std::vector<Statement> text_statements(const BuiltInText& text);
 
+/// A case's truth in words, and whether it is proved (see proof_of() in text_truth.hpp), which a
+/// user's text says by itself. Of a built-in text it takes up to two seconds, the first time.
+std::string with_proof(const Case& c);
+
 }  // namespace odeum::cases

@@ -54,6 +54,22 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
   return facts;
 }
 
+void add_invariants(const formula::Problem& problem, Case& c) {
+  for (const formula::Kept& kept : problem.invariants) {
+    const auto value = std::make_shared<const formula::Evaluator<double>>(
+        problem.graph, std::vector<formula::Id>{kept.value});
+    const auto function = [value](const double* state) {
+      double result = 0;
+      (*value)(0, state, &result);
+      return result;
+    };
+    if (!c.energy && (kept.name == "energy" || kept.name == "H"))
+      c.energy = function;
+    else
+      c.invariants.push_back({kept.name, function});
+  }
+}
+
 bool has_name_of_column(const std::vector<std::string>& states) {
   const std::vector<std::string> columns{"schema", "case",   "library", "solver",
                                          "time",   "energy", "error"};

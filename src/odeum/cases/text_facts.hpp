@@ -12,6 +12,9 @@ namespace odeum::cases {
 Facts text_facts(const formula::Problem& problem, const formula::Analysis& analysis,
                  const formula::TextOde* ode, const TextTruth& truth, const Case& c);
 
+/// Gives a case of a text's equations the invariants that the text states.
+void add_invariants(const formula::Problem& problem, Case& c);
+
 /// Whether a state has the name of another column of the files, which would then stand there twice.
 bool has_name_of_column(const std::vector<std::string>& states);
 

@@ -9,7 +9,10 @@
 #include <limits>
 #include <utility>
 
+#include "odeum/core/build_info.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/formula/text_ode.hpp"
+#include "odeum/truth/certificate.hpp"
 #include "odeum/truth/text_system.hpp"
 
 namespace odeum::cases {
@@ -68,10 +71,9 @@ TextTruth closed_form(const formula::Problem& problem) {
 
 namespace {
 
-/// What a reference depends on, as text.
-std::string content_of(const std::shared_ptr<const TextOde>& ode) {
-  const formula::Problem& problem = ode->problem();
-  std::string content = formula::print_c(problem, ode->analysis());
+/// What the solution depends on, as text.
+std::string content_of(const formula::Problem& problem, const formula::Analysis& analysis) {
+  std::string content = formula::print_c(problem, analysis);
   content += fmt::format("\n{}", problem.t0);
   for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
   return content;
@@ -143,12 +145,31 @@ void cut_stops(Case& c, const std::vector<double>& known) {
 TextTruth truth_of(const std::shared_ptr<const TextOde>& ode) {
   const formula::Problem& problem = ode->problem();
   return truth_from(
-      *truth::kept_or_computed(content_of(ode), ode->size(), problem.stops, problem.scale,
-                               [&] {
-                                 return truth::compute_reference(truth::system_of(ode),
-                                                                 problem.stops, problem.scale);
-                               }),
+      *truth::kept_or_computed(
+          content_of(problem, ode->analysis()), ode->size(), problem.stops, problem.scale,
+          [&] {
+            return truth::compute_reference(truth::system_of(ode), problem.stops, problem.scale);
+          }),
       problem.stops, problem.scale, problem.file);
+}
+
+std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
+                     const Truth& truth, const std::vector<double>& stops) {
+  std::string content = content_of(problem, analysis);
+  std::vector<double> y(problem.states.size());
+  fmt::format_to(std::back_inserter(content), "\n{}\n{} {}", build::truth_code, truth.floor,
+                 fmt::join(problem.scale, " "));
+  for (const double stop : stops)
+    if (truth.at(stop, y.data()))
+      fmt::format_to(std::back_inserter(content), "\n{} {}", stop, fmt::join(y, " "));
+  const std::string name = formula::content_key(content) + ".proof";
+  if (const auto kept = formula::kept_text(name)) return *kept;
+  const auto certificate =
+      truth::certify(problem, {.times = stops, .at = truth.at, .floor = truth.floor});
+  if (!certificate) return "";
+  std::string text = to_text(*certificate);
+  formula::keep_text(name, text);
+  return text;
 }
 
 }  // namespace odeum::cases

@@ -35,4 +35,9 @@ TextTruth closed_form(const formula::Problem& problem);
 /// A computed one, at the problem's stops as far as it is known.
 TextTruth truth_of(const std::shared_ptr<const formula::TextOde>& ode);
 
+/// Whether a truth of the problem is proved at the stops, as truth::to_text says it; kept in the
+/// cache folder. Empty where Odeum was built without what proves it.
+std::string proof_of(const formula::Problem& problem, const formula::Analysis& analysis,
+                     const Truth& truth, const std::vector<double>& stops);
+
 }  // namespace odeum::cases

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "odeum/advise/why_answer.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -177,7 +178,10 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
   };
   for (const auto& [name, value] : sets) say(fmt::format("set     {} = {}\n", name, value));
   say(fmt::format("case    {}: {}\n", c.id, c.equation));
-  if (options.truth) c.truth = truth_of(c, runs);
+  if (options.truth) {
+    c.truth.source = cases::with_proof(c);
+    c.truth = truth_of(c, runs);
+  }
   bool any_ok = false;
   for (CaseRun& run : runs) {
     run.outcome = run.entrant->solve(run.request);

@@ -1,22 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/proof/verify.hpp"
 
+#include <algorithm>
+
+#include "odeum/cases/text_case.hpp"
+#include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
 
 namespace odeum::cli {
+namespace {
+
+int verify_tableau(const std::string& path) {
+  const TableauFile file = read_tableau_file(path);
+  const proof::Verification verification = proof::verify(file);
+  print(verification.text(file));
+  return verification.passed() ? success : check_failed;
+}
+
+int verify_truth(const Case& c) {
+  print("case    {}: {}\ntruth   {}\n", c.id, c.equation, cases::with_proof(c));
+  return cases::with_proof(c).find("; refuted: ") == std::string::npos ? success : check_failed;
+}
+
+}  // namespace
 
 void add_verify(CLI::App& app, int& result) {
-  auto path = std::make_shared<std::string>();
+  auto what = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
-      "verify", "orders and stability of a Runge-Kutta tableau, proven and measured");
-  add_option(*command, "tableau FILE", *path, "a YAML file, see cases/tableaus/README.md")
+      "verify",
+      "orders and stability of a Runge-Kutta tableau, proven and measured; or the digits of a "
+      "problem's truth, proved by an enclosure of the solution");
+  add_option(*command, "tableau FILE|CASE", *what,
+             "a YAML file, see cases/tableaus/README.md; or a problem: a case or a file")
       ->required();
-  command->callback([path, &result] {
+  command->callback([what, &result] {
+    const std::vector<std::string> ids = known_ids();
+    const bool problem =
+        is_problem_file(*what) || std::find(ids.begin(), ids.end(), *what) != ids.end();
     try {
-      const TableauFile file = read_tableau_file(*path);
-      const proof::Verification verification = proof::verify(file);
-      print(verification.text(file));
-      result = verification.passed() ? success : check_failed;
+      result = problem ? verify_truth(case_of(*what, ProblemOptions{})) : verify_tableau(*what);
     } catch (const InputError& error) {
       throw UsageError(error.what());
     }

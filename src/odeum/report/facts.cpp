@@ -8,6 +8,7 @@
 
 #include "odeum/cases/linear_form.hpp"
 #include "odeum/cases/spectrum.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/report/text.hpp"
 
 namespace odeum::report {
@@ -44,7 +45,7 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
                            .title = c.title,
                            .equation = c.equation,
                            .source = c.source,
-                           .truth = c.truth.source,
+                           .truth = cases::with_proof(c),
                            .scaled = !c.scale.empty(),
                            .unit = c.problem.scene ? "s" : "",
                            .truth_floor = c.truth.floor,
