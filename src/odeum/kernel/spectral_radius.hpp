@@ -22,6 +22,34 @@ class SpectralRadius {
  public:
   explicit SpectralRadius(const P& problem)
       : problem_(problem), direction_(make_state(problem)), moved_(direction_), slope_(direction_) {
+    begin();
+  }
+
+  /// At (t, y) with f = f(t, y); an upper bound as far as the iteration has converged.
+  double operator()(double t, const State<P>& y, const State<P>& f) {
+    constexpr double safety = 1.2, agreement = 0.01;
+    constexpr int most = 60;
+    double radius = 0;
+    int agreed = 0;
+    for (int k = 0; k < most && agreed < 2; ++k) {
+      const double before = radius;
+      radius = iterate(t, y, f);
+      if (!std::isfinite(radius)) break;
+      agreed = std::abs(radius - before) <= agreement * radius ? agreed + 1 : 0;
+    }
+    return safety * radius;
+  }
+
+  /// By two iterations alone, of which successive looks along a solution make the vector the
+  /// fastest one: the geometric mean of their quotients, which of a rotation alone vary.
+  double look(double t, const State<P>& y, const State<P>& f) {
+    const double first = iterate(t, y, f);
+    return std::sqrt(first * iterate(t, y, f));
+  }
+
+ private:
+  static constexpr double root_of_rounding = 0x1p-26;
+  void begin() {
     // A linear congruence: the same numbers in every run.
     std::uint32_t random = 1;
     for (std::size_t i = 0; i < direction_.size(); ++i) {
@@ -30,31 +58,15 @@ class SpectralRadius {
       if (i % 2 == 1) direction_[i] = -direction_[i];
     }
   }
-
-  /// At (t, y) with f = f(t, y); an upper bound as far as the iteration has converged.
-  double operator()(double t, const State<P>& y, const State<P>& f) {
-    constexpr double safety = 1.2, agreement = 0.01;
-    constexpr int most = 60;
-    const double size = std::max(norm(y), 1e-8), distance = size * root_of_rounding;
-    double radius = 0;
-    int agreed = 0;
-    for (int k = 0; k < most && agreed < 2; ++k) {
-      const double length = norm(direction_);
-      if (!(length > 0)) break;  // every direction tried is at rest
-      each_component(y,
-                     [&](std::size_t i) { moved_[i] = y[i] + distance / length * direction_[i]; });
-      problem_.rhs(t, moved_.data(), slope_.data());
-      each_component(y, [&](std::size_t i) { direction_[i] = slope_[i] - f[i]; });
-      const double before = radius;
-      radius = norm(direction_) / distance;
-      if (!std::isfinite(radius)) break;
-      agreed = std::abs(radius - before) <= agreement * radius ? agreed + 1 : 0;
-    }
-    return safety * radius;
+  /// v <- (f(t, y + v) - f) for v as long as rounding allows; the quotient of their lengths.
+  double iterate(double t, const State<P>& y, const State<P>& f) {
+    const double distance = std::max(norm(y), 1e-8) * root_of_rounding, length = norm(direction_);
+    if (!(length > 0)) return begin(), 0;  // at rest in this direction
+    each_component(y, [&](std::size_t i) { moved_[i] = y[i] + distance / length * direction_[i]; });
+    problem_.rhs(t, moved_.data(), slope_.data());
+    each_component(y, [&](std::size_t i) { direction_[i] = slope_[i] - f[i]; });
+    return norm(direction_) / distance;
   }
-
- private:
-  static constexpr double root_of_rounding = 0x1p-26;
   static double norm(const State<P>& x) {
     return std::sqrt(sum_of_components(x, [&](std::size_t i) { return x[i] * x[i]; }));
   }
