@@ -27,7 +27,7 @@ namespace {
 template <bool WithJ>
 struct Reactions {
   static constexpr std::size_t dimension = 3;
-  double unit, second = 1;
+  double unit = 1, second = 1;
   double of(std::size_t i) const { return i == 1 ? unit * second : unit; }
   bool autonomous() const { return true; }
   State<Robertson> in_unit(const double* y) const {

@@ -15,7 +15,8 @@ TEST(SweepMembers, AGridHasEveryCombinationTheLastAxisFastest) {
   EXPECT_EQ(members.names(), (std::vector<std::string>{"k", "d"}));
   for (std::uint64_t member = 0; member < members.size(); ++member) {
     const std::vector<double> values = members.values(member);
-    EXPECT_NEAR(values[0], std::pow(10, 2 + static_cast<double>(member / 6)), 1e-8 * values[0]);
+    const std::uint64_t decade = 2 + member / 6;
+    EXPECT_NEAR(values[0], std::pow(10, static_cast<double>(decade)), 1e-8 * values[0]);
     EXPECT_EQ(values[1], static_cast<double>(member % 6));
   }
   EXPECT_EQ(members.values(29), (std::vector<double>{1e6, 5}));
