@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -106,6 +107,12 @@ std::string how_compiled([[maybe_unused]] const std::string& path) {
 #else
   return "";
 #endif
+}
+
+double seconds_of_environment(const char* variable, double otherwise) {
+  const char* const given = std::getenv(variable);
+  const double seconds = given ? std::atof(given) : 0;
+  return seconds > 0 ? std::min(seconds, 86400.0) : otherwise;
 }
 
 std::string utc_text(std::chrono::system_clock::time_point time) {

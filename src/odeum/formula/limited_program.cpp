@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/machine.hpp"
 
 namespace odeum::formula {
 namespace {
@@ -69,11 +70,7 @@ constexpr rlim_t most_memory = rlim_t{2} << 30U;
 
 }  // namespace
 
-double compiler_seconds() {
-  const char* const given = std::getenv("ODEUM_COMPILER_SECONDS");
-  const double seconds = given ? std::atof(given) : 0;
-  return seconds > 0 ? std::min(seconds, 86400.0) : 60;
-}
+double compiler_seconds() { return seconds_of_environment("ODEUM_COMPILER_SECONDS", 60); }
 
 std::string run_limited(const std::vector<std::string>& command, const std::filesystem::path& log,
                         double seconds) {

@@ -16,7 +16,8 @@ namespace odeum::isolated {
 bool in_isolated_process();
 /// In such a process: work goes on. Without it for `longest_silence` seconds the process is ended.
 void alive();
-inline constexpr double longest_silence = 5;
+/// $ODEUM_SILENCE_SECONDS, else 5.
+double longest_silence();
 
 /// solve(request) in a process of its own. A process that ends early, is ended by a signal, or
 /// shows no sign of work gives an outcome with status `refused` or `over_budget` and a sentence.
@@ -36,6 +37,6 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
 /// shows no sign of work.
 std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
                                            std::size_t room = 2000,
-                                           double seconds = longest_silence);
+                                           double seconds = longest_silence());
 
 }  // namespace odeum::isolated

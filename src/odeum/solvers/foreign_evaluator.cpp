@@ -64,7 +64,7 @@ bool Evaluator::ask() {
   char word = 1;
   if (send(socket_, &word, 1, MSG_NOSIGNAL) != 1) return false;
   pollfd wait{.fd = socket_, .events = POLLIN, .revents = 0};
-  return poll(&wait, 1, static_cast<int>(1000 * isolated::longest_silence)) == 1 &&
+  return poll(&wait, 1, static_cast<int>(1000 * isolated::longest_silence())) == 1 &&
          read(socket_, &word, 1) == 1;
 }
 

@@ -1,104 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Dense>
 #include <array>
-#include <optional>
+#include <vector>
 
-#include "odeum/linear/banded_lu.hpp"
-#include "odeum/linear/ordering.hpp"
 #include "odeum/tableau/collocation.hpp"
 #include "odeum/truth/march.hpp"
+#include "odeum/truth/shifted.hpp"
 
 namespace odeum::truth {
 namespace {
-
-using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
-using Factors = Eigen::PartialPivLU<Matrix>;
-using Index = Eigen::Index;
-
-/// The Jacobian of a system, dense or in a band, and the factors of I - h A x J for the S x S
-/// matrix A of a method; vectors hold the stages one after the other.
-class StageFactors {
- public:
-  explicit StageFactors(const System& system) : system_(system), n_(system.states) {
-    if (!system_.entries) return;
-    narrow_ = linear::band_of(*system_.sparsity, linear::reverse_cuthill_mckee(*system_.sparsity));
-    values_.resize(system_.sparsity->entries());
-  }
-  void linearise(Real t, const State& y) {
-    if (system_.entries) return system_.entries(t, y.data(), values_.data());
-    dense_.resize(static_cast<Index>(n_), static_cast<Index>(n_));
-    system_.jacobian(t, y.data(), dense_.data());
-  }
-  /// False where a band is singular or not finite.
-  bool factorise(Real h, const Matrix& a) {
-    stages_ = static_cast<std::size_t>(a.rows());
-    return system_.entries ? factorise_band(h, a) : factorise_dense(h, a);
-  }
-  Vector solve(const Vector& right) {
-    if (!system_.entries) return factors_.solve(right);
-    Vector x(right.size());
-    for (std::size_t s = 0; s < stages_; ++s)
-      for (std::size_t i = 0; i < n_; ++i)
-        x(static_cast<Index>(place(s, i))) = right(static_cast<Index>(s * n_ + i));
-    band_->solve(x.data(), nullptr);
-    Vector result(right.size());
-    for (std::size_t s = 0; s < stages_; ++s)
-      for (std::size_t i = 0; i < n_; ++i)
-        result(static_cast<Index>(s * n_ + i)) = x(static_cast<Index>(place(s, i)));
-    return result;
-  }
-  /// Operations of the last factorisation, and of a solution with it.
-  double factor_work() const {
-    const auto all = static_cast<double>(n_ * stages_);
-    if (!system_.entries) return all * all * all * 2 / 3;
-    return 2 * all * static_cast<double>(stages_ * (narrow_.lower + 1)) * width();
-  }
-  double solve_work() const {
-    const auto all = static_cast<double>(n_ * stages_);
-    return 2 * all *
-           (system_.entries ? width() + static_cast<double>(stages_ * narrow_.lower) : all);
-  }
-
- private:
-  double width() const {
-    return static_cast<double>(stages_ * (narrow_.lower + narrow_.upper + 1));
-  }
-  std::size_t place(std::size_t stage, std::size_t i) const {
-    return static_cast<std::size_t>(narrow_.number[i]) * stages_ + stage;
-  }
-  bool factorise_dense(Real h, const Matrix& a) {
-    const auto n = static_cast<Index>(n_), all = n * a.rows();
-    Matrix newton = Matrix::Identity(all, all);
-    for (Index r = 0; r < a.rows(); ++r)
-      for (Index c = 0; c < a.rows(); ++c) newton.block(r * n, c * n, n, n) -= h * a(r, c) * dense_;
-    factors_.compute(newton);
-    return true;
-  }
-  bool factorise_band(Real h, const Matrix& a) {
-    const std::size_t lower = stages_ * narrow_.lower + stages_ - 1,
-                      upper = stages_ * narrow_.upper + stages_ - 1;
-    band_.emplace(n_ * stages_, lower, upper);
-    const Sparsity& pattern = *system_.sparsity;
-    for (std::size_t i = 0; i < n_; ++i)
-      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
-        for (std::size_t r = 0; r < stages_; ++r)
-          for (std::size_t c = 0; c < stages_; ++c)
-            band_->re()[band_->place(place(r, i),
-                                     place(c, static_cast<std::size_t>(pattern.column[k])))] -=
-                h * a(static_cast<Index>(r), static_cast<Index>(c)) * values_[k];
-    for (std::size_t k = 0; k < n_ * stages_; ++k) band_->re()[band_->place(k, k)] += 1;
-    return band_->factorise();
-  }
-
-  const System& system_;
-  std::size_t n_, stages_ = 1;
-  Matrix dense_;
-  Factors factors_;
-  linear::Band narrow_;
-  State values_;
-  std::optional<linear::BandedLu<false, Real>> band_;
-};
 
 /// Radau IIA of S stages: nodes, and A with a_ij the integral of Lagrange's polynomial j to c_i.
 template <std::size_t S>
@@ -119,21 +29,42 @@ struct Radau {
   }
 };
 
-/// The stages z_i = Y_i - y of one step, by Newton's method with the Jacobian at the start; false
-/// where it does not converge.
+/// The stages z_i = Y_i - y of one step, by Newton's method with the Jacobian at the start, in the
+/// eigenvectors of A, where it is I - h lambda J for each eigenvalue (Bickart 1977; Butcher 1976).
+/// Of two that are conjugate, one stands for both.
 template <std::size_t S>
 class RadauStage {
- public:
-  RadauStage(const System& system, Real tolerance) : system_(system), tolerance_(tolerance) {}
+  struct Mode {
+    Complex value;
+    VectorOf<Complex> to_stages, from_stages;
+    Shifted<Complex> factors;
+  };
 
-  bool solve(Real t, Real h, const State& y, const State& sizes, StageFactors& factors) {
+ public:
+  RadauStage(const System& system, const Jacobian& jacobian, Real tolerance)
+      : system_(system), tolerance_(tolerance) {
+    const Eigen::EigenSolver<Matrix> of_a(radau_.a);
+    const MatrixOf<Complex> vectors = of_a.eigenvectors(), inverse = vectors.inverse();
+    for (Index k = 0; k < static_cast<Index>(S); ++k) {
+      const Complex value = of_a.eigenvalues()(k);
+      if (value.imag() < 0) continue;
+      const Real stands_for = value.imag() > 0 ? 2 : 1;
+      modes_.push_back({value, stands_for * vectors.col(k), inverse.row(k).transpose(),
+                        Shifted<Complex>(jacobian)});
+    }
+  }
+
+  /// False where it does not converge.
+  bool solve(Real t, Real h, const State& y, const State& sizes) {
     const auto n = static_cast<Index>(system_.states), all = n * static_cast<Index>(S);
-    const bool regular = factors.factorise(h, radau_.a);
-    work_ = factors.factor_work();
-    if (!regular) return false;
-    z_ = Vector::Zero(all);
+    work_ = 0;
+    for (Mode& mode : modes_) {
+      work_ += mode.factors.factor_work();
+      if (!mode.factors.factorise(h * mode.value)) return false;
+    }
+    z_ = VectorOf<Real>::Zero(all);
     State stage(system_.states);
-    Vector f(all), residual(all);
+    VectorOf<Real> f(all), residual(all);
     Real before = 0;
     for (int iteration = 0; iteration < 30; ++iteration) {
       for (Index s = 0; s < static_cast<Index>(S); ++s) {
@@ -141,12 +72,12 @@ class RadauStage {
           stage[static_cast<std::size_t>(i)] = y[static_cast<std::size_t>(i)] + z_(s * n + i);
         system_.rhs(t + radau_.c[static_cast<std::size_t>(s)] * h, stage.data(), f.data() + s * n);
       }
-      work_ += static_cast<double>(S) * system_.work + factors.solve_work();
+      work_ += static_cast<double>(S) * system_.work;
       residual = -z_;
       for (Index r = 0; r < static_cast<Index>(S); ++r)
         for (Index c = 0; c < static_cast<Index>(S); ++c)
           residual.segment(r * n, n) += h * radau_.a(r, c) * f.segment(c * n, n);
-      const Vector correction = factors.solve(residual);
+      const VectorOf<Real> correction = correction_for(residual);
       z_ += correction;
       Real size = 0;
       for (Index k = 0; k < all; ++k) {
@@ -169,10 +100,26 @@ class RadauStage {
   double work() const { return work_; }
 
  private:
+  VectorOf<Real> correction_for(const VectorOf<Real>& residual) {
+    const auto n = static_cast<Index>(system_.states);
+    VectorOf<Real> correction = VectorOf<Real>::Zero(residual.size());
+    for (Mode& mode : modes_) {
+      VectorOf<Complex> part = VectorOf<Complex>::Zero(n);
+      for (Index s = 0; s < static_cast<Index>(S); ++s)
+        part += mode.from_stages(s) * residual.segment(s * n, n).template cast<Complex>();
+      part = mode.factors.solve(part);
+      for (Index s = 0; s < static_cast<Index>(S); ++s)
+        correction.segment(s * n, n) += (mode.to_stages(s) * part).real();
+      work_ += mode.factors.solve_work();
+    }
+    return correction;
+  }
+
   const System& system_;
   Real tolerance_;
   Radau<S> radau_;
-  Vector z_;
+  std::vector<Mode> modes_;
+  VectorOf<Real> z_;
   double work_ = 0;
 };
 
@@ -182,14 +129,13 @@ Run radau_run(const System& system, const std::vector<Real>& times, const Effort
   // The method of fewer stages estimates the error; of its order, but damped like the solution
   // where components are stiff.
   const Real newton = std::max(effort.tolerance / 10, 2 * system.rounding);
-  RadauStage<7> method(system, newton);
-  RadauStage<5> estimate(system, newton);
-  StageFactors factors(system);
+  Jacobian jacobian(system);
+  RadauStage<7> method(system, jacobian, newton);
+  RadauStage<5> estimate(system, jacobian, newton);
   return march(system, times, effort, 9, [&](Real t, Real h, const State& y, const State& sizes) {
     Trial trial{.y = y, .work = 0};
-    factors.linearise(t, y);
-    const bool solved =
-        method.solve(t, h, y, sizes, factors) && estimate.solve(t, h, y, sizes, factors);
+    jacobian.linearise(t, y);
+    const bool solved = method.solve(t, h, y, sizes) && estimate.solve(t, h, y, sizes);
     trial.work = method.work() + estimate.work();
     if (!solved) {
       trial.error = std::numeric_limits<Real>::infinity();
@@ -214,18 +160,18 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
   const auto n = static_cast<Index>(system.states);
   std::array<State, lines> table;
   State line(system.states), difference(system.states), at(system.states);
-  Vector f(n);
-  const Matrix one = Matrix::Identity(1, 1);
-  StageFactors factors(system);
+  VectorOf<Real> f(n);
+  Jacobian jacobian(system);
+  Shifted<Real> factors(jacobian);
   return march(
       system, times, effort, lines, [&](Real t, Real h, const State& y, const State& sizes) {
         Trial trial{.y = y, .work = 0};
-        factors.linearise(t, y);
+        jacobian.linearise(t, y);
         for (int row = 0; row < lines; ++row) {
           // Deuflhard, Nowak: the harmonic sequence from 2, (I - h J) d = h f(t + h, y).
           const int parts = row + 2;
           const Real part = h / parts;
-          if (!factors.factorise(part, one)) {
+          if (!factors.factorise(part)) {
             trial.error = std::numeric_limits<Real>::infinity();
             return trial;
           }
@@ -233,7 +179,7 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
           for (int k = 1; k <= parts; ++k) {
             for (std::size_t i = 0; i < line.size(); ++i) at[i] = y[i] + line[i];
             system.rhs(t + k * part, at.data(), f.data());
-            const Vector d = factors.solve(part * f);
+            const VectorOf<Real> d = factors.solve(part * f);
             for (Index i = 0; i < n; ++i) line[static_cast<std::size_t>(i)] += d(i);
           }
           trial.work += factors.factor_work() + parts * (system.work + factors.solve_work());
