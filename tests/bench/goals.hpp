@@ -24,12 +24,14 @@ struct Timing {
   double min = 0, median = 0;
 };
 /// Runs all in turn, each at least three times and for `seconds` in all, on one pinned processor
-/// unless they use threads of their own.
+/// unless they use threads of their own. `processor`: the time of the thread in place of wall time.
 std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
-                               bool pinned = true);
+                               bool pinned = true, bool processor = false);
 /// How many times as long as `ours` the other takes.
 Row compare(std::string what, double goal, const Timing& ours, const Timing& theirs,
             std::string note = {});
+
+void print(const Row& row);
 
 std::vector<Row> cloth_kernel_rows();
 std::vector<Row> cloth_step_rows();

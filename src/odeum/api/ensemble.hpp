@@ -64,6 +64,7 @@ class GivenMembers {
 
   Problem make() const { return Problem{}; }
   bool next(std::size_t& member) { return (member = next_++) < members_.size(); }
+  static constexpr std::uint64_t most_evaluations() { return UINT64_MAX; }
   double first_step(std::size_t member) const {
     constexpr int order = std::min(M::info.order, M::info.order_embedded);
     return initial_step(members_[member], t0_, states_[member], t1_, order, *tolerance_);

@@ -18,7 +18,8 @@
 ///     void seat(std::size_t member, std::size_t lane, Problem&, State<Problem>& y);
 ///                                                  // its parameters and its state at the start
 ///     bool next(std::size_t& member);              // one that nobody has run; false: none is left
-///     double first_step(std::size_t member);       // of an adaptive run
+///     double first_step(std::size_t member);       // of an adaptive run, after seat()
+///     std::uint64_t most_evaluations() const;      // likewise, after which a member is given up
 ///     void leave(std::size_t member, const MemberEnd&, const State<Problem>& y, std::size_t lane);
 namespace odeum {
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +41,11 @@ struct LaneMask {
   LaneBits bits;
   bool operator[](std::size_t lane) const { return bits[lane] != 0; }
   void set(std::size_t lane, bool value) { bits[lane] = value ? -1 : 0; }
+  [[gnu::always_inline]] friend LaneMask operator&(const LaneMask& a, const LaneMask& b) {
+    return {a.bits & b.bits};
+  }
+  [[gnu::always_inline]] friend LaneMask operator!(const LaneMask& a) { return {~a.bits}; }
+  friend bool any(const LaneMask& mask) { return !all(!mask); }
   /// Whether it is true in every lane.
   [[gnu::always_inline]] friend bool all(const LaneMask& mask) {
 #if defined(__AVX512F__)
@@ -65,6 +72,10 @@ struct Lanes {
   [[gnu::always_inline]] Lanes(double all) : v(LaneVector{} + all) {}
   [[gnu::always_inline]] explicit Lanes(LaneVector lanes) : v(lanes) {}
   double operator[](std::size_t lane) const { return v[lane]; }
+  std::array<double, count> numbers() const { return std::bit_cast<std::array<double, count>>(v); }
+  static Lanes of(const std::array<double, count>& numbers) {
+    return Lanes(std::bit_cast<LaneVector>(numbers));
+  }
   void set(std::size_t lane, double x) { v[lane] = x; }
 
 #define ODEUM_OPERATOR(op)                                                          \
@@ -96,7 +107,7 @@ struct Lanes {
   }
 
   [[gnu::always_inline]] friend Lanes select(const LaneMask& m, const Lanes& a, const Lanes& b) {
-    return Lanes(LaneVector((m.bits & LaneBits(a.v)) | (~m.bits & LaneBits(b.v))));
+    return Lanes(m.bits ? a.v : b.v);
   }
   [[gnu::always_inline]] friend Lanes abs(const Lanes& a) {
     return Lanes(LaneVector(LaneBits(a.v) & INT64_MAX));

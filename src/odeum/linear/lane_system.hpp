@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "odeum/core/lanes.hpp"
@@ -14,8 +15,8 @@ namespace linear {
 inline namespace ODEUM_LANES {
 
 /// LU factorisation of a row-major N x N matrix (N known, or `dynamic`) for the member in each
-/// lane. A row is the pivot where it stands, unless that would make a factor of some lane large:
-/// then each lane exchanges rows as it needs. Same interface as DenseLu.
+/// lane. A row is the pivot where it stands; a lane in which that would make a factor large
+/// exchanges it for the row of the largest. Same interface as DenseLu.
 template <std::size_t N>
 class LaneLu {
  public:
@@ -27,28 +28,38 @@ class LaneLu {
 
   /// A lane whose matrix is singular gets values that are not finite.
   void factorise() {
-    const std::size_t n = size();
-    for (std::size_t k = 0; k < n; ++k) {
-      exchanges_[k].clear();
-      if (!all(largest_below(k) < largest_factor * abs(at(k, k)))) exchange_rows(k);
+    if (any_exchange_)
+      for (auto& each : exchanges_) each.clear();
+    any_exchange_ = false;
+    each_row([&](std::size_t k) {
+      // A lane does what it would do beside any others.
+      const LaneMask sound = largest_below(k) < largest_factor * abs(at(k, k));
+      if (!all(sound)) exchange_rows(k, !sound);
       const Lanes inverse = inverse_pivot_[k] = 1 / at(k, k);
-      for (std::size_t i = k + 1; i < n; ++i) {
+      for (std::size_t i = k + 1; i < size(); ++i) {
         const Lanes factor = at(i, k) *= inverse;
-        for (std::size_t j = k + 1; j < n; ++j) at(i, j) -= factor * at(k, j);
+        each_row([&](std::size_t j) __attribute__((always_inline)) {
+          if (j > k) at(i, j) -= factor * at(k, j);
+        });
       }
-    }
+    });
   }
 
   void solve(Lanes* x) const {
-    const std::size_t n = size();
-    for (std::size_t k = 0; k < n; ++k) {
-      for (const Exchange& e : exchanges_[k]) exchange(e.where, x[k], x[e.row]);
-      for (std::size_t i = k + 1; i < n; ++i) x[i] -= at(i, k) * x[k];
-    }
-    for (std::size_t k = n; k-- > 0;) {
+    each_row([&](std::size_t k) __attribute__((always_inline)) {
+      if (any_exchange_)
+        for (const Exchange& e : exchanges_[k]) exchange(e.where, x[k], x[e.row]);
+      each_row([&](std::size_t i) __attribute__((always_inline)) {
+        if (i > k) x[i] -= at(i, k) * x[k];
+      });
+    });
+    each_row([&](std::size_t from_last) __attribute__((always_inline)) {
+      const std::size_t k = size() - 1 - from_last;
       x[k] *= inverse_pivot_[k];
-      for (std::size_t i = 0; i < k; ++i) x[i] -= at(i, k) * x[k];
-    }
+      each_row([&](std::size_t i) __attribute__((always_inline)) {
+        if (i < k) x[i] -= at(i, k) * x[k];
+      });
+    });
   }
 
  private:
@@ -59,6 +70,17 @@ class LaneLu {
   };
 
   std::size_t size() const { return N == dynamic ? n_ : N; }
+  /// f(0), ..., f(n - 1), without a loop where n is known.
+  template <class F>
+  [[gnu::always_inline]] void each_row(F&& f) const {
+    if constexpr (N == dynamic)
+      for (std::size_t i = 0; i < n_; ++i) f(i);
+    else
+      [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+        (f(I), ...);
+      }
+    (std::make_index_sequence<N>{});
+  }
   Lanes& at(std::size_t i, std::size_t j) { return lu_[i * size() + j]; }
   const Lanes& at(std::size_t i, std::size_t j) const { return lu_[i * size() + j]; }
   Lanes largest_below(std::size_t k) {
@@ -73,9 +95,10 @@ class LaneLu {
   }
   /// The largest entry of column k goes to row k. Factors on the left stay where they are: solve()
   /// exchanges before it uses column k.
-  void exchange_rows(std::size_t k) {
+  void exchange_rows(std::size_t k, const LaneMask& needed) {
+    any_exchange_ = true;
     for (std::size_t i = k + 1; i < size(); ++i) {
-      const LaneMask where = abs(at(i, k)) > abs(at(k, k));
+      const LaneMask where = needed & (abs(at(i, k)) > abs(at(k, k)));
       exchanges_[k].push_back({where, i});
       for (std::size_t j = k; j < size(); ++j) exchange(where, at(k, j), at(i, j));
     }
@@ -83,6 +106,7 @@ class LaneLu {
 
   static constexpr std::size_t entries = N == dynamic ? dynamic : N * N;
   std::size_t n_;
+  bool any_exchange_ = false;
   detail::StateOf<Lanes, entries> lu_{};
   detail::StateOf<Lanes, N> inverse_pivot_{};
   detail::StateOf<std::vector<Exchange>, N> exchanges_{};
