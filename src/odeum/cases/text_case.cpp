@@ -86,7 +86,7 @@ class TextCase : CaseText {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
-    case_.family = text_family(file_.name, file_.text, id_, set_);
+    case_.family = TextFamilies(file_.name, file_.text, id_, set_);
     // What stays as it is keeps all digits of the file.
     case_.with_values = [file = file_, id = id_, now = case_.parameters,
                          given = set_](const Values& values) {

@@ -9,7 +9,7 @@
 
 #include "odeum/cases/case_text.hpp"
 #include "odeum/cases/stage.hpp"
-#include "odeum/formula/text_ode.hpp"
+#include "odeum/formula/lane_code.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -76,6 +76,16 @@ class TextFamily : CaseText {
     return true;
   }
 
+  LaneFamily in_lanes() {
+    LaneFamily family{.lanes = formula::compile_lanes(*ode_),
+                      .alone = offered(ode_->view(), offers()),
+                      .t0 = static_cast<double>(problem_.t0),
+                      .constants = &ode_->constants(),
+                      .y0 = y0_.get()};
+    if (!family.alone.time_derivative) family.lanes.time_derivative = nullptr;
+    return family;
+  }
+
   static Family make(const std::shared_ptr<TextFamily>& self) {
     const OdeView view = offered(self->ode_->view(), self->offers());
     Family family;
@@ -103,15 +113,22 @@ class TextFamily : CaseText {
 
 }  // namespace
 
-std::function<std::optional<Family>(const std::vector<std::vector<double>>& samples)> text_family(
-    const std::string& file, const std::string& text, const std::string& id,
-    const formula::Overrides& set) {
-  return [=](const std::vector<std::vector<double>>& samples) -> std::optional<Family> {
-    const auto family = std::make_shared<TextFamily>(file, text, id, set);
-    for (const std::vector<double>& values : samples)
-      if (!family->agrees(values)) return std::nullopt;
-    return TextFamily::make(family);
-  };
+TextFamilies::TextFamilies(std::string file, std::string text, std::string id,
+                           formula::Overrides set)
+    : file_(std::move(file)), text_(std::move(text)), id_(std::move(id)), set_(std::move(set)) {}
+
+std::optional<Family> TextFamilies::operator()(
+    const std::vector<std::vector<double>>& samples) const {
+  const auto family = std::make_shared<TextFamily>(file_, text_, id_, set_);
+  for (const std::vector<double>& values : samples)
+    if (!family->agrees(values)) return std::nullopt;
+  return TextFamily::make(family);
+}
+
+FamilyInLanes TextFamilies::in_lanes() const {
+  const auto family = std::make_shared<TextFamily>(file_, text_, id_, set_);
+  return {family->in_lanes(),
+          [family](const std::vector<double>& values) { return family->place(values); }};
 }
 
 }  // namespace odeum::cases

@@ -7,14 +7,31 @@
 
 #include "odeum/formula/problem.hpp"
 #include "odeum/solvers/case.hpp"
+#include "odeum/solvers/lane_run.hpp"
 
 namespace odeum::cases {
 
+/// The problem of a family for members in lanes; for one thread.
+struct FamilyInLanes {
+  LaneFamily problem;  ///< without the code where there is no compiler
+  /// As Family::place; false where there is no code.
+  std::function<bool(const std::vector<double>& values)> place;
+};
+
 /// What Case::family is of the case `id` of a problem file, whose code is compiled once with the
-/// parameters as variables. There is none where no compiler is, and where values move the start,
-/// the end or the number of states, or masses.
-std::function<std::optional<Family>(const std::vector<std::vector<double>>& samples)> text_family(
-    const std::string& file, const std::string& text, const std::string& id,
-    const formula::Overrides& set);
+/// parameters as variables.
+class TextFamilies {
+ public:
+  TextFamilies(std::string file, std::string text, std::string id, formula::Overrides set);
+  /// None where no compiler is, and where values move the start, the end or the number of states,
+  /// or masses.
+  std::optional<Family> operator()(const std::vector<std::vector<double>>& samples) const;
+  /// Where there is a family.
+  FamilyInLanes in_lanes() const;
+
+ private:
+  std::string file_, text_, id_;
+  formula::Overrides set_;
+};
 
 }  // namespace odeum::cases

@@ -10,18 +10,6 @@ void print_all(Printer& out, const char* name, const std::vector<Id>& roots, con
   print_values(out, values_function(name, type), roots, in_order(roots.size()), type);
 }
 
-/// Dense.
-void print_jacobian(Printer& out, const Analysis& analysis) {
-  const std::size_t n = analysis.structure.states;
-  std::vector<std::uint32_t> places;
-  for (std::size_t row = 0; row < n; ++row)
-    for (const Entry& entry : analysis.jacobian[row])
-      places.push_back(static_cast<std::uint32_t>(row * n + entry.by));
-  Function function = values_function("jacobian", in_double);
-  function.cleared = places.size() < n * n ? n * n : 0;
-  print_values(out, function, jacobian_roots(analysis), places, in_double);
-}
-
 void print_acceleration(Printer& out, const Problem& problem) {
   const std::size_t half = problem.states.size() / 2;
   const std::vector<Id> roots(problem.equations.begin() + static_cast<std::ptrdiff_t>(half),
@@ -90,6 +78,16 @@ void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::S
 
 }  // namespace
 
+void print_jacobian(Printer& out, Function function, const Analysis& analysis, const Type& type) {
+  const std::size_t n = analysis.structure.states;
+  std::vector<std::uint32_t> places;
+  for (std::size_t row = 0; row < n; ++row)
+    for (const Entry& entry : analysis.jacobian[row])
+      places.push_back(static_cast<std::uint32_t>(row * n + entry.by));
+  function.cleared = places.size() < n * n ? n * n : 0;
+  print_values(out, function, jacobian_roots(analysis), places, type);
+}
+
 void print_series(Printer& out, const std::string& head, const Problem& problem,
                   const SeriesPlan& plan) {
   const std::size_t n = problem.states.size();
@@ -142,7 +140,8 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
            problem.states.size());
   print_all(out, "rhs", problem.equations, in_double);
   constexpr std::size_t few_states = 64;
-  if (problem.states.size() <= few_states) print_jacobian(out, analysis);
+  if (problem.states.size() <= few_states)
+    print_jacobian(out, values_function("jacobian", in_double), analysis, in_double);
   const std::vector<Id> entries = jacobian_roots(analysis);
   print_all(out, "jacobian_entries", entries, in_double);
   if (!analysis.time_derivative.empty())

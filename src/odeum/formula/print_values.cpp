@@ -45,7 +45,8 @@ class ValuesPrinter {
   void main_head() {
     head("", function_.name);
     if (function_.cleared > 0)
-      out_.line("  for (int k = 0; k < {}; ++k) {}[k] = 0;", function_.cleared, function_.target);
+      out_.line("  for (int k = 0; k < {}; ++k) {}[k] = {};", function_.cleared, function_.target,
+                type_.lanes ? "all(0)" : "0");
   }
   void print_all(const std::vector<Id>& roots, const std::vector<std::uint32_t>& places,
                  const std::vector<Id>& shared, const RepeatedRoots& found,
@@ -112,11 +113,12 @@ class ValuesPrinter {
       return value == values[0] && std::signbit(value) == std::signbit(values[0]);
     };
     if (std::all_of(values.begin(), values.end(), same)) return constant_text(values[0], type_);
+    const Type& type = type_.lanes ? in_double : type_;
     std::string all;
-    for (const long double value : values) all += constant_text(value, type_) + ", ";
+    for (const long double value : values) all += constant_text(value, type) + ", ";
     const std::string name = fmt::format("c{}", tables_++);
-    out_.line("    static const {} {}[] = {{{}}};", type_.name, name, all);
-    return name + "[i]";
+    out_.line("    static const {} {}[] = {{{}}};", type.name, name, all);
+    return type_.lanes ? "all(" + name + "[i])" : name + "[i]";
   }
 
   void print_loop(const Repeated& group, const std::string& target,

@@ -16,19 +16,22 @@
 namespace odeum::formula {
 
 /// A number type of C, what stands around the names of its functions, and the suffix of its
-/// constants. `in_real` is the R of a template of C++.
+/// constants. `in_real` is the R of a template of C++, `in_lanes` a vector (lane_code.cpp).
 struct Type {
   const char* name;
   const char* before;
   const char* after;
   const char* constant;
+  bool lanes = false;
 };
 inline constexpr Type in_double{"double", "__builtin_", "", ""},
-    in_long_double{"long double", "__builtin_", "l", "L"}, in_real{"R", "std::", "", ""};
+    in_long_double{"long double", "__builtin_", "l", "L"}, in_real{"R", "std::", "", ""},
+    in_lanes{"V", "lanes_", "", "", true};
 
 inline std::string constant_text(long double value, const Type& type) {
   const std::string text = *type.constant ? fmt::format("{:a}L", value)
                                           : fmt::format("{:a}", static_cast<double>(value));
+  if (type.lanes) return "all(" + text + ")";
   return std::signbit(value) ? "(" + text + ")" : text;
 }
 
@@ -63,6 +66,7 @@ class Printer {
   static std::string operation(Op op, const std::string& a, const std::string& b,
                                const std::string& c, const Type& type) {
     const Operation& meaning = meaning_of(op);
+    if (type.lanes && op == Op::sign) return fmt::format("lanes_sign({})", a);
     const std::string call = fmt::format("{{3}}{}{{4}}({{0}}{})", meaning.name ? meaning.name : "",
                                          meaning.arguments > 1 ? ", {1}" : "");
     return fmt::format(fmt::runtime(meaning.c ? meaning.c : call), a, b, c, type.before,
@@ -96,6 +100,9 @@ struct Function {
 
 /// `name`(const void* problem, t, y, f) in numbers of a type.
 Function values_function(const std::string& name, const Type& type);
+
+/// The dense Jacobian, row-major.
+void print_jacobian(Printer& out, Function function, const Analysis& analysis, const Type& type);
 
 /// Computes the nodes on which roots depend.
 void print_nodes(Printer& out, const Function& function, const std::vector<Id>& roots,

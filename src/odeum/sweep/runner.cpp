@@ -32,6 +32,31 @@ Runner::Runner(const Plan& plan, std::optional<Family> family)
   if (!family_) return;
   energy_ = family_->energy;
   y0_ = family_->y0;
+  use_lanes();
+}
+
+void Runner::use_lanes() {
+  constexpr std::string_view own = "odeum/";
+  const std::string_view solver = plan_.solver;
+  const auto* const text = plan_.base->family.target<cases::TextFamilies>();
+  if (!text || !solver.starts_with(own) || plan_.request.stops.size() != 1) return;
+  // What the solver does not fit at all is told by member.
+  const Entrant* const entrant = family_->entrants.find(plan_.solver);
+  if (!entrant || !entrant->solve || !runs_in_lanes(solver.substr(own.size()))) return;
+  lanes_ = text->in_lanes();
+  lane_run_ = find_lane_run(solver.substr(own.size()), plan_.request.mode, lanes_->problem);
+}
+
+std::vector<Outcome> Runner::run_in_lanes(std::uint64_t first, std::uint64_t last) {
+  if (!lane_run_) return {};
+  const auto place = [&](std::size_t member) {
+    try {
+      return lanes_->place(parameters_of(plan_, first + member));
+    } catch (const std::invalid_argument&) {
+      return false;  // told by the run alone
+    }
+  };
+  return lane_run_({lanes_->problem, static_cast<std::size_t>(last - first), place}, plan_.request);
 }
 
 Outcome Runner::run(const std::vector<double>& values, const Request& request) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/cases/text_family.hpp"
 #include "odeum/sweep/sweep.hpp"
 
 namespace odeum::sweep {
@@ -18,13 +19,22 @@ class Runner {
   Runner(const Plan& plan, std::optional<Family> family);
   /// `refused` where the values make no problem, or the solver does not fit it.
   Outcome run(const std::vector<double>& values, const Request& request);
-  /// Of an outcome of run() that is ok, the last one.
+  /// The plan's request for members from `first` to `last` in lanes, where the solver, the problem
+  /// and the request allow it; else nothing. One that is not ok has to run alone.
+  std::vector<Outcome> run_in_lanes(std::uint64_t first, std::uint64_t last);
+  /// Of an outcome that is ok, of the member placed last.
   double value(const Quantity& quantity, const Outcome& outcome) const;
+  /// A member that did not run last.
+  void place(const std::vector<double>& values) { family_->place(values); }
   const std::vector<double>& y0() const { return *y0_; }
 
  private:
+  void use_lanes();
+
   const Plan& plan_;
   std::optional<Family> family_;
+  std::optional<cases::FamilyInLanes> lanes_;
+  LaneRun lane_run_ = nullptr;
   Case case_;
   std::function<double(const double*)> energy_;
   std::shared_ptr<const std::vector<double>> y0_;

@@ -27,9 +27,14 @@ class Sweep {
   Result run() {
     const auto start = std::chrono::steady_clock::now();
     // The same on every machine: a shard has some of these parts.
-    constexpr std::uint64_t most_parts = 4096, most_together = 512;
+    // Members of a part run in lanes, several registers of them at a time.
+    constexpr std::uint64_t most_parts = 512, most_together = 512, block = 64;
     const std::uint64_t size = plan_.members.size(),
-                        together = std::clamp<std::uint64_t>(size / most_parts, 1, most_together);
+                        share_of_all = (size + most_parts - 1) / most_parts;
+    const std::uint64_t together =
+        share_of_all <= block / 4
+            ? std::max<std::uint64_t>(share_of_all, 1)
+            : std::min(most_together, (share_of_all + block - 1) / block * block);
     const auto parts = static_cast<std::size_t>((size + together - 1) / together);
     result_.size = size;
     const study::Share& share = plan_.kept.share;
@@ -98,8 +103,15 @@ class Sweep {
   Part run_part(std::uint64_t first, std::uint64_t last) {
     const Lent runner(runners_);
     Part part;
+    std::vector<Outcome> in_lanes = runner->run_in_lanes(first, last);
+    const bool needs_energy =
+        std::any_of(plan_.quantities.begin(), plan_.quantities.end(),
+                    [](const Quantity& q) { return q.kind == Quantity::Kind::energy; });
     for (std::uint64_t member = first; member < last && !interrupted; ++member) {
-      const Outcome outcome = runner->run(parameters_of(plan_, member), plan_.request);
+      const bool lanes = !in_lanes.empty() && in_lanes[member - first].status == Status::ok;
+      const Outcome outcome = lanes ? std::move(in_lanes[member - first])
+                                    : runner->run(parameters_of(plan_, member), plan_.request);
+      if (lanes && needs_energy) runner->place(parameters_of(plan_, member));
       const bool ok = outcome.status == Status::ok;
       part.solved += ok;
       part.evaluations += outcome.counters.rhs_evaluations;
