@@ -90,12 +90,13 @@ Row against_odeint(const std::string& name, const State<P<double>>& start) {
       for (std::size_t k = 0; k < count / registers * together; ++k)
         given.seat(first * Lanes::count + k, k % Lanes::count, problems[k / Lanes::count],
                    states[k / Lanes::count]);
-      std::array<odeint::runge_kutta4<S, double, S, double, odeint::array_algebra>, together> steppers;
+      std::array<odeint::runge_kutta4<S, double, S, double, odeint::array_algebra>, together>
+          steppers;
       for (std::size_t i = 0; i < steps; ++i)
         for (std::size_t r = 0; r < together; ++r)
           steppers[r].do_step(
-              [&](const S& y, S& f, double t) { problems[r].rhs(t, y.data(), f.data()); }, states[r],
-              static_cast<double>(i) * h, h);
+              [&](const S& y, S& f, double t) { problems[r].rhs(t, y.data(), f.data()); },
+              states[r], static_cast<double>(i) * h, h);
       volatile double sink = states[0][0][0];
       (void)sink;
     }
@@ -116,10 +117,10 @@ Row two_threads(const std::string& name, const State<P<double>>& start) {
   const Ensemble<P> all = around<P>(start, 20'000);
   const auto run = [&](unsigned jobs) {
     auto states = all.states;
-    integrate_ensemble(all.members, methods::dormand_prince54{}, states, 0, 5, Tolerance{1e-6}, jobs);
+    integrate_ensemble(all.members, methods::dormand_prince54{}, states, 0, 5, Tolerance{1e-6},
+                       jobs);
   };
-  const std::vector<Timing> t =
-      interleave({[&] { run(2); }, [&] { run(1); }}, 4, false);
+  const std::vector<Timing> t = interleave({[&] { run(2); }, [&] { run(1); }}, 4, false);
   return compare(fmt::format("{}: two threads against one, wall time", name), 1.9, t[0], t[1]);
 }
 
@@ -145,7 +146,14 @@ void print_rows() {
   fmt::print("\nStiff, to a tolerance of 1e-6\n");
   print(row_of<Robertson>("Robertson to 4e4", stiff, rodas, Tolerance(1e-6, 1e-10), 4e4, {1, 0, 0},
                           1000));
-  print(row_of<Hires>("HIRES to 321.8", stiff, rodas, r, 321.8, {1, 0, 0, 0, 0, 0, 0, 0.0057}, 1000));
+  print(
+      row_of<Hires>("HIRES to 321.8", stiff, rodas, r, 321.8, {1, 0, 0, 0, 0, 0, 0, 0.0057}, 1000));
+#ifdef ODEUM_TEXT_ROWS  // compiled for the processor at hand alone
+  fmt::print("\nA problem as text\n");
+  print(text_row("rk4", 0, fixed));
+  print(text_row("dormand_prince54", 1e-6, adaptive));
+  print(text_row("rodas4", 1e-6, stiff));
+#endif
   fmt::print("\nAgainst others\n");
   print(against_odeint<Lorenz>("Lorenz", {1, 2, 20}));
   print(against_odeint<Kepler>("Kepler", {1, 0, 0, 1}));

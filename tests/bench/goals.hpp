@@ -44,4 +44,7 @@ std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();
 std::vector<Row> cloth_multigrid_rows();
 
+/// Of scripts/bench ensemble; a tolerance of 0: a fixed step.
+Row text_row(const char* solver, double tolerance, double goal);
+
 }  // namespace odeum::bench

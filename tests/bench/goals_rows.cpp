@@ -15,10 +15,10 @@ namespace odeum::bench {
 std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
                                bool pinned, bool processor) {
   const auto now = [&] {
-    return processor ? processor_seconds()
-                     : std::chrono::duration<double>(
-                           std::chrono::steady_clock::now().time_since_epoch())
-                           .count();
+    return processor
+               ? processor_seconds()
+               : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+                     .count();
   };
   std::optional<study::Pinned> pin;
   if (pinned) pin.emplace();

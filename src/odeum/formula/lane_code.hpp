@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
+#include "odeum/core/lane_view.hpp"
 #include "odeum/formula/text_ode.hpp"
-#include "odeum/problem/lane_view.hpp"
 
 namespace odeum::formula {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "odeum/core/lane_view.hpp"
 #include "odeum/core/outcome.hpp"
-#include "odeum/problem/lane_view.hpp"
 #include "odeum/problem/ode_view.hpp"
 
 namespace odeum {
