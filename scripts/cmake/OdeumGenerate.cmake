@@ -91,9 +91,10 @@ function(odeum_generate_lists)
   odeum_write_list(studies ${studies})
 endfunction()
 
-# lists/<list>.inc: a pair {"stem", text} for each file of a pattern, so that the program needs no file beside it.
-function(odeum_embed list pattern)
-  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${pattern})
+# lists/<list>.inc: a pair {"stem", text} for each file of some patterns, so that the program needs no file beside it.
+function(odeum_embed list)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE patterns)
+  file(GLOB files CONFIGURE_DEPENDS ${patterns})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   set(pairs "")
   foreach(file IN LISTS files)

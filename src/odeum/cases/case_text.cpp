@@ -9,6 +9,7 @@
 #include "odeum/cases/parameters.hpp"
 #include "odeum/formula/parser.hpp"
 #include "odeum/input/near_words.hpp"
+#include "odeum/print/print_problem.hpp"
 
 namespace odeum::cases {
 
@@ -157,6 +158,37 @@ std::pair<double, double> span_of_text(const std::string& file, const std::strin
     std::pair<double, double> span() { return {static_cast<double>(problem_.t0), stops().back()}; }
   };
   return OfText(file, text, id, set).span();
+}
+
+std::string struct_of_text(const std::string& file, const std::string& text, const std::string& id,
+                           const formula::Overrides& set, bool series) {
+  class OfText : CaseText {
+   public:
+    OfText(const std::string& file, const std::string& text, const std::string& id,
+           const formula::Overrides& set)
+        : CaseText(file, text, id, set) {}
+    std::string print(const std::string& file, const std::string& text, bool series) const {
+      constexpr std::size_t most_states = 200;
+      // Parameters are the struct's members, but where the number of states follows from one.
+      formula::Problem problem = problem_;
+      try {
+        problem = formula::read_problem(file, text, values_, formula::Parameters::names);
+      } catch (const InputError&) {
+        ;  // the text is sound: it was read before
+      }
+      const std::size_t n = problem.states.size();
+      if (n > most_states || problem.kinetic_energy != formula::no_node)
+        throw InputError(
+            file, {},
+            fmt::format("got {}, expected at most {} states and no mass matrix, since "
+                        "a program spells out each equation",
+                        n > most_states ? fmt::format("{} states", n) : "a mass matrix",
+                        most_states));
+      const formula::Analysis analysis = formula::analyse(problem);
+      return print::print_struct("Problem", problem, analysis, {.series = series});
+    }
+  };
+  return OfText(file, text, id, set).print(file, text, series);
 }
 
 }  // namespace odeum::cases

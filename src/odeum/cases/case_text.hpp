@@ -67,4 +67,10 @@ OdeView offered(OdeView view, const formula::Offers& offers);
 std::pair<double, double> span_of_text(const std::string& file, const std::string& text,
                                        const std::string& id, const formula::Overrides& set);
 
+/// The equations of the case `id` as a struct `Problem` of plain C++17, see
+/// print/print_problem.hpp, with these values of the parameters. Throws as above, and InputError
+/// for what is not printed: a mass matrix, and more than 200 states.
+std::string struct_of_text(const std::string& file, const std::string& text, const std::string& id,
+                           const formula::Overrides& set, bool series);
+
 }  // namespace odeum::cases

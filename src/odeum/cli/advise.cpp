@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "odeum/advise/answer.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct AdviseOptions {
   std::string what, format = "text", time, frame, out;
+  bool code = false;
   std::vector<std::string> vary;
   advise::Wishes wishes;
   ProblemOptions problems;
@@ -132,8 +134,18 @@ void know_truth(Case& c) {
     c.truth = cases::truth_at(c, c.stops);
 }
 
+std::string commented(const std::string& lines) {
+  std::istringstream stream(lines);
+  std::string text;
+  for (std::string line; std::getline(stream, line);) text += "// " + line + "\n";
+  return text;
+}
+
 int advise_on(AdviseOptions& options, const CLI::App& command) {
   read_times(options);
+  if (options.code && (options.format != "text" || !options.vary.empty()))
+    throw UsageError("--code: a program is text, of one set of parameters: without {}",
+                     options.vary.empty() ? "--format json" : "--vary");
   if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
@@ -155,8 +167,14 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
-  print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n"
-                                 : advise::text_of(advice, c, asked));
+  const std::string text = advise::text_of(advice, c, asked);
+  if (options.code && advice.failure.empty()) {
+    const Entrant& winner = *advice.candidates[advice.winner].entrant;
+    print(commented(text) + code_of(c, struct_of(options.what, options.problems, c, winner.info),
+                                    winner, advice.repeated.request()));
+  } else {
+    print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n" : text);
+  }
   if (!options.out.empty()) {
     const record::OutputFolder folder(options.out);
     remark_on_page(advise::write_page(folder, advice, c, asked));
@@ -199,6 +217,8 @@ void add_advise(CLI::App& app, int& result) {
              "for the answer; default: 20, and 60 where a run takes over 2 ms");
   add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}));
+  command->add_flag("--code", options->code,
+                    "print a C++ program that makes the run, with the answer as its comment");
   add_option(*command, "--out DIR", options->out,
              "folder for the files: race.csv, advice.json and a page with the diagram");
   add_problem_options(*command, options->problems, false);

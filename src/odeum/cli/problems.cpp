@@ -6,11 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
 #include "odeum/cases/case_text.hpp"
 #include "odeum/cases/foreign_case.hpp"
@@ -133,6 +131,28 @@ void keep_chosen(const std::string& path, const std::string& chosen,
 
 }  // namespace
 
+std::string struct_of(const std::string& what, const ProblemOptions& options, const Case& c,
+                      const SolverInfo& solver) {
+  const bool series = solver.family == "taylor";
+  const formula::Overrides set = overrides_of(options.sets);
+  try {
+    if (is_problem_file(what) && !is_fmu(what)) {
+      const std::string text = read_text_file(what, "problem", formula::most_problem_bytes);
+      std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
+      keep_chosen(what, options.chosen, statements);
+      return cases::struct_of_text(what, text, statements.front().id, set, series);
+    }
+    for (const cases::BuiltInText& text : cases::built_in_texts())
+      for (const Statement& statement : cases::text_statements(text))
+        if (statement.id == c.id)
+          return cases::struct_of_text("cases/" + text.stem + ".yaml", text.text, c.id, set,
+                                       series);
+  } catch (const std::exception& error) {
+    throw UsageError("--code: {}", error.what());
+  }
+  return {};
+}
+
 std::optional<SceneSource> find_scene(const std::string& what) {
   std::error_code ignored;
   const SceneSource file{what, std::nullopt};
@@ -218,27 +238,6 @@ Case case_of(const std::string& what, const ProblemOptions& options, const SpanC
   require_no_choice(what, options.chosen);
   if (const auto scene = find_scene(what)) return load_scene(*scene, options.sets);
   return with_sets(find_case(what), options.sets);
-}
-
-std::string shell_word(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) ||
-           std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
-  std::string words;
-  for (const std::string& set : sets) words += " --set " + shell_word(set);
-  if (const auto* const chosen = command.get_option_no_throw("--case"); chosen && *chosen)
-    words += " --case " + shell_word(chosen->results().front());
-  for (const std::string& file : command.get_option("--plugin")->results())
-    words += " --plugin " + shell_word(file);
-  return words;
 }
 
 std::vector<std::string> load_problems(const ProblemOptions& options,

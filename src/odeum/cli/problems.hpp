@@ -58,6 +58,12 @@ void require_no_choice(const std::string& what, const std::string& chosen);
 /// Throws UsageError.
 Case case_of(const std::string& what, const ProblemOptions& options, const SpanCheck& check = {});
 
+/// The equations of a case as a struct `Problem` of C++ for a solver, where a text states them:
+/// `what` and the options are what the case was made of. Empty where none does. Throws UsageError
+/// for what is not printed.
+std::string struct_of(const std::string& what, const ProblemOptions& options, const Case& c,
+                      const SolverInfo& solver);
+
 /// As one word of a shell.
 std::string shell_word(const std::string& word);
 /// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.

@@ -130,7 +130,7 @@ void add_run(CLI::App& app, int& result) {
       "--no-truth", [options] { options->truth = false; },
       "compute no truth where none is known: the run alone, without its error");
   command->add_flag("--code", options->code,
-                    "print a C++ program that makes this run with the installed package");
+                    "print a C++ program that makes this run, by the solver's own interface");
   add_format(*command, options->format);
   add_option(*command, "--frames N", options->frames,
              "of a scene's run with --out: so many pictures, film/0001.png, ...")

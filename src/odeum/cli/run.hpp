@@ -96,8 +96,10 @@ int run_case(const RunOptions& options);
 /// Prints what was found in a problem file; the same for its case where a solver is given.
 int run_problem(const RunOptions& options);
 
-/// A C++ program that makes one run of an own method on a case with the installed package and
-/// prints the state at its end. Throws UsageError for a solver of another library.
-std::string code_of(const Case& c, const Entrant& entrant, const Request& request);
+/// A C++ program that makes one run and prints the state at its end, by an own method or the
+/// library's own interface. `problem`: the struct of struct_of(); without it the case comes from
+/// the installed laboratory, for own methods. Throws UsageError for a solver that has no program.
+std::string code_of(const Case& c, const std::string& problem, const Entrant& entrant,
+                    const Request& request);
 
 }  // namespace odeum::cli

@@ -166,7 +166,7 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
   if (options.code) {
     if (options.solvers.size() != 1) throw UsageError("--code takes one --solver");
     const Entrant& entrant = find_entrant(c.entrants, c.id, options.solvers.front());
-    print(code_of(c, entrant,
+    print(code_of(c, struct_of(options.what, options.problems, c, entrant.info), entrant,
                   make_request(options.settings, c.t0, c.end(), c.y0.size(), entrant.info)));
     return success;
   }
@@ -201,18 +201,17 @@ int run_case(const RunOptions& options) {
   const Case& original = find_case(options.what);
   const auto sets = assignments("--set", options.problems.sets);
   if (sets.empty()) return run_solvers(original, {}, options);
-  if (options.code) throw UsageError("--code takes a case with its own parameters, without --set");
   return run_solvers(with_sets(original, options.problems.sets), sets, options);
 }
 
 int run_problem(const RunOptions& options) {
-  if (options.code) throw UsageError("--code takes a case, not a problem file");
   const bool rows = options.format == "json";
   if (rows && options.solvers.empty()) throw UsageError("--format json: a run needs --solver");
   SpanCheck check;
   if (has_setting(options.settings) && !options.solvers.empty())
     check = [&](double t0, double end) { check_span(options.settings, t0, end); };
   const Case& c = load_problem(options.what, options.problems, check);
+  if (options.code) return run_solvers(c, {}, options, true);
   std::string text =
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));
   for (const auto& [name, fact] : c.facts)

@@ -1,64 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Programs are texts, *.program: @name@ stands for a value, and a line that begins with //word: is
+// there where the word holds.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
 #include "odeum/cli/run.hpp"
 #include "odeum/record/csv.hpp"
+#include "odeum/solvers/first_step.hpp"
 
 namespace odeum::cli {
 namespace {
 
+struct Program {
+  const char *name, *text;
+};
+const Program programs[] = {
+#include "lists/programs.inc"
+};
+
+std::string filled(const std::string& text, const std::map<std::string, std::string>& values,
+                   const std::set<std::string>& holds) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) {
+    if (const std::size_t end = line.find(':'); line.starts_with("//") && end < 20)
+      if (const std::string word = line.substr(2, end - 2); word.find(' ') == std::string::npos) {
+        if (!holds.contains(word)) continue;
+        line.erase(0, end + 1);
+      }
+    for (std::size_t from = 0; (from = line.find('@', from)) != std::string::npos;) {
+      const std::size_t end = line.find('@', from + 1);
+      const std::string& value = values.at(line.substr(from + 1, end - from - 1));
+      line.replace(from, end + 1 - from, value);
+      from += value.size();
+    }
+    result += line + "\n";
+  }
+  return result;
+}
+
+std::string number(double value) { return record::format_number(value); }
+std::string list_of(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(number(value));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 /// The same type as the one that the run is made with, see solvers/enroll_method.hpp.
-const char* type_of_problem(const Case& c, const SolverInfo& info) {
+const char* shared_type(const Case& c, const SolverInfo& info) {
   if (info.needs.find("second-order") == std::string::npos) return "SharedOde";
   return c.problem.view.velocity_dependent ? "SharedSecondOrder" : "SharedSeparable";
 }
 
+/// Which program makes the run; throws UsageError where none does.
+std::string program_for(const SolverInfo& info, bool stated, const Request& request) {
+  if (info.library == "odeum" && !info.needs.starts_with("residuals"))
+    return stated ? "odeum" : "laboratory";
+  const auto refuse = [&](const char* why) {
+    throw UsageError("--code: there is no program for {} {}", info.id(), why);
+  };
+  if (!stated) refuse("on a case that no text of equations states");
+  if (request.mode == Mode::fixed) refuse("at a fixed step: give --tol");
+  const std::string& m = info.method;
+  if (info.library == "gsl" || (info.library == "cvode" && (m == "bdf" || m == "adams")))
+    return info.library;
+  for (const char* pair :
+       {"runge_kutta_cash_karp54", "runge_kutta_dopri5", "runge_kutta_fehlberg78"})
+    if (info.library == "odeint" && m == pair && !request.tolerance.by_component()) return "odeint";
+  refuse(
+      "yet: there are programs for own methods, gsl, cvode/bdf and cvode/adams, and with one "
+      "absolute tolerance for odeint's pairs runge_kutta_cash_karp54, runge_kutta_dopri5 and "
+      "runge_kutta_fehlberg78");
+  return {};
+}
+
+/// The first step, where a library leaves it to its user; adapters use the same rule.
+double first_step_of(const Case& c, const SolverInfo& info, const Request& request) {
+  GuardedView view(c.problem.view, Budget{}, &request.tolerance);
+  const double lower = info.library == "odeint" ? 1 : 0;
+  const int order = info.family == "extrapolation" ? 6
+                    : std::isnan(info.order)       ? 1
+                                                   : static_cast<int>(info.order - lower);
+  return first_step(view, c.t0, c.y0, request.stops.back(), order, request.tolerance);
+}
+
 }  // namespace
 
-std::string code_of(const Case& c, const Entrant& entrant, const Request& request) {
+std::string code_of(const Case& c, const std::string& problem, const Entrant& entrant,
+                    const Request& request) {
   const SolverInfo& info = entrant.info;
-  if (info.library != "odeum")
-    throw UsageError(
-        "--code prints programs for Odeum's own methods; {} is called through its own library",
-        info.id());
+  const std::string name = program_for(info, !problem.empty(), request);
+  const bool fixed = request.mode == Mode::fixed;
   const double end = request.stops.back();
-  std::string absolute;
-  for (const double each : request.tolerance.absolutes())
-    absolute += (absolute.empty() ? "" : ", ") + record::format_number(each);
-  if (!absolute.empty()) absolute = ", {" + absolute + "}";
-  const std::string setting =
-      request.mode == Mode::fixed
-          ? fmt::format("Step{{{}}}",
-                        record::format_number((end - c.t0) / static_cast<double>(request.steps)))
-          : fmt::format("Tolerance{{{}{}}}", record::format_number(request.tolerance.relative),
-                        absolute);
-  return fmt::format(R"(// {0} by {1}.
-//
-//     find_package(Odeum REQUIRED COMPONENTS laboratory)
-//     add_executable(run run.cpp)
-//     target_link_libraries(run PRIVATE Odeum::laboratory)
-//
-// With a problem of your own in the place of the case, any struct of odeum/problem/concepts.hpp,
-// Odeum::integrators suffices, which is headers only.
-#include <odeum/api/integrate.hpp>
-#include <odeum/methods/{2}.hpp>
-
-#include <cstdio>
-#include <odeum/problem/shared.hpp>
-#include <odeum/studies/runner.hpp>
-
-int main() {{
-  const odeum::Case& c = odeum::study::find_case("{0}");  // {3}
-  const odeum::{4} problem(c.problem.view, c.problem.keep_alive);
-  std::vector<double> y = c.y0;
-  const odeum::RunEnd run = odeum::integrate(problem, odeum::methods::{2}{{}}, y, {5}, {6},
-                                             odeum::{7});
-  std::printf("%s at t = %.17g, %llu steps\n", odeum::to_string(run.status), run.t,
-              static_cast<unsigned long long>(run.steps));
-  for (const double x : y) std::printf("%.17g\n", x);
-  return run.ok() ? 0 : 1;
-}}
-)",
-                     c.id, info.id(), info.method, c.equation, type_of_problem(c, info),
-                     record::format_number(c.t0), record::format_number(end), setting);
+  const bool needs_eigen = info.family == "implicit_rk" || info.family == "exponential";
+  std::map<std::string, std::string> values{
+      {"id", c.id},
+      {"solver", info.id()},
+      {"method", info.method},
+      {"equation", c.equation},
+      {"problem", problem},
+      {"shared", shared_type(c, info)},
+      {"target", needs_eigen ? "integrators_eigen" : "integrators"},
+      {"t0", number(c.t0)},
+      {"end", number(end)},
+      {"y0", list_of(c.y0)}};
+  std::set<std::string> holds{info.method};
+  if (fixed) {
+    holds.insert("step");
+    values["step"] = number((end - c.t0) / static_cast<double>(request.steps));
+  } else {
+    const Tolerance& tolerance = request.tolerance;
+    holds.insert(tolerance.by_component() ? "many" : "one");
+    values["relative"] = number(tolerance.relative);
+    values["absolute"] = number(tolerance.absolute(0));
+    values["absolutes"] = list_of(tolerance.absolutes());
+    values["thresholds"] = list_of(tolerance.thresholds);
+    values["explicit"] = info.family == "explicit_rk" ? "1" : "0";
+    values["METHOD"] = info.method == "bdf" ? "BDF" : "ADAMS";
+    if (info.library != "odeum") values["first"] = number(first_step_of(c, info, request));
+  }
+  holds.insert(problem.find("void time_derivative(") == std::string::npos ? "autonomous" : "timed");
+  const auto found = std::find_if(std::begin(programs), std::end(programs),
+                                  [&](const Program& each) { return each.name == name; });
+  return filled(found->text, values, holds);
 }
 
 }  // namespace odeum::cli

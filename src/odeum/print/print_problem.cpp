@@ -18,9 +18,9 @@ class ProblemPrinter {
     out_.owner = "this->";
   }
 
-  std::string print(const std::string& stem, const Offers& offers) {
+  std::string print(const std::string& name, const Offers& offers) {
     const Structure& s = analysis_.structure;
-    out_.line("struct {} {{", type_name(stem));
+    out_.line("struct {} {{", name);
     out_.line("  static constexpr std::size_t dimension = {};", s.states);
     print_members(offers);
     if (offers.second_order && s.second_order)
@@ -134,6 +134,11 @@ std::string type_name(const std::string& stem) {
   return name;
 }
 
+std::string print_struct(const std::string& name, const Problem& problem, const Analysis& analysis,
+                         const Offers& offers) {
+  return ProblemPrinter(problem, analysis).print(name, offers);
+}
+
 std::string print_problem(const std::string& stem, const Problem& problem, const Analysis& analysis,
                           const Offers& offers) {
   // Members are named as the file names its parameters, also where an argument has that name.
@@ -141,7 +146,7 @@ std::string print_problem(const std::string& stem, const Problem& problem, const
       "// Printed from cases/{}.yaml.\n#pragma once\n#include <cmath>\n#include <cstddef>\n\n"
       "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wshadow\"\n"
       "namespace odeum::cases {{\n{}}}\n#pragma GCC diagnostic pop\n",
-      stem, ProblemPrinter(problem, analysis).print(stem, offers));
+      stem, print_struct(type_name(stem), problem, analysis, offers));
 }
 
 }  // namespace odeum::print
