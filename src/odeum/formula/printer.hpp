@@ -22,11 +22,11 @@ struct Type {
   const char* before;
   const char* after;
   const char* constant;
-  bool lanes = false;
+  bool lanes;
 };
-inline constexpr Type in_double{"double", "__builtin_", "", ""},
-    in_long_double{"long double", "__builtin_", "l", "L"}, in_real{"R", "std::", "", ""},
-    in_lanes{"V", "lanes_", "", "", true};
+inline constexpr Type in_double{"double", "__builtin_", "", "", false},
+    in_long_double{"long double", "__builtin_", "l", "L", false},
+    in_real{"R", "std::", "", "", false}, in_lanes{"V", "lanes_", "", "", true};
 
 inline std::string constant_text(long double value, const Type& type) {
   const std::string text = *type.constant ? fmt::format("{:a}L", value)
