@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Soft bodies in btSoftRigidDynamicsWorld: with forces applied to their nodes, or with links.
+// Soft bodies in btSoftRigidDynamicsWorld: with forces applied to their nodes, or with links; and
+// with Bullet's own collisions.
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "engine.hpp"
 #include "exerted.hpp"
@@ -33,6 +40,15 @@ class ClassicEngine : public Engine {
 
  protected:
   btSoftBody& body() { return *body_; }
+  /// A rigid body that stays where it is.
+  void add_solid(std::unique_ptr<btCollisionShape> shape, const btTransform& at, double friction) {
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shape.get());
+    info.m_startWorldTransform = at;
+    info.m_friction = friction;
+    solids_.push_back(std::make_unique<btRigidBody>(info));
+    shapes_.push_back(std::move(shape));
+    world_.addRigidBody(solids_.back().get());
+  }
   void add_forces(double t, const scene::Mat3& matrix, Guard& guard) {
     exerted_.visit(t, *body_, matrix, guard, [&](std::size_t i, const scene::Vec3& f) {
       body_->addForce(btVector3(f[0], f[1], f[2]), static_cast<int>(i));
@@ -43,7 +59,10 @@ class ClassicEngine : public Engine {
   Exerted exerted_;
   CollisionParts parts_;
   btSequentialImpulseConstraintSolver solver_;
-  std::unique_ptr<btSoftBody> body_;  // outlives the world, which only refers to it
+  // They outlive the world, which only refers to them.
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> solids_;
+  std::unique_ptr<btSoftBody> body_;
   btSoftRigidDynamicsWorld world_;
 };
 
@@ -60,6 +79,51 @@ class ForceEngine final : public ClassicEngine {
 
  private:
   scene::Mat3 medium_;
+};
+
+/// The adapter applies springs and uniform forces; contacts are Bullet's own: a node that is nearer
+/// to a solid than the margin is projected out of it, with friction and without a rebound.
+class CollisionEngine final : public ClassicEngine {
+ public:
+  CollisionEngine(const scene::Scene& scene, const std::vector<double>& state)
+      : ClassicEngine(without_contacts(scene), state, true) {
+    body().m_links.clear();
+    body().m_cfg.collisions = btSoftBody::fCollision::SDF_RS;
+    body().m_cfg.kDF = 1;  // of the node; the solid has the friction of the contact
+    body().getCollisionShape()->setMargin(*common_radius(scene));
+    double voxel = 0.25;
+    for (const scene::Contact& contact : scene.contacts) {
+      if (const auto* const plane = std::get_if<scene::PlaneContact>(&contact)) add(*plane);
+      if (const auto* const sphere = std::get_if<scene::SphereContact>(&contact)) {
+        // Distances are interpolated between points of a grid, 0.25 m apart by default.
+        voxel = std::min(voxel, sphere->radius / 16);
+        add_solid(std::make_unique<btSphereShape>(sphere->radius),
+                  btTransform(btQuaternion::getIdentity(), vector_of(sphere->center)),
+                  sphere->friction);
+      }
+    }
+    auto& distances = body().m_worldInfo->m_sparsesdf;
+    distances.setDefaultVoxelsz(voxel);
+    distances.Reset();  // takes it
+  }
+
+ private:
+  static scene::Scene without_contacts(scene::Scene scene) {
+    scene.contacts.clear();
+    return scene;
+  }
+  static btVector3 vector_of(const scene::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+  /// Distances of nodes are to convex shapes only, and btStaticPlaneShape is none: a large box
+  /// whose upper face is the plane.
+  void add(const scene::PlaneContact& plane) {
+    constexpr double half = 100, depth = 1;  // m
+    const btVector3 normal = vector_of(plane.normal);
+    add_solid(std::make_unique<btBoxShape>(btVector3(half, half, depth)),
+              btTransform(shortestArcQuat(btVector3(0, 0, 1), normal),
+                          vector_of(plane.point) - depth * normal),
+              plane.friction);
+  }
 };
 
 /// Position-based links. A link is projected towards its rest length by the share kLST in each of
@@ -92,6 +156,11 @@ class LinkEngine final : public ClassicEngine {
 std::unique_ptr<Engine> make_soft_body_force(const scene::Scene& scene,
                                              const std::vector<double>& state, const Plan&) {
   return std::make_unique<ForceEngine>(scene, state);
+}
+
+std::unique_ptr<Engine> make_soft_body_collision(const scene::Scene& scene,
+                                                 const std::vector<double>& state, const Plan&) {
+  return std::make_unique<CollisionEngine>(scene, state);
 }
 
 std::unique_ptr<Engine> make_soft_body_links(const scene::Scene& scene,

@@ -36,6 +36,8 @@ using MakeEngine = std::unique_ptr<Engine> (*)(const scene::Scene& scene,
 
 std::unique_ptr<Engine> make_soft_body_force(const scene::Scene&, const std::vector<double>&,
                                              const Plan&);
+std::unique_ptr<Engine> make_soft_body_collision(const scene::Scene&, const std::vector<double>&,
+                                                 const Plan&);
 std::unique_ptr<Engine> make_soft_body_links(const scene::Scene&, const std::vector<double>&,
                                              const Plan&);
 std::unique_ptr<Engine> make_soft_body_links_stock(const scene::Scene&, const std::vector<double>&,

@@ -79,6 +79,16 @@ std::optional<double> anchored_damping(const Scene& scene) {
   return common.value_or(0);
 }
 
+std::optional<double> common_radius(const Scene& scene) {
+  std::optional<double> common;
+  for (const Particle& particle : scene.particles) {
+    if (particle.fixed) continue;
+    if (common && *common != particle.radius) return std::nullopt;
+    common = particle.radius;
+  }
+  return common.value_or(0);
+}
+
 bool finite(const Scene& scene) {
   double sum = 0;  // NaN when any is not finite
   const auto look = [&sum](const auto& values) {
@@ -107,6 +117,18 @@ std::string objection_of_bodies(const Scene& scene) {
 }
 
 std::string objection_of_forces(const Scene&) { return {}; }
+
+std::string objection_of_collision(const Scene& scene) {
+  if (scene.contacts.empty())
+    return "needs contacts: without them it is the same as bullet/soft_body_force";
+  for (const scene::Contact& contact : scene.contacts)
+    if (std::holds_alternative<scene::ParticleContact>(contact))
+      return "needs contacts with planes and spheres: the nodes of a btSoftBody do not collide "
+             "with "
+             "each other";
+  if (!common_radius(scene)) return "needs particles of one radius, the margin of a btSoftBody";
+  return {};
+}
 
 std::string objection_of_links(const Scene& scene) {
   if (has_tension_only(scene))

@@ -19,6 +19,9 @@ std::optional<double> medium_damping(const scene::Scene& scene);
 /// joins free particles, or the rates differ.
 std::optional<double> anchored_damping(const scene::Scene& scene);
 
+/// The radius of all free particles, m; nothing where they differ.
+std::optional<double> common_radius(const scene::Scene& scene);
+
 /// Whether every number of the scene is finite. Bullet does not check: for example a NaN damping
 /// leaves a deformable body undamped.
 bool finite(const scene::Scene& scene);
@@ -26,6 +29,7 @@ bool finite(const scene::Scene& scene);
 /// Each returns, as a sentence, why the model cannot represent this scene; empty where it can.
 std::string objection_of_bodies(const scene::Scene& scene);  ///< any body at all
 std::string objection_of_forces(const scene::Scene& scene);
+std::string objection_of_collision(const scene::Scene& scene);
 std::string objection_of_links(const scene::Scene& scene);
 std::string objection_of_stock_links(const scene::Scene& scene);
 std::string objection_of_deformable(const scene::Scene& scene);

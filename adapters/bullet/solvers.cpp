@@ -38,6 +38,14 @@ const Method methods[] = {
      objection_of_forces,
      make_soft_body_force,
      {}},
+    {"soft_body_collision",
+     "as soft_body_force, but contacts are fCollision::SDF_RS, a model of its own: nodes are "
+     "projected out of rigid bodies, with friction and without a rebound",
+     no_claim,
+     true,
+     objection_of_collision,
+     make_soft_body_collision,
+     {}},
     {"soft_body_links",
      "btSoftBody::PSolve_Links, position-based, 1 sweep, kLST set so that one link does backward "
      "Euler at small strain; its spring law is k l (l^2 - L^2)/(l^2 + L^2), not k (l - L), and "
@@ -185,7 +193,8 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
 
 std::string unfit(const Method& method, const ErasedContest& contest) {
   if (!contest.scene)
-    return "needs a scene of particles and springs: a physics engine takes bodies";
+    return "needs a scene of particles and springs, none of them emitted: a physics engine takes "
+           "bodies";
   const scene::Scene& scene = *contest.scene;
   const std::size_t entries = scene.select.empty() ? 6 * scene.size() : scene.select.size();
   if (entries != contest.view.dimension) return "needs a scene whose state maps onto the case's";

@@ -237,5 +237,40 @@ TEST(Bullet, TermsThatItLacksAreForcesOnItsNodes) {
   }
 }
 
+// A ball that slides on a plane at speed u with friction mu comes to rest after u^2 / (2 mu g), on
+// the plane, and stays on a sphere's top.
+TEST(Bullet, ItsOwnCollisionsStopWithoutARebound) {
+  scene::Scene scene;
+  scene.gravity = {0, 0, -10};
+  scene.particles = {{.position = {0, 0, 0.3}, .mass = 1, .radius = 0.05}};
+  scene::PlaneContact floor;
+  floor.normal = {0, 0, 1};
+  floor.stiffness = 1;  // not of this model
+  scene.contacts = {floor};
+  const auto end = [&](double t) {
+    std::array<double, 6> y0{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      y0[d] = scene.particles[0].position[d];
+      y0[3 + d] = scene.particles[0].velocity[d];
+    }
+    const Stage stage = bullet_tests::stage<6>(scene, y0);
+    EXPECT_EQ(stage["soft_body_collision"].unfit, "");
+    const Outcome outcome = stage["soft_body_collision"].solve(steps(1000, {t}));
+    EXPECT_EQ(outcome.status, Status::ok) << outcome.detail;
+    return outcome.states;
+  };
+  // Bullet leaves a part of the margin free, and its grid of distances is interpolated.
+  EXPECT_NEAR(end(2)[2], 0.05, 0.02);
+  EXPECT_NEAR(end(2)[5], 0, 1e-6);
+  scene.particles[0].position[2] = 0.05;
+  scene.particles[0].velocity = {1, 0, 0};
+  floor.friction = 0.5;
+  scene.contacts = {floor};
+  EXPECT_NEAR(end(1)[3], 0, 1e-6);
+  EXPECT_NEAR(end(1)[0], 1 / (2 * 0.5 * 10), 0.03);
+  scene.contacts.emplace_back(scene::ParticleContact{});
+  EXPECT_NE(bullet_tests::stage<6>(scene, {})["soft_body_collision"].unfit, "");
+}
+
 }  // namespace
 }  // namespace odeum::bullet_tests

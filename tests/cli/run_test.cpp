@@ -291,7 +291,8 @@ INSTANTIATE_TEST_SUITE_P(
         Nonsense{"free_fall --solver rk4 --step 0.1 --every -1", "--every: got -1"},
         Nonsense{"free_fall --solver rk4 --tol 1e-3 --every 1e-12", "more than 2e+08 numbers"},
         Nonsense{"free_fall --solver rk4 --solver rk5 --step 0.1", "did you mean odeum/rk4?"},
-        Nonsense{"raindrop --solver rk4 --solver leapfrog --step 0.1", "does not fit this scene"}));
+        Nonsense{"raindrop --solver yoshida4 --solver leapfrog --step 0.1",
+                 "does not fit this scene"}));
 
 }  // namespace
 }  // namespace odeum::tests

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <iterator>
 #include <memory>
+#include <regex>
 #include <sstream>
 
 #include "odeum/cases/scene_case.hpp"
@@ -74,10 +76,31 @@ TEST(SceneCommands, AdviseTakesAScene) {
 }
 
 TEST(SceneCommands, AStudyNamesWhatASceneWithEmittersLacks) {
-  const Result result = shell("odeum converge fountain --solver odeum/rk4 --out /dev/null/no");
+  const TemporaryFolder folder;
+  const std::string file = folder.path().string() + "/rain.yaml";
+  std::ofstream(file) << "duration: 1\nparticles: [{pos: [0, 0, 0], radius: 0.1}]\n"
+                         "emitters: [{position: [0, 0, 1], velocity: [0, 0, -1], rate: 10}]\n"
+                         "contacts: [{particles: {stiffness: 100}}]\n";
+  const Result result = shell("odeum converge " + file + " --solver odeum/rk4 --out /dev/null/no");
   EXPECT_EQ(result.code, 2);
-  EXPECT_NE(result.output.find("the number of particles changes during the run"), std::string::npos)
-      << result.output;
+  EXPECT_NE(result.output.find("no contact between particles"), std::string::npos) << result.output;
+}
+
+// Every particle in closed form, with births at the ends of steps where the step is fixed.
+TEST(SceneCommands, EmittedParticlesHaveATruth) {
+  const Result exact = shell("odeum run fountain --solver closed_form --tol 1e-9 --until 2");
+  EXPECT_EQ(exact.code, 0) << exact.output;
+  EXPECT_NE(exact.output.find("closed form of free particles"), std::string::npos) << exact.output;
+  const Result smoke = shell("odeum run smoke --until 0.5 --solver dormand_prince54 --tol 1e-8");
+  EXPECT_NE(smoke.output.find("each emitted particle by itself"), std::string::npos)
+      << smoke.output;
+  const std::regex small(R"(error      odeum/(\w+): ([0-9.]+(?:e-\d+)?) m at most)");
+  for (const Result* result : {&exact, &smoke}) {
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(result->output, found, small)) << result->output;
+    // The tolerance of the second, and what a few steps add up.
+    EXPECT_LT(std::stod(found[2]), result == &exact ? 1e-12 : 1e-6) << result->output;
+  }
 }
 
 // It went from 7 J to 4,092,743 J with "status ok" and code 0.
@@ -148,6 +171,45 @@ TEST(SceneCommands, NoUnstableRunEndsOk) {
   for (std::string line; std::getline(lines, line); ++count)
     EXPECT_TRUE(line.starts_with("3 ")) << line;
   EXPECT_EQ(count, std::size(runs)) << result.output;
+}
+
+TEST(SceneCommands, ASolverThatDoesNotFitIsALineBesideOthers) {
+  for (const char* const run : {"raindrop --solver rk4 --solver leapfrog --step 0.1",
+                                "lotka_volterra --solver rk4 --solver leapfrog --step 0.1"}) {
+    const Result result = shell(std::string("odeum run ") + run);
+    EXPECT_EQ(result.code, 0) << result.output;
+    EXPECT_NE(result.output.find("unfit      odeum/leapfrog: needs a second-order problem"),
+              std::string::npos)
+        << result.output;
+  }
+  const Result mode =
+      shell("odeum run lotka_volterra --solver gragg_bulirsch_stoer --solver rk4 --step 0.1");
+  EXPECT_EQ(mode.code, 0) << mode.output;
+  EXPECT_NE(mode.output.find("odeum/gragg_bulirsch_stoer: runs to a tolerance only"),
+            std::string::npos)
+      << mode.output;
+}
+
+TEST(SceneCommands, SolversThatFitAreListed) {
+  const Result scene = shell("odeum list solvers raindrop --format csv");
+  EXPECT_EQ(scene.code, 0) << scene.output;
+  EXPECT_NE(scene.output.find("odeum/rk4,yes,"), std::string::npos) << scene.output;
+  EXPECT_NE(scene.output.find("odeum/leapfrog,no: needs a second-order"), std::string::npos)
+      << scene.output;
+  EXPECT_EQ(shell("odeum list cases raindrop").code, 2);
+}
+
+TEST(SceneCommands, AStepMayBeAFraction) {
+  const Result result = shell("odeum run spinning_pair --solver rk4 --step 1/50 --until 1");
+  EXPECT_EQ(result.code, 0) << result.output;
+  EXPECT_NE(result.output.find("step       0.02, 50 steps"), std::string::npos) << result.output;
+}
+
+TEST(Tolerances, OfComponentsAreGivenByName) {
+  const std::string run = "odeum run robertson_40 --solver rodas4 --rtol 1e-6 --atol ";
+  const Result named = shell(run + "1e-8,y1=1e-14"), listed = shell(run + "1e-8,1e-14,1e-8");
+  EXPECT_EQ(named.code, 0) << named.output;
+  EXPECT_EQ(named.output, listed.output);
 }
 
 // Their energy stays below what gravity and springs give them, or only rounds it.

@@ -122,6 +122,13 @@ TEST(Structure, IsFound) {
   EXPECT_EQ(s.entries, 2U);
   s = structure("states: {q: 1, v: 0}\nequations: {q: v, v: -q - 0.1*v + sin(t)}");
   EXPECT_TRUE(s.second_order && s.velocity_dependent && s.linear && !s.autonomous);
+  // Coefficients may depend on t: Mathieu's equation, and one of first order.
+  s = structure("states: {q: 1, v: 0}\nequations: {q: v, v: -(1 - 0.4*cos(2*t))*q}");
+  EXPECT_TRUE(s.linear && !s.autonomous && s.second_order);
+  s = structure("states: {f: 1}\nequations: {f: 4*(t-5)*f + 2*t^2 - 7}");
+  EXPECT_TRUE(s.linear && !s.autonomous);
+  s = structure("states: {f: 1}\nequations: {f: t*f^2}");
+  EXPECT_FALSE(s.linear);
   s = structure("states: {v: 0, q: 1}\nequations: {q: v, v: -q^3}");
   EXPECT_TRUE(!s.second_order && s.second_order_in_other_order && !s.linear);
   s = structure("states: {x: 1, y: 1}\nequations: {x: abs(x), y: x}");

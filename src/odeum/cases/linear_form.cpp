@@ -48,6 +48,9 @@ std::optional<LinearForm> linear_form(const Case& c) {
   view.jacobian(view.problem, c.t0, zero.data(), form.a.data());
   view.rhs(view.problem, c.t0, zero.data(), form.b.data());
   if (!is_finite(form.a.data(), n * n) || !is_finite(form.b.data(), n)) return {};
+  std::vector<double> later(n * n);
+  view.jacobian(view.problem, c.end(), zero.data(), later.data());
+  if (later != form.a) return {};  // A depends on t
   form.eigenvalues = eigenvalues(form.a, n);
   if (!form.b_varies) set_solution(form, c);
   return form;

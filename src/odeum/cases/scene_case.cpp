@@ -18,7 +18,7 @@ Contest<scene::SceneProblem> contest_of(const std::shared_ptr<const scene::Scene
   Contest<scene::SceneProblem> contest;
   contest.problem = problem;
   contest.y0 = {problem, &problem->start()};
-  contest.scene = problem->scene();
+  if (problem->lives().empty()) contest.scene = problem->scene();
   return contest;
 }
 
@@ -69,9 +69,9 @@ Facts facts_of(const scene::Structure& s) {
   return facts;
 }
 
-std::vector<std::string> tags_of(const scene::Structure& s) {
-  std::vector<std::string> tags{"autonomous", "second_order", "mechanical", "scene",
-                                s.linear ? "linear" : "nonlinear"};
+std::vector<std::string> tags_of(const scene::Structure& s, bool autonomous) {
+  std::vector<std::string> tags{autonomous ? "autonomous" : "non_autonomous", "second_order",
+                                "mechanical", "scene", s.linear ? "linear" : "nonlinear"};
   if (!s.smooth) tags.emplace_back("kinked");
   return tags;
 }
@@ -85,24 +85,26 @@ std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual)
 }
 
 Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene) {
-  if (!scene.emitters.empty())
-    throw InputError(fmt::format(
-        "{}: emitters: the number of particles changes during the run, and a study needs a state "
-        "of one size; expected a scene without emitters (odeum run takes this one)",
-        file));
-  const auto problem = std::make_shared<const scene::SceneProblem>(scene);
+  const auto problem = whole_problem(scene, *scene.duration, file);
   const scene::Structure& structure = problem->structure();
   Case c;
   c.equation = "m q'' = the sum of the scene's forces";
   c.source = file;
-  c.tags = tags_of(structure);
+  c.tags = tags_of(structure, problem->lives().empty());
   c.facts = facts_of(structure);
+  if (!scene.emitters.empty())
+    c.facts.emplace_back("emitted",
+                         fmt::format("{} of the particles, which fly straight before their birth "
+                                     "and after their death",
+                                     structure.particles - scene.size()));
   c.y0 = problem->start();
   c.components = names_of(structure.particles);
   for (std::size_t i = 0; i < 3 * structure.particles; ++i)
     if (problem->bodies().free(i / 3)) c.measured.push_back(i);
   for (const int quarter : {1, 2, 3, 4}) c.stops.push_back(*scene.duration * quarter / 4);
-  c.energy = [problem](const double* y) { return problem->energy(y); };
+  // Particles without a force have no energy of gravity.
+  if (problem->lives().empty())
+    c.energy = [problem](const double* y) { return problem->energy(y); };
   c.problem = erase(contest_of(problem));
   c.entrants = enroll_scene(problem);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
@@ -127,6 +129,28 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
 }
 
 }  // namespace
+
+std::shared_ptr<const scene::SceneProblem> whole_problem(const scene::Scene& scene, double until,
+                                                         const std::string& file) {
+  constexpr double most = 4000;
+  double emitted = 0;
+  for (const scene::Emitter& emitter : scene.emitters) emitted += emitter.rate * until;
+  const auto refuse = [&](const std::string& reason, const char* expected) {
+    throw InputError(fmt::format("{}: emitters: {}; expected {} (odeum run takes this scene)", file,
+                                 reason, expected));
+  };
+  if (emitted > most)
+    refuse(fmt::format("{:.0f} particles are emitted, all of which a study computes", emitted),
+           "at most 4000");
+  if (!scene.emitters.empty())
+    for (const scene::Contact& contact : scene.contacts)
+      if (std::holds_alternative<scene::ParticleContact>(contact))
+        refuse("those emitted may touch others, and the problem of a study has them from the start",
+               "no contact between particles");
+  scene::WholeScene whole = scene::with_all_particles(scene, until);
+  if (scene.emitters.empty()) whole.lives.clear();
+  return std::make_shared<const scene::SceneProblem>(whole.scene, std::move(whole.lives));
+}
 
 double extent_of(const double* y, std::size_t particles) {
   double largest = 0;
@@ -164,9 +188,8 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
     return known;
   }
   const auto reference =
-      truth::kept_or_computed("scene " + content, problem->size(), times, {}, [&] {
-        return std::optional(truth::compute_reference(truth::system_of(problem), times, {}));
-      });
+      truth::kept_or_computed("scene " + content, problem->size(), times, {},
+                              [&] { return std::optional(truth::reference_of(problem, times)); });
   return truth_from(*reference, times, {}, what);
 }
 

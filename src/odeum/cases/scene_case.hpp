@@ -17,6 +17,12 @@ namespace odeum::cases {
 /// `odeum/closed_form` for free particles under a constant force.
 Entrants enroll_scene(const std::shared_ptr<const scene::SceneProblem>& problem);
 
+/// The problem of a scene whose number of particles stays the same until then: emitted ones are in
+/// it from the start (scene/model/emission.hpp). Throws InputError where there are too many, and
+/// where they could touch others.
+std::shared_ptr<const scene::SceneProblem> whole_problem(const scene::Scene& scene, double until,
+                                                         const std::string& file);
+
 /// The exact states of a scene at the times (ascending, after 0): in closed form for free
 /// particles, else a reference that two methods agree on (truth/scene_system.hpp), as far as they
 /// do. `content` identifies the scene, since references are kept in the cache folder; `what` names
@@ -27,7 +33,7 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
 
 /// A scene as a case, with its duration as the horizon, errors at four times of it in metres, the
 /// positions of free particles measured. `text` is that of its file, by which its truth is kept.
-/// Making the case throws InputError for a scene with emitters, whose state changes its size.
+/// Making the case throws InputError, see whole_problem.
 Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene);
 
 /// The largest extent of the free and fixed particles' positions in a state, in m.

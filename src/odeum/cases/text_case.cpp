@@ -9,7 +9,7 @@
 
 #include "odeum/cases/case_text.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/printed_text.hpp"
+#include "odeum/cases/printed_list.hpp"
 #include "odeum/cases/proposed_scale.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/stage.hpp"
@@ -21,11 +21,6 @@
 
 namespace odeum::cases {
 
-// lists/printed.inc is generated: the stems of the texts in cases/, of which each is printed.
-#define ODEUM_ITEM(stem) PrintedText printed_##stem();
-#include "lists/printed.inc"
-#undef ODEUM_ITEM
-
 namespace {
 
 using formula::TextOde;
@@ -35,18 +30,8 @@ struct File {
   std::string name, text;
   const PrintedText* printed = nullptr;  ///< null: no built-in text has its equations
   std::string folder = {};               ///< of its references; empty: they are built in
+  bool computes_truth = true;            ///< false: it stays unknown where it has to be computed
 };
-
-const PrintedText* printed_of(std::string_view stem) {
-#define ODEUM_ITEM(name)                              \
-  if (stem == #name) {                                \
-    static const PrintedText text = printed_##name(); \
-    return &text;                                     \
-  }
-#include "lists/printed.inc"
-#undef ODEUM_ITEM
-  return nullptr;
-}
 
 class TextCase : CaseText {
  public:
@@ -65,7 +50,7 @@ class TextCase : CaseText {
     case_.scale = problem_.scale;
     set_problem();
     set_truth();
-    if (!file_.folder.empty()) prove_truth();
+    if (!file_.folder.empty() && file_.computes_truth) prove_truth();
     select_invariants();
     choose_settings();
     case_.facts =
@@ -183,7 +168,7 @@ class TextCase : CaseText {
       }
       return;
     }
-    if (problem_.exact.empty() && !files.empty()) {
+    if (problem_.exact.empty() && !(files.empty() && file_.computes_truth)) {
       case_.truth = unknown_truth();
       return;
     }
@@ -262,6 +247,15 @@ class TextCase : CaseText {
   Case case_;
 };
 
+File user_file(const std::string& file, const std::string& text) {
+  const std::string folder = std::filesystem::absolute(file).parent_path().string();
+  const std::string code = formula::code_of_problem(file, text);
+  for (const BuiltInText& each : built_in_texts())
+    if (formula::code_of_problem(each.stem, each.text) == code)
+      return {file, text, printed_of(each.stem), folder};
+  return {file, text, nullptr, folder};
+}
+
 std::vector<Statement> statements_of(File file, const std::string& id,
                                      const formula::Overrides& set) {
   formula::CaseKeys keys(file.name, file.text);
@@ -282,12 +276,19 @@ std::vector<Statement> statements_of(File file, const std::string& id,
 
 std::vector<Statement> text_statements(const std::string& file, const std::string& text,
                                        const std::string& id, const formula::Overrides& set) {
-  const std::string folder = std::filesystem::absolute(file).parent_path().string();
-  const std::string code = formula::code_of_problem(file, text);
-  for (const BuiltInText& each : built_in_texts())
-    if (formula::code_of_problem(each.stem, each.text) == code)
-      return statements_of({file, text, printed_of(each.stem), folder}, id, set);
-  return statements_of({file, text, nullptr, folder}, id, set);
+  return statements_of(user_file(file, text), id, set);
+}
+
+std::optional<Case> case_before_truth(const std::string& file, const std::string& text,
+                                      const std::string& id, const formula::Overrides& set) {
+  File user = user_file(file, text);
+  user.computes_truth = false;
+  const std::vector<Statement> all = statements_of(user, id, set);
+  const auto chosen = std::ranges::find(all, id, &Statement::id);
+  if (chosen == all.end()) return std::nullopt;
+  Case c = chosen->make();
+  std::vector<double> y(c.y0.size());
+  return c.truth.at(c.stops.front(), y.data()) ? std::nullopt : std::optional(std::move(c));
 }
 
 std::vector<Statement> text_statements(const BuiltInText& text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,5 +29,11 @@ std::vector<Statement> text_statements(const BuiltInText& text);
 /// A case's truth in words, and whether it is proved (see proof_of() in text_truth.hpp), which a
 /// user's text says by itself. Of a built-in text it takes up to two seconds, the first time.
 std::string with_proof(const Case& c);
+
+/// The case `id` of a problem file before its truth is computed, without a proposed scale; none
+/// where the truth needs no computation, or where there is no such case. Throws as a Statement's
+/// make().
+std::optional<Case> case_before_truth(const std::string& file, const std::string& text,
+                                      const std::string& id, const formula::Overrides& set);
 
 }  // namespace odeum::cases

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -24,29 +23,6 @@ struct AdviseOptions {
   advise::Wishes wishes;
   ProblemOptions problems;
 };
-
-/// A number with what may follow it: `4ms`, `1/60`. Throws UsageError.
-double number_of(const char* option, const std::string& text,
-                 const std::map<std::string, double>& units) {
-  const char *at = text.data(), *const end = at + text.size();
-  double value = 0;
-  const auto read = [&](double& number) {
-    const auto [stop, error] = std::from_chars(at, end, number);
-    at = stop;
-    return error == std::errc{} && number > 0 && std::isfinite(number);
-  };
-  double below = 1;
-  bool sound = read(value);
-  if (sound && at != end && *at == '/') {
-    ++at;
-    sound = read(below);
-  }
-  const auto unit = units.find(std::string(at, end));
-  if (!sound || unit == units.end())
-    throw UsageError("{}: got {}, expected a positive number or a fraction{}", option, shown(text),
-                     units.size() > 1 ? ", in s, ms, us or ns" : "");
-  return value / below * unit->second;
-}
 
 void read_times(AdviseOptions& options) {
   const bool error = options.wishes.error != 0, time = !options.time.empty();

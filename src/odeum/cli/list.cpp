@@ -7,7 +7,9 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
+#include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
+#include "odeum/input/text_file.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/table.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -59,15 +61,41 @@ std::string modes(const SolverInfo& info) {
   return text;
 }
 
-Listing list_solvers() {
+/// The solvers as enrolled on a problem, without its truth where it is a scene.
+Entrants entrants_of(const std::string& problem) {
+  const auto source = is_problem_file(problem) ? std::nullopt : find_scene(problem);
+  if (!source) return case_of(problem, ProblemOptions()).entrants;
+  const std::string text =
+      source->text ? *source->text
+                   : read_text_file(source->file, "scene", scene::ReadOptions().most_bytes);
+  const scene::ReadScene read = scene::read_scene(source->file, text, {.need_solver = false});
+  return cases::enroll_scene(
+      std::make_shared<const scene::SceneProblem>(scene::at_start(read.scene)));
+}
+
+Listing list_solvers(const std::string& problem) {
   Listing listing{.columns = {"id", "family", "order", "settings", "needs", "source"}, .shown = 5};
-  for (const Solver& solver : all_solvers()) {
-    const SolverInfo& info = solver.info;
-    const bool varies = std::isnan(info.order);
-    listing.rows.push_back({info.id(), info.family,
-                            varies ? record::Cell("varies") : record::Cell(info.order), modes(info),
-                            info.needs.empty() ? "a right-hand side" : info.needs, info.source});
+  std::optional<Entrants> entrants;
+  if (!problem.empty()) {
+    listing.columns.insert(listing.columns.begin() + 1, "fits");
+    listing.shown = 5;
+    entrants = entrants_of(problem);
   }
+  const auto add = [&](const SolverInfo& info, const std::string& unfit) {
+    const bool varies = std::isnan(info.order);
+    std::vector<record::Cell> row{info.id(),
+                                  info.family,
+                                  varies ? record::Cell("varies") : record::Cell(info.order),
+                                  modes(info),
+                                  info.needs.empty() ? "a right-hand side" : info.needs,
+                                  info.source};
+    if (entrants) row.insert(row.begin() + 1, unfit.empty() ? "yes" : "no: " + unfit);
+    listing.rows.push_back(std::move(row));
+  };
+  if (entrants)
+    for (const Entrant& entrant : *entrants) add(entrant.info, entrant.unfit);
+  else
+    for (const Solver& solver : all_solvers()) add(solver.info, "");
   return listing;
 }
 
@@ -132,7 +160,7 @@ std::string as_json(const Listing& listing) {
 
 void add_list(CLI::App& app) {
   struct Options {
-    std::string what = "cases";
+    std::string what = "cases", problem;
     std::string format = "table";
     bool parameters = false;
   };
@@ -140,6 +168,11 @@ void add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "the cases, the solvers, or the scenes");
   command->add_option("what", options->what, "cases, solvers or scenes")
       ->check(CLI::IsMember({"cases", "solvers", "scenes"}));
+  command
+      ->add_option("problem", options->problem,
+                   "of solvers: which of them fit this case, scene, problem's file or FMU, and why "
+                   "others do not")
+      ->type_name("CASE|SCENE.yaml|PROBLEM.yaml|MODEL.fmu");
   command->add_option("--format", options->format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}));
   command->add_flag("--parameters", options->parameters,
@@ -148,10 +181,13 @@ void add_list(CLI::App& app) {
     if (options->parameters && options->what != "cases")
       throw UsageError(
           "--parameters: only cases have parameters; use odeum list cases --parameters");
+    if (!options->problem.empty() && options->what != "solvers")
+      throw UsageError("list {}: got {}, expected a problem after odeum list solvers only",
+                       options->what, options->problem);
     const Listing listing = options->parameters         ? list_parameters()
                             : options->what == "cases"  ? list_cases()
                             : options->what == "scenes" ? list_scenes()
-                                                        : list_solvers();
+                                                        : list_solvers(options->problem);
     print(options->format == "csv"    ? as_csv(listing)
           : options->format == "json" ? as_json(listing)
                                       : as_table(listing));

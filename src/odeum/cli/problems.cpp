@@ -216,6 +216,18 @@ const Case& load_problem(const std::string& path, const ProblemOptions& options,
               .front();
 }
 
+std::optional<Case> load_before_truth(const std::string& path, const ProblemOptions& options) {
+  if (is_fmu(path)) return std::nullopt;
+  try {
+    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
+    return cases::case_before_truth(path, text,
+                                    options.chosen.empty() ? stem_of(path) : options.chosen,
+                                    overrides_of(options.sets));
+  } catch (const std::exception&) {
+    return std::nullopt;  // what is wrong is said when the problem is loaded
+  }
+}
+
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets) {
   if (!sets.empty()) throw UsageError("--set: a scene has no parameters; change its file");
   scene::ReadOptions options;

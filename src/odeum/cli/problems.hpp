@@ -47,8 +47,12 @@ Cases load_problems_of(const std::string& path, const std::vector<std::string>& 
 const Case& load_problem(const std::string& path, const ProblemOptions& options,
                          const SpanCheck& check = {});
 
-/// Makes the case of a scene. Throws UsageError for a text that is wrong, for emitters, whose
-/// particles change in number, and for `sets`, since a scene has no parameters.
+/// The case of a problem file without its truth, where that has to be computed; none also where
+/// something is wrong with the file.
+std::optional<Case> load_before_truth(const std::string& path, const ProblemOptions& options);
+
+/// Makes the case of a scene. Throws UsageError for a text that is wrong, and for `sets`, since a
+/// scene has no parameters.
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets);
 
 /// Throws UsageError where a case was chosen of what is no problem file.

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,28 @@ void set_tolerances(Request& request, const RunSettings& settings, std::size_t n
 
 }  // namespace
 
+double number_of(const char* option, const std::string& text,
+                 const std::map<std::string, double>& units) {
+  const char *at = text.data(), *const end = at + text.size();
+  double value = 0;
+  const auto read = [&](double& number) {
+    const auto [stop, error] = std::from_chars(at, end, number);
+    at = stop;
+    return error == std::errc{} && number > 0 && std::isfinite(number);
+  };
+  double below = 1;
+  bool sound = read(value);
+  if (sound && at != end && *at == '/') {
+    ++at;
+    sound = read(below);
+  }
+  const auto unit = units.find(std::string(at, end));
+  if (!sound || unit == units.end())
+    throw UsageError("{}: got {}, expected a positive number or a fraction{}", option, shown(text),
+                     units.size() > 1 ? ", in s, ms, us or ns" : "");
+  return value / below * unit->second;
+}
+
 void require_positive(const char* option, double value) {
   if (!std::isfinite(value) || !(value > 0))
     throw UsageError("{}: got {}, expected a positive number", option, value);
@@ -61,6 +84,25 @@ RunSettings settings_for(const Case& c, RunSettings settings) {
   if (!has_setting(settings) && c.tolerance.relative > 0) settings.tolerance = c.tolerance;
   if (settings.tolerance && !settings.absolute_given)
     settings.tolerance = c.tolerance.requested(settings.tolerance->relative);
+  if (settings.named_absolute.empty()) return settings;
+  const std::vector<std::string> names = component_names(c);
+  // Of the others: as given by a number, else by the case's own thresholds.
+  const Tolerance others = settings.tolerance->absolutes().empty()
+                               ? c.tolerance.requested(settings.tolerance->relative)
+                               : *settings.tolerance;
+  if (others.by_component() && others.absolutes().size() != names.size())
+    throw UsageError("--atol: got {} numbers beside names, expected one at most",
+                     others.absolutes().size());
+  std::vector<double> all(names.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = others.absolute(i);
+  for (const auto& [name, value] : settings.named_absolute) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at == names.end())
+      throw UsageError("--atol: {} has no component {}{}", c.id, shown(name),
+                       did_you_mean(name, names));
+    all[static_cast<std::size_t>(at - names.begin())] = value;
+  }
+  settings.tolerance = Tolerance(settings.tolerance->relative, all);
   return settings;
 }
 

@@ -10,7 +10,12 @@
 namespace odeum::cli {
 
 void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
-  CLI::Option* step = add_option(command, "--step H", settings.step, "fixed step");
+  CLI::Option* step = add_option(command, "--step H", settings.step, "fixed step: 0.01, or 1/60")
+                          ->transform([](const std::string& text) {
+                            return text.find('/') == std::string::npos
+                                       ? text
+                                       : fmt::format("{}", number_of("--step", text, {{"", 1}}));
+                          });
   CLI::Option* tol = command
                          .add_option_function<double>(
                              "--tol", [&](double both) { settings.tolerance = both; },
@@ -20,7 +25,7 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
                          ->excludes(step);
   struct Given {
     double relative = 0;
-    std::vector<double> absolute;
+    std::vector<std::string> absolute;
   };
   const auto given = std::make_shared<Given>();
   CLI::Option* rtol =
@@ -29,58 +34,69 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
           ->excludes(tol);
   CLI::Option* atol =
       add_option(command, "--atol A", given->absolute,
-                 "absolute tolerance: a number, or one a component: 1e-8,1e-14,1e-6")
+                 "absolute tolerance: a number, one a component (1e-8,1e-14,1e-6), or by name, of "
+                 "others a number before: 1e-8,x=1e-14")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->needs(rtol);
   rtol->needs(atol);
   command.parse_complete_callback([&settings, given] {
     if (given->absolute.empty()) return;
-    settings.tolerance = Tolerance(given->relative, given->absolute);
-    settings.absolute_given = true;
+    std::vector<double> numbers;
+    std::vector<std::string> names;
+    for (const std::string& word : given->absolute) {
+      double number = 0;
+      if (word.find('=') != std::string::npos)
+        names.push_back(word);
+      else if (CLI::detail::lexical_cast(word, number))
+        numbers.push_back(number);
+      else
+        throw UsageError("--atol: got {}, expected a number or NAME=NUMBER", shown(word));
+    }
+    settings.named_absolute = assignments("--atol", names);
+    settings.absolute_given = !numbers.empty();
+    settings.tolerance =
+        numbers.empty() ? Tolerance(given->relative) : Tolerance(given->relative, numbers);
   });
 }
 
 std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose) {
-  using Counts = std::vector<std::pair<std::string, std::size_t>>;  // in the order of the solvers
-  const auto count = [](Counts& counts, const std::string& name) {
-    for (auto& [known, number] : counts)
-      if (known == name) return void(++number);
-    counts.emplace_back(name, 1);
-  };
-  const auto text_of_counts = [](const Counts& counts) {
-    std::string text;
-    for (const auto& [name, number] : counts)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, name);
-    return text;
-  };
-  Counts libraries;
-  std::map<std::string, Counts> families, reasons;
-  std::map<std::string, std::vector<std::string>> unfit_ids;
+  std::map<std::string, std::vector<std::string>> unfit;  // by reason
   std::vector<std::string> fitting;
-  for (const Entrant& entrant : entrants) {
-    if (!entrant.unfit.empty()) {
-      count(reasons[entrant.unfit], "of " + entrant.info.library);
-      unfit_ids[entrant.unfit].push_back(entrant.info.id());
-      continue;
-    }
-    count(libraries, entrant.info.library);
-    count(families[entrant.info.library], entrant.info.family);
-    fitting.push_back(entrant.info.id());
-  }
+  for (const Entrant& entrant : entrants)
+    (entrant.unfit.empty() ? fitting : unfit[entrant.unfit]).push_back(entrant.info.id());
   std::vector<std::string> lines{fmt::format("fits       {} of {} solvers{}", fitting.size(),
                                              entrants.size(),
-                                             verbose ? "" : ", which --verbose lists")};
-  for (const auto& [library, number] : libraries)
-    lines.push_back(
-        fmt::format("  {:<8} {}: {}", library, number, text_of_counts(families[library])));
-  if (verbose) lines.push_back(fmt::format("  {}", fmt::join(fitting, " ")));
-  for (const auto& [reason, counts] : reasons)
-    lines.push_back(fmt::format(
-        "unfit      {}: {}",
-        verbose ? fmt::format("{}", fmt::join(unfit_ids[reason], " ")) : text_of_counts(counts),
-        reason));
+                                             verbose ? "" : ", which odeum list solvers names")};
+  if (!verbose) return lines;
+  lines.push_back(fmt::format("  {}", fmt::join(fitting, " ")));
+  for (const auto& [reason, ids] : unfit)
+    lines.push_back(fmt::format("unfit      {}: {}", fmt::join(ids, " "), reason));
   return lines;
+}
+
+std::vector<std::string> those_that_fit(const Entrants& entrants, const RunOptions& options,
+                                        bool say) {
+  const bool step = options.settings.step || options.settings.steps;
+  std::vector<std::string> fitting, lines;
+  for (const std::string& id : options.solvers) {
+    const Entrant* const entrant =
+        entrants.find(id.find('/') == std::string::npos ? "odeum/" + id : id);
+    std::string reason;
+    if (entrant) reason = entrant->unfit;
+    if (entrant && reason.empty() && step && !entrant->info.fixed)
+      reason = "runs to a tolerance only";
+    if (entrant && reason.empty() && options.settings.tolerance && !entrant->info.adaptive)
+      reason = "runs at a fixed step only";
+    if (reason.empty())
+      fitting.push_back(id);
+    else
+      lines.push_back(fmt::format("unfit      {}: {}", entrant->info.id(), reason));
+  }
+  if (fitting.empty()) return options.solvers;
+  if (say)
+    for (const std::string& line : lines) remark(line);
+  return fitting;
 }
 
 namespace {

@@ -22,10 +22,15 @@ struct RunSettings {
   std::optional<std::uint64_t> steps;
   std::optional<Tolerance> tolerance;
   bool absolute_given = false;  ///< by --atol: a case's own thresholds do not hold
+  /// By --atol NAME=A, of components by their names.
+  std::vector<std::pair<std::string, double>> named_absolute;
   std::optional<double> until;
   std::optional<double> every;  ///< between outputs
 };
 
+/// A number with what may follow it: `4ms`, `1/60`. Throws UsageError.
+double number_of(const char* option, const std::string& text,
+                 const std::map<std::string, double>& units);
 /// Throws UsageError for a value of an option that is not positive and finite.
 void require_positive(const char* option, double value);
 /// Adds --step, --tol, --rtol and --atol.
@@ -71,9 +76,14 @@ struct RunOptions {
   std::size_t frames = 0;  ///< pictures of a scene's run; 0: none
 };
 
-/// The number of solvers that fit, by library and family, and of the others by reason, in lines;
-/// `verbose` adds their ids.
+/// The number of solvers that fit, in a line; `verbose` adds their ids, and those of the others by
+/// reason.
 std::vector<std::string> describe_fits(const Entrants& entrants, bool verbose);
+
+/// The solvers that fit the problem and the setting, with a remark for each other unless `say` is
+/// false; all of them where none does.
+std::vector<std::string> those_that_fit(const Entrants& entrants, const RunOptions& options,
+                                        bool say = true);
 
 /// Runs a scene with each solver, prints the model and the results, writes the files. Returns the
 /// exit code.

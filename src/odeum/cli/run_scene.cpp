@@ -126,17 +126,19 @@ std::pair<std::string, bool> text_of_errors(const SceneRun& run, const SceneProb
 }
 
 /// Prints the errors of the runs that ended well; false: each of them has diverged.
-bool print_errors(const std::vector<SceneRun>& runs, const Scene& scene,
-                  const std::shared_ptr<const SceneProblem>& problem, const std::string& text) {
-  if (!scene.emitters.empty()) {
-    print("error      unknown: particles are emitted, and no truth is computed for that\n");
-    return true;
-  }
+bool print_errors(const std::vector<SceneRun>& runs, const Scene& scene, const std::string& text) {
   std::vector<const scene::RunResult*> ended;
   for (const SceneRun& run : runs)
     if (run.outcome.status == Status::ok) ended.push_back(&run.outcome);
   const std::vector<double> times = trajectories::times_to_judge(ended);
   if (times.empty()) return true;
+  std::shared_ptr<const SceneProblem> problem;
+  try {
+    problem = cases::whole_problem(scene, times.back(), scene.name);
+  } catch (const InputError& error) {
+    print("error      unknown: {}\n", error.what());
+    return true;
+  }
   const cases::TextTruth known = cases::scene_truth(problem, times, text, scene.name);
   print("truth      {}\n", known.words);
   bool any_close = false;
@@ -153,6 +155,8 @@ std::string text_of(const Lines& lines) { return fmt::format("{}\n", fmt::join(l
 
 RunSettings settings_of(const RunOptions& options, const Scene& scene) {
   RunSettings settings = options.settings;
+  if (!settings.named_absolute.empty())
+    throw UsageError("--atol: got a name, expected a number for a scene, which has no names");
   if (settings.tolerance && settings.tolerance->by_component())
     throw UsageError(
         "--atol: got {} numbers, expected one for a scene, whose particles may change in number",
@@ -172,12 +176,6 @@ const Entrant& choose(const Entrants& entrants, const std::string& solver, const
     throw UsageError("{}: {}; got {}, expected a solver that fits", scene.solver->where,
                      error.what(), shown(scene.solver->type));
   }
-}
-
-// The stem of a file's name, for a scene without a name.
-std::string name_of(const Scene& scene, const std::string& file) {
-  const std::string name = report::plain(scene.name);
-  return name.empty() ? report::plain(std::filesystem::path(file).stem().string()) : name;
 }
 
 SceneRun run_one(const Scene& scene, const Entrant& entrant, const RunSettings& settings) {
@@ -220,13 +218,15 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
              const std::string& source_text, const RunOptions& options) {
   Scene scene = read.scene;
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-  scene.name = name_of(scene, source.file);
+  scene.name = report::plain(scene.name);
+  if (scene.name.empty())
+    scene.name = report::plain(std::filesystem::path(source.file).stem().string());
   const auto whole = std::make_shared<const SceneProblem>(scene::at_start(scene));
   const auto entrants = cases::enroll_scene(whole);
   const RunSettings settings = settings_of(options, scene);
   set_frame_interval(scene, options, settings);
   std::vector<const Entrant*> chosen;
-  for (const std::string& solver : options.solvers)
+  for (const std::string& solver : those_that_fit(entrants, options))
     chosen.push_back(&choose(entrants, solver, scene));
   if (chosen.empty()) chosen.push_back(&choose(entrants, "", scene));
   for (const Entrant* entrant : chosen)
@@ -254,7 +254,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
       excess = trajectories::excess_of_energy(scene, one.outcome);
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
-    if (one.outcome.status != Status::ok && scene.emitters.empty())
+    if (one.outcome.status != Status::ok)
       print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
             entrant->info.id(), setting_words(one.request));
     any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty());
@@ -271,7 +271,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     print("files      {}\n", (folder->path() / "index.html").string());
   }
   // After the files, since it may take longer than the runs.
-  if (options.truth) any_ok = print_errors(runs, scene, whole, source_text) && any_ok;
+  if (options.truth) any_ok = print_errors(runs, scene, source_text) && any_ok;
   return any_ok ? success : solver_failed;
 }
 

@@ -49,6 +49,7 @@ Analysis analyse(Problem& problem) {
     if (has_kinks(graph[id].op)) s.smooth = false;
   analysis.jacobian = gradients(graph, problem.equations, n);
   analysis.time_derivative.assign(n, graph.constant(0));
+  std::vector<Id> varying;  // entries of the Jacobian
   for (std::uint32_t row = 0; row < n; ++row) {
     std::vector<Entry>& entries = analysis.jacobian[row];
     if (!entries.empty() && entries.back().by == n) {
@@ -58,13 +59,15 @@ Analysis analyse(Problem& problem) {
     }
     s.entries += entries.size();
     for (const Entry& entry : entries) {
-      s.linear = s.linear && graph.is_constant(entry.value);
+      if (!graph.is_constant(entry.value)) varying.push_back(entry.value);
       if (entry.by < row) s.lower = std::max<std::size_t>(s.lower, row - entry.by);
       if (entry.by > row) s.upper = std::max<std::size_t>(s.upper, entry.by - row);
     }
   }
-  // A condition or sign(t) has no derivative, and is no linear problem either.
-  s.linear = s.linear && s.smooth;
+  // A condition or sign(t) has no derivative, and is no linear problem either. Coefficients of a
+  // linear one may depend on t.
+  s.linear = s.smooth && std::ranges::none_of(graph.needed(varying),
+                                              [&](Id id) { return graph[id].op == Op::state; });
   if (s.autonomous) analysis.time_derivative.clear();
   find_second_order(problem, analysis, s);
   if (s.smooth) {

@@ -75,27 +75,37 @@ Brought brought_by(const scene::Scene& scene, const std::vector<scene::Particle>
 SceneErrors scene_errors(const SceneProblem& problem, const scene::RunResult& run,
                          const Truth& truth) {
   SceneErrors errors;
-  std::vector<double> exact(problem.size());
-  errors.size = cases::extent_of(problem.start().data(), problem.particles());
+  const std::size_t n = problem.size() / 2;
+  std::vector<double> exact(2 * n), there;
+  const auto apart = [](const double* a, const double* b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
   for (const scene::Frame& frame : run.frames) {
-    if (!(frame.t > 0) || frame.y.size() != exact.size() || !truth.at(frame.t, exact.data()))
+    if (!(frame.t > 0)) {
+      errors.size = cases::extent_of(frame.y.data(), frame.ids.size());
       continue;
-    errors.size = std::max(errors.size, cases::extent_of(exact.data(), problem.particles()));
+    }
+    if (frame.ids.empty() || !truth.at(frame.t, exact.data())) continue;
     double largest = 0, sum = 0;
     std::size_t free = 0;
-    for (std::size_t i = 0; i < problem.particles(); ++i) {
-      if (!problem.bodies().free(i)) continue;
-      const double* const a = frame.y.data() + 3 * i;
+    there.clear();
+    for (std::size_t k = 0; k < frame.ids.size(); ++k) {
+      const std::size_t i = frame.ids[k];
       const double* const b = exact.data() + 3 * i;
-      const double apart = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+      there.insert(there.end(), b, b + 3);
+      if (!problem.bodies().free(i)) continue;
+      const double error = apart(frame.y.data() + 3 * k, b);
       // A single particle has no extent: its way stands for it.
-      const double* const start = problem.start().data() + 3 * i;
-      errors.size =
-          std::max(errors.size, std::hypot(b[0] - start[0], b[1] - start[1], b[2] - start[2]));
-      largest = std::max(largest, apart);
-      sum += apart;
+      scene::Vec3 start{};
+      const double birth = problem.lives().empty() ? 0 : std::max(problem.lives()[i].birth, 0.0);
+      for (std::size_t d = 0; d < 3; ++d)
+        start[d] = problem.start()[3 * i + d] + birth * problem.start()[n + 3 * i + d];
+      errors.size = std::max(errors.size, apart(b, start.data()));
+      largest = std::max(largest, error);
+      sum += error;
       ++free;
     }
+    errors.size = std::max(errors.size, cases::extent_of(there.data(), frame.ids.size()));
     errors.until = frame.t;
     errors.end_largest = largest;
     errors.end_mean = free == 0 ? 0 : sum / static_cast<double>(free);

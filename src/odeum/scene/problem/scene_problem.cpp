@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "odeum/linear/conjugate_gradients.hpp"
 #include "odeum/scene/model/momentum.hpp"
@@ -76,11 +77,12 @@ class ProductSink final : public BlockSink {
 
 }  // namespace
 
-SceneProblem::SceneProblem(const Scene& scene)
+SceneProblem::SceneProblem(const Scene& scene, std::vector<Lifetime> lives)
     : gravity_(scene.gravity),
       start_(start_of(scene)),
       springs_("springs", springs_of(scene, false)),
-      scene_(std::make_shared<const Scene>(scene)) {
+      scene_(std::make_shared<const Scene>(scene)),
+      lives_(std::move(lives)) {
   require_sound(scene);
   bool any_radius = false;
   for (const Particle& particle : scene.particles) {
@@ -123,6 +125,7 @@ void SceneProblem::describe(const Scene& scene) {
   }
   if (s.kernel.empty()) s.kernel = "none: no springs";
   s.separable = s.linear = true;
+  s.smooth = lives_.empty();
   for (const TermInfo& info : s.terms) {
     s.separable &= !info.velocity_dependent;
     s.linear &= info.linear;
@@ -131,7 +134,7 @@ void SceneProblem::describe(const Scene& scene) {
   s.closed_form = scene.springs.empty() && terms_.empty();
 }
 
-void SceneProblem::acceleration(double, const double* q, const double* v, double* a) const {
+void SceneProblem::acceleration(double t, const double* q, const double* v, double* a) const {
   if (!v) v = q;  // no force depends on it: any finite numbers do
   if (grid_) {
     on_grid(grid_->layout(), {q, v}, a, [&](const double* gq, std::size_t n, double* force) {
@@ -151,6 +154,7 @@ void SceneProblem::acceleration(double, const double* q, const double* v, double
     const double free = bodies_.free(i) ? 1 : 0;
     for (std::size_t d = 0; d < 3; ++d)
       a[3 * i + d] = a[3 * i + d] * bodies_.inverse_mass[i] + free * gravity_[d];
+    if (!acts(i, t)) std::fill_n(a + 3 * i, 3, 0.0);
   }
 }
 
@@ -211,7 +215,8 @@ std::uint64_t SceneProblem::damp_edges(double h, double* v, double relative) con
   return cg.products();
 }
 
-void SceneProblem::jacobian_times(double, const double* y, const double* x, double* product) const {
+void SceneProblem::jacobian_times(double t, const double* y, const double* x,
+                                  double* product) const {
   const std::size_t n = size() / 2;
   double* const change = product + n;
   std::copy_n(x + n, n, product);
@@ -227,7 +232,7 @@ void SceneProblem::jacobian_times(double, const double* y, const double* x, doub
     springs_.add_blocks(bodies_, y, y + n, sink);
   }
   for (const auto& term : terms_) term->add_blocks(bodies_, y, y + n, sink);
-  for (std::size_t i = 0; i < n; ++i) change[i] *= bodies_.inverse_mass[i / 3];
+  for (std::size_t i = 0; i < n; ++i) change[i] *= acts(i / 3, t) ? bodies_.inverse_mass[i / 3] : 0;
 }
 
 void SceneProblem::blocks(const double* q, const double* v, BlockSink& sink) const {
@@ -258,12 +263,17 @@ Vec3 SceneProblem::angular_momentum(const double* y) const {
   return scene::angular_momentum(bodies_.mass, y);
 }
 
+// The force acts for a time `under`, and `after` that the particle flies on.
 void SceneProblem::closed_form(double t, const double* y0, double* y) const {
   const std::size_t n = size() / 2;
   for (std::size_t k = 0; k < n; ++k) {
+    const Lifetime life = lives_.empty() ? Lifetime{} : lives_[k / 3];
+    const double birth = std::max(life.birth, 0.0);
+    const double under = std::clamp(t - birth, 0.0, life.death - birth);
+    const double after = std::max(t - birth, 0.0) - under;
     const double g = bodies_.free(k / 3) ? gravity_[k % 3] : 0;
-    y[k] = y0[k] + t * (y0[n + k] + t * g / 2);
-    y[n + k] = y0[n + k] + t * g;
+    y[k] = y0[k] + t * y0[n + k] + under * g * (under / 2 + after);
+    y[n + k] = y0[n + k] + under * g;
   }
 }
 

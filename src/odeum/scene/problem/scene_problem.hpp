@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/extended_problem.hpp"
 #include "odeum/problem/shifted_solver.hpp"
+#include "odeum/scene/model/emission.hpp"
 #include "odeum/scene/model/scene.hpp"
 #include "odeum/scene/model/terms.hpp"
 #include "odeum/scene/springs/grid_cloth.hpp"
@@ -20,15 +22,15 @@ struct Structure {
   std::size_t particles = 0, fixed = 0;
   bool separable = false;    ///< the acceleration does not depend on the velocity
   bool linear = false;       ///< in positions and velocities
-  bool smooth = true;        ///< neither contacts nor tension-only springs
+  bool smooth = true;        ///< neither contacts, tension-only springs nor lifetimes
   bool closed_form = false;  ///< free particles under a constant force
   std::string kernel;        ///< how the springs are computed
 };
 
 /// A scene compiled to exactly the terms that it declares, as q'' = a(q, v): all positions x y z,
-/// then all velocities, 6 entries a particle; fixed particles do not move. It does not depend on
-/// time. Springs that form a regular grid are computed by gathering (GridSprings), others edge by
-/// edge.
+/// then all velocities, 6 entries a particle; fixed particles do not move. It depends on time only
+/// where particles have lifetimes, outside of which no force acts on them. Springs that form a
+/// regular grid are computed by gathering (GridSprings), others edge by edge.
 class SceneProblem {
  public:
   static constexpr std::size_t dimension = dynamic;
@@ -36,8 +38,9 @@ class SceneProblem {
   bool depends_on_velocity() const { return !structure_.separable; }
 
   /// Throws std::invalid_argument for a spring end that is no particle, a mass that is not positive
-  /// on a free particle, a velocity on a fixed one, or a velocity_matrix.
-  explicit SceneProblem(const Scene& scene);
+  /// on a free particle, a velocity on a fixed one, or a velocity_matrix. `lives`: of each particle
+  /// (see WholeScene); empty: all are there all the time.
+  explicit SceneProblem(const Scene& scene, std::vector<Lifetime> lives = {});
 
   const Structure& structure() const { return structure_; }
   std::size_t particles() const { return bodies_.size(); }
@@ -50,6 +53,11 @@ class SceneProblem {
   }
   /// v may be null where the scene is separable.
   void acceleration(double t, const double* q, const double* v, double* a) const;
+  bool offers_time_derivative() const { return !lives_.empty(); }
+  /// 0, since the forces jump.
+  void time_derivative(double, const double*, double* dfdt) const {
+    std::fill_n(dfdt, size(), 0.0);
+  }
   void jacobian_times(double t, const double* y, const double* x, double* product) const;
   /// Conjugate gradients on a grid, otherwise a sparse direct solver.
   std::unique_ptr<ShiftedSolver> shifted_solver() const;
@@ -60,7 +68,7 @@ class SceneProblem {
   bool symmetric() const { return terms_.empty(); }
 
   /// See WithDamping; for springs that damp the whole relative velocity, and no other damping.
-  bool offers_damp() const { return symmetric() && !structure_.separable; }
+  bool offers_damp() const { return symmetric() && !structure_.separable && lives_.empty(); }
   bool offers_undamped_acceleration() const { return offers_damp(); }
   void undamped_acceleration(double t, const double* q, double* a) const;
   std::uint64_t damp(double t, const double* q, double h, double* v, double relative) const;
@@ -82,7 +90,11 @@ class SceneProblem {
   /// The scene that it was compiled from, for physics engines.
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
   /// Whether it has no terms other than gravity and `springs`.
-  bool plain() const { return terms_.empty(); }
+  bool plain() const { return terms_.empty() && lives_.empty(); }
+  const std::vector<Lifetime>& lives() const { return lives_; }
+  bool acts(std::size_t particle, double t) const {
+    return lives_.empty() || lives_[particle].holds(t);
+  }
   /// Evaluations are counted there from now on.
   void count_into(Tally* tally) { tally_ = tally; }
 
@@ -97,6 +109,7 @@ class SceneProblem {
   std::optional<GridCloth<double>> grid_;
   std::vector<std::unique_ptr<Term>> terms_;  ///< beside gravity and springs_
   std::shared_ptr<const Scene> scene_;
+  std::vector<Lifetime> lives_;
   Structure structure_;
   Tally* tally_ = nullptr;
 };

@@ -7,7 +7,7 @@
 //
 //     A x_v = M r_v + g K r_q,   A = M - g D - g^2 K.
 //
-// Fixed particles have x_v = r_v; their columns are on the right side.
+// Particles without a force, fixed or not there, have x_v = r_v; their columns are on the right.
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -68,7 +68,8 @@ class SparseShiftedSolver final : public ShiftedSolver {
         known_(n_, n_),
         right_(n_) {}
 
-  bool factorise(double, const double* y, double gamma_h) override {
+  bool factorise(double t, const double* y, double gamma_h) override {
+    t_ = t;
     g_ = gamma_h;
     if (!finite(y, problem_.size())) return false;
     Entries position, velocity, all, known;
@@ -107,7 +108,8 @@ class SparseShiftedSolver final : public ShiftedSolver {
 
  private:
   bool moves(Eigen::Index row) const {
-    return problem_.bodies().free(static_cast<std::size_t>(row) / 3);
+    const std::size_t i = static_cast<std::size_t>(row) / 3;
+    return problem_.bodies().free(i) && problem_.acts(i, t_);
   }
   double mass(Eigen::Index row) const {
     return problem_.bodies().mass[static_cast<std::size_t>(row) / 3];
@@ -119,7 +121,7 @@ class SparseShiftedSolver final : public ShiftedSolver {
   Eigen::VectorXd right_;
   Eigen::SimplicialLDLT<Matrix> ldlt_;
   Eigen::SparseLU<Matrix> lu_;
-  double g_ = 0;
+  double t_ = 0, g_ = 0;
   bool bounded_ = false;
 };
 

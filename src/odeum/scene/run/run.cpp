@@ -194,13 +194,6 @@ RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& 
   return Run(scene, setting, solve)();
 }
 
-Scene at_start(const Scene& scene) {
-  Scene result = scene;
-  for (const auto& born : emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
-    result.particles.push_back(born.particle);
-  return result;
-}
-
 double frame_interval(const Scene& scene, double until) {
   constexpr double most_numbers = 2e8;  // of 8 bytes each
   const double interval =

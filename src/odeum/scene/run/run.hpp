@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "odeum/core/outcome.hpp"
+#include "odeum/scene/model/emission.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 
 /// Runs a scene from its start to an end: one solve, or with emitters one solve between any two
@@ -46,21 +47,6 @@ using Solve = std::function<Outcome(const std::shared_ptr<const SceneProblem>&, 
 /// At a fixed step, births and deaths take effect at the end of the step in which they fall. A
 /// method that is not self-starting is restarted in each solve.
 RunResult run_scene(const Scene& scene, const RunSetting& setting, const Solve& solve);
-
-/// An emitted particle, which exists from `birth` to `death`, s.
-struct EmittedParticle {
-  double birth = 0, death = 0;
-  std::size_t emitter = 0;
-  Particle particle;
-};
-
-/// All particles born before `until`, by time of birth (those of one time in the order of their
-/// emitters): number k of an emitter at k / rate, its direction uniform in the cone of `spread`
-/// around the emitter's velocity. The same seed gives the same particles on every machine.
-std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitters, double until);
-
-/// The scene at time 0: with the particles that are emitted then.
-Scene at_start(const Scene& scene);
 
 /// The scene's own frame interval, or the default: 60 a second, at least 100 and at most 1000 in
 /// all. Throws std::length_error where a run until then emits a million particles from one emitter

@@ -63,6 +63,10 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     request.budget.evaluations =
         std::min(request.budget.evaluations, quick ? quick_hard_budget : hard_budget);
   if (quick) request.budget.evaluations /= many ? 32 : 8;
+  // A scene's coarsest steps are those that trial runs need: enough for a ladder from there.
+  if (quick && pair.c->has_tag("scene"))
+    request.budget.evaluations = std::max(request.budget.evaluations,
+                                          64 * share_of(*pair.c, pair.c->settings.coarsest_steps));
   if (pair.mode == Mode::fixed) {
     for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
       request.steps = steps;

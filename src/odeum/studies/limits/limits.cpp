@@ -89,11 +89,10 @@ std::optional<Failure> failure_of(const StiffWindow& window, const Entrant& entr
   Request request;
   request.steps = steps;
   for (int k = 1; k <= 4; ++k) request.stops.push_back(window.c.t0 + window.length * k / 4);
-  request.budget.evaluations = 64 * steps + 1'000;
-  // Some seconds, as foreseen for its case.
-  if (window.sizes.size() > dense_dimension_limit)
-    request.budget.evaluations =
-        std::min(request.budget.evaluations, window.c.settings.evaluation_budget);
+  // Of a large system, whose linear solvers count their products, some seconds as foreseen.
+  request.budget.evaluations = window.sizes.size() > dense_dimension_limit
+                                   ? window.c.settings.evaluation_budget
+                                   : 64 * steps + 1'000;
   const Outcome outcome = entrant.solve(request);
   if (outcome.status != Status::ok) return Failure{to_string(outcome.status), outcome.detail};
   const std::size_t n = window.sizes.size();

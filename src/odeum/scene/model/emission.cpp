@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/scene/model/emission.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-
-#include "odeum/scene/run/run.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -68,6 +69,27 @@ std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitt
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& l, const auto& r) { return l.birth < r.birth; });
   return all;
+}
+
+Scene at_start(const Scene& scene) {
+  Scene result = scene;
+  for (const auto& born : emitted_particles(scene.emitters, std::numeric_limits<double>::min()))
+    result.particles.push_back(born.particle);
+  return result;
+}
+
+WholeScene with_all_particles(Scene scene, double until) {
+  WholeScene whole;
+  whole.lives.resize(scene.size());
+  for (const EmittedParticle& one : emitted_particles(scene.emitters, until)) {
+    Particle particle = one.particle;
+    for (std::size_t d = 0; d < 3; ++d) particle.position[d] -= one.birth * particle.velocity[d];
+    scene.particles.push_back(particle);
+    whole.lives.push_back({one.birth, one.death});
+  }
+  scene.emitters.clear();
+  whole.scene = std::move(scene);
+  return whole;
 }
 
 }  // namespace odeum::scene
