@@ -82,7 +82,8 @@ class ForceEngine final : public ClassicEngine {
 };
 
 /// The adapter applies springs and uniform forces; contacts are Bullet's own: a node that is nearer
-/// to a solid than the margin is projected out of it, with friction and without a rebound.
+/// to a solid than the margin is projected out of it, without a rebound; friction takes its
+/// coefficient of the sliding at each step.
 class CollisionEngine final : public ClassicEngine {
  public:
   CollisionEngine(const scene::Scene& scene, const std::vector<double>& state)

@@ -40,7 +40,8 @@ const Method methods[] = {
      {}},
     {"soft_body_collision",
      "as soft_body_force, but contacts are fCollision::SDF_RS, a model of its own: nodes are "
-     "projected out of rigid bodies, with friction and without a rebound",
+     "projected out of rigid bodies without a rebound, and friction takes its coefficient of the "
+     "sliding at each step",
      no_claim,
      true,
      objection_of_collision,

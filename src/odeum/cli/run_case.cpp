@@ -187,8 +187,8 @@ FirstRuns run_before_truth(RunOptions options) {
     const Outcome outcome = run.entrant->solve(run.request);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     remark(
-        "first      {}: {} at t = {:.6g} after {} evaluations, {:.3g} s of the processor; its "
-        "error follows when the truth is known",
+        "first      {}: {} at t = {:.6g} after {} evaluations, {:.3g} s of the processor; the "
+        "truth is computed now",
         id, to_string(outcome.status), outcome.t, outcome.counters.rhs_evaluations, seconds);
     runs[id] = {run.request, outcome};
   }

@@ -2,7 +2,6 @@
 // References of scenes, with emitted particles each by itself.
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include "odeum/core/parallel.hpp"
@@ -92,7 +91,8 @@ Reference reference_of(const Problem& problem, const std::vector<double>& times)
   if (problem->lives().empty()) return compute_reference(system_of(problem), times, {});
   const std::vector<Part> parts = parts_of(*problem);
   std::vector<std::unique_ptr<Motion>> motions(parts.size());
-  parallel_for(parts.size(), std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t i) {
+  constexpr unsigned at_once = 2;  // each reference runs up to three methods at once
+  parallel_for(parts.size(), at_once, [&](std::size_t i) {
     motions[i] = std::make_unique<Motion>(*problem, parts[i], times);
   });
   Reference whole;
