@@ -175,7 +175,7 @@ using FirstRuns = std::map<std::string, std::pair<Request, Outcome>>;
 FirstRuns run_before_truth(RunOptions options) {
   const RunSettings& settings = options.settings;
   const bool complete = settings.step || settings.steps || settings.absolute_given;
-  if (options.solvers.empty() || options.format == "json" || !complete) return {};
+  if (options.solvers.empty() || options.format == "json" || options.code || !complete) return {};
   const std::optional<Case> c = load_before_truth(options.what, options.problems);
   if (!c) return {};
   options.settings = settings_for(*c, settings);
