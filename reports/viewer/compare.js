@@ -7,7 +7,7 @@
     html, save, csv, wide, number, notDrawnText, plural, rangeOf, plot, vertical, horizontal,
     duration, tellRun, facts, runsOf, most, sensible, measuredCases, loadCase, writeAddress,
     showAgain, toldApart, curveOf, select, choices, colourOf, front, finder, readAddress, nameOfRun,
-    showRun,
+    showRun, statusText,
   } = odeum;
 
   // curves
@@ -17,12 +17,15 @@
     'case', 'library', 'solver', 'mode', 'setting', 'x', 'y', 'rhs_evaluations', 'steps', 'status',
     'detail',
   ];
+  // What stands beside a status: of a success that diverged, or whose answer is wrong, that it is.
+  const detailOf = (run) =>
+    statusText(run, facts.caseOf.get(run.case).scale).replace(/^[a-z_]+(: |, but )?/, '');
   const tableRows = (curves) =>
     curves.flatMap((curve) =>
       curve.points.map((p) => [
         p.run.case, p.run.library, p.run.solver, p.run.mode,
         p.run.mode === 'fixed' ? p.run.step : p.run.tolerance, p.x, p.y, p.run.rhs_evaluations,
-        p.run.steps, p.run.status, p.run.detail,
+        p.run.steps, p.run.status, detailOf(p.run),
       ]),
     );
   const numbersBehind = (curves, choice) =>

@@ -24,7 +24,7 @@
     const text = `${run.status}${run.detail ? `: ${run.detail}` : ''}`;
     if (run.status !== 'ok') return text;
     if (run.answer === 'wrong') return `${text}, but a wrong answer: ${run.answer_reason}`;
-    return (run.error_max ?? run.result) > size
+    return (run.error_max ?? run.error ?? run.result) > size
       ? `${text}, but diverged: its error exceeds the solution's size, ${number(size)}`
       : text;
   };

@@ -29,6 +29,11 @@ execute_process(COMMAND ${NODE} ${ROOT}/tests/viewer/page.mjs ${CHROMIUM} ${FOLD
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "the page does not hold what it should")
 endif()
+# Thirty of its sentences with numbers, picked at random, equal their rows.
+execute_process(COMMAND ${NODE} ${ROOT}/tests/viewer/sentences.mjs ${CHROMIUM} ${FOLDER} RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "a sentence of the page does not say what its rows do")
+endif()
 # The commands that it prints make its runs again (scripts/reproduce).
 execute_process(COMMAND ${NODE} ${ROOT}/scripts/viewer/reproduce.mjs ${CHROMIUM} ${FOLDER} ${ODEUM} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)

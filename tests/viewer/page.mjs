@@ -324,6 +324,14 @@ const checks = {
     const fastest = Math.max(...facts.cases.find((c) => c.id === 'robertson_40').eigenvalues.map(([re]) => -re));
     near(Number(step), limit / fastest, 0.05, `two digits of the step in: ${tip}`);
   },
+  async 'a run that diverged is not ok alone'() {
+    const { id, scale } = facts.cases.find((c) => c.id === 'damped_oscillator_underdamped');
+    await browser.go(`${address}#compare?case=${id}&x=step&show=odeum/explicit_euler:fixed`);
+    await drawn();
+    const off = (await table()).filter((cells) => cells[9] === 'ok' && Number(cells[6]) > scale);
+    hold(off.length > 0, 'explicit Euler diverged at no step');
+    for (const cells of off) hold(cells[10].startsWith('diverged: '), `${cells}`);
+  },
   async 'every chart has a description, and its view a table'() {
     for (const view of ['answers', 'compare', 'regions']) {
       await browser.go(`${address}#${view}`);
