@@ -152,5 +152,53 @@ TEST(OrderFit, AnErrorThatPassesThroughZeroIsNoFloor) {
   EXPECT_EQ(stays.verdict, Verdict::floors) << stays.reason;
 }
 
+OrderFit fit_adaptive(const std::vector<ErrorPoint>& points, double claimed) {
+  return fit_order(points, claimed, adaptive_tolerance(claimed));
+}
+
+// A control with a wrong exponent leaves the order in the steps taken as it is.
+TEST(OrderDenial, AControlThatRejectsTwoOfFiveTriesConfirmsNothing) {
+  auto points = ladder(1.6, 8, [](double h) { return 1e-3 * std::pow(h, 5); });
+  const auto reject = [&](double share) {
+    for (ErrorPoint& point : points) point.rejected = share / (1 - share) * point.steps;
+  };
+  reject(0.31);  // the most that sound ones were seen to
+  EXPECT_EQ(fit_adaptive(points, 5).verdict, Verdict::confirmed);
+  reject(0.42);
+  const OrderFit fit = fit_adaptive(points, 5);
+  EXPECT_EQ(fit.verdict, Verdict::undetermined);
+  EXPECT_EQ(fit.why, NoOrder::rejections) << fit.reason;
+  EXPECT_NEAR(fit.order, 5, 1e-9);
+  // At one tolerance alone it says nothing, nor at a fixed step.
+  points.back().rejected = 0;
+  EXPECT_EQ(fit_adaptive(points, 5).verdict, Verdict::confirmed);
+  points.back().rejected = points.back().steps;
+  EXPECT_EQ(fit_fixed(points, 5).verdict, Verdict::confirmed);
+}
+
+TEST(OrderDenial, TolerancesThatDoNotResolveTheSolutionShowNoFloor) {
+  const auto level = [](double size) {
+    return ladder(1.8, 6, [size](double h) { return size * (1 + 0.01 * h); });
+  };
+  EXPECT_EQ(fit_adaptive(level(0.8), 1).verdict, Verdict::undetermined);
+  EXPECT_EQ(fit_adaptive(level(0.01), 1).verdict, Verdict::floors);
+  EXPECT_EQ(fit_fixed(level(0.8), 1).verdict, Verdict::floors);
+}
+
+// An error that passes through zero, and four slopes after it.
+TEST(OrderDenial, ADipOfTheErrorIsNoLowerOrder) {
+  std::vector<double> steps{0.4, 0.3, 0.22, 0.16, 0.12, 0.09, 0.07, 0.055, 0.042, 0.033};
+  std::vector<ErrorPoint> points = ladder(1.3, 10, [](double) { return 0.0; });
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double h = steps[k];
+    points[k].step = h, points[k].steps = 10 / h;
+    // Of order 5.5 down to the sixth; then smaller by chance, and from there on of order 3.5.
+    points[k].error =
+        k < 6 ? 0.01 * std::pow(h, 5.5) : 0.01 * std::pow(0.09, 5.5) / 30 * std::pow(h / 0.07, 3.5);
+  }
+  const OrderFit fit = fit_adaptive(points, 5);
+  EXPECT_EQ(fit.verdict, Verdict::undetermined) << fit.reason;
+}
+
 }  // namespace
 }  // namespace odeum::judge

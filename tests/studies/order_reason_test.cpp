@@ -2,6 +2,7 @@
 // What a verdict on an order says beyond its fit, and the cases that have to show one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -79,13 +80,36 @@ TEST(OrderReason, StiffSpringsShowTheOrdersOfImplicitMethodsToo) {
   }
 }
 
-// A dense matrix of 726 unknowns is refused before the first evaluation: no budget helps.
-TEST(OrderReason, ARefusedMatrixIsNoBudgetThatEnds) {
-  for (const Entrant& entrant : find_case("cloth11_two_way_k1e3").entrants)
-    if (entrant.info.id() == "gsl/rk4imp") {
-      EXPECT_EQ(order_of(find_case("cloth11_two_way_k1e3"), "gsl/rk4imp").why,
-                judge::NoOrder::refused);
-    }
+// A dense matrix of 726 unknowns is refused before the first evaluation: no budget helps, and there
+// is no order to judge.
+TEST(OrderReason, ARefusedMatrixDoesNotApply) {
+  const Case& c = find_case("cloth11_two_way_k1e3");
+  if (!c.entrants.find("gsl/rk4imp")) GTEST_SKIP() << "without GSL";
+  const judge::OrderFit fit = order_of(c, "gsl/rk4imp");
+  EXPECT_EQ(fit.verdict, judge::Verdict::not_applicable);
+  EXPECT_NE(fit.reason.find("needs a dense Jacobian of 726 unknowns"), std::string::npos)
+      << fit.reason;
+}
+
+// Three tolerances are too few; what lies between them is cheaper than the next one.
+TEST(OrderReason, AnOpenOrderToAToleranceGetsTolerancesBetween) {
+  Case c = growth(Growth());
+  c.settings.evaluation_budget = 1'000;
+  const study::CaseMeasures measures{.gain = judge::perturbation_gain(c),
+                                     .amplification = judge::measure_amplification(c, c.stops)};
+  const Entrant& entrant = find_entrant(c, "odeum/explicit_euler");
+  const auto result = study::converge_pair({&c, &entrant, Mode::adaptive}, measures, false);
+  EXPECT_EQ(result.orders.front().fit.verdict, judge::Verdict::confirmed)
+      << result.orders.front().fit.reason;
+  std::vector<double> tolerances;
+  for (const study::ConvergenceRow& row : result.rows) tolerances.push_back(row.tolerance);
+  EXPECT_TRUE(std::is_sorted(tolerances.rbegin(), tolerances.rend())) << "from loose to tight";
+  EXPECT_NE(std::find_if(tolerances.begin(), tolerances.end(),
+                         [](double t) { return std::abs(t / std::sqrt(1e-7) - 1) < 1e-9; }),
+            tolerances.end())
+      << "halfway between 1e-3 and 1e-4";
+  const auto quick = study::converge_pair({&c, &entrant, Mode::adaptive}, measures, true);
+  EXPECT_LT(quick.rows.size(), result.rows.size()) << "a quick study adds none";
 }
 
 }  // namespace

@@ -28,6 +28,10 @@ void merge_same_steps(std::vector<ErrorPoint>& points);
 /// and grows with the number of steps, or with its square in recurrences of second differences.
 bool is_exact(const std::vector<ErrorPoint>& points);
 
+/// How many of the tries were rejected at the finest two points: the lesser share; 0 of fewer
+/// points.
+double rejected_share(const std::vector<ErrorPoint>& points);
+
 /// A power law C h^p through points, by least squares in the logarithms.
 struct PowerLaw {
   double order = 0;       ///< p
@@ -38,6 +42,9 @@ struct PowerLaw {
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n);
 
 double local_slope(const ErrorPoint& coarse, const ErrorPoint& fine);
+/// To point `end` - 1 from the first whose error is a tenth of the solution at most; NaN where that
+/// has less than twice its step.
+double slope_of_resolved(const std::vector<ErrorPoint>& points, std::size_t end);
 /// To point `fine` from the next whose step is so much coarser that noise does not dominate; from
 /// the coarsest where there is none.
 double local_slope_to(const std::vector<ErrorPoint>& points, std::size_t fine);
@@ -100,8 +107,8 @@ struct ErrorFloor {
 
 /// Finds the floor of points [0, end): the longest run of at least three finest points whose errors
 /// fall more slowly than a quarter of an order, though the claimed order would have them fall by
-/// the square of `stray`. Four points that stay level also count. None where errors are of the size
-/// of the solution; `first` is then `end`.
+/// the square of `stray`. Four points that stay level also count. None where errors are of the
+/// size of the solution; `first` is then `end`.
 ErrorFloor find_floor(const std::vector<ErrorPoint>& points, std::size_t end, double claimed_order,
                       double stray);
 

@@ -16,9 +16,10 @@ const char* to_string(Verdict verdict) {
 }
 
 const char* to_string(NoOrder why) {
-  return text_of_enumerator<NoOrder::denied>(
-      why, {"", "refused", "newton_failed", "step_too_small", "unstable", "over_budget",
-            "budget_ends", "few_solved", "few_points", "wide_interval", "unsettled", "denied"});
+  return text_of_enumerator<NoOrder::rejections>(
+      why,
+      {"", "refused", "newton_failed", "step_too_small", "unstable", "over_budget", "budget_ends",
+       "few_solved", "few_points", "wide_interval", "unsettled", "denied", "rejections"});
 }
 
 }  // namespace odeum::judge

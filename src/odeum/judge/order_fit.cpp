@@ -16,6 +16,7 @@ using Points = std::vector<ErrorPoint>;
 // A window's finest step against the finest of all; where slopes before it are; how long it is.
 constexpr double finest_end = 1.65, slopes_before = 4, short_span = 2, long_span = 8;
 constexpr double still_converging = 2;   // above a claim of at least: no error of an order yet
+constexpr double most_rejected = 0.4;    // of the tries at each of the finest two tolerances
 constexpr double two_terms_below = 0.1;  // how far below the claim p may lie, to confirm it
 
 /// One fit of points clear of rounding, from the finest to the verdict.
@@ -56,6 +57,12 @@ class Fitting {
     return fit_;
   }
   OrderFit confirmed() {
+    if (const double share = rejected_share(points_); tolerance_.at_least && share > most_rejected)
+      return undetermined(NoOrder::rejections,
+                          fmt::format("order {:.2f} in the steps taken, but {:.0f} % of the tries "
+                                      "at the finest tolerances are rejected: the step control "
+                                      "does not find the steps that it asks for",
+                                      fit_.order, 100 * share));
     const bool more = fit_.order - claimed_ > tolerance_.order;
     return verdict(Verdict::confirmed,
                    more ? fmt::format("errors fall with order {:.2f} in the mean step, at least "
@@ -231,6 +238,11 @@ class Fitting {
       return undetermined(NoOrder::unsettled,
                           fmt::format("the slope {:.2f} is near {:g} but has not settled there",
                                       fit_.order, claimed_));
+    const double whole = tolerance_.at_least ? slope_of_resolved(points_, window.end()) : nan;
+    if (fit_.order < claimed_ && window.count < fewest_points + 2 && whole >= claimed_)
+      return undetermined(NoOrder::unsettled,
+                          fmt::format("the slope {:.2f} over {} tolerances; {:.2f} over all",
+                                      fit_.order, window.count, whole));
     if (moves_towards(points_, window, claimed_, tolerance_.order) && !denied_by_two_terms())
       return undetermined(
           NoOrder::unsettled,
@@ -260,17 +272,10 @@ class Fitting {
 
 }  // namespace
 
-double ErrorPoint::typical_rounding() const { return rounding_unit * (8 + std::sqrt(steps)); }
-double ErrorPoint::clear_error() const {
-  return std::max(4.0, 10 / std::sqrt(components)) * (typical_rounding() + floor);
-}
-double ErrorPoint::certain_error() const { return 100 * typical_rounding() + 10 * floor; }
-
 OrderFit fit_order(const Points& points, double claimed_order, const FitTolerance& tolerance) {
   OrderFit fit;
-  Points solved;
-  for (const ErrorPoint& point : points)
-    if (std::isfinite(point.error)) solved.push_back(point);
+  Points solved = points;
+  std::erase_if(solved, [](const ErrorPoint& p) { return !std::isfinite(p.error); });
   if (solved.empty()) {
     fit.verdict = Verdict::failed;
     fit.why = NoOrder::few_solved;
@@ -285,8 +290,10 @@ OrderFit fit_order(const Points& points, double claimed_order, const FitToleranc
     return fit;
   }
   merge_same_steps(solved);
-  // An error ten times the solution itself is a blow-up, and says nothing of an order.
-  std::erase_if(solved, [](const ErrorPoint& p) { return p.scale > 0 && p.error > 10 * p.scale; });
+  // An error ten times the solution itself is a blow-up; tolerances may be too loose for a
+  // solution.
+  const double most = tolerance.at_least ? 0.25 : 10;
+  std::erase_if(solved, [&](const auto& p) { return p.scale > 0 && p.error > most * p.scale; });
   return Fitting(std::move(solved), claimed_order, tolerance).conclude();
 }
 

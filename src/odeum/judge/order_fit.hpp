@@ -28,7 +28,8 @@ enum class NoOrder {
   few_points,      ///< too few errors are clear of rounding
   wide_interval,   ///< of the slope
   unsettled,       ///< slopes still move, or lie between whole orders over too few steps
-  denied           ///< by finer steps
+  denied,          ///< by finer steps
+  rejections       ///< of a large share of its tries: its control does not find its steps
 };
 
 const char* to_string(NoOrder why);
@@ -37,8 +38,9 @@ const char* to_string(NoOrder why);
 /// method's.
 struct ErrorPoint {
   double step = 0;
-  double error = 0;  ///< NaN where the solve failed
-  double steps = 0;  ///< how many steps were taken
+  double error = 0;     ///< NaN where the solve failed
+  double steps = 0;     ///< how many steps were taken
+  double rejected = 0;  ///< how many more were tried
   /// What rounding comes to for each root of the number of steps: half a unit in the last place of
   /// the measured state, times what the problem makes of perturbations, see amplification.hpp.
   double rounding_unit = 0;
@@ -116,7 +118,9 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 ///   eight; or they have fallen below the claim. Between whole orders slopes move by 0.17 from one
 ///   halving of the step to the next, so that over few steps any number can be read from them.
 ///   `higher` with an order of NaN: the errors are rounding at all steps.
-/// - `undetermined`: none of these; `failed`: nothing was solved.
+/// - `undetermined`: none of these, or confirmed in the steps taken while two of five tries are
+///   rejected at the finest clear tolerances (no sound control that was measured rejects three of
+///   ten there); `failed`: nothing was solved.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);

@@ -64,6 +64,12 @@ bool fall_to(const std::vector<ErrorPoint>& points, std::size_t end, double orde
 
 }  // namespace
 
+double ErrorPoint::typical_rounding() const { return rounding_unit * (8 + std::sqrt(steps)); }
+double ErrorPoint::clear_error() const {
+  return std::max(4.0, 10 / std::sqrt(components)) * (typical_rounding() + floor);
+}
+double ErrorPoint::certain_error() const { return 100 * typical_rounding() + 10 * floor; }
+
 void merge_same_steps(std::vector<ErrorPoint>& points) {
   constexpr double same = 0.97;  // neighbours on a ladder of steps differ by 20 % at least
   std::vector<ErrorPoint> merged;
@@ -83,6 +89,20 @@ bool is_exact(const std::vector<ErrorPoint>& points) {
     const double growth = std::max(1.0, p.steps / coarsest);
     return p.error <= 100 * p.typical_rounding() * growth * std::sqrt(growth);
   });
+}
+
+double rejected_share(const std::vector<ErrorPoint>& points) {
+  if (points.size() < 2) return 0;
+  const auto share = [](const ErrorPoint& p) { return p.rejected / (p.rejected + p.steps); };
+  return std::min(share(points.back()), share(points[points.size() - 2]));
+}
+
+double slope_of_resolved(const std::vector<ErrorPoint>& points, std::size_t end) {
+  const ErrorPoint& last = points[end - 1];
+  for (const ErrorPoint& point : points)
+    if (point.step > 2 * last.step && !(point.error > 0.1 * point.scale && point.scale > 0))
+      return local_slope(point, last);
+  return nan;
 }
 
 PowerLaw fit_power_law(const ErrorPoint* points, std::size_t n) {

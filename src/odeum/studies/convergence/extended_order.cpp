@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/convergence/extended_order.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
@@ -44,24 +48,47 @@ judge::ErrorPoint measure(const Case& c, const ExtendedRun& run, std::uint64_t s
           .components = static_cast<double>(numbers)};
 }
 
-}  // namespace
-
+/// From runs about and beyond `rounding_steps`. None where the case or the solver has nothing in
+/// extended precision, or long double is double.
 std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t rounding_steps) {
   const Case& c = *pair.c;
   if (!c.extended || !c.extended->truth || !pair.entrant->extended ||
       extended_half_unit >= std::numeric_limits<double>::epsilon() / 2)
     return std::nullopt;
-  // Seven numbers of steps, from before the rounding of double to a third beyond it.
-  std::vector<judge::ErrorPoint> points;
-  for (int k = 0; k < 7; ++k) {
-    const double wanted = 0.65 * static_cast<double>(rounding_steps) * std::pow(1.13, k);
-    const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
-    points.push_back(
-        measure(c, pair.entrant->extended,
-                c.settings.steps_multiple * static_cast<std::uint64_t>(std::max(units, 1LL))));
-  }
   const double claimed = pair.entrant->info.order;
-  return judge::fit_order(points, claimed, judge::fixed_step_tolerance(claimed));
+  // Seven numbers of steps, from before the rounding of double to a third beyond it, or to where
+  // the error is a 500th of what rounding is in double: a quarter of what extended precision adds.
+  const double far = std::pow(500, 1 / std::max(claimed, 2.0));
+  judge::OrderFit fit;
+  for (const auto& [from, to] : {std::pair{0.65, 1.35}, std::pair{0.9, far}}) {
+    std::vector<judge::ErrorPoint> points;
+    for (int k = 0; k < 7; ++k) {
+      const double wanted =
+          from * static_cast<double>(rounding_steps) * std::pow(to / from, k / 6.0);
+      const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
+      points.push_back(
+          measure(c, pair.entrant->extended,
+                  c.settings.steps_multiple * static_cast<std::uint64_t>(std::max(units, 1LL))));
+    }
+    fit = judge::fit_order(points, claimed, judge::fixed_step_tolerance(claimed));
+    if (fit.verdict != judge::Verdict::undetermined) break;
+  }
+  return fit;
+}
+
+}  // namespace
+
+void refit_in_extended_precision(const Pair& pair, std::uint64_t end_of_double,
+                                 judge::OrderFit& fit) {
+  if (fit.verdict != judge::Verdict::undetermined) return;
+  std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
+  // Without a number where no run gave an error, or all of them are rounding.
+  if (!closer || closer->verdict == judge::Verdict::undetermined || std::isnan(closer->order))
+    return;
+  closer->reason =
+      fmt::format("order {:.2f} in extended precision, at steps of {:.2g} to {:.2g}; in double: {}",
+                  closer->order, closer->step_coarsest, closer->step_finest, fit.reason);
+  fit = *closer;
 }
 
 }  // namespace odeum::study

@@ -38,9 +38,10 @@ void explain_failure(const Rows& rows, OrderFit& fit) {
   if (other == rows.end()) {
     // Over any budget, so that it did not begin: a dense matrix of so many unknowns.
     const bool begun = rows.front()->counters.rhs_evaluations > 0;
-    fit.verdict = Verdict::undetermined;
-    fit.why = begun ? NoOrder::over_budget : NoOrder::refused;
-    fit.reason = "no step size could be solved within the budget: " + rows.front()->detail;
+    fit.verdict = begun ? Verdict::undetermined : Verdict::not_applicable;
+    fit.why = begun ? NoOrder::over_budget : NoOrder::none;
+    fit.reason = begun ? "no step size could be solved within the budget: " : "";
+    fit.reason += rows.front()->detail;
     return;
   }
   fit.why = why_failed((*other)->status);
@@ -69,17 +70,16 @@ constexpr OrderClass all_order_classes[] = {
      "A solver that takes this problem: one that is given a dense Jacobian refuses a large "
      "number of unknowns, one with a band or sparse Jacobian, or without any, does not."},
     {NoOrder::over_budget, "over budget at every setting",
-     "More evaluations, as the reason says. Where the case is stiff an explicit method needs "
-     "them for stability alone, and an implicit one does not."},
+     "More evaluations than the reason says."},
     {NoOrder::newton_failed, "Newton's iteration does not converge",
      "A smaller step or a better first guess: an error at these steps says nothing of the "
      "order."},
     {NoOrder::step_too_small, "the step control asks for steps below rounding",
      "Nothing at these tolerances: the solution grows without bound in between, or the error "
-     "estimate cannot be met; explicit methods on stiff cases end so."},
+     "estimate cannot be met."},
     {NoOrder::unstable, "unstable at every step tried",
      "Steps below the method's stability limit divided by the largest eigenvalue (page Largest "
-     "stable step, and the view Stability, for the case), or an implicit method."},
+     "stable step, and the view Stability, for the case)."},
     {NoOrder::budget_ends, "the budget ends before the order shows",
      "The number of evaluations that the reason names."},
     {NoOrder::few_solved, "too few steps are solved",
@@ -92,7 +92,9 @@ constexpr OrderClass all_order_classes[] = {
      "Finer steps: the errors are not yet proportional to a power of the step. Where they are "
      "rounding by then, extended precision."},
     {NoOrder::denied, "a finer run denies the order",
-     "Finer steps, or extended precision where the run denies it near rounding."}};
+     "Finer steps, or extended precision where the run denies it near rounding."},
+    {NoOrder::rejections, "the step control rejects two of five tries",
+     "A control that finds the steps which its estimate of the error allows."}};
 
 }  // namespace
 

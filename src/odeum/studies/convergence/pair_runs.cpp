@@ -89,18 +89,14 @@ class PairRuns {
   /// Runs extra settings where the order is open: finer steps until errors are rounding, else
   /// steps between those run.
   void run_extra_settings(const Request& like) {
+    if (pair_.mode == Mode::adaptive) return run_extra_tolerances(like);
     if (order_is_open() && at_floor_ == 0)
       run_between(settings_beyond(pair_, like, informative_step_counts()), true);
     if (order_is_open())
       run_between(settings_between(pair_, like, informative_step_counts(), at_floor_ > 0), false);
   }
 
-  std::uint64_t steps_of_least_error() const {
-    const auto least = std::min_element(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
-      return std::isfinite(a.point.error) && !(a.point.error >= b.point.error);
-    });
-    return least->row.steps;
-  }
+  std::uint64_t steps_of_least_error() const { return run_of_least_error()->row.steps; }
 
   judge::OrderFit fit() const {
     if (judge_.solution_ends()) {
@@ -133,11 +129,33 @@ class PairRuns {
   }
 
  private:
+  /// Runs to tolerances between those run, and beyond them until errors are rounding.
+  void run_extra_tolerances(const Request& like) {
+    const auto is_open = [&] {
+      const judge::Verdict verdict = fit().verdict;
+      return verdict == judge::Verdict::undetermined || verdict == judge::Verdict::lower;
+    };
+    if (!is_open()) return;
+    std::vector<double> solved;
+    for (const Run& run : runs_)
+      if (std::isfinite(run.point.error)) solved.push_back(run.row.tolerance);
+    if (solved.empty()) return;
+    run_between(tolerances_between(pair_, like, solved), false);
+    if (at_floor_ == 0 && is_open())
+      run_between(tolerances_beyond(pair_, like, solved.back()), true);
+  }
+
   struct Run {
     ConvergenceRow row;
     std::vector<TimeRow> times;
     judge::ErrorPoint point;
   };
+
+  std::vector<Run>::const_iterator run_of_least_error() const {
+    return std::min_element(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
+      return std::isfinite(a.point.error) && !(a.point.error >= b.point.error);
+    });
+  }
 
   bool order_is_open() const {
     const judge::OrderFit now = fit();
@@ -166,20 +184,28 @@ class PairRuns {
     for (const Request& request : requests) {
       const double left = static_cast<double>(request.budget.evaluations) - spent;
       if (foreseen_.work(request) > left) break;
-      std::erase_if(runs_, [&](const Run& run) { return run.row.steps == request.steps; });
+      std::erase_if(runs_, [&](const Run& run) {
+        return pair_.mode == Mode::fixed
+                   ? run.row.steps == request.steps
+                   : std::abs(run.row.tolerance / request.tolerance.relative - 1) < 1e-6;
+      });
       const Outcome outcome = pair_.entrant->solve(request);
       runs_.push_back(measure(request, outcome));
       if (small && until_rounding) spent += static_cast<double>(outcome.counters.work);
+      if (pair_.mode == Mode::adaptive && outcome.status != Status::ok) break;
       if (!until_rounding || !near_rounding(runs_.back().point)) continue;
       at_floor_ = 1;
       break;
     }
+    const auto finer = [&](const Run& a, const Run& b) {
+      return pair_.mode == Mode::fixed ? a.row.steps > b.row.steps
+                                       : a.row.tolerance < b.row.tolerance;
+    };
     std::stable_sort(runs_.begin(), runs_.end(),
-                     [](const Run& a, const Run& b) { return a.row.steps < b.row.steps; });
+                     [&](const Run& a, const Run& b) { return finer(b, a); });
     // Where finer steps than those that the usual budget ended were paid for, it ended nothing.
-    const std::uint64_t solved = steps_of_least_error();
-    std::erase_if(runs_,
-                  [&](const Run& run) { return over_budget(run) && run.row.steps < solved; });
+    const Run least = *run_of_least_error();
+    std::erase_if(runs_, [&](const Run& run) { return over_budget(run) && finer(least, run); });
   }
 
   static bool near_rounding(const judge::ErrorPoint& point) {
@@ -223,6 +249,7 @@ class PairRuns {
     run.point.components = static_cast<double>(judge_.components());
     run.point.floor = pair_.c->truth.floor;
     run.point.steps = static_cast<double>(row.steps);
+    run.point.rejected = static_cast<double>(row.counters.rejected_steps);
     return run;
   }
 
@@ -234,21 +261,6 @@ class PairRuns {
   int at_floor_ = 0;  ///< number of finest runs whose errors no longer fell, near rounding
   Foreseen foreseen_;
 };
-
-/// Extra measurement in extended precision where double does not determine the order, if pair and
-/// case have it.
-void refit_in_extended_precision(const Pair& pair, std::uint64_t end_of_double,
-                                 judge::OrderFit& fit) {
-  if (fit.verdict != judge::Verdict::undetermined) return;
-  std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
-  // Without a number where no run gave an error, or all of them are rounding.
-  if (!closer || closer->verdict == judge::Verdict::undetermined || std::isnan(closer->order))
-    return;
-  closer->reason =
-      fmt::format("order {:.2f} in extended precision, at steps of {:.2g} to {:.2g}; in double: {}",
-                  closer->order, closer->step_coarsest, closer->step_finest, fit.reason);
-  fit = *closer;
-}
 
 }  // namespace
 
@@ -272,8 +284,9 @@ ConvergenceResult converge_pair(const Pair& pair, const CaseMeasures& measures, 
   PairRuns runs(pair, measures);
   const std::vector<Request> requests = convergence_settings(pair, quick);
   runs.run_until_rounding(requests);
-  if (quick || pair.mode == Mode::adaptive) return std::move(runs).result();
+  if (quick) return std::move(runs).result();
   runs.run_extra_settings(requests.front());
+  if (pair.mode == Mode::adaptive) return std::move(runs).result();
   const std::uint64_t end = runs.steps_of_least_error();
   ConvergenceResult result = std::move(runs).result();
   refit_in_extended_precision(pair, end, result.orders.front().fit);

@@ -131,4 +131,27 @@ std::vector<Request> settings_beyond(const Pair& pair, Request request,
   return requests;
 }
 
+std::vector<Request> tolerances_between(const Pair& pair, Request request,
+                                        const std::vector<double>& solved) {
+  std::vector<Request> requests;
+  for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
+    set_tolerance(request, *pair.c, std::sqrt(solved[i] * solved[i + 1]));
+    requests.push_back(request);
+  }
+  return requests;
+}
+
+std::vector<Request> tolerances_beyond(const Pair& pair, Request request, double finest) {
+  std::vector<Request> requests;
+  if (pair.c->y0.size() > dense_dimension_limit) return requests;
+  constexpr double tightest = 1e-13;  // methods in double can hardly ask for less
+  request.budget.evaluations = cheap_evaluations;
+  for (double tolerance = finest / std::sqrt(10); tolerance > 0.9 * tightest;
+       tolerance /= std::sqrt(10)) {
+    set_tolerance(request, *pair.c, tolerance);
+    requests.push_back(request);
+  }
+  return requests;
+}
+
 }  // namespace odeum::study
