@@ -157,7 +157,7 @@ OrderFit fit_adaptive(const std::vector<ErrorPoint>& points, double claimed) {
 }
 
 // A control with a wrong exponent leaves the order in the steps taken as it is.
-TEST(OrderDenial, AControlThatRejectsTwoOfFiveTriesConfirmsNothing) {
+TEST(OrderDenial, AControlThatRejectsOverAThirdOfItsTriesConfirmsNothing) {
   auto points = ladder(1.6, 8, [](double h) { return 1e-3 * std::pow(h, 5); });
   const auto reject = [&](double share) {
     for (ErrorPoint& point : points) point.rejected = share / (1 - share) * point.steps;
@@ -169,6 +169,14 @@ TEST(OrderDenial, AControlThatRejectsTwoOfFiveTriesConfirmsNothing) {
   EXPECT_EQ(fit.verdict, Verdict::undetermined);
   EXPECT_EQ(fit.why, NoOrder::rejections) << fit.reason;
   EXPECT_NEAR(fit.order, 5, 1e-9);
+  // Nor where the first two terms of the error confirm, as of a fixed step.
+  auto moving = ladder(1.12, 14, [](double h) { return 1e-3 * std::pow(h, 5) * (1 + 3 * h); });
+  FitTolerance strict = fixed_step_tolerance(5);
+  strict.at_least = true;
+  const OrderFit two_terms = fit_order(moving, 5, strict);
+  EXPECT_NE(two_terms.reason.find("two terms"), std::string::npos) << two_terms.reason;
+  for (ErrorPoint& point : moving) point.rejected = point.steps;
+  EXPECT_EQ(fit_order(moving, 5, strict).why, NoOrder::rejections);
   // At one tolerance alone it says nothing, nor at a fixed step.
   points.back().rejected = 0;
   EXPECT_EQ(fit_adaptive(points, 5).verdict, Verdict::confirmed);

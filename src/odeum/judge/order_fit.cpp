@@ -16,7 +16,7 @@ using Points = std::vector<ErrorPoint>;
 // A window's finest step against the finest of all; where slopes before it are; how long it is.
 constexpr double finest_end = 1.65, slopes_before = 4, short_span = 2, long_span = 8;
 constexpr double still_converging = 2;   // above a claim of at least: no error of an order yet
-constexpr double most_rejected = 0.4;    // of the tries at each of the finest two tolerances
+constexpr double most_rejected = 0.35;   // of the tries at each of the finest two tolerances
 constexpr double two_terms_below = 0.1;  // how far below the claim p may lie, to confirm it
 
 /// One fit of points clear of rounding, from the finest to the verdict.
@@ -41,8 +41,8 @@ class Fitting {
     if (std::isnan(claimed_))
       return verdict(Verdict::not_applicable, "the order varies during a run, so none is claimed");
     if (!falls_away(points_, certain_end_, claimed_, tolerance_)) {
-      if (window.count && confirms(window)) return confirmed();
-      if (!settled_lower(window) && confirmed_by_two_terms()) return fit_;
+      if (window.count && confirms(window)) return held(confirmed());
+      if (!settled_lower(window) && confirmed_by_two_terms()) return held(fit_);
     }
     if (floor.first < certain_end_) return floors(floor);
     return settled_elsewhere(window);
@@ -50,25 +50,25 @@ class Fitting {
 
  private:
   bool certain(std::size_t i) const { return points_[i].error > points_[i].certain_error(); }
-
   OrderFit verdict(Verdict verdict, std::string reason) {
     fit_.verdict = verdict;
     fit_.reason = std::move(reason);
     return fit_;
   }
   OrderFit confirmed() {
-    if (const double share = rejected_share(points_); tolerance_.at_least && share > most_rejected)
-      return undetermined(NoOrder::rejections,
-                          fmt::format("order {:.2f} in the steps taken, but {:.0f} % of the tries "
-                                      "at the finest tolerances are rejected: the step control "
-                                      "does not find the steps that it asks for",
-                                      fit_.order, 100 * share));
     const bool more = fit_.order - claimed_ > tolerance_.order;
     return verdict(Verdict::confirmed,
                    more ? fmt::format("errors fall with order {:.2f} in the mean step, at least "
                                       "the {:g} that is claimed",
                                       fit_.order, claimed_)
                         : "");
+  }
+  OrderFit held(const OrderFit& order) {
+    const double share = rejected_share(points_);
+    if (!tolerance_.at_least || !(share > most_rejected)) return order;
+    return undetermined(
+        NoOrder::rejections,
+        fmt::format("order {:.2f}, with {:.0f} % of the tries rejected", order.order, 100 * share));
   }
   OrderFit undetermined(NoOrder why, std::string reason) {
     fit_.why = why;

@@ -93,7 +93,7 @@ constexpr OrderClass all_order_classes[] = {
      "rounding by then, extended precision."},
     {NoOrder::denied, "a finer run denies the order",
      "Finer steps, or extended precision where the run denies it near rounding."},
-    {NoOrder::rejections, "the step control rejects two of five tries",
+    {NoOrder::rejections, "the step control rejects over a third of its tries",
      "A control that finds the steps which its estimate of the error allows."}};
 
 }  // namespace
