@@ -82,11 +82,13 @@ std::vector<std::string> those_that_fit(const Entrants& entrants, const RunOptio
   for (const std::string& id : options.solvers) {
     const Entrant* const entrant =
         entrants.find(id.find('/') == std::string::npos ? "odeum/" + id : id);
-    std::string reason;
-    if (entrant) reason = entrant->unfit;
-    if (entrant && reason.empty() && step && !entrant->info.fixed)
-      reason = "runs to a tolerance only";
-    if (entrant && reason.empty() && options.settings.tolerance && !entrant->info.adaptive)
+    if (!entrant) {  // the run says that there is none
+      fitting.push_back(id);
+      continue;
+    }
+    std::string reason = entrant->unfit;
+    if (reason.empty() && step && !entrant->info.fixed) reason = "runs to a tolerance only";
+    if (reason.empty() && options.settings.tolerance && !entrant->info.adaptive)
       reason = "runs at a fixed step only";
     if (reason.empty())
       fitting.push_back(id);

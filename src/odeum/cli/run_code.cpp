@@ -126,8 +126,8 @@ std::string code_of(const Case& c, const std::string& problem, const Entrant& en
     if (info.library != "odeum") values["first"] = number(first_step_of(c, info, request));
   }
   holds.insert(problem.find("void time_derivative(") == std::string::npos ? "autonomous" : "timed");
-  const auto found = std::find_if(std::begin(programs), std::end(programs),
-                                  [&](const Program& each) { return each.name == name; });
+  const auto* const found = std::find_if(std::begin(programs), std::end(programs),
+                                         [&](const Program& each) { return each.name == name; });
   return filled(found->text, values, holds);
 }
 

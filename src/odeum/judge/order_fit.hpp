@@ -118,10 +118,10 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 ///   eight; or they have fallen below the claim. Between whole orders slopes move by 0.17 from one
 ///   halving of the step to the next, so that over few steps any number can be read from them.
 ///   `higher` with an order of NaN: the errors are rounding at all steps.
-/// - `undetermined`: none of these, or confirmed in the steps taken while over a third of the tries
-/// are
-///   rejected at the finest clear tolerances (no sound control that was measured rejects three of
-///   ten there); `failed`: nothing was solved.
+/// - `undetermined`: none of these, or confirmed while over a third of the tries are rejected at
+/// the
+///   finest clear tolerances (no sound control that was measured rejects that many there);
+///   `failed`: nothing was solved.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);
