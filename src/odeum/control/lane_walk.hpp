@@ -44,9 +44,7 @@ class LaneWalk {
         error_(y_),
         scale_(tolerance, y_),
         controls_(filled_with<Control, Lanes::count>(order)),
-        most_attempts_(
-            1 + static_cast<double>(members.most_evaluations() /
-                                    std::max<std::uint64_t>(evaluations_of_step<M>() - 1, 1))) {
+        most_attempts_(most_attempts(members.most_evaluations())) {
     for (std::size_t lane = 0; lane < Lanes::count; ++lane) take_next(lane);
   }
 
@@ -61,6 +59,13 @@ class LaneWalk {
   }
 
  private:
+  /// Of a budget of evaluations, whole steps.
+  static double most_attempts(std::uint64_t evaluations) {
+    const std::uint64_t whole =
+        evaluations / std::max<std::uint64_t>(evaluations_of_step<M>() - 1, 1);
+    return 1 + static_cast<double>(whole);
+  }
+
   using Control = typename ControlFor<M::info.control>::type;
   static constexpr bool remembers = !std::is_invocable_v<const Control&, double, double>;
   using Numbers = std::array<double, Lanes::count>;

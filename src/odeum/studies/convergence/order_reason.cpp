@@ -36,8 +36,8 @@ NoOrder why_failed(const std::string& status) {
 void explain_failure(const Rows& rows, OrderFit& fit) {
   const auto other = std::find_if_not(rows.begin(), rows.end(), over_budget);
   if (other == rows.end()) {
-    // Over any budget, so that it did not begin: a dense matrix of so many unknowns.
-    const bool begun = rows.front()->counters.rhs_evaluations > 0;
+    // Over any budget, so that it did not begin: see dense_over_budget().
+    const bool begun = !rows.front()->detail.starts_with("needs a dense Jacobian");
     fit.verdict = begun ? Verdict::undetermined : Verdict::not_applicable;
     fit.why = begun ? NoOrder::over_budget : NoOrder::none;
     fit.reason = begun ? "no step size could be solved within the budget: " : "";

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/convergence/settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace odeum::study {
 namespace {
@@ -14,6 +17,9 @@ bool shows_orders(const Case& c) { return c.has_tag("smooth") || c.has_tag("clot
 constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
 // Of a small problem's extra runs, all together: half a second at a microsecond for each.
 constexpr std::uint64_t cheap_evaluations = 500'000;
+
+/// As it is printed, so that the command of a row makes its run again.
+double of_two_digits(double tolerance) { return std::stod(fmt::format("{:.1e}", tolerance)); }
 
 std::uint64_t share_of(const Case& c, std::uint64_t steps) {
   const double share = (convergence_stops(c).back() - c.t0) / (c.stops.back() - c.t0);
@@ -135,7 +141,7 @@ std::vector<Request> tolerances_between(const Pair& pair, Request request,
                                         const std::vector<double>& solved) {
   std::vector<Request> requests;
   for (std::size_t i = 0; i + 1 < solved.size(); ++i) {
-    set_tolerance(request, *pair.c, std::sqrt(solved[i] * solved[i + 1]));
+    set_tolerance(request, *pair.c, of_two_digits(std::sqrt(solved[i] * solved[i + 1])));
     requests.push_back(request);
   }
   return requests;
@@ -148,7 +154,7 @@ std::vector<Request> tolerances_beyond(const Pair& pair, Request request, double
   request.budget.evaluations = cheap_evaluations;
   for (double tolerance = finest / std::sqrt(10); tolerance > 0.9 * tightest;
        tolerance /= std::sqrt(10)) {
-    set_tolerance(request, *pair.c, tolerance);
+    set_tolerance(request, *pair.c, of_two_digits(tolerance));
     requests.push_back(request);
   }
   return requests;
