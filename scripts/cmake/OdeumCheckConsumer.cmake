@@ -52,7 +52,7 @@ macro(odeum_check_laboratory)
     set(odeum_sanitized 1)
   endif()
   odeum_try(laboratory Odeum::laboratory "
-#include <odeum/core/glob.hpp>
+#include <odeum/input/near_words.hpp>
 #if defined(__has_feature)
 #if __has_feature(memory_sanitizer) || __has_feature(thread_sanitizer)
 #define ODEUM_WANTS_ALL
