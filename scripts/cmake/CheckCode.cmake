@@ -8,7 +8,7 @@ equations: {x: v, v: \"-k*x - 0.1*v + sin(w*t)\"}
 time: {end: 10}
 ")
 set(runs "lotka_volterra --solver rk4 --step 0.01" "kepler_e06 --solver velocity_verlet --step 0.01"
-         "vdp_mu1 --solver radau_iia5 --tol 1e-9" "pleiades --solver gragg_bulirsch_stoer --tol 1e-9"
+         "vdp_mu1 --solver radau_iia5 --tol 1e-9" "damped_oscillator_critical --solver gragg_bulirsch_stoer --tol 1e-9"
          "${FOLDER}/driven.yaml --set k=3 --solver rodas4 --tol 1e-7" "${FOLDER}/driven.yaml --solver gsl/bsimp --tol 1e-8"
          "lotka_volterra --solver cvode/adams --tol 1e-8" "hires --solver cvode/bdf --tol 1e-6"
          "kepler_e06 --solver odeint/runge_kutta_dopri5 --tol 1e-8")
@@ -46,7 +46,7 @@ foreach(line IN LISTS runs)
   endif()
   math(EXPR index "${index} + 1")
 endforeach()
-run(${odeum} run lotka_volterra --solver arkode/erkstep_user_rk4 --tol 1e-8 --code)
+run(${odeum} run lotka_volterra --solver arkode/erkstep_cash_karp_6_4_5 --tol 1e-8 --code)
 if(NOT result EQUAL 2 OR NOT output MATCHES "there is no program for arkode")
   message(FATAL_ERROR "--code for a peer: ${result}\n${output}")
 endif()
