@@ -86,7 +86,7 @@ Row against_odeint(const std::string& name, const State<P<double>>& start) {
     detail::GivenMembers<P, methods::rk4> given(all.members, const_cast<Ensemble<P>&>(all).states);
     for (std::size_t first = 0; first < registers; first += together) {
       std::array<P<Lanes>, together> problems;
-      std::array<S, together> states;
+      std::array<S, together> states{};
       for (std::size_t k = 0; k < count / registers * together; ++k)
         given.seat(first * Lanes::count + k, k % Lanes::count, problems[k / Lanes::count],
                    states[k / Lanes::count]);
