@@ -105,9 +105,9 @@ TEST(OrderReason, AnOpenOrderToAToleranceGetsTolerancesBetween) {
   for (const study::ConvergenceRow& row : result.rows) tolerances.push_back(row.tolerance);
   EXPECT_TRUE(std::is_sorted(tolerances.rbegin(), tolerances.rend())) << "from loose to tight";
   EXPECT_NE(std::find_if(tolerances.begin(), tolerances.end(),
-                         [](double t) { return std::abs(t / std::sqrt(1e-7) - 1) < 1e-9; }),
+                         [](double t) { return std::abs(t / 3.2e-4 - 1) < 1e-9; }),
             tolerances.end())
-      << "halfway between 1e-3 and 1e-4";
+      << "halfway between 1e-3 and 1e-4, in two digits";
   const auto quick = study::converge_pair({&c, &entrant, Mode::adaptive}, measures, true);
   EXPECT_LT(quick.rows.size(), result.rows.size()) << "a quick study adds none";
 }
