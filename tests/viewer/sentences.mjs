@@ -63,7 +63,8 @@ const shown = (value, format) => {
   const [, sign, digits, kind] = /^(\+?)(?:\.([0-9]))?([def%])$/.exec(format) || [];
   if (!kind) throw new Left(format);
   const text = kind === 'd' ? String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ',') : kind === '%' ? `${(100 * value).toFixed(digits)} %` : kind === 'f' ? value.toFixed(digits) : value.toExponential(digits).replace('+', '');
-  return (sign && value >= 0 ? '+' : '') + text.replace(/^-/, '−');
+  // A negative number that is rounded to zero has no sign.
+  return /^-[0.]+( %)?$/.test(text) ? text.slice(1) : (sign && value >= 0 ? '+' : '') + text.replace(/^-/, '−');
 };
 
 // Paragraphs and headings that are shown, each with its numbers put in.
