@@ -12,7 +12,19 @@
 #include <map>
 #include <optional>
 
+#include "odeum/core/machine.hpp"
 #include "odeum/studies/stopwatch.hpp"
+
+namespace {
+constexpr const char* instruction_set =
+#if defined(__AVX512F__)
+    "AVX-512";
+#elif defined(__AVX2__)
+    "AVX2";
+#else
+    "vectors of two numbers";
+#endif
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace odeum::bench;
@@ -42,6 +54,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   const double before = odeum::study::calibration_ns();
+  fmt::print("{}, compiled for {}\n", odeum::cpu_model(), instruction_set);
   fmt::print("{:<66} {:>10} {:>10} {:<16}\n", "", "goal", "measured", "interval");
   for (const Group& group : groups) {
     if (argc > 1 && std::none_of(argv + 1, argv + argc,

@@ -12,6 +12,7 @@ namespace odeum::methods {
 /// [-2/3 (s^2 - 1) (1 - 2/15 eps), 0].
 struct rkc2_rule {
   static constexpr double damping = 2.0 / 13, error_constant = 1.0 / 15;
+  static constexpr bool last_two_only = false;
   static constexpr int most_stages = 400;
 
   static int count_for(double x) {

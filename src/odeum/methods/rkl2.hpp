@@ -12,6 +12,7 @@ namespace odeum::methods {
 /// monotone; s is odd.
 struct rkl2_rule {
   static constexpr double error_constant = 1.0 / 18;
+  static constexpr bool last_two_only = false;
   static constexpr int most_stages = 401;
 
   static int count_for(double x) {
