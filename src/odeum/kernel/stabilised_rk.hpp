@@ -50,7 +50,7 @@ class StabilisedRungeKutta {
     make_step(t, h, y);
     problem_.rhs(t + h, y.data(), last_.data());
     if constexpr (four_last) {
-      const auto& d = ending_->estimate;
+      const auto d = ending_->estimate;
       each_component(y, [&](std::size_t i) {
         error[i] = h * (d[0] * k_[0][i] + d[1] * k_[1][i] + d[2] * k_[2][i] + d[3] * k_[3][i] +
                         d[4] * last_[i]);
@@ -69,18 +69,18 @@ class StabilisedRungeKutta {
   }
   void repeat() {
     first_known_ = true;
-    steps_left_ = 0;
+    if (steps_left_ < between_estimates - 1) steps_left_ = 0;  // else it is that of this state
   }
 
  private:
+  static constexpr int between_estimates = 25;
   static constexpr bool four_last = requires { Rule::last_stages(5); };
 
   void make_step(double t, double h, State<P>& y) {
     if (!first_known_) problem_.rhs(t, y.data(), first_.data());
-    if (steps_left_-- <= 0) {
-      constexpr int between_estimates = 25;
+    if (--steps_left_ < 0) {
       radius_ = radius_of_(t, y, first_);
-      steps_left_ = between_estimates;
+      steps_left_ = between_estimates - 1;
     }
     const int count = Rule::count_for(h * radius_);
     if (std::exchange(count_, count) != count) {
@@ -89,9 +89,10 @@ class StabilisedRungeKutta {
     }
     start_ = y;
     before_ = y;
-    each_component(y, [&](std::size_t i) { y[i] += h * stages_[0].slope * first_[i]; });
+    const double start_slope = h * stages_[0].slope;
+    each_component(y, [&](std::size_t i) { y[i] += start_slope * first_[i]; });
     for (std::size_t j = 1; j < stages_.size(); ++j) {
-      const StabilisedStage& s = stages_[j];
+      const StabilisedStage s = stages_[j];  // by value: no store below may change it
       problem_.rhs(t + stages_[j - 1].c * h, y.data(), slope_.data());
       const double rest = 1 - s.mu - s.nu, slope = h * s.slope, first_slope = h * s.first_slope;
       each_component(y, [&](std::size_t i) {

@@ -14,6 +14,7 @@ namespace odeum::methods {
 /// |R(z)| <= 0.95 but near 0. No other start gives an interval that is longer by 0.1 %.
 struct rock2_rule {
   static constexpr WeightedFamily<1> family{0.3, 0.945, {{{-3.0, 3.37}}}};
+  // 1/6 - sum b_i a_ij c_j; (1/3 - sum b_i c_i^2) / 2, the other term, is 0.015.
   static constexpr double error_constant = 0.07;
   static constexpr bool last_two_only = true;
   static constexpr int most_stages = 400;
