@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -21,16 +22,10 @@
 namespace odeum::tests {
 namespace {
 
+template <class Rule>
+Rule rule_of(const StabilisedMethod<Rule>&);
 template <class Method>
-struct RuleOf;
-template <>
-struct RuleOf<methods::rkc2> : methods::rkc2_rule {};
-template <>
-struct RuleOf<methods::rkl2> : methods::rkl2_rule {};
-template <>
-struct RuleOf<methods::rock2> : methods::rock2_rule {};
-template <>
-struct RuleOf<methods::rock4> : methods::rock4_rule {};
+using RuleOf = decltype(rule_of(Method()));
 
 /// The coefficients of a step.
 struct Coefficients {
@@ -123,6 +118,16 @@ TYPED_TEST(Stabilised, HasTheStagesThatAStepNeeds) {
   for (double x = 0.05; x < 5e4; x *= 1.01) EXPECT_LE(TypeParam::amplification(-x, 0), 1) << x;
   // 400 stages are the most; beyond their interval the polynomial grows.
   EXPECT_GT(TypeParam::amplification(-1e6, 0), 1);
+}
+
+// A spectral radius may overflow, and a product with a step be no number.
+TYPED_TEST(Stabilised, HasStagesForAnyNumber) {
+  using Rule = RuleOf<TypeParam>;
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double x : {0.0, -1.0, 1e300, infinite, -infinite, std::nan("")}) {
+    EXPECT_GE(Rule::count_for(x), 2) << x;
+    EXPECT_LE(Rule::count_for(x), Rule::most_stages) << x;
+  }
 }
 
 TYPED_TEST(Stabilised, EndsEachStageAtItsOwnTime) {
@@ -262,7 +267,7 @@ TEST(SpectralRadius, SeesDirectionsThatTheSolutionHasNot) {
 /// y' = A y of two unknowns with the entries of A.
 struct Pair {
   static constexpr std::size_t dimension = 2;
-  std::array<double, 4> a;
+  std::array<double, 4> a{};
   Sparsity pattern = banded_sparsity(2, 1, 1);
   mutable int evaluations = 0;
   void rhs(double, const double* y, double* f) const {

@@ -17,7 +17,8 @@ struct rkc2_rule {
 
   static int count_for(double x) {
     // The interval of the code RKC, a little inside.
-    return std::clamp(1 + static_cast<int>(std::sqrt(1 + 1.54 * x)), 2, most_stages);
+    const double within = std::fmin(std::fmax(x, 0.0), 1e9);
+    return std::clamp(1 + static_cast<int>(std::sqrt(1 + 1.54 * within)), 2, most_stages);
   }
 
   static std::vector<StabilisedStage> stages(int s) {

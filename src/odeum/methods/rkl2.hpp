@@ -16,7 +16,8 @@ struct rkl2_rule {
   static constexpr int most_stages = 401;
 
   static int count_for(double x) {
-    const int s = static_cast<int>(std::ceil((std::sqrt(9 + 8 * std::min(x, 1e9)) - 1) / 2));
+    const double within = std::fmin(std::fmax(x, 0.0), 1e9);
+    const int s = static_cast<int>(std::ceil((std::sqrt(9 + 8 * within) - 1) / 2));
     return std::clamp(s + (s % 2 == 0 ? 1 : 0), 3, most_stages);
   }
 

@@ -21,8 +21,9 @@ struct rock2_rule {
 
   static int count_for(double x) {
     // The interval is longer than 0.807 s^2 - 1.2.
-    return static_cast<int>(
-        std::clamp(std::ceil(std::sqrt((x + 1.2) / 0.807)), 3.0, double{most_stages}));
+    // A radius that is not a number has the least count: fmax and fmin leave it out.
+    const double count = std::ceil(std::sqrt((x + 1.2) / 0.807));
+    return static_cast<int>(std::fmin(std::fmax(count, 3.0), most_stages));
   }
 
   static std::vector<StabilisedStage> computed(int s) {

@@ -16,8 +16,9 @@ struct rock4_rule {
 
   static int count_for(double x) {
     // The interval is longer than 0.35 s^2 - 2.9.
-    return static_cast<int>(
-        std::clamp(std::ceil(std::sqrt((x + 2.9) / 0.35)), 5.0, double{most_stages}));
+    // A radius that is not a number has the least count: fmax and fmin leave it out.
+    const double count = std::ceil(std::sqrt((x + 2.9) / 0.35));
+    return static_cast<int>(std::fmin(std::fmax(count, 5.0), most_stages));
   }
 
   struct Coefficients {
@@ -30,10 +31,10 @@ struct rock4_rule {
     const OrthogonalStages p(r);
     Coefficients all{p.stages, {}, false};
     LastStages& last = all.last;
-    std::array<ElementaryWeights, 4> k;
+    std::array<ElementaryWeights, 4> k{};
     const auto defects = [&](const std::array<double, 8>& x) {
       last.a = {{{}, {x[0]}, {x[1], x[2]}, {0, 0, x[3]}, {x[4], x[5], x[6], x[7]}}};
-      ElementaryWeights y;
+      ElementaryWeights y{};
       for (std::size_t i = 0; i < 5; ++i) {
         y = p.now;
         for (std::size_t j = 0; j < i; ++j) add_multiple(last.a[i][j], k[j], y);
