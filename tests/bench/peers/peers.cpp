@@ -13,6 +13,8 @@
 #include <limits>
 #include <map>
 
+#include "odeum/cases/catalogue.hpp"
+
 namespace odeum::peers {
 namespace {
 
@@ -141,9 +143,7 @@ void write(const Choice& choice, const std::vector<const Case*>& cases, std::str
 
 std::vector<const Case*> cases_of(std::initializer_list<const char*> ids) {
   std::vector<const Case*> cases;
-  for (const Case& c : all_cases())
-    for (const char* id : ids)
-      if (c.id == id) cases.push_back(&c);
+  for (const char* id : ids) cases.push_back(&known_case(id));
   return cases;
 }
 std::string names_of(const std::vector<const Case*>& cases) {
