@@ -32,11 +32,12 @@ Case make_pleiades() {
 
 }  // namespace
 
-/// A planar problem of seven bodies with close encounters.
+/// A planar problem of seven bodies with close encounters, all of them after the first stop.
 std::vector<Statement> pleiades() {
   return {{.id = "pleiades",
            .title = "Pleiades",
-           .tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial"},
+           .tags = {"nonlinear", "autonomous", "second_order", "separable", "celestial",
+                    "late_encounters"},
            .make = make_pleiades}};
 }
 

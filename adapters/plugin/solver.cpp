@@ -37,7 +37,7 @@ struct System {
 
 /// The callbacks' result: 0, or 1 once the budget is spent, after which calls are no sign of work.
 int working(System& system, double t, int answer) {
-  if (answer == 0 && system.goes_on(t)) isolated::alive();
+  if (answer == 0 && system.goes_on(t)) isolated::alive(system.guarded.guard());
   return answer;
 }
 

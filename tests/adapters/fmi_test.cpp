@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fmi_stage.hpp"
+#include "odeum/cases/stage.hpp"
 
 namespace odeum::fmi_tests {
 namespace {
@@ -13,6 +14,19 @@ const Entrant& entrant(const Case& c, const std::string& id) {
     if (e.info.id() == id) return e;
   throw std::runtime_error("no solver " + id);
 }
+
+/// The model that the FMU has, without a force.
+struct VanDerPol {
+  static constexpr std::size_t dimension = 2;
+  void rhs(double, const double* y, double* f) const {
+    f[0] = y[1];
+    f[1] = (1 - y[0] * y[0]) * y[1] - y[0];
+  }
+  void jacobian(double, const double* y, double* j) const {
+    j[0] = 0, j[1] = 1;
+    j[2] = -2 * y[0] * y[1] - 1, j[3] = 1 - y[0] * y[0];
+  }
+};
 
 Outcome solve(const Case& c, const std::string& id, double tolerance = 1e-9) {
   Request request{.mode = Mode::adaptive, .tolerance = tolerance, .stops = c.stops};
@@ -142,6 +156,31 @@ TEST_P(Fmus, AModelThatHangsIsEnded) {
       << c.settings.no_convergence;
   const Outcome outcome = solve(c, "odeum/dormand_prince54");
   EXPECT_EQ(outcome.status, Status::over_budget) << outcome.detail;
+}
+
+// Every solver of every library, with a budget that some of them exceed.
+TEST_P(Fmus, RunsAreCountedAndBudgetedAsThoseOfCompiledProblems) {
+  const Case model = made();
+  Case native;
+  native.y0 = model.y0, native.stops = model.stops;
+  cases::set_stage(native, VanDerPol{});
+  Request request{.mode = Mode::adaptive, .tolerance = 1e-6, .stops = model.stops};
+  request.budget.evaluations = 800;
+  int compared = 0, spent = 0;
+  for (const Entrant& own : native.entrants) {
+    if (!own.unfit.empty()) continue;
+    const Outcome expected = own.solve(request),
+                  found = entrant(model, own.info.id()).solve(request);
+    EXPECT_EQ(found.status, expected.status) << own.info.id() << found.detail << expected.detail;
+    EXPECT_EQ(found.detail, expected.detail) << own.info.id();
+    EXPECT_EQ(found.counters.rhs_evaluations, expected.counters.rhs_evaluations) << own.info.id();
+    EXPECT_EQ(found.counters.jacobian_evaluations, expected.counters.jacobian_evaluations)
+        << own.info.id();
+    EXPECT_EQ(found.counters.steps, expected.counters.steps) << own.info.id();
+    ++compared, spent += expected.status == Status::over_budget;
+  }
+  EXPECT_GT(compared, 50);
+  EXPECT_GT(spent, 5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, Fmus, testing::Values(2, 3));

@@ -97,6 +97,13 @@ TEST(Advise, FindsStepsThatDivideAFrame) {
       << none.output;
 }
 
+// The race was run first.
+TEST(Advise, AFolderThatCannotBeWrittenIsRefusedBeforeTheRace) {
+  const Result none = shell("odeum advise kepler_e06 --error 1e-6 --seconds 30 --out /dev/null/x");
+  EXPECT_EQ(none.code, 4) << none.output;
+  EXPECT_EQ(none.output.find("error 1e-06"), std::string::npos) << none.output;
+}
+
 TEST(Advise, AnswersForTextsAndTheirParameters) {
   const tests::TemporaryFolder root;
   const std::string file = (root.path() / "a decay.yaml").string();

@@ -4,13 +4,18 @@
 #include "odeum/cases/foreign_case.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include "odeum/isolated/isolated_process.hpp"
+#include "odeum/solvers/foreign_evaluator.hpp"
 #include "odeum/truth/foreign_reference.hpp"
 
 namespace odeum {
@@ -69,6 +74,17 @@ int smooth_pulse(void*, double t, const double* y, double* f) {
   f[0] = std::exp(-at * at);
   f[1] = -y[1];
   return 0;
+}
+int hangs_after_one(void*, double t, const double* y, double* f) {
+  while (t > 1) ::pause();
+  return oscillator(nullptr, t, y, f);
+}
+/// Ended, and not waited for by whoever inherited it.
+bool is_zombie(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/stat");
+  std::string word;
+  for (int k = 0; k < 3; ++k) in >> word;
+  return word == "Z";
 }
 int aborts(void*, double, const double* y, double* f) {
   if (y[0] < 0.5) std::abort();
@@ -213,6 +229,58 @@ TEST(ForeignRuns, ASolverThatHadToBeEndedAgainAndAgainIsNotRunAgain) {
   const Outcome outcome = run();
   EXPECT_EQ(outcome.status, Status::refused);
   EXPECT_NE(outcome.detail.find("not run, since 3 runs before"), std::string::npos);
+}
+
+// Its row said that nothing was evaluated.
+TEST(ForeignRuns, AProcessThatHadToBeEndedIsCountedUntilThen) {
+  ::setenv("ODEUM_SILENCE_SECONDS", "0.5", 1);
+  foreign::ProblemCallbacks problem = given(hangs_after_one, 5);
+  problem.content = "ForeignRuns hangs";
+  const Case c = case_of(cases::foreign_statement(problem));
+  for (const Entrant& entrant : c.entrants) {
+    if (entrant.info.id() != "odeum/rk4") continue;
+    const Outcome outcome = entrant.solve({.mode = Mode::fixed, .steps = 40, .stops = {5}});
+    EXPECT_EQ(outcome.status, Status::over_budget);
+    // Eight steps to t = 1, a stage there, and the one at t = 1.0625 that did not return.
+    EXPECT_EQ(outcome.counters.rhs_evaluations, 34U) << outcome.detail;
+    EXPECT_EQ(outcome.counters.work, 34U);
+    return;
+  }
+  FAIL() << "no solver";
+}
+
+// Twenty calls waited for, one after the other; and a killed parent left the process that hung.
+TEST(ForeignRuns, AProcessThatHangsIsAskedThreeTimesAndEndsWithoutItsParent) {
+  ::setenv("ODEUM_SILENCE_SECONDS", "0.2", 1);
+  const auto calls = std::make_shared<isolated::SharedMemory>(2 * sizeof(int));
+  auto* const seen = static_cast<int*>(calls->get());
+  foreign::Evaluator evaluator(
+      [seen](int, double, const double*, double*) {
+        ++seen[0];
+        seen[1] = ::getpid();
+        return ::pause();
+      },
+      1);
+  double x = 0;
+  for (int k = 0; k < 6; ++k) EXPECT_FALSE(evaluator.call(0, 0, &x, 1, &x, 1));
+  EXPECT_EQ(seen[0], static_cast<int>(isolated::most_ended));
+  seen[1] = 0;
+  const pid_t parent = isolated::start_child([&] {
+    foreign::Evaluator orphan(
+        [seen](int, double, const double*, double*) {
+          seen[1] = ::getpid();
+          return ::pause();
+        },
+        1);
+    orphan.call(0, 0, &x, 1, &x, 1);
+  });
+  while (seen[1] == 0) ::usleep(1000);
+  // By its id alone, as kill -9 does, and not with its group.
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  int waited = 0;
+  while (::kill(seen[1], 0) == 0 && waited < 400 && !is_zombie(seen[1])) ::usleep(10000), ++waited;
+  EXPECT_LT(waited, 400) << "process " << seen[1] << " is still there";
 }
 
 }  // namespace

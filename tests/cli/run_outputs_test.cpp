@@ -26,5 +26,22 @@ TEST(RunOutputs, AreNotJudged) {
   EXPECT_EQ(answer(" --out " + folder.path().string()), alone);
 }
 
+// With 500 outputs ARKODE evaluated 500 times more, odeum/verner98 twelve times as often, and steps
+// of GSL and odeint ended on them, all of which the run's counts said.
+TEST(RunOutputs, ChangeNoCountAndNoEnd) {
+  const TemporaryFolder folder;
+  std::string run = "odeum run lotka_volterra --tol 1e-6 --format json";
+  for (const char* solver :
+       {"arkode/erkstep_dormand_prince_7_4_5", "arkode/arkstep_zonneveld_5_3_4",
+        "arkode/arkstep_kvaerno_7_4_5", "cvode/bdf", "gsl/rk8pd", "odeint/runge_kutta_dopri5",
+        "odeum/verner98", "odeum/esdirk43", "odeum/radau_iia5", "odeum/rk4"})
+    run += std::string(" --solver ") + solver;
+  // What is said of the truth depends on the times at which it is asked for.
+  const std::string rows = " 2>/dev/null | grep -vE 'truth|floor|explained_error'";
+  const std::string alone = shell(run + rows).output;
+  EXPECT_NE(alone.find("evaluations"), std::string::npos) << alone;
+  EXPECT_EQ(shell(run + " --out " + folder.path().string() + rows).output, alone);
+}
+
 }  // namespace
 }  // namespace odeum::tests

@@ -77,6 +77,20 @@ TEST_F(ProblemCommands, OfSeveralCasesOneIsChosen) {
   expect("run kepler_e06 --case kepler_e06 --solver rk4 --step 0.01", 2, "expected no --case");
 }
 
+// The truth was computed when the problem was loaded, asked for or not.
+TEST_F(ProblemCommands, WithoutATruthNoneIsComputed) {
+  write_own("kepler.yaml");
+  const std::string run = "run kepler.yaml --solver rk4 --step 0.01";
+  const tests::Result without = odeum(run + " --no-truth");
+  EXPECT_EQ(without.code, 0) << without.output;
+  EXPECT_EQ(without.output.find("known to "), std::string::npos) << without.output;
+  EXPECT_EQ(without.output.find("the truth is computed now"), std::string::npos) << without.output;
+  EXPECT_NE(without.output.find("error   unknown"), std::string::npos) << without.output;
+  const tests::Result with = odeum(run);
+  EXPECT_NE(with.output.find("the truth is computed now"), std::string::npos) << with.output;
+  expect("run kepler.yaml --solver rk4 --step 1e9 --no-truth", 2, "expected at most the horizon 3");
+}
+
 TEST_F(ProblemCommands, WithoutACompilerItIsInterpretedAndSaysSo) {
   write_own("van_der_pol.yaml");
   const std::string run = "run van_der_pol.yaml --solver rk4 --step 0.01";

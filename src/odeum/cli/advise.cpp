@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -125,6 +126,9 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   if (command.count("--seconds") > 0) require_positive("--seconds", options.wishes.seconds);
   check_solver_globs(options.wishes.solvers);
   for (const std::string& library : options.wishes.libraries) check_solver_globs({library + "/*"});
+  // A folder that can't be written is refused before the race.
+  std::optional<record::OutputFolder> folder;
+  if (!options.out.empty()) folder.emplace(options.out);
   const Case given = case_of(options.what, options.problems);
   Box box;
   if (options.vary.empty())
@@ -151,10 +155,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   } else {
     print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n" : text);
   }
-  if (!options.out.empty()) {
-    const record::OutputFolder folder(options.out);
-    remark_on_page(advise::write_page(folder, advice, c, asked));
-  }
+  if (folder) remark_on_page(advise::write_page(*folder, advice, c, asked));
   return advice.failure.empty() ? success : check_failed;
 }
 

@@ -98,8 +98,8 @@ std::string describe(const Case& c, const CaseRun& run) {
   if (run.request.mode == Mode::adaptive && run.request.stops.size() > 1 &&
       run.entrant->info.library != "odeum")
     text += fmt::format(
-        "output  at {} times, on which a peer may end its steps: its steps without "
-        "output are those of a run without --out and --every\n",
+        "output  at {} times, on which a peer may end its steps: counts and the end are those of "
+        "a run without output\n",
         run.request.stops.size());
   text += fmt::format("status  {}{}{}\n", to_string(outcome.status),
                       outcome.detail.empty() ? "" : ": ", outcome.detail);
@@ -184,7 +184,7 @@ FirstRuns run_before_truth(RunOptions options) {
     const CaseRun run = prepare(*c, solver, options);
     const std::string id = run.entrant->info.id();
     const std::clock_t begin = std::clock();
-    const Outcome outcome = run.entrant->solve(run.request);
+    const Outcome outcome = trajectories::solve_with_outputs(*run.entrant, run.request);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     remark(
         "first      {}: {} at t = {:.6g} after {} evaluations, {:.3g} s of the processor; the "
@@ -226,7 +226,7 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
     const auto before = first.find(run.entrant->info.id());
     run.outcome = before != first.end() && same_run(before->second.first, run.request)
                       ? before->second.second
-                      : run.entrant->solve(run.request);
+                      : trajectories::solve_with_outputs(*run.entrant, run.request);
     if (interrupted) return interrupted_code;
     say(describe(c, run));
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
@@ -252,9 +252,12 @@ int run_problem(const RunOptions& options) {
   SpanCheck check;
   if (has_setting(options.settings) && !options.solvers.empty())
     check = [&](double t0, double end) { check_span(options.settings, t0, end); };
-  const FirstRuns first = run_before_truth(options);
+  const std::optional<Case> without =
+      options.truth ? std::nullopt : load_before_truth(options.what, options.problems);
+  if (without && check) check(without->t0, without->end());
+  const FirstRuns first = options.truth ? run_before_truth(options) : FirstRuns();
   if (interrupted) return interrupted_code;
-  const Case& c = load_problem(options.what, options.problems, check);
+  const Case& c = without ? *without : load_problem(options.what, options.problems, check);
   if (options.code) return run_solvers(c, {}, options, true);
   std::string text =
       fmt::format("{:<9}  {} ({})\n", "problem", report::plain(c.title), report::plain(c.source));

@@ -36,6 +36,7 @@ double since(Clock::time_point start) {
 /// What the process hands back, in memory that both share; states follow it.
 struct Report {
   std::atomic<std::uint64_t> signs{0};  ///< of work
+  std::atomic<std::uint64_t> evaluations{0}, jacobians{0};
   std::atomic<bool> done{false};
   int status = 0;
   double t = 0;
@@ -198,6 +199,10 @@ Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, cons
   outcome.status = over_budget ? Status::over_budget : Status::refused;
   outcome.detail = why;
   outcome.states.clear();
+  if (!report.done && request.budget.watched) {
+    outcome.counters.rhs_evaluations = outcome.counters.work = report.evaluations;
+    outcome.counters.jacobian_evaluations = report.jacobians;
+  }
   return outcome;
 }
 
@@ -206,8 +211,17 @@ Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, cons
 double longest_silence() { return seconds_of_environment("ODEUM_SILENCE_SECONDS", 5); }
 
 bool in_isolated_process() { return own_report != nullptr; }
-void alive() {
-  if (own_report) own_report->signs.fetch_add(1, std::memory_order_relaxed);
+void alive(Sign sign) {
+  if (!own_report) return;
+  own_report->signs.fetch_add(1, std::memory_order_relaxed);
+  if (sign == Sign::evaluation) own_report->evaluations.fetch_add(1, std::memory_order_relaxed);
+  if (sign == Sign::jacobian) own_report->jacobians.fetch_add(1, std::memory_order_relaxed);
+}
+void alive(const Guard& guard) {
+  if (!own_report) return;
+  alive();
+  own_report->evaluations.store(guard.rhs_evaluations(), std::memory_order_relaxed);
+  own_report->jacobians.store(guard.jacobian_evaluations(), std::memory_order_relaxed);
 }
 
 Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,

@@ -10,7 +10,8 @@ namespace odeum::foreign {
 
 /// A process that calls the functions of a foreign problem for those parts of a study that are no
 /// solve: errors, gains, spectra. About 10 microseconds a call. A call that fails, crashes or hangs
-/// gives NaN; the process is started anew, a limited number of times.
+/// gives NaN; the process is started anew, a limited number of times, of which at most
+/// isolated::most_ended in a row may be for its silence.
 class Evaluator {
  public:
   /// `work(function, t, in, out)` is what a call does; `most` bounds the numbers in and out.
@@ -39,6 +40,7 @@ class Evaluator {
   pid_t process_ = -1;
   int socket_ = -1;
   int starts_ = 0;
+  unsigned silent_ = 0;  ///< calls in a row that had to be ended
 };
 
 }  // namespace odeum::foreign

@@ -104,7 +104,10 @@ int Problem::dense(double t, const double* y, double* j) const {
 }
 
 int Problem::direct(int function, double t, const double* in, double* out) const {
-  isolated::alive();
+  using isolated::Sign;
+  isolated::alive(function == f || function == second ? Sign::evaluation
+                  : function == f_y                   ? Sign::jacobian
+                                                      : Sign::other);
   switch (function) {
     case f:
       return p_.rhs(p_.data, t, in, out);

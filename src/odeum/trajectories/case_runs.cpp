@@ -30,6 +30,27 @@ double largest_error(const Case& c, const double* y, const std::vector<double>& 
 
 }  // namespace
 
+Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
+  Outcome outcome = entrant.solve(request);
+  if (request.mode == Mode::fixed || !request.over_stops || request.stops.size() == 1)
+    return outcome;
+  Request without = request;
+  without.stops = {request.stops.back()};
+  without.over_stops = false;
+  Outcome alone = entrant.solve(without);
+  // Where outputs alone make it fail, that is shown.
+  if (alone.status == Status::ok && outcome.status != Status::ok) return outcome;
+  if (alone.status == Status::ok)
+    std::copy(alone.states.begin(), alone.states.end(),
+              outcome.states.end() - static_cast<std::ptrdiff_t>(alone.states.size()));
+  if (!alone.detail.empty()) outcome.detail = std::move(alone.detail);
+  outcome.status = alone.status;
+  outcome.t = alone.t;
+  outcome.counters = alone.counters;
+  outcome.step_ends = std::move(alone.step_ends);
+  return outcome;
+}
+
 ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs) {
   std::set<double> times{c.t0};
   double end = c.t0;

@@ -20,6 +20,11 @@ struct CaseRun {
   std::size_t reached(std::size_t n) const { return outcome.states.size() / n; }  ///< stops
 };
 
+/// The outcome of a run with its outputs. To a tolerance, a state between the steps costs
+/// evaluations, and steps of some libraries end on outputs: the run is made without them, too, and
+/// counts, steps and the end are those of that run.
+Outcome solve_with_outputs(const Entrant& entrant, const Request& request);
+
 /// The exact states of a case at some times, those where the truth is known.
 struct ExactStates {
   std::vector<double> times;

@@ -60,22 +60,8 @@ class Ball {
     return result;
   }
   /// An upper bound of the numbers' size, and a lower one.
-  double largest() const {
-    mag_t size;
-    mag_init(size);
-    arb_get_mag(size, x_);
-    const double result = mag_get_d(size);
-    mag_clear(size);
-    return result;
-  }
-  double least() const {
-    mag_t size;
-    mag_init(size);
-    arb_get_mag_lower(size, x_);
-    const double result = mag_get_d(size);
-    mag_clear(size);
-    return result;
-  }
+  double largest() const { return size_by(arb_get_mag); }
+  double least() const { return size_by(arb_get_mag_lower); }
 
   friend Ball operator+(const Ball& a, const Ball& b) { return of(arb_add, a, b); }
   friend Ball operator-(const Ball& a, const Ball& b) { return of(arb_sub, a, b); }
@@ -105,6 +91,15 @@ class Ball {
   }
 
  private:
+  double size_by(void (*bound)(mag_t, const arb_struct*)) const {
+    mag_t size;
+    mag_init(size);
+    bound(size, x_);
+    const double result = mag_get_d(size);
+    mag_clear(size);
+    return result;
+  }
+
   arb_t x_;
 };
 

@@ -54,7 +54,8 @@ std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) 
 }  // namespace
 
 std::vector<double> convergence_stops(const Case& c) {
-  if (c.has_tag("cloth") && !c.has_tag("smooth")) return {c.stops.front()};
+  if ((c.has_tag("cloth") && !c.has_tag("smooth")) || c.has_tag("late_encounters"))
+    return {c.stops.front()};
   return c.stops;
 }
 
