@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fmi_stage.hpp"
+#include "odeum/advise/race.hpp"
 #include "odeum/cases/stage.hpp"
 
 namespace odeum::fmi_tests {
@@ -31,6 +32,17 @@ struct VanDerPol {
 Outcome solve(const Case& c, const std::string& id, double tolerance = 1e-9) {
   Request request{.mode = Mode::adaptive, .tolerance = tolerance, .stops = c.stops};
   return entrant(c, id).solve(request);
+}
+
+// Making the process of each run takes far longer than the run, and is none of it: in the race all
+// have their turn.
+TEST_P(Fmus, AdviceTriesEverySolverThatFits) {
+  const Case c = made({{"mu", "0"}, {"x", "1"}});
+  const advise::Advice advice =
+      advise::advise({&c}, {.error = 1e-4, .solvers = {"odeum/*54*", "gsl/*"}});
+  EXPECT_TRUE(advice.failure.empty()) << advice.failure;
+  for (const advise::Candidate& candidate : advice.candidates)
+    EXPECT_FALSE(candidate.trials.empty()) << candidate.entrant->info.id();
 }
 
 TEST_P(Fmus, ALinearModelHasTheClosedFormForTruthAndIsSolved) {

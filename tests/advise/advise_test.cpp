@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
@@ -102,6 +103,19 @@ TEST(Advise, AFolderThatCannotBeWrittenIsRefusedBeforeTheRace) {
   const Result none = shell("odeum advise kepler_e06 --error 1e-6 --seconds 30 --out /dev/null/x");
   EXPECT_EQ(none.code, 4) << none.output;
   EXPECT_EQ(none.output.find("error 1e-06"), std::string::npos) << none.output;
+}
+
+// The seconds contain the truth's: where they do not suffice for it, what is known says so, and it
+// is not kept for the next.
+TEST(Advise, ItsSecondsContainTheTruth) {
+  const tests::TemporaryFolder folder;
+  const Result result = shell("XDG_CACHE_HOME='" + folder.path().string() +
+                              "' odeum advise flag --error 1e-3 --seconds 1 --solver odeum/rk4");
+  EXPECT_EQ(result.code, 1) << result.output;
+  EXPECT_NE(result.output.find("the seconds are spent at t = "), std::string::npos)
+      << result.output;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    EXPECT_NE(entry.path().extension(), ".reference");
 }
 
 TEST(Advise, AnswersForTextsAndTheirParameters) {

@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
+#include <functional>
 #include <map>
+#include <sstream>
 
 #include "goals.hpp"
 #include "odeum/advise/race.hpp"
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/spectrum.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/interrupt.hpp"
 
@@ -105,17 +110,36 @@ std::vector<double> times_of(const std::vector<Found>& runs) {
 
 struct Regret {
   std::string question;
-  double advised = infinity;               ///< over the best; infinite without an answer
-  double kept = nan;                       ///< error over that asked
+  double advised = infinity;  ///< over the best; infinite without an answer
+  double kept = nan;          ///< error over that asked
+  double seconds = 0;         ///< that the advice took
+  bool stiff = false, scene = false;
+  double error = 0;  ///< asked
+  std::size_t states = 0;
   std::map<std::string, double> others{};  ///< of each solver that has the error
   std::string text{};
 };
+
+/// As estimated by the fastest decay: a step of its size is far shorter than the run.
+bool is_stiff(const Case& c) {
+  constexpr double many = 1000;
+  double fastest = 0;
+  for (const std::complex<double>& z : report::spectrum_of(c).eigenvalues)
+    if (-z.real() > std::abs(z.imag())) fastest = std::max(fastest, -z.real());
+  return fastest * (c.stops.back() - c.t0) > many;
+}
 
 Regret regret_of(const Case& c, double error) {
   Regret regret{fmt::format("{} at {:g}", c.id, error)};
   advise::Wishes wishes;
   wishes.error = error;
   const advise::Advice advice = advise::advise({&c}, wishes);
+  regret.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - wishes.start).count();
+  regret.error = error;
+  regret.states = c.y0.size();
+  regret.scene = c.has_tag("scene");
+  regret.stiff = is_stiff(c);
   const Answers answers = search_all(
       c, error, advice.failure.empty() ? advice.candidates[advice.winner].found->ns : infinity);
   if (answers.empty() && !advice.failure.empty()) {
@@ -167,14 +191,40 @@ Row row_of(const std::string& what, const std::vector<double>& values, double sh
           .note = std::move(note)};
 }
 
-/// What always the same solver costs; infinite where it has not the error.
-std::vector<double> always(const std::vector<Regret>& all, const std::string& id) {
-  std::vector<double> values;
-  for (const Regret& regret : all) {
-    const auto found = regret.others.find(id);
-    values.push_back(found == regret.others.end() ? infinity : found->second);
-  }
-  return values;
+/// What is done without a measurement: a solver, here at its best setting.
+struct Policy {
+  std::string what;
+  std::function<std::string(const Regret&)> choose;  ///< key of Regret::others
+};
+
+/// As the documentation of suites with a default choice has it: by stiffness, then by the error
+/// asked and the number of unknowns.
+std::string by_rules(const Regret& regret) {
+  constexpr std::size_t few = 50;
+  if (!regret.stiff)
+    return regret.error > 1e-5   ? "odeum/tsitouras54 --tol"
+           : regret.error > 1e-8 ? "odeum/verner65 --tol"
+                                 : "odeum/verner98 --tol";
+  if (regret.states > few) return "cvode/bdf --tol";
+  return regret.error > 1e-8 ? "odeum/rodas5p --tol" : "odeum/radau_iia9 --tol";
+}
+
+std::vector<Policy> policies(const std::string& best) {
+  const auto always = [](const char* id) {
+    return [id](const Regret&) { return std::string(id); };
+  };
+  const auto either = [](bool Regret::*which, const char* yes) {
+    return [which, yes](const Regret& regret) {
+      return std::string(regret.*which ? yes : "odeum/dormand_prince54 --tol");
+    };
+  };
+  return {{"always a 5(4) pair", always("odeum/dormand_prince54 --tol")},
+          {"cvode/bdf when stiff, else a 5(4) pair", either(&Regret::stiff, "cvode/bdf --tol")},
+          {"velocity Verlet for scenes, else a 5(4) pair",
+           either(&Regret::scene, "odeum/velocity_verlet --step")},
+          {"default rules: stiffness, error, size", by_rules},
+          {"the single best solver, " + best, [best](const Regret&) { return best; }},
+          {"the switching method", always("odeum/dormand_prince54_rodas4 --tol")}};
 }
 
 std::string single_best(const std::vector<Regret>& all) {
@@ -191,10 +241,14 @@ std::string single_best(const std::vector<Regret>& all) {
 
 std::vector<Row> advise_rows() {
   std::vector<Regret> all;
-  const char* only = std::getenv("ODEUM_ADVISE_CASES");
+  std::vector<std::string> only;
+  if (const char* given = std::getenv("ODEUM_ADVISE_CASES")) {
+    std::istringstream stream(given);
+    for (std::string glob; std::getline(stream, glob, ',');) only.push_back(glob);
+  }
   std::size_t unanswered = 0;
   for (const std::string& id : known_ids()) {
-    if (only && !any_glob_matches({only}, id)) continue;
+    if (!only.empty() && !any_glob_matches(only, id)) continue;
     const Case& c = known_case(id);
     for (const double error : errors) {
       if (error <= c.truth.floor) continue;
@@ -203,8 +257,8 @@ std::vector<Row> advise_rows() {
         ++unanswered;
         continue;
       }
-      fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error  {}\n", regret.question,
-                 regret.advised, regret.kept, regret.text);
+      fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
+                 regret.question, regret.advised, regret.kept, regret.seconds, regret.text);
       std::fflush(stdout);
       all.push_back(std::move(regret));
     }
@@ -227,14 +281,19 @@ std::vector<Row> advise_rows() {
       row_of("regret of advise, the worst", advised, 1, 1.5, worst->question + ": " + worst->text),
       {.what = "share that keeps the error asked", .goal = 0.99, .measured = share, .unit = ""}};
   const std::string best = single_best(all);
-  for (const auto& [what, id] : std::map<std::string, std::string>{
-           {"always a 5(4) pair", "odeum/dormand_prince54 --tol"},
-           {"always cvode/bdf", "cvode/bdf --tol"},
-           {"always velocity Verlet", "odeum/velocity_verlet --step"},
-           {"the single best solver, " + best, best}})
-    for (const double of : {0.5, 0.9})
-      rows.push_back(row_of(fmt::format("{}: {}", what, of == 0.5 ? "median" : "nine of ten"),
-                            always(all, id), of, nan));
+  for (const Policy& policy : policies(best)) {
+    std::vector<double> values;
+    for (const Regret& regret : all) {
+      const auto found = regret.others.find(policy.choose(regret));
+      values.push_back(found == regret.others.end() ? infinity : found->second);
+    }
+    for (const double of : {0.5, 0.9, 1.0})
+      rows.push_back(row_of(fmt::format("{}: {}", policy.what,
+                                        of == 0.5   ? "median"
+                                        : of == 0.9 ? "nine of ten"
+                                                    : "the worst"),
+                            values, of, nan));
+  }
   return rows;
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "odeum/advise/answer_parts.hpp"
+#include "odeum/advise/no_answer.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/solvers/loaded.hpp"
 
@@ -104,6 +105,19 @@ std::string text_of_builds(const Advice& advice) {
       fmt::join(slow, ", "));
 }
 
+/// Absolute tolerances that are not the same for all components.
+std::string text_of_absolutes(const Trial& found, const Case& c) {
+  constexpr std::size_t most = 12;
+  const std::vector<double>& absolutes = found.request().tolerance.absolutes();
+  if (found.request().mode == Mode::fixed || absolutes.size() < 2 || absolutes.size() > most)
+    return {};
+  const std::vector<std::string> names = component_names(c);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < absolutes.size(); ++i)
+    texts.push_back(fmt::format("{}={:.2g}", names[i], absolutes[i]));
+  return fmt::format("absolute  {}\n", fmt::join(texts, ","));
+}
+
 /// What varies over a box of parameters, and the energy where it was asked for.
 std::string text_of_wishes(const Advice& advice, const Asked& asked) {
   const Trial& found = *winner_of(advice).found;
@@ -154,7 +168,9 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
                         static_cast<double>(found.request().steps) / advice.frames,
                         text_of_ns(winner.times.min() / advice.frames),
                         text_of_ns(advice.wishes.time_ns));
+  text += text_of_absolutes(found, c);
   text += text_of_wishes(advice, asked);
+  if (c.end() > c.stops.back()) text += fmt::format("truth     {}\n", words_of_truth(c));
   text += fmt::format("run       {}\n", command_of(advice, c, asked));
   if (const std::string other = difference(advice, c); !other.empty())
     text += fmt::format("          {}\n", other);

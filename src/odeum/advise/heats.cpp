@@ -158,7 +158,7 @@ void Search::each_worth(std::vector<Candidate>& candidates,
   for (Candidate* candidate : order) {
     progress.advance();
     if (!candidate->dropped.empty()) continue;
-    if (late(0.75)) break;
+    if (late(wishes_.time_ns > 0 ? 0.6 : 0.75)) break;
     if (!std::isfinite(candidate->foreseen)) {
       candidate->dropped = fmt::format("no run to t = {:g} ended well", c_.stops.front());
       continue;

@@ -23,14 +23,20 @@ void check_wishes(const Case& c, const Wishes& wishes) {
     throw std::invalid_argument("the energy is not conserved, so that no horizon can be given");
 }
 
+std::string words_of_truth(const Case& c) {
+  for (const auto& [name, words] : c.facts)
+    if (name == "truth") return words;
+  return c.truth.source;
+}
+
 std::string unknown(const Case& c, const Wishes& wishes) {
   std::vector<double> state(c.y0.size());
   double known = c.t0;
   for (const double stop : c.stops) {
     if (!c.truth.at || !c.truth.at(stop, state.data()))
-      return known == c.t0
-                 ? "the solution is not known at any stop: " + c.truth.source
-                 : fmt::format("the solution is known only to t = {}: {}", known, c.truth.source);
+      return known == c.t0 ? "the solution is not known at any stop: " + words_of_truth(c)
+                           : fmt::format("the solution is known only to t = {}: {}", known,
+                                         words_of_truth(c));
     known = stop;
   }
   if (wishes.time_ns == 0 && wishes.error <= c.truth.floor)
@@ -48,6 +54,8 @@ std::string nobody_within(const Advice& advice) {
         least = trial.ns;
         id = candidate.entrant->info.id();
       }
+  if (advice.cut && (id.empty() || least <= advice.run_ns))
+    return "not known: no run ended within its share of the seconds; --seconds gives more";
   if (id.empty()) return "nobody here ends a run within ten times that time";
   return fmt::format("nobody here ends a run within that time: the shortest took {:.3g} ms, by {}",
                      1e-6 * least, id);

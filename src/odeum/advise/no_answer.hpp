@@ -10,6 +10,9 @@ namespace odeum::advise {
 /// Throws std::invalid_argument for wishes about an energy that does not serve.
 void check_wishes(const Case& c, const Wishes& wishes);
 
+/// What is known of the solution, and why no more.
+std::string words_of_truth(const Case& c);
+
 /// Why there is no answer, before any run; empty: there may be one.
 std::string unknown(const Case& c, const Wishes& wishes);
 

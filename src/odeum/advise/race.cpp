@@ -72,7 +72,8 @@ void enter(const std::vector<const Case*>& cases, const Wishes& wishes, Advice& 
 
 /// Those that may be the fastest, or where a time is given have the least error, and of each other
 /// library and family the best.
-std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, bool within) {
+std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, bool within,
+                                   double floor = 0) {
   std::vector<std::size_t> by_cost;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     if (candidates[k].found) by_cost.push_back(k);
@@ -80,7 +81,7 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, boo
     const Trial &one = *candidates[a].found, &other = *candidates[b].found;
     return within ? one.error < other.error : one.ns < other.ns;
   });
-  double least = infinity;
+  double least = infinity, least_error = infinity;
   std::size_t racing = 0;
   std::set<std::string> seen;
   std::vector<std::size_t> chosen;
@@ -92,7 +93,9 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, boo
       continue;
     }
     least = std::min(least, candidate.found->ns);
-    const bool near = (within || candidate.found->ns <= finalist_factor * least + finalist_ns) &&
+    least_error = std::min(least_error, 10 * candidate.found->error + 2 * floor);
+    const bool near = (within ? candidate.found->error <= least_error
+                              : candidate.found->ns <= finalist_factor * least + finalist_ns) &&
                       racing++ < most_finalists;
     const bool of_library = seen.insert(info.library).second,
                of_family = seen.insert("family " + info.family).second;
@@ -109,7 +112,7 @@ void time_them(Advice& advice, Search& search, double seconds) {
   const study::Pinned pinned;
   const study::ConditionsMeter meter;
   for (std::size_t round = 0; round < rounds; ++round) {
-    if (round > 1 && search.late(0.97)) break;
+    if (round > 0 && search.late(0.85)) break;
     for (const std::size_t k : advice.timed) {
       if (interrupted) throw Interrupted();
       Candidate& candidate = advice.candidates[k];
@@ -129,8 +132,13 @@ double bare_ns(const Candidate& candidate, const Trial& trial) {
     Request request = trial.parts[k].request;
     request.budget.watched = false;
     Status status = Status::ok;
-    sum += study::time_call([&] { status = candidate.on[k]->solve(request).status; },
-                            trial.parts[k].ns);
+    const double before = solve_seconds();
+    const double wall = study::time_call([&] { status = candidate.on[k]->solve(request).status; },
+                                         trial.parts[k].ns);
+    // Other programs stretch the wall time of a long run.
+    constexpr double long_ns = 1e7, in_this_thread = 0.05;
+    const double own = 1e9 * (solve_seconds() - before);
+    sum += wall > long_ns && own > in_this_thread * wall ? std::min(own, wall) : wall;
     if (status != Status::ok) return infinity;
   }
   return sum / static_cast<double>(trial.parts.size());
@@ -156,15 +164,25 @@ void race_to_error(Advice& advice, Search& search) {
 /// Races within a time: those whose bare runs take longer get a coarser setting.
 void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   search.all_within(advice.candidates);
-  advice.cut = search.late(0.7);
-  advice.timed = finalists(advice.candidates, true);
+  advice.cut =
+      search.late(0.6) || std::ranges::any_of(advice.candidates, [](const Candidate& each) {
+        return each.trials.empty() && each.dropped.empty();
+      });
+  advice.timed = finalists(advice.candidates, true, advice.floor);
+  // Where runs are dear, a round of all has to fit into what is left.
+  double round_ns = 0;
+  const std::size_t first = advice.timed.empty() ? 0 : advice.timed.front();
+  std::erase_if(advice.timed, [&](std::size_t k) {
+    round_ns += advice.candidates[k].found->ns;
+    return k != first && round_ns > 0.15e9 * search.left();
+  });
   constexpr int most_adjustments = 4;
   for (int round = 0; round < most_adjustments; ++round) {
     time_them(advice, search, search.seconds() / most_adjustments);
     bool changed = false;
     for (const std::size_t k : advice.timed) {
       Candidate& candidate = advice.candidates[k];
-      if (round + 1 == most_adjustments || search.late(0.85)) continue;
+      if (round + 1 == most_adjustments || search.late(0.75)) continue;
       if (!search.adjust_within(candidate, candidate.times.min())) continue;
       candidate.times = {};
       changed = true;

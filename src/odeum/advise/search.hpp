@@ -7,6 +7,10 @@
 /// The setting of each candidate for the error asked.
 namespace odeum::advise {
 
+/// Processor time of this thread and of the runs in processes of their own, without what making
+/// these takes.
+double solve_seconds();
+
 /// The stops of a run.
 enum class To { all, first, end };
 
@@ -31,6 +35,10 @@ class Search {
   /// On one of the cases alone, with no stop but the end.
   Trial run_to_end(const Candidate& candidate, double fineness, std::size_t which) const;
   bool late(double share) const;
+  /// Of the answer, from when the race began: what the truth has left of them, half at least.
+  double left() const;
+  /// Wall time over processor time since the race began, 1 to 10.
+  double crowding() const;
   static double seconds_since(std::chrono::steady_clock::time_point start);
   double seconds() const { return seconds_; }
 
@@ -85,6 +93,8 @@ class Search {
   bool dear_ = false;     ///< runs are
   double patience_ = 10;  ///< a run is stopped after so many times the best run's time
   double best_ns_ = infinity, cap_seconds_ = 0, least_error_ = infinity;
+  double before_;  ///< seconds that the truth took
+  double start_thread_ = study::thread_seconds();
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

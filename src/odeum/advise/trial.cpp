@@ -7,8 +7,11 @@
 #include "odeum/advise/search.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::advise {
+
+double solve_seconds() { return study::thread_seconds() - 1e-9 * isolated_times.isolation_ns; }
 
 double Trial::state_error() const { return parts[worst()].error; }
 
@@ -30,7 +33,8 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
       wishes_(wishes),
       multiple_(frames > 0 ? std::lcm(frames, c_.settings.steps_multiple)
                            : c_.settings.steps_multiple),
-      seconds_(wishes.seconds > 0 ? wishes.seconds : 20) {
+      seconds_(wishes.seconds > 0 ? wishes.seconds : 20),
+      before_(seconds_since(wishes.start)) {
   for (const Case* c : cases)
     stages_.push_back({c,
                        {*c, c->stops},
@@ -43,7 +47,16 @@ double Search::seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool Search::late(double share) const { return seconds_since(start_) > share * seconds_; }
+double Search::left() const { return seconds_ - std::min(before_, 0.5 * seconds_); }
+
+bool Search::late(double share) const { return seconds_since(start_) > share * left(); }
+
+double Search::crowding() const {
+  constexpr double shortest = 0.1, most = 10;
+  const double wall = seconds_since(start_);
+  if (wall < shortest) return 1;
+  return std::clamp(wall / (study::thread_seconds() - start_thread_), 1.0, most);
+}
 
 double Search::part_of(To to) const {
   return to == To::first ? (c_.stops.front() - c_.t0) / (c_.stops.back() - c_.t0) : 1;
@@ -63,9 +76,11 @@ Request Search::request_for(const Stage& stage, const Candidate& candidate, doub
     request.steps =
         std::max(1ULL, static_cast<unsigned long long>(std::llround(fineness * part_of(to))));
   // A run that may be the answer has its time also where the seconds are over.
-  const double left = std::max(0.01, seconds_ - seconds_since(start_));
-  request.budget.seconds = std::isfinite(best_ns_) ? std::max(2e-3, patience_ * 1e-9 * best_ns_)
-                                                   : std::min(left, cap_seconds_);
+  const double remains = std::max(0.01, left() - seconds_since(start_));
+  // Budgets are of wall time, which other programs stretch.
+  request.budget.seconds = std::isfinite(best_ns_)
+                               ? crowding() * std::max(2e-3, patience_ * 1e-9 * best_ns_)
+                               : std::min(remains, cap_seconds_);
   return request;
 }
 
@@ -97,10 +112,10 @@ double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
 
 Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to,
                       Trial& trial) const {
-  const double start = study::thread_seconds();
+  const double start = solve_seconds();
   const Outcome outcome = entrant.solve(part.request);
   if (trial.parts.empty()) trial.counters = outcome.counters;
-  part.ns = std::max(1.0, 1e9 * (study::thread_seconds() - start) -
+  part.ns = std::max(1.0, 1e9 * (solve_seconds() - start) -
                               4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
   if (outcome.status != Status::ok) return outcome.status;
   part.error = 0;
@@ -140,6 +155,9 @@ Trial Search::run_to_end(const Candidate& candidate, double fineness, std::size_
   Trial trial;
   trial.fineness = fineness;
   Part part{request_for(stages_[which], candidate, fineness, To::end)};
+  // Its time is about known, also where the seconds are over.
+  double& seconds = part.request.budget.seconds;
+  if (candidate.found) seconds = std::max(seconds, 0.05 + 4e-9 * candidate.found->ns);
   trial.status = run_on(stages_[which], *candidate.on[which], part, To::end, trial);
   trial.ns = part.ns;
   if (trial.status == Status::ok) trial.error = part.error;

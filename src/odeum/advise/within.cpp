@@ -73,24 +73,24 @@ double Search::foreseen_error(const Candidate& candidate) const {
 void Search::search_within(Candidate& candidate) {
   constexpr std::size_t most_solves = 5;
   for (std::size_t k = 0; k < most_solves && candidate.dropped.empty() && !late(0.7); ++k) {
+    // Nothing is to be had below the truth's own error.
+    const Trial& last = candidate.trials.back();
+    if (good(last, wishes_.time_ns) &&
+        (last.ns > near_enough * wishes_.time_ns || last.error <= 2 * c_.truth.floor))
+      break;
     // A third of the time tells whether the whole is worth it.
-    const double fineness = next_within(candidate, k == 0 ? 0.3 : 0.95);
+    const double fineness = next_within(candidate, k == 0 && !dear_ ? 0.3 : 0.95);
     if (fineness == 0) break;
     take_within(candidate, fineness);
-    const Trial& trial = candidate.trials.back();
     if (const double foreseen = foreseen_error(candidate); foreseen > hopeless * least_error_)
       candidate.dropped = fmt::format("its error would be {:.2g} within the time", foreseen);
-    // Nothing is to be had below the truth's own error.
-    if (good(trial, wishes_.time_ns) &&
-        (trial.ns > near_enough * wishes_.time_ns || trial.error <= 2 * c_.truth.floor))
-      break;
   }
 }
 
 void Search::all_within(std::vector<Candidate>& candidates) {
   order_by_rank(candidates);
   if (heats(candidates)) {
-    cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, seconds_ / 4));
+    cap_seconds_ = std::max(2e-3, std::min(crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
     each_worth(candidates, [&](Candidate& candidate) {
       take_within(candidate, first(candidate));
       search_within(candidate);
@@ -115,7 +115,7 @@ void Search::all_within(std::vector<Candidate>& candidates) {
   // that failed there, which may be good at a finer one.
   std::sort(known.begin(), known.end());
   std::sort(failed.begin(), failed.end());
-  cap_seconds_ = std::max(2e-3, std::min(2e-9 * wishes_.time_ns, seconds_ / 4));
+  cap_seconds_ = std::max(2e-3, std::min(crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
   for (std::size_t k = 0; k < std::max(known.size(), failed.size()) && !late(0.7); ++k) {
     for (const auto* list : {&known, &failed})
       if (k < list->size()) search_within(candidates[(*list)[k].second]);

@@ -13,6 +13,7 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/truth/computed_truth.hpp"
+#include "odeum/truth/system.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -129,6 +130,13 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   // A folder that can't be written is refused before the race.
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
+  options.wishes.start = std::chrono::steady_clock::now();
+  // A time that answers on any machine that is quiet; what is computed in it is kept for the next.
+  constexpr double usual = 40, share = 0.4;
+  truth::deadline =
+      options.wishes.start +
+      std::chrono::milliseconds(std::llround(
+          1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual)));
   const Case given = case_of(options.what, options.problems);
   Box box;
   if (options.vary.empty())
@@ -191,7 +199,7 @@ void add_advise(CLI::App& app, int& result) {
       ->allow_extra_args(false);
   add_option(*command, "--solver GLOB...", options->wishes.solvers, "solvers, with * and ?");
   add_option(*command, "--seconds S", options->wishes.seconds,
-             "for the answer; default: 20, and 60 where a run takes over 2 ms");
+             "for the answer, the truth included; default: 20, and 60 where a run takes over 2 ms");
   add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_flag("--code", options->code,

@@ -216,8 +216,9 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
-      if (run.work > effort.budget) {
-        run.end = fmt::format("the work is spent at t = {:.6Lg}", t);
+      const bool late = is_late();
+      if (late || run.work > effort.budget) {
+        run.end = fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is", t);
         return run;
       }
       if (!(h > 4 * std::numeric_limits<Real>::epsilon() * std::abs(t)) || !(h > 1e-300L)) {

@@ -66,6 +66,20 @@ class Search {
   Reference find() {
     choose();
     const bool in_double = system_.rounding > 0x1p-60L;
+    if (in_double || deadline.load() == std::chrono::steady_clock::time_point::max())
+      return reference(finest(in_double));
+    // Something is known where the seconds do not suffice for more, which is not moved by this.
+    const Comparison loose = compare(1e-14L);
+    moved_.reset();
+    second_tolerance_ = -1;
+    inspected_ = 0;
+    found_ = false;
+    const Comparison best = finest(in_double);
+    return reference(best.known < loose.known ? loose : best);
+  }
+
+ private:
+  Comparison finest(bool in_double) {
     std::vector<Real> ladder =
         in_double ? std::vector<Real>{1e-11L, 1e-13L, 1e-15L} : std::vector<Real>{2e-18L, 4e-19L};
     Comparison best = compare(ladder.front());
@@ -76,9 +90,8 @@ class Search {
     if (in_double && best.spent) ladder = {1e-11L, 1e-9L, 1e-7L};
     // The same steps again where stability limits them, not the tolerance.
     const bool limited = best.a.work < 1.3 * brief_work_;
-    if (!in_double && whole && limited && best.worst <= 1e-15L * size_of(best))
-      return reference(best);
-    for (std::size_t k = 1; k < ladder.size(); ++k) {
+    if (!in_double && whole && limited && best.worst <= 1e-15L * size_of(best)) return best;
+    for (std::size_t k = 1; k < ladder.size() && !is_late(); ++k) {
       // Far below the rounding of double.
       if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
       Comparison other = compare(ladder[k]);
@@ -86,10 +99,9 @@ class Search {
           other.known > best.known || (other.known == best.known && other.worst < best.worst);
       if (better) best = std::move(other);
     }
-    return reference(best);
+    return best;
   }
 
- private:
   Real size_of(const Comparison& c) const {
     Real size = distance(system_.y0, zero_, scale_);
     for (std::size_t k = 0; k < c.known; ++k)

@@ -76,7 +76,7 @@ std::optional<Reference> kept_or_computed(
   if (const auto text = formula::kept_text(name))
     if (auto held = from_text(*text, states)) return held;
   std::optional<Reference> reference = compute();
-  if (reference) formula::keep_text(name, to_text(*reference));
+  if (reference && !is_late()) formula::keep_text(name, to_text(*reference));
   return reference;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -109,6 +111,12 @@ inline constexpr Real finest_implicit_extrapolation = 1e-16L;
 /// A run across all changes of conditions, in a smooth system between two of them.
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
+
+/// Until when references are computed. One that is not done by then has what two methods agree on
+/// up to there, to fewer digits or up to an earlier time, and is not kept.
+inline std::atomic<std::chrono::steady_clock::time_point> deadline{
+    std::chrono::steady_clock::time_point::max()};
+inline bool is_late() { return std::chrono::steady_clock::now() > deadline.load(); }
 
 /// A computed reference.
 struct Reference {
