@@ -38,8 +38,10 @@ Outcome solve(const Case& c, const std::string& id, double tolerance = 1e-9) {
 // have their turn.
 TEST_P(Fmus, AdviceTriesEverySolverThatFits) {
   const Case c = made({{"mu", "0"}, {"x", "1"}});
-  const advise::Advice advice =
-      advise::advise({&c}, {.error = 1e-4, .solvers = {"odeum/*54*", "gsl/*"}});
+  advise::Wishes wishes;
+  wishes.error = 1e-4;
+  wishes.solvers = {"odeum/*54*", "gsl/*"};
+  const advise::Advice advice = advise::advise({&c}, wishes);
   EXPECT_TRUE(advice.failure.empty()) << advice.failure;
   for (const advise::Candidate& candidate : advice.candidates)
     EXPECT_FALSE(candidate.trials.empty()) << candidate.entrant->info.id();
