@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
       {"kernel", "Forces of a cloth", cloth_kernel_rows},
       {"steps", "Steps of a cloth", cloth_step_rows},
       {"cloth", "A cloth at equal error", cloth_error_rows},
+      {"contact", "A cloth that lies on itself, with contacts / without", contact_rows},
       {"fixed", "Fixed-step RK4 against the better of odeint's two", fixed_step_rows},
       {"evaluation", "What a step costs beyond the right-hand side, by unknowns", evaluation_rows},
       {"precision", "At equal error: time of the best peer / of the best own solver",
@@ -48,7 +49,7 @@ int main(int argc, char** argv) {
     if (std::none_of(std::begin(groups), std::end(groups),
                      [&](const Group& g) { return std::string(g.name) == argv[i]; })) {
       fmt::print(stderr,
-                 "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, fixed, "
+                 "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, contact, fixed, "
                  "evaluation, precision, advise, sparse or fem\n",
                  argv[i], argv[i]);
       return 2;

@@ -36,6 +36,7 @@ void print(const Row& row);
 std::vector<Row> cloth_kernel_rows();
 std::vector<Row> cloth_step_rows();
 std::vector<Row> cloth_error_rows();
+std::vector<Row> contact_rows();
 std::vector<Row> fixed_step_rows();
 std::vector<Row> evaluation_rows();
 std::vector<Row> precision_rows();

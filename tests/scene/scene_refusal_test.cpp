@@ -51,6 +51,22 @@ std::string springs(const std::string& entry) {
   return std::string(two) + "springs:\n  - {" + entry + "}\n";
 }
 
+// Three particles in a row of faces; `faces` is on line 8.
+std::string surface(const std::string& faces, const std::string& thickness = "0.01") {
+  return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nparticles:\n"
+         "  - {pos: [0, 0, 0], mass: 1}\n  - {pos: [1, 0, 0], mass: 1}\n"
+         "  - {pos: [0, 1, 0], mass: 1}\nsurfaces:\n  - {faces: " +
+         faces + ", self_contact: {thickness: " + thickness + ", stiffness: 10}}\n";
+}
+// A cloth below a ball; it is on line 6.
+std::string cloth_below(const std::string& ball, const std::string& more = "") {
+  return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nparticles:\n  - {" + ball +
+         ", mass: 1, radius: 0.5}\ncloth:\n"
+         "  - {rows: 3, columns: 3, row_edge: [1, 0, 0], column_edge: [0, 1, 0], mass: 1,\n"
+         "     self_contact: {thickness: 0.01, stiffness: 10}}\n" +
+         more;
+}
+
 // An emitter with one key more.
 std::string emitter(const std::string& entry) {
   return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nemitters: [{position: [0, 0, 0], "
@@ -71,6 +87,25 @@ std::string bomb() {
 INSTANTIATE_TEST_SUITE_P(
     SceneReader, SceneFault,
     testing::Values(
+        Fault{"face_of_two_corners", surface("[[0, 1, 2], [0, 1]]"),
+              ":8:25: surfaces[0].faces[1]: a wrong number of entries; got"},
+        Fault{"face_with_a_corner_twice", surface("[[0, 1, 0]]"),
+              ":8:14: surfaces[0].faces[0]: a face with a corner twice; got [0, 1, 0]"},
+        Fault{"face_of_no_particle", surface("[[0, 1, 3]]"),
+              "surfaces[0].faces[0][2]: no such particle; got 3, expected an id from 0 to 2"},
+        Fault{"thickness_of_nothing", surface("[[0, 1, 2]]", "0"),
+              ":8:52: surfaces[0].self_contact.thickness: zero; got 0"},
+        Fault{
+            "cloth_inside_a_ball", cloth_below("pos: [0.5, 0.5, 0.3]"),
+            ":7:20: cloth[0].self_contact: starts inside a body; got particle 5 at (0.5, 0.5, 0)"},
+        Fault{
+            "cloth_below_a_plane",
+            cloth_below("pos: [0.5, 0.5, 9]",
+                        "contacts: [{plane: {point: [0, 0, 1], normal: [0, 0, 1], stiffness: "
+                        "1}}]\n"),
+            "cloth[0].self_contact: starts inside a body; got particle 1 at (0, 0, 0) in a plane"},
+        Fault{"cloth_too_near_to_a_ball", cloth_below("pos: [0.5, 0.5, 0.5005]"),
+              "cloth[0].self_contact: starts in contact; got 0.0005 m"},
         Fault{"look_of_two_numbers", emitter("look: {colour: [[1, 1, 1], [1, 1]]}"),
               "emitters[0].look.colour[1]: a wrong number of entries"},
         Fault{"look_too_bright", emitter("look: {colour: [[1, 1, 2], [1, 1, 1]]}"),

@@ -195,7 +195,7 @@ TEST(SceneTerms, TheStructureIsFound) {
   };
   EXPECT_TRUE(structure("").closed_form);
   const auto spring = structure("springs: [{particle_ids: [0, 1], stiffness: 5}]\n");
-  EXPECT_TRUE(spring.separable && spring.smooth && !spring.linear && !spring.closed_form);
+  EXPECT_TRUE(spring.separable && spring.smooth() && !spring.linear && !spring.closed_form);
   EXPECT_EQ(spring.kernel, "edge list");
   EXPECT_TRUE(
       structure("springs: [{particle_ids: [0, 1], stiffness: 5, rest_length: 0}]\n").linear);
@@ -204,7 +204,7 @@ TEST(SceneTerms, TheStructureIsFound) {
   EXPECT_TRUE(structure("forces: [{magnetic: {field: [0, 0, 1], charge: 1}}]\n").linear);
   const auto wall =
       structure("contacts: [{plane: {point: [0, 0, 0], normal: [0, 0, 1], stiffness: 1}}]\n");
-  EXPECT_TRUE(wall.separable && !wall.smooth && !wall.linear);
+  EXPECT_TRUE(wall.separable && !wall.smooth() && !wall.linear);
   EXPECT_TRUE(structure("contacts: [{particles: {stiffness: 1}}]\n").terms.empty())
       << "particles without a radius never touch";
   const auto& scenes = cases::all_scenes();

@@ -20,6 +20,7 @@ const gradient = (stops) =>
 const shown = (x) =>
   x === 0 ? '0' : Math.abs(x) >= 0.01 && Math.abs(x) < 1e4 ? x.toPrecision(3) : x.toExponential(1);
 byId('speed-bar').style.background = gradient(speedStops);
+byId('touch-legend').hidden = touches.size === 0;
 byId('strain-bar').style.background = gradient(strainStops);
 byId('speed-max').textContent = `${shown(fastest)} m/s`;
 if (errors.length) {

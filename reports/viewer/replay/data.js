@@ -17,6 +17,11 @@ const fixed = unpack(scene.fixed, Uint32Array), ends = unpack(scene.springs, Uin
 const rest = unpack(scene.rest, Float32Array);
 // How far each particle is from where it should be, m, by frame; empty: not known.
 const errors = unpack(scene.errors || '', Float32Array);
+// Frame and particle of what touches, as one number each.
+const touching = unpack(scene.touching || '', Uint32Array), touches = new Set();
+for (let i = 0; i < touching.length; i += 2)
+  touches.add(touching[i] * scene.listed + touching[i + 1]);
+report.touching = touches.size;
 const times = scene.times, last = times.length - 1, duration = times[last] || 1;
 
 // Where each frame begins in the arrays.

@@ -108,14 +108,16 @@ const drawCloths = (now) => {
       }
   draw(flat, gl.TRIANGLES, places, colours);
 };
+const touchColour = [1, 0.35, 0.1];
 const drawParticles = (now) => {
   const places = [], colours = [], sizesOfPoints = [], q = now.state, half = 3 * now.n;
   for (let i = 0; i < now.n; ++i) {
     const id = idOf(now.k, i), v = half + 3 * i;
     if (lookOf(id)) continue;
     places.push(q[3 * i], q[3 * i + 1], q[3 * i + 2]);
-    const colour =
-      id < scene.listed && fixed[id]
+    const colour = id < scene.listed && touches.has(now.k * scene.listed + id)
+      ? touchColour
+      : id < scene.listed && fixed[id]
         ? [0.75, 0.75, 0.75]
         : errors.length
           ? errorColour(now.k, i)

@@ -72,7 +72,8 @@ Facts facts_of(const scene::Structure& s) {
 std::vector<std::string> tags_of(const scene::Structure& s, bool autonomous) {
   std::vector<std::string> tags{autonomous ? "autonomous" : "non_autonomous", "second_order",
                                 "mechanical", "scene", s.linear ? "linear" : "nonlinear"};
-  if (!s.smooth) tags.emplace_back("kinked");
+  if (s.order_kept == scene::order_at_kinks) tags.emplace_back("kinked");
+  if (s.order_kept == scene::order_at_surfaces) tags.emplace_back("kinked_4");
   return tags;
 }
 
@@ -113,7 +114,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   c.facts.emplace_back("truth", known.words);
   if (known.stops.empty()) {
     c.settings.no_convergence = "no truth is known: " + known.words;
-    choose_steps(c, structure.smooth, false);
+    choose_steps(c, structure.order_kept > scene::order_at_kinks, false);
     return c;
   }
   cut_stops(c, known.stops);
@@ -121,9 +122,9 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   // failed.
   constexpr std::size_t small = 64;
   if (problem->size() <= small)
-    choose_steps(c, structure.smooth, true);
+    choose_steps(c, structure.order_kept > scene::order_at_kinks, true);
   else
-    choose_steps(c, structure.smooth, true, most_trial_steps);
+    choose_steps(c, structure.order_kept > scene::order_at_kinks, true, most_trial_steps);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
   return c;
 }

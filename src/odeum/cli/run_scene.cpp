@@ -45,11 +45,12 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
     lines.push_back(fmt::format("term       {:<18} {:>6} {:<10} {}", term.name, term.count,
                                 term.unit, term.law));
   if (s.terms.empty()) lines.emplace_back("term       none: no force");
-  lines.push_back(
-      fmt::format("structure  {}, {}, autonomous, {}",
-                  s.separable ? "separable" : "not separable (depends on velocities)",
-                  s.linear ? "linear" : "nonlinear",
-                  s.smooth ? "smooth" : "with kinks (no order above 2 can be expected)"));
+  lines.push_back(fmt::format(
+      "structure  {}, {}, autonomous, {}",
+      s.separable ? "separable" : "not separable (depends on velocities)",
+      s.linear ? "linear" : "nonlinear",
+      s.smooth() ? "smooth"
+                 : fmt::format("with kinks (no order above {} can be expected)", s.order_kept)));
   lines.push_back("kernel     " + s.kernel);
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
@@ -98,6 +99,7 @@ Lines describe_result(const Entrant& entrant, const Request& request, const scen
                               last.kinetic + last.potential, last.t));
   lines.push_back(fmt::format("momentum   ({:.6g}, {:.6g}, {:.6g}) kg m/s at the end",
                               last.momentum[0], last.momentum[1], last.momentum[2]));
+  if (run.contacts.apart > 0) lines.push_back(trajectories::text_of_contacts(run.contacts));
   return lines;
 }
 
@@ -257,7 +259,8 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     if (one.outcome.status != Status::ok)
       print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
             entrant->info.id(), setting_words(one.request));
-    any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty());
+    any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty() &&
+                        one.outcome.contacts.passed == 0);
     if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());

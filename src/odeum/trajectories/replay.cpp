@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -85,6 +86,24 @@ std::size_t most_frames(const scene::RunResult& run) {
   return std::max<std::size_t>(2, run.frames.size() * most_numbers / numbers);
 }
 
+// Frame and particle of all that touch, two numbers each.
+std::vector<std::uint32_t> touching_in(const scene::Scene& scene, const scene::RunResult& run) {
+  std::vector<std::uint32_t> touching;
+  if (scene.surfaces.empty()) return touching;
+  const scene::Surfaces surfaces(scene);
+  const auto chosen = chosen_frames(run, most_frames(run));
+  for (std::uint32_t k = 0; k < chosen.size(); ++k) {
+    // The listed particles come first in a frame.
+    const scene::Frame& frame = run.frames[chosen[k]];
+    std::vector<std::uint32_t> particles;
+    scene::touching_at(surfaces, frame.y.data(), &particles);
+    std::ranges::sort(particles);
+    particles.erase(std::ranges::unique(particles).begin(), particles.end());
+    for (const std::uint32_t particle : particles) touching.insert(touching.end(), {k, particle});
+  }
+  return touching;
+}
+
 Json scene_json(const scene::Scene& scene, const scene::RunResult& run,
                 const std::vector<std::vector<double>>& errors) {
   std::vector<float> states, radii, rest, errors_shown;
@@ -137,6 +156,7 @@ Json scene_json(const scene::Scene& scene, const scene::RunResult& run,
           {"plot", plot},
           {"looks", looks_of(scene)},
           {"lives", packed(lives_of(scene, run.t > 0 ? run.t : 1e-300))},
+          {"touching", packed(touching_in(scene, run))},
           {"surfaces", surfaces_of(scene)}};
 }
 

@@ -40,10 +40,14 @@ bool dissipates(const scene::Scene& scene) {
   return !scene.forces.empty() ||
          std::any_of(scene.springs.begin(), scene.springs.end(),
                      [](const scene::Spring& spring) { return spring.damping > 0; }) ||
-         std::any_of(scene.contacts.begin(), scene.contacts.end(), [](const auto& contact) {
-           return std::visit([](const scene::Penalty& p) { return p.damping + p.friction > 0; },
-                             contact);
-         });
+         std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                     [](const auto& contact) {
+                       return std::visit(
+                           [](const scene::Penalty& p) { return p.damping + p.friction > 0; },
+                           contact);
+                     }) ||
+         std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [](const scene::Surface& surface) { return surface.friction > 0; });
 }
 
 /// What the free particles of a frame brought with them: those of the scene at its start, emitted
@@ -68,6 +72,15 @@ Brought brought_by(const scene::Scene& scene, const std::vector<scene::Particle>
     }
   }
   return sum;
+}
+
+std::string text_of_pair(const scene::SurfacePair& pair) {
+  const auto [a, b, c, d] = pair.x;
+  if (pair.kind == scene::SurfacePair::Kind::corner)
+    return fmt::format("particle {} and ball {}", a, c);
+  if (pair.kind == scene::SurfacePair::Kind::edges)
+    return fmt::format("edges {}-{} and {}-{}", a, b, c, d);
+  return fmt::format("particle {} and triangle {}-{}-{}", c, a, b, d);
 }
 
 }  // namespace
@@ -166,6 +179,25 @@ std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& 
         gained <= allowed ? "after what was lost before" : "there");
   }
   return {};
+}
+
+std::string text_of_contacts(const scene::Contacts& contacts) {
+  const scene::Touching& deepest = contacts.deepest;
+  std::string text = "contacts   ";
+  text += deepest.deepest > 0
+              ? fmt::format("deepest {:.3g} m of a thickness of {:.3g} m, at t = {:.4g}, {}",
+                            deepest.deepest, deepest.thickness, contacts.deepest_at,
+                            text_of_pair(deepest.pair))
+              : "none";
+  text +=
+      contacts.passed == 0
+          ? fmt::format("; nothing passed through, between states {:.3g} s apart", contacts.apart)
+          : fmt::format(
+                "\nanswer     wrong: {} pairs passed through each other, the first in "
+                "the {:.3g} s before t = {:.6g}: {}",
+                contacts.passed, contacts.apart, contacts.first_passed,
+                text_of_pair(contacts.first_pair));
+  return text;
 }
 
 }  // namespace odeum::trajectories

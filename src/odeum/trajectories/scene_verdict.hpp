@@ -33,4 +33,8 @@ std::vector<double> times_to_judge(const std::vector<const scene::RunResult*>& r
 /// dissipate, twice that above the lowest energy before.
 std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& run);
 
+/// How deep the surfaces of a run were in their thickness, and what passed through: lines of
+/// `odeum run`.
+std::string text_of_contacts(const scene::Contacts& contacts);
+
 }  // namespace odeum::trajectories

@@ -55,7 +55,7 @@ System system_of(const std::shared_ptr<const SceneProblem>& problem) {
   const std::size_t n = system.states = problem->size();
   const scene::Structure& structure = problem->structure();
   system.y0.assign(problem->start().begin(), problem->start().end());
-  system.smooth = structure.smooth;
+  system.smooth = structure.smooth();
   system.concurrent = true;
   if (problem->plain() && problem->springs().size() <= few_springs) {
     system.rhs = scene::extended_problem(*problem->scene()).f;

@@ -20,7 +20,7 @@ TermInfo EdgeSprings::info(const Bodies&) const {
     info.velocity_dependent |= spring.damping != 0;
     axial |= spring.axial && spring.damping != 0;
     info.linear &= spring.rest_length == 0 && !spring.tension_only;
-    info.smooth &= !spring.tension_only;
+    if (spring.tension_only) info.order_kept = order_at_kinks;
   }
   info.linear &= !axial;
   info.law = axial                     ? "[k (l - L) + d (w.u)] u"

@@ -76,6 +76,18 @@ struct SphereContact : Penalty {
 struct ParticleContact : Penalty {};
 using Contact = std::variant<PlaneContact, SphereContact, ParticleContact>;
 
+/// What keeps surfaces apart, see surface_law.hpp. Two of them meet with the mean of each number.
+struct SelfContact {
+  double thickness = 0;  ///< the distance at which the force begins, m
+  double stiffness = 0;  ///< N/m: at half the thickness, the force of a spring of it
+  double friction = 0;   ///< coefficient
+};
+/// Triangles of particles that meet themselves, other surfaces, and particles with a radius that
+/// are on none.
+struct Surface : SelfContact {
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
 /// How a viewer draws emitted particles: soft sprites, between two looks from birth to death.
 struct Look {
   std::array<Vec3, 2> colour{Vec3{1, 1, 1}, Vec3{1, 1, 1}};  ///< red, green, blue, 0 to 1
@@ -123,6 +135,7 @@ struct Scene {
   std::vector<ClothPatch> cloths;
   std::vector<UniformForce> forces;
   std::vector<Contact> contacts;
+  std::vector<Surface> surfaces;
   std::vector<Emitter> emitters;
   std::optional<double> frame_interval;  ///< s
   std::optional<Plot> plot;

@@ -59,6 +59,10 @@ class BlockSink {
   }
 };
 
+/// All derivatives of a force exist where the motion goes.
+inline constexpr int any_order = 1000;
+inline constexpr int order_at_kinks = 2, order_at_surfaces = 4;
+
 /// What a term is, for the description of a model and the analysis of its structure.
 struct TermInfo {
   std::string name;
@@ -67,7 +71,8 @@ struct TermInfo {
   std::string unit;       ///< "springs", "particles", "surfaces"
   bool velocity_dependent = false;
   bool linear = false;  ///< in positions and velocities
-  bool smooth = true;   ///< all derivatives exist where the motion goes
+  /// The highest order that a method keeps: with k continuous derivatives of the force, k + 2.
+  int order_kept = any_order;
 };
 
 class Term {

@@ -135,7 +135,7 @@ class ContactTerm final : public Term {
             .unit = particles ? "particles" : "surfaces",
             .velocity_dependent = law_.damping != 0 || law_.friction != 0,
             .linear = false,
-            .smooth = false};
+            .order_kept = order_at_kinks};
   }
 
   std::uint64_t add(const Bodies& bodies, const double* q, const double* v,

@@ -10,6 +10,7 @@
 #include "odeum/linear/conjugate_gradients.hpp"
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/scene/model/spring_law.hpp"
+#include "odeum/scene/surface/surface_term.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -99,6 +100,7 @@ SceneProblem::SceneProblem(const Scene& scene, std::vector<Lifetime> lives)
   for (const Contact& contact : scene.contacts)
     if (any_radius || !std::holds_alternative<ParticleContact>(contact))  // points never touch
       terms_.push_back(make_contact(contact));
+  if (!scene.surfaces.empty()) terms_.push_back(make_surface_contact(scene));
   describe(scene);
 }
 
@@ -125,11 +127,11 @@ void SceneProblem::describe(const Scene& scene) {
   }
   if (s.kernel.empty()) s.kernel = "none: no springs";
   s.separable = s.linear = true;
-  s.smooth = lives_.empty();
+  s.order_kept = lives_.empty() ? any_order : order_at_kinks;
   for (const TermInfo& info : s.terms) {
     s.separable &= !info.velocity_dependent;
     s.linear &= info.linear;
-    s.smooth &= info.smooth;
+    s.order_kept = std::min(s.order_kept, info.order_kept);
   }
   s.closed_form = scene.springs.empty() && terms_.empty();
 }

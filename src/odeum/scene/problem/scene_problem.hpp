@@ -20,9 +20,11 @@ namespace odeum::scene {
 struct Structure {
   std::vector<TermInfo> terms;
   std::size_t particles = 0, fixed = 0;
-  bool separable = false;    ///< the acceleration does not depend on the velocity
-  bool linear = false;       ///< in positions and velocities
-  bool smooth = true;        ///< neither contacts, tension-only springs nor lifetimes
+  bool separable = false;  ///< the acceleration does not depend on the velocity
+  bool linear = false;     ///< in positions and velocities
+  /// See TermInfo; lifetimes count as kinks.
+  int order_kept = any_order;
+  bool smooth() const { return order_kept == any_order; }
   bool closed_form = false;  ///< free particles under a constant force
   std::string kernel;        ///< how the springs are computed
 };

@@ -72,7 +72,7 @@ void read_all(Context& context, const YamlNode& root) {
   const Mapping mapping(
       {context, root, ""},
       {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth", "forces",
-       "contacts", "emitters", "output", "plot", "allow_negative_damping"});
+       "contacts", "surfaces", "emitters", "output", "plot", "allow_negative_damping"});
   Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
@@ -95,6 +95,7 @@ void read_all(Context& context, const YamlNode& root) {
   mapping.with("springs", read_springs);
   mapping.with("forces", read_forces);
   mapping.with("contacts", read_contacts);
+  mapping.with("surfaces", read_surfaces);
   mapping.with("emitters", read_emitters);
   if (scene.particles.empty() && scene.emitters.empty())
     Value(context, root, "particles")
@@ -105,6 +106,7 @@ void read_all(Context& context, const YamlNode& root) {
   });
   mapping.with("plot", read_plot);
   warn_of_duplicates(context);
+  require_apart(context);
 }
 
 }  // namespace

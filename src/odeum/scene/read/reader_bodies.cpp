@@ -11,16 +11,6 @@ namespace {
 
 constexpr std::uint64_t most_whole = std::uint64_t{1} << 53;
 
-// The end of a spring: the id of a particle read before.
-std::size_t particle_id(const Value& value) {
-  const std::size_t count = context_of(value).scene.particles.size();
-  const std::uint64_t id = value.whole(0, most_whole);
-  if (id >= count)
-    value.fail("no such particle", count == 0 ? "a scene with particles"
-                                              : fmt::format("an id from 0 to {}", count - 1));
-  return static_cast<std::size_t>(id);
-}
-
 Vec3 velocity_of(const Value& value, bool fixed) {
   const Vec3 velocity = value.vector();
   if (!fixed || velocity == Vec3{}) return velocity;
@@ -29,6 +19,15 @@ Vec3 velocity_of(const Value& value, bool fixed) {
 }
 
 }  // namespace
+
+std::size_t particle_id(const Value& value) {
+  const std::size_t count = context_of(value).scene.particles.size();
+  const std::uint64_t id = value.whole(0, most_whole);
+  if (id >= count)
+    value.fail("no such particle", count == 0 ? "a scene with particles"
+                                              : fmt::format("an id from 0 to {}", count - 1));
+  return static_cast<std::size_t>(id);
+}
 
 void make_room(const Value& at, std::uint64_t more) {
   const std::uint64_t most = context_of(at).options.most_particles;

@@ -119,10 +119,22 @@ void read_springs_of(const Mapping& cloth, const ClothPatch& patch) {
       }
 }
 
+/// Two triangles a cell.
+std::vector<std::array<std::size_t, 3>> faces_of(const ClothPatch& patch) {
+  std::vector<std::array<std::size_t, 3>> faces;
+  for (std::size_t i = 0; i + 1 < patch.rows; ++i)
+    for (std::size_t j = 0; j + 1 < patch.columns; ++j) {
+      const std::size_t here = patch.first + i * patch.columns + j, below = here + patch.columns;
+      faces.push_back({here, below, here + 1});
+      faces.push_back({here + 1, below, below + 1});
+    }
+  return faces;
+}
+
 void read_cloth(const Value& value) {
-  const Mapping cloth(
-      value, {"rows", "columns", "origin", "row_edge", "column_edge", "mass", "structural", "shear",
-              "bend", "damping_model", "tension_only", "radius", "fixed", "velocity"});
+  const Mapping cloth(value, {"rows", "columns", "origin", "row_edge", "column_edge", "mass",
+                              "structural", "shear", "bend", "damping_model", "tension_only",
+                              "radius", "fixed", "velocity", "self_contact"});
   Scene& scene = context_of(value).scene;
   const ClothPatch patch{.first = scene.particles.size(),
                          .rows = cloth.at("rows").whole(2, 1'000'000),
@@ -133,6 +145,9 @@ void read_cloth(const Value& value) {
   read_fixed(cloth, patch);
   read_velocity(cloth, patch);
   read_springs_of(cloth, patch);
+  cloth.with("self_contact", [&](const Value& v) {
+    add_surface(v, {read_self_contact(v), faces_of(patch)});
+  });
 }
 
 }  // namespace

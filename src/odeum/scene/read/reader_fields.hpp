@@ -28,6 +28,7 @@ struct Context : input::Reading {
   ReadOptions options;
   Scene scene;
   std::vector<Place> spring_places;  ///< of each spring of the scene
+  std::vector<Value> surfaces;       ///< where each surface of the scene stands
   bool allow_negative_damping = false;
   bool duration_given = true;
 };
@@ -44,6 +45,13 @@ void read_cloths(const Value& list);
 void read_forces(const Value& list);
 void read_contacts(const Value& list);
 void read_emitters(const Value& list);
+void read_surfaces(const Value& list);
+SelfContact read_self_contact(const Value& value);
+void add_surface(const Value& at, Surface surface);
+/// Fails for a surface that starts inside a body, or in contact with another.
+void require_apart(Context& context);
+/// The id of a particle read before.
+std::size_t particle_id(const Value& value);
 void read_plot(const Value& value);
 /// Checks the ends and appends a spring; a `rest_length` below 0 means the distance.
 void add_spring(const Value& at, Spring spring, bool rest_length_given);

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace odeum::scene {
 namespace {
@@ -79,6 +81,7 @@ class Run {
         frames_due_.push_back(t);
     }
     frames_due_.push_back(setting.until);
+    if (!scene.surfaces.empty()) surfaces_.emplace(scene);
   }
 
   RunResult operator()() {
@@ -111,17 +114,55 @@ class Run {
     result_.t = t;
   }
 
+  /// The ends of steps, or of so many that the states are not too many to keep; where a tolerance
+  /// is asked, times that are closer than frames.
+  std::vector<double> watched_times(double begin, double end) {
+    constexpr double most_numbers = 3e7;
+    constexpr std::uint64_t a_frame = 8;
+    const auto most = static_cast<std::uint64_t>(
+        most_numbers / static_cast<double>(problem_->size()) * (end - begin) / setting_.until);
+    const bool fixed = setting_.mode == Mode::fixed;
+    const std::uint64_t first = fixed ? clock_.index(begin) : 0;
+    const std::uint64_t count =
+        fixed ? clock_.index(end) - first
+              : a_frame *
+                    static_cast<std::uint64_t>(std::ceil((end - begin) / setting_.frame_interval));
+    const std::uint64_t each = 1 + count / std::max<std::uint64_t>(most, 1);
+    std::vector<double> times;
+    for (std::uint64_t i = each; i < count; i += each)
+      times.push_back(fixed ? clock_.time_of(first + i)
+                            : begin + (end - begin) * static_cast<double>(i) /
+                                          static_cast<double>(count));
+    result_.contacts.apart =
+        static_cast<double>(each) *
+        (fixed ? clock_.step() : (end - begin) / static_cast<double>(std::max(count, each)));
+    return times;
+  }
+
+  void watch(double t, const double* before, const double* y) {
+    Contacts& contacts = result_.contacts;
+    if (Touching touching = touching_at(*surfaces_, y); touching.deepest > contacts.deepest.deepest)
+      contacts.deepest = touching, contacts.deepest_at = t;
+    const auto passed = passed_between(*surfaces_, before, y);
+    if (!passed.empty() && contacts.passed == 0)
+      contacts.first_passed = t, contacts.first_pair = passed.front();
+    contacts.passed += passed.size();
+  }
+
   void advance(double begin, double end) {
-    std::vector<double> stops;
+    std::vector<double> frames;
     for (; next_frame_ < frames_due_.size() && frames_due_[next_frame_] <= end; ++next_frame_)
-      stops.push_back(frames_due_[next_frame_]);
-    const std::size_t frames = stops.size();
-    if (stops.empty() || stops.back() < end) stops.push_back(end);
+      frames.push_back(frames_due_[next_frame_]);
     const std::size_t n = problem_->size();
     if (n == 0) {  // no particles: advance time
-      for (std::size_t k = 0; k < frames; ++k) keep_frame(stops[k], nullptr);
+      for (const double t : frames) keep_frame(t, nullptr);
       return;
     }
+    std::vector<double> stops = surfaces_ ? watched_times(begin, end) : std::vector<double>{};
+    stops.insert(stops.end(), frames.begin(), frames.end());
+    stops.push_back(end);
+    std::ranges::sort(stops);
+    stops.erase(std::ranges::unique(stops).begin(), stops.end());
     const double spent =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     const Outcome outcome =
@@ -131,8 +172,12 @@ class Run {
     result_.counters.rejected_steps += outcome.counters.rejected_steps;
     result_.counters.rhs_evaluations += outcome.counters.rhs_evaluations;
     result_.counters.jacobian_evaluations += outcome.counters.jacobian_evaluations;
-    for (std::size_t k = 0; k < frames && (k + 1) * n <= outcome.states.size(); ++k)
-      keep_frame(stops[k], outcome.states.data() + k * n);
+    const double* before = problem_->start().data();
+    for (std::size_t k = 0; k < stops.size() && (k + 1) * n <= outcome.states.size(); ++k) {
+      const double* const y = outcome.states.data() + k * n;
+      if (std::ranges::binary_search(frames, stops[k])) keep_frame(stops[k], y);
+      if (surfaces_) watch(stops[k], std::exchange(before, y), y);
+    }
     if (outcome.status != Status::ok) {
       result_.status = outcome.status;
       result_.detail = outcome.detail;
@@ -184,6 +229,7 @@ class Run {
   std::vector<std::size_t> ids_;
   std::vector<double> lives_until_;  ///< of the emitted particles, which are last
   std::shared_ptr<const SceneProblem> problem_;
+  std::optional<Surfaces> surfaces_;  ///< of the scene at its start; emitted particles are on none
   RunResult result_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

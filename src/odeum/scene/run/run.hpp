@@ -9,6 +9,7 @@
 #include "odeum/core/outcome.hpp"
 #include "odeum/scene/model/emission.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
+#include "odeum/scene/surface/passing.hpp"
 
 /// Runs a scene from its start to an end: one solve, or with emitters one solve between any two
 /// successive births or deaths.
@@ -32,12 +33,24 @@ struct Frame {
   Vec3 momentum{}, angular_momentum{};
 };
 
+/// What the surfaces of a run did, between states that are `apart` from each other in time: the
+/// ends of its steps where these are fixed and not too many to keep.
+struct Contacts {
+  double apart = 0;          ///< s; 0: the scene has no surfaces
+  Touching deepest;          ///< of all states
+  double deepest_at = 0;     ///< s
+  std::size_t passed = 0;    ///< pairs that passed through each other
+  double first_passed = 0;   ///< the end of the first step in which one did, s
+  SurfacePair first_pair{};  ///< that one
+};
+
 struct RunResult {
   Status status = Status::ok;
   std::string detail;
   double t = 0;  ///< reached
   Counters counters;
   std::size_t solves = 0, births = 0, deaths = 0;
+  Contacts contacts;
   std::vector<Frame> frames;  ///< the first at 0, the last at `t` where the status is ok
 };
 

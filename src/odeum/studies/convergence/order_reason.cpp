@@ -12,11 +12,12 @@ namespace {
 using judge::NoOrder, judge::OrderFit, judge::Verdict;
 using Rows = std::vector<const ConvergenceRow*>;
 
-constexpr double highest_order_at_kinks = 2;
-
-bool above_kinks(const Pair& pair) {
-  return pair.c->has_tag("kinked") && pair.entrant->info.order > highest_order_at_kinks;
+/// The highest order that any method has on a case, by the derivative of its right-hand side that
+/// jumps: the first, or the third as where surfaces meet (scene/surface/surface_law.hpp).
+double highest_order(const Pair& pair) {
+  return pair.c->has_tag("kinked") ? 2 : pair.c->has_tag("kinked_4") ? 4 : infinity;
 }
+bool above_kinks(const Pair& pair) { return pair.entrant->info.order > highest_order(pair); }
 
 bool over_budget(const ConvergenceRow* row) {
   return row->status == to_string(Status::over_budget);
@@ -113,9 +114,10 @@ void explain(const Pair& pair, const Rows& rows, const Foreseen& foreseen, Order
     add_cost(pair, rows, foreseen, fit);
   } else if (fit.verdict == Verdict::not_applicable) {
     if (above_kinks(pair))
-      fit.reason =
-          "the right-hand side has kinks: a step across one errs by O(h^2), so that no method has "
-          "an order above 2 on this case";
+      fit.reason = fmt::format(
+          "the right-hand side has kinks: a step across one errs by O(h^{0}), so that no method "
+          "has an order above {0} on this case",
+          highest_order(pair));
   } else if (fit.verdict == Verdict::lower || fit.verdict == Verdict::floors) {
     const bool linearised = pair.entrant->info.family == "linearly_implicit";
     if (linearised && !pair.c->problem.view.jacobian)
