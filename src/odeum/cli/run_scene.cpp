@@ -20,9 +20,7 @@
 namespace odeum::cli {
 namespace {
 
-using scene::Scene;
-using scene::SceneProblem;
-using trajectories::SceneRun;
+using scene::Scene, scene::SceneProblem, trajectories::SceneRun;
 using Lines = std::vector<std::string>;
 
 /// The options that make a request.
@@ -251,16 +249,14 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     if (interrupted) return interrupted_code;
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     SceneRun& one = runs.back();
-    std::string excess;
-    if (one.outcome.status == Status::ok)
-      excess = trajectories::excess_of_energy(scene, one.outcome);
+    const bool ok = one.outcome.status == Status::ok;
+    const std::string excess = ok ? trajectories::excess_of_energy(scene, one.outcome) : "";
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
-    if (one.outcome.status != Status::ok)
+    if (!ok)
       print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
             entrant->info.id(), setting_words(one.request));
-    any_ok = any_ok || (one.outcome.status == Status::ok && excess.empty() &&
-                        one.outcome.contacts.passed == 0);
+    any_ok = any_ok || (ok && excess.empty() && one.outcome.contacts.passed == 0);
     if (!folder) continue;
     Lines facts = model;
     facts.insert(facts.end(), result.begin(), result.end());

@@ -106,8 +106,7 @@ SceneProblem::SceneProblem(const Scene& scene, std::vector<Lifetime> lives)
 
 void SceneProblem::describe(const Scene& scene) {
   Structure& s = structure_;
-  s.particles = bodies_.size();
-  s.fixed = bodies_.fixed();
+  s.particles = bodies_.size(), s.fixed = bodies_.fixed();
   if (gravity_ != Vec3{})
     s.terms.push_back({.name = "gravity",
                        .law = "m g",
@@ -178,8 +177,7 @@ std::uint64_t SceneProblem::damp(double t, const double* q, double h, double* v,
   std::vector<double> gv(3 * layout.size);
   layout.scatter(v, gv.data());
   const std::uint64_t products = grid_->damp(t, q, h, gv.data(), relative);
-  layout.gather(gv.data(), v);
-  return products;
+  return layout.gather(gv.data(), v), products;
 }
 
 // v += x with (M - h/2 D) x = h D v, by conjugate gradients; fixed particles keep x = 0.
