@@ -112,10 +112,13 @@ std::vector<SurfacePair> passed_between(const Surfaces& surfaces, const double* 
   NearPairs& known = NearPairs::of_thread();
   known.visit(surfaces, to, [](const SurfacePair&) {});
   std::vector<SurfacePair> near;
-  if (known.hold_from(surfaces, q))
-    near = known.pairs();
-  else
+  if (known.hold_from(surfaces, q)) {
+    const double moved = std::max(known.moved_to(q), known.moved_to(to));
+    for (const SurfacePair& pair : known.pairs())
+      if (known.may_touch(surfaces, pair, moved)) near.push_back(pair);
+  } else {
     surfaces.find_near(q, to, 0, near);
+  }
   std::erase_if(near, [&](const SurfacePair& pair) {
     const Straight way(pair, q, to);
     if (pair.radius > 0) return !enters_ball(pair, way);
