@@ -14,7 +14,7 @@ using truth::Real;
 
 class Deadline : public testing::Test {
  protected:
-  ~Deadline() override { truth::deadline = steady_clock::time_point::max(); }
+  void TearDown() override { truth::deadline = steady_clock::time_point::max(); }
   static truth::Reference oscillator() {
     truth::System system;
     system.states = 2;

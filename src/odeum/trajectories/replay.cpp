@@ -98,7 +98,7 @@ std::vector<std::uint32_t> touching_in(const scene::Scene& scene, const scene::R
     std::vector<std::uint32_t> particles;
     scene::touching_at(surfaces, frame.y.data(), &particles);
     std::ranges::sort(particles);
-    particles.erase(std::ranges::unique(particles).begin(), particles.end());
+    particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
     for (const std::uint32_t particle : particles) touching.insert(touching.end(), {k, particle});
   }
   return touching;

@@ -162,7 +162,7 @@ class Run {
     stops.insert(stops.end(), frames.begin(), frames.end());
     stops.push_back(end);
     std::ranges::sort(stops);
-    stops.erase(std::ranges::unique(stops).begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
     const double spent =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     const Outcome outcome =

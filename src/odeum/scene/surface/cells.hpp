@@ -93,7 +93,7 @@ class Cells {
   using Cell = std::array<std::uint32_t, 3>;
   struct Sorted {
     Box box;
-    std::uint32_t index;
+    std::uint32_t index = 0;
   };
 
   void look(std::uint32_t from, std::uint32_t to, const Box& box, std::size_t first,

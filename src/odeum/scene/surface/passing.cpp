@@ -18,7 +18,7 @@ double volume(const Vec<double>& a, const Vec<double>& b, const Vec<double>& c) 
 
 /// e1, e2 and r at a part of the way.
 struct Straight {
-  Vec<double> from[3], change[3];
+  Vec<double> from[3]{}, change[3]{};
 
   Straight(const SurfacePair& pair, const double* q, const double* to) {
     differences_of(pair, q, from[0], from[1], from[2]);

@@ -103,10 +103,10 @@ Surfaces::Surfaces(const Scene& scene)
       triangles_.push_back(triangle);
     }
     std::ranges::sort(edges);
-    edges.erase(std::ranges::unique(edges).begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     for (const auto& edge : edges) edges_.push_back({{edge[0], edge[1], edge[1]}, s});
     std::ranges::sort(points);
-    points.erase(std::ranges::unique(points).begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const std::uint32_t point : points) corners_.push_back({{point, point, point}, s});
     points_.insert(points_.end(), points.begin(), points.end());
   }
