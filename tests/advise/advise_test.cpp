@@ -60,6 +60,12 @@ TEST(Advise, OrdersDearRunsByTheirFirstStop) {
       1e-3);
 }
 
+// The first stop is 1e-11 of the last: taken for that share of the work, it made every run seem to
+// take seconds, and no candidate had its turn.
+TEST(Advise, KnowsThatStopsMayBeDecadesApart) {
+  expect_true("robertson --error 1e-9 --seconds 5 --library odeum", 1e-9);
+}
+
 /// The advice within a time keeps to it, and its command makes the run again.
 nlohmann::json expect_within(const std::string& arguments, double ns) {
   const Result result = shell("odeum advise " + arguments + " --format json");

@@ -62,12 +62,19 @@ void Search::order_by_rank(std::vector<Candidate>& candidates) {
                    [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
 }
 
+/// What a run to the end takes, from one to the first stop. Where stops are decades apart, a run to
+/// a tolerance takes about as long from each to the next.
+double Search::whole_ns(const Candidate& candidate, const Trial& to_first) const {
+  const double part = part_of(To::first), each = 1 / static_cast<double>(c_.stops.size());
+  return to_first.ns / (candidate.mode == Mode::fixed ? part : std::max(part, each));
+}
+
 /// From a run to the first stop: the time to the error asked, or the error within the time.
 void Search::foresee(Candidate& candidate, const Trial& trial) const {
   // Coarser settings may be unstable: no more than half of the time is expected to be saved.
   constexpr double most_saved = 2;
   const bool within = wishes_.time_ns > 0;
-  const double error = std::max(trial.error, 1e-17), ns = trial.ns / part_of(To::first),
+  const double error = std::max(trial.error, 1e-17), ns = whole_ns(candidate, trial),
                order = candidate.order();
   // By which steps are to be more.
   const double more = std::clamp(
@@ -126,7 +133,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
     if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
     least = std::min(least, candidate.foreseen);
-    return trial.ns / part_of(To::first);
+    return whole_ns(candidate, trial);
   };
   for (Candidate& candidate : candidates) {
     if (late(dear_ ? 0.2 : 0.5)) break;

@@ -66,6 +66,7 @@ class Search {
   double finer_than(const Trial& misses, const Candidate& candidate, double expected) const;
   double first(const Candidate& candidate) const;
   double part_of(To to) const;
+  double whole_ns(const Candidate& candidate, const Trial& to_first) const;
   /// The time, or the least error within the time, of the best run; infinite without one.
   double best_cost() const { return wishes_.time_ns > 0 ? least_error_ : best_ns_; }
   double in_range(const Candidate& candidate, double fineness) const;
