@@ -87,6 +87,7 @@ std::string bomb() {
 INSTANTIATE_TEST_SUITE_P(
     SceneReader, SceneFault,
     testing::Values(
+        Fault{"surface_without_faces", surface("[]"), ":8:13: surfaces[0].faces: no face; got []"},
         Fault{"face_of_two_corners", surface("[[0, 1, 2], [0, 1]]"),
               ":8:25: surfaces[0].faces[1]: a wrong number of entries; got"},
         Fault{"face_with_a_corner_twice", surface("[[0, 1, 0]]"),

@@ -131,7 +131,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   std::optional<record::OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   options.wishes.start = std::chrono::steady_clock::now();
-  // A time that answers on any machine that is quiet; what is computed in it is kept for the next.
+  // In seconds; a truth that is found within them is kept.
   constexpr double usual = 40, share = 0.4;
   truth::deadline =
       options.wishes.start +

@@ -60,6 +60,7 @@ void read_surfaces(const Value& list) {
                   "three different ids");
       surface.faces.push_back(x);
     }
+    if (surface.faces.empty()) mapping.at("faces").fail("no face", "[]", "one face at least");
     add_surface(entry, std::move(surface));
   }
 }
