@@ -177,7 +177,7 @@ std::vector<Statement> oscillator() {
       state(Variant{"overdamped", "Overdamped oscillator",
                     "y'' + 6 y' + 5 y = 0, y(0) = -5, y'(0) = 0", 6, 0, -5}),
       state(Variant{"rest_length", "Spring with a rest length in a viscous fluid",
-                    "x'' = 5 (2 - x) - 0.5 x', x(0) = 3, x'(0) = 0", 0.5, 2, 3}),
+                    "y'' = 5 (2 - y) - 0.5 y', y(0) = 3, y'(0) = 0", 0.5, 2, 3}),
       state(UnitVariant{"osc_undamped", "osc_undamped", "Oscillator, no damping", 0, 1e-25}),
       state(UnitVariant{"osc_under", "osc_under", "Oscillator, slight damping", 0.2, 2.5e-17}),
       state(UnitVariant{"osc_critical", "osc_critical", "Oscillator, critical damping", 2, 1e-25}),

@@ -75,7 +75,9 @@
     const lines = [
       ['Equation', equationOf(c.equation, true)], ['Source', c.source],
       ['Truth', `${c.truth}${c.floor > 0 ? ` (known to ${number(c.floor)})` : ''}`],
-      ...c.linear.map(([name, text]) => [name, html('code', {}, text)]),
+      ...c.linear.map(([name, text]) => [
+        name, ['form', 'solution'].includes(name) ? equationOf(text) : html('code', {}, text),
+      ]),
     ];
     const pictures = html('div', { class: 'solutions' });
     host.append(

@@ -4,7 +4,7 @@
 (() => {
   const {
     idOf, facts, sameError, colourOf, shapeOf, number, settingText, duration, plural, shorten,
-    statusText,
+    statusText, functions,
   } = odeum;
 
   const horizontal = {
@@ -106,7 +106,7 @@
       colour: colourOf(id.split('/')[0]), shape: shapeOf(solver),
       dashed: mode === 'adaptive' && x !== 'time' && x !== 'tolerance', points, runs, order,
       window:
-        x === 'step' && order && order.step_finest > 0
+        x === 'step' && order && order.step_coarsest > 0
           ? [order.step_finest, order.step_coarsest]
           : null,
     };
@@ -134,7 +134,10 @@
       : Number.isFinite(order.measured_order)
         ? `order ${order.measured_order.toFixed(2)} (claimed ${number(order.claimed_order)}): ` +
           `${order.verdict}`
-        : `${order.verdict}${order.reason ? `: ${order.reason}` : ''}`;
+        : order.no_order === 'unstable'
+          ? 'unstable at the steps tried.' +
+            functions.needed_step(order.case, order.library, order.solver, order.step_finest)
+          : `${order.verdict}${order.reason ? `: ${order.reason}` : ''}`;
   const tellRun = (run, curve) =>
     [
       idOf(run), `${settingText(run)}: error ${number(run.error_max)}`,

@@ -3,7 +3,7 @@
 // problem that ask for it.
 'use strict';
 (() => {
-  const { load, facts, idOf } = odeum;
+  const { load, facts, functions, idOf, number } = odeum;
 
   let regionsRead = null;
 
@@ -82,6 +82,27 @@
     if (!region || !region.loops.length) return null;
     const found = reach(region, re, region.plane === 'oscillator' ? -re : im);
     return found.beyond && limitNumber(id, 'real') === Infinity ? { value: Infinity } : found;
+  };
+
+  // The step below which a solver is stable on a case, by its limit on the real axis and the
+  // fastest eigenvalue of the case, where that is real; `finest`: the finest that was unstable.
+  functions.needed_step = (id, library, solver, finest) => {
+    const c = facts.caseOf.get(id), z = c && fastestEigenvalue(c),
+      limit = limitNumber(`${library}/${solver}`, 'real');
+    const still = finest > 0 ? ` It is unstable at h = ${number(finest, 2)} still` : '';
+    if (!z || z[1] || !(limit > 0) || !Number.isFinite(limit)) return still && `${still}.`;
+    const step = limit / -z[0];
+    // The eigenvalue is that of one time: what was run says more.
+    if (step > finest)
+      return (
+        `${still}, below ${number(limit)} / |λ| = ${number(step, 2)} with ` +
+        `λ = ${number(z[0], 2)} at t = ${number(c.eigenvalues_time)}.`
+      );
+    return (
+      ` It takes h < ${number(step, 2)}, ${number((c.end - c.start) / step, 2)} steps to ` +
+      `t = ${number(c.end)}: ${number(limit)} / |λ|, λ = ${number(z[0], 2)} at ` +
+      `t = ${number(c.eigenvalues_time)}.`
+    );
   };
 
   Object.assign(odeum, {

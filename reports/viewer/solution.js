@@ -83,12 +83,18 @@
     });
     if (set.names.length < 2) return;
     const points = states.map((state, j) => ({ x: state[0], y: state[1], run: j }));
+    // No line where the solution moves too far from one output to the next.
+    const wide = [0, 1].map((k) => set.high[k] - set.low[k]);
+    const leaps = d3.pairs(states, (a, b) =>
+      Math.max(...wide.map((width, k) => Math.abs(b[k] - a[k]) / width)),
+    );
+    const plane = d3.max(leaps) > 0.3 ? { loose: true } : style;
     plot(pictures[1], {
       height: 260,
       description: `The exact solution of ${c.title}: ${set.names[1]} against ${set.names[0]}`,
       x: { ...spanOf(points.map((p) => p.x)), label: set.names[0] },
       y: { ...spanOf(points.map((p) => p.y)), label: set.names[1] }, nameless: true,
-      curves: [{ ...style, name: 'exact', colour: 'var(--s0)', shape: 0, points }],
+      curves: [{ ...plane, name: 'exact', colour: 'var(--s0)', shape: 0, points }],
       tell: (j) => [`t = ${number(times[j])}`, `${number(points[j].x)}, ${number(points[j].y)}`],
     });
   };

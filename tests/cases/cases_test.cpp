@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 #include "support/catalogue.hpp"
 
@@ -233,6 +234,28 @@ TEST(EveryCase, StopsLieOnItsStepsAndAreKnown) {
     for (const double t : c.settings.timed_stops) EXPECT_TRUE(c.truth.at(t, y.data())) << t;
     EXPECT_EQ(c.settings.coarsest_steps % c.settings.steps_multiple, 0U);
   });
+}
+
+// The equation had y1, y2 and y3, and the picture beside it y0 and y2.
+TEST(EveryCase, ItsEquationNamesItsStates) {
+  const std::regex left("(^|, )([A-Za-z][A-Za-z0-9_]*)'+ =");
+  std::size_t found = 0;
+  each_case(any, [&](const Case& c) {
+    if (c.components.empty()) return;
+    for (std::sregex_iterator each(c.equation.begin(), c.equation.end(), left), none; each != none;
+         ++each) {
+      const std::string name = (*each)[2];
+      ++found;
+      // q and y stand for all of them; other names are explained by those of the states.
+      const bool explained = std::ranges::all_of(c.components, [&](const std::string& state) {
+        return c.equation.find(state) != std::string::npos;
+      });
+      EXPECT_TRUE(name == "q" || name == "y" || explained ||
+                  std::count(c.components.begin(), c.components.end(), name) == 1)
+          << name << " in " << c.equation;
+    }
+  });
+  EXPECT_GT(found, 20U);
 }
 
 }  // namespace

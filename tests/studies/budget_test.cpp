@@ -85,7 +85,7 @@ TEST(Budget, ThatEndsEveryRunLeavesTheOrderUndetermined) {
   const judge::OrderFit& fit = result.orders.front().fit;
   EXPECT_EQ(fit.verdict, judge::Verdict::undetermined);
   EXPECT_EQ(fit.why, judge::NoOrder::over_budget);
-  EXPECT_NE(fit.reason.find("no step size could be solved within the budget"), std::string::npos)
+  EXPECT_NE(fit.reason.find("no run was solved within the budget"), std::string::npos)
       << fit.reason;
   for (const study::ConvergenceRow& row : result.rows) {
     EXPECT_EQ(row.status, "over_budget");

@@ -158,11 +158,12 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   if (!advice.failure.empty()) return advice.failure + "\n" + text_of_rest(advice);
   const Candidate& winner = winner_of(advice);
   const Trial& found = *winner.found;
-  std::string text =
-      fmt::format("{} --{} {:.4g}: error {:.3g} (+- {:.1g}) in {} ({} median of {}){}\n",
-                  winner.entrant->info.id(), kind_of(winner.mode), setting_of(found, c),
-                  found.state_error(), advice.floor, text_of_ns(winner.times.min()),
-                  text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
+  std::string text = fmt::format(
+      "{} --{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n",
+      winner.entrant->info.id(), kind_of(winner.mode), setting_of(found, c), found.state_error(),
+      advice.floor, c.scale.empty() ? "absolute" : "in the units of the scale",
+      text_of_ns(winner.times.min()), text_of_ns(winner.times.median()), winner.times.ns.size(),
+      sureness(advice));
   if (advice.frames > 0)
     text += fmt::format("frame     {:g} steps of it a frame, {} of the {} given\n",
                         static_cast<double>(found.request().steps) / advice.frames,

@@ -94,8 +94,8 @@ std::vector<RunnerUp> runners_up(const Advice& advice) {
 }
 
 std::string reason_of(const Candidate& candidate, bool within) {
-  if (candidate.trials.empty()) return "the seconds were over";
   if (!candidate.dropped.empty()) return candidate.dropped;
+  if (candidate.trials.empty()) return "the seconds were over";
   if (candidate.found)
     return within ? "a larger error in its counted runs" : "slower in its counted runs";
   const Trial& last = candidate.trials.back();

@@ -279,7 +279,7 @@ OrderFit fit_order(const Points& points, double claimed_order, const FitToleranc
   if (solved.empty()) {
     fit.verdict = Verdict::failed;
     fit.why = NoOrder::few_solved;
-    fit.reason = "no step size could be solved";
+    fit.reason = "no run was solved";
     return fit;
   }
   if (is_exact(solved)) {

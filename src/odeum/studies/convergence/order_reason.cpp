@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace odeum::study {
@@ -41,11 +42,14 @@ void explain_failure(const Rows& rows, OrderFit& fit) {
     const bool begun = !rows.front()->detail.starts_with("needs a dense Jacobian");
     fit.verdict = begun ? Verdict::undetermined : Verdict::not_applicable;
     fit.why = begun ? NoOrder::over_budget : NoOrder::none;
-    fit.reason = begun ? "no step size could be solved within the budget: " : "";
+    fit.reason = begun ? "no run was solved within the budget: " : "";
     fit.reason += rows.front()->detail;
     return;
   }
   fit.why = why_failed((*other)->status);
+  if (fit.why == NoOrder::unstable)
+    for (const ConvergenceRow* row : rows)
+      if (!over_budget(row)) fit.step_finest = std::fmin(fit.step_finest, row->step);
   fit.reason += (*other)->status == to_string(Status::ok)
                     ? ": unstable at all of them, with errors too large for a number"
                     : fmt::format(": {}, {}", (*other)->status, (*other)->detail);
