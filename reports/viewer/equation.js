@@ -19,7 +19,7 @@
   const tokensOf = (text) => {
     const digits = '\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?',
       name = "[A-Za-z]+[A-Za-z0-9]*(?:_(?:\\{[^{}]*\\}|[A-Za-z0-9]+))?'*";
-    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(\\.\\.|[-+*/^=<>(),|]))`, 'y');
+    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(\\.\\.|'+|[-+*/^=<>(),|[\\]]))`, 'y');
     const tokens = [];
     for (const body = text.trimEnd(); pattern.lastIndex < body.length;) {
       const at = pattern.exec(body);
@@ -111,9 +111,24 @@
         take('(');
         return ['root', inside(')')];
       }
+      if (word === 'sum' && kind() === '(') {
+        take('(');
+        const index = base();
+        take(',');
+        return row([['below', sign('∑'), index], ...within('(', inside(')'), ')')]);
+      }
       if (functions.includes(word))
         return row([['function', word], ...(kind() === '(' ? [] : [['space']]), power()]);
-      const name = nameOf(word);
+      let name = kind() === '[' && !spaced() ? ['name', greek[word] || word] : nameOf(word);
+      if (kind() === '[' && !spaced()) {
+        take('[');
+        name = ['below', name, relation()];
+        take(']');
+        if (/^'/.test(kind() || '')) {
+          name = ['primed', name, '′'.repeat(kind().length)];
+          at += 1;
+        }
+      }
       if (kind() !== '(' || spaced()) return name;
       take('(');
       return row([name, ...within('(', inside(')'), ')')]);

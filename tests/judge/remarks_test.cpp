@@ -52,6 +52,21 @@ TEST(LinearInvariants, AreThoseOfTheEquations) {
   }
   EXPECT_TRUE(judge::linear_invariants(known_case("lotka_volterra")).empty());
   EXPECT_TRUE(judge::linear_invariants(known_case("kepler_e06")).empty());
+  // A velocity of -1.2e-16, where 0 is meant, made that of a state a sum which is kept.
+  const Case turned = of_text(
+      "states: {x: 1, v: sin(2*pi)}\nequations: {x: v, v: -4*x}\nscale: {x: 1, v: 1}\n"
+      "time: {end: 1}\n");
+  EXPECT_TRUE(judge::linear_invariants(turned).empty());
+}
+
+// A state that has been large between the start and the end of a run is not below its tolerance.
+TEST(Remarks, LookAtTheTimesBetween) {
+  const Case c = of_text(
+      "states: {a: 1, b: 0, c: 0}\nequations: {a: -a, b: a - 2*b, c: 2*b}\n"
+      "time: {end: 40, stops: [1, 40]}\n");
+  const Made run(c);
+  for (const std::string& said : judge::remarks(c, run.request, run.outcome))
+    EXPECT_EQ(said.find("never exceed"), std::string::npos) << said;
 }
 
 TEST(Remarks, SayWhatAnErrorAtTheEndHides) {

@@ -266,6 +266,7 @@ checks['equations are read as they were written'] = () => {
     // A name that the text gives a value is one; other words stay words.
     ['V = amplitude t; amplitude = 5', 'V = amplitude ~ t ";" amplitude = 5'],
     ["y' = -y from the start, cyclic", `primed{y|′} = − y " from the start" "," " cyclic"`],
+    ["x[1..50]' = K*sum(j, x[j] - x[i])", 'primed{below{x|1 … 50}|′} = K · below{∑|j} ( below{x|j} − below{x|i} )'],
     ['M = 1/4 [4 -2; -2 4]', '"M = 1/4 [4 -2; -2 4]"'],
   ]) same(formulas(source), expected, source);
   for (const wrong of ['', 'a +', '(a', 'a)', 'a = = b', '^2', '<b>x</b>']) hold(errorOf(() => page('treeOf')(wrong)) !== 'no error', `${wrong} is a formula`);

@@ -21,6 +21,22 @@ class Cursor {
                                 Values&&... values) {
     throw ExpressionError(at, fmt::format(what, std::forward<Values>(values)...));
   }
+  /// Counts levels of nesting while it exists.
+  class Level {
+   public:
+    explicit Level(Cursor& cursor) : depth_(cursor.depth_) {
+      if (depth_ >= deepest_nesting)
+        fail(cursor.at_, "nested too deeply; got more than {} levels, expected at most that",
+             deepest_nesting);
+      ++depth_;
+    }
+    ~Level() { --depth_; }
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+
+   private:
+    int& depth_;
+  };
   /// Something other than an operator or the end follows an operand.
   [[noreturn]] void unexpected(char c) const;
   /// The next character that is no space; 0: the end.
@@ -33,6 +49,9 @@ class Cursor {
 
   std::string_view text_;
   std::size_t at_ = 0;
+
+ private:
+  int depth_ = 0;
 };
 
 }  // namespace odeum::formula

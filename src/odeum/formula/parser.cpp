@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/formula/parser.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "odeum/formula/cursor.hpp"
 #include "odeum/formula/names.hpp"
+#include "odeum/formula/sum_index.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
@@ -27,21 +29,10 @@ class Parser : Cursor {
   }
 
  private:
-  /// Counts levels of nesting while it exists.
-  class Level {
-   public:
-    explicit Level(Parser& parser) : depth_(parser.depth_) {
-      if (depth_ >= deepest_nesting)
-        fail(parser.at_, "nested too deeply; got more than {} levels, expected at most that",
-             deepest_nesting);
-      ++depth_;
-    }
-    ~Level() { --depth_; }
-    Level(const Level&) = delete;
-    Level& operator=(const Level&) = delete;
-
-   private:
-    int& depth_;
+  /// The index of a sum, and its present value.
+  struct Counter {
+    std::string_view name;
+    std::int64_t value;
   };
 
   Id make(std::size_t where, Op op, Id a, Id b = no_node, Id c = no_node) {
@@ -51,7 +42,7 @@ class Parser : Cursor {
            "too large; got more than {} operations in all expressions together, "
            "expected at most that",
            most_nodes);
-    if (graph_.is_constant(id)) require_finite(where, graph_[id].value);
+    if (graph_.is_constant(id) && !unused_) require_finite(where, graph_[id].value);
     return id;
   }
   Id sum() {
@@ -77,7 +68,8 @@ class Parser : Cursor {
         left = make(where, Op::multiply, left, signed_factor());
       } else if (take('/')) {
         const Id right = signed_factor();
-        if (graph_.is(right, 0)) fail(where, "division by zero; got 0, expected another divisor");
+        if (graph_.is(right, 0) && !unused_)
+          fail(where, "division by zero; got 0, expected another divisor");
         left = make(where, Op::divide, left, right);
       } else {
         return left;
@@ -95,7 +87,8 @@ class Parser : Cursor {
     const std::size_t caret = at_;
     if (!take('^')) return base;
     const Id exponent = signed_factor();
-    if (graph_.is(base, 0) && graph_.is_constant(exponent) && graph_[exponent].value < 0)
+    if (graph_.is(base, 0) && graph_.is_constant(exponent) && graph_[exponent].value < 0 &&
+        !unused_)
       fail(caret, "division by zero; got 0 to a negative power, expected another base");
     return make(caret, Op::power, base, exponent);
   }
@@ -121,7 +114,7 @@ class Parser : Cursor {
     take_primes();
     const std::string_view name = text_.substr(where, at_ - where);
     const char next = peek();
-    if (next == '(') return call(where, name);
+    if (next == '(') return name == "sum" ? sum_over(where) : call(where, name);
     if (next == '[') return element(where, name);
     if (name == "t") {
       if (scope_.refused.contains("t")) fail_refused(where, name);
@@ -129,6 +122,8 @@ class Parser : Cursor {
     }
     if (name == "pi") return graph_.constant(std::numbers::pi_v<long double>);
     if (name == "e") return graph_.constant(std::numbers::e_v<long double>);
+    for (const Counter& counter : counters_)
+      if (counter.name == name) return graph_.constant(static_cast<long double>(counter.value));
     if (name == "i" && scope_.index)
       return graph_.constant(static_cast<long double>(*scope_.index));
     if (const auto found = scope_.names.find(name); found != scope_.names.end())
@@ -186,6 +181,7 @@ class Parser : Cursor {
     if (found == functions().end()) {
       std::vector<std::string> known;
       for (const auto& [each, op] : functions()) known.push_back(each);
+      known.emplace_back("sum");
       fail(where, "no such function; got {}, expected one of sin cos tan exp log sqrt ...{}",
            shown(name), near_one(name == "ln" ? "log" : name, known));
     }
@@ -194,7 +190,13 @@ class Parser : Cursor {
     take('(');
     std::vector<Id> arguments;
     do {
-      arguments.push_back(op == Op::choose && arguments.empty() ? condition() : sum());
+      const std::size_t number = arguments.size();
+      // A branch that is never taken, as for one index of a sum, may divide by zero.
+      const bool known = op == Op::choose && number > 0 && graph_.is_constant(arguments[0]);
+      const bool unused = known && (graph_[arguments[0]].value != 0) != (number == 1);
+      if (unused) ++unused_;
+      arguments.push_back(op == Op::choose && number == 0 ? condition() : sum());
+      if (unused) --unused_;
     } while (arguments.size() < wanted && take(','));
     if (arguments.size() < wanted && peek() == '\0') expect(')', "an open parenthesis");
     if (arguments.size() < wanted || peek() == ',')
@@ -204,6 +206,36 @@ class Parser : Cursor {
     expect(')', "an open parenthesis");
     arguments.resize(3, no_node);
     return make(where, op, arguments[0], arguments[1], arguments[2]);
+  }
+
+  /// sum(j, x[j] - x[i]): over the elements of the arrays that j counts.
+  Id sum_over(std::size_t where) {
+    take('(');
+    peek();
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
+    const std::string_view index = text_.substr(begin, at_ - begin);
+    const bool counts = std::any_of(counters_.begin(), counters_.end(),
+                                    [&](const Counter& c) { return c.name == index; });
+    if (counts || !is_free_index(index, scope_))
+      fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])", shown(index));
+    if (!take(',')) fail(where, "a sum without an index; expected it and a comma: sum(j, x[j])");
+    const Level level(*this);
+    const Array& array = counted_by(index, text_, at_, scope_);
+    const std::size_t body = at_;
+    Id total = no_node;
+    counters_.push_back({index, 0});
+    for (std::int64_t k = array.first; k <= array.last(); ++k) {
+      if (++terms_ > most_nodes)
+        fail(where, "too large; got more than {} terms of sums, expected at most that", most_nodes);
+      at_ = body;
+      counters_.back().value = k;
+      const Id term = sum();
+      total = total == no_node ? term : make(where, Op::add, total, term);
+    }
+    counters_.pop_back();
+    expect(')', "an open parenthesis");
+    return total;
   }
 
   Id element(std::size_t where, std::string_view name) {
@@ -233,6 +265,7 @@ class Parser : Cursor {
       if (const auto beyond = array.beyond.find(static_cast<std::int64_t>(value));
           beyond != array.beyond.end())
         return beyond->second;
+    if (unused_) return graph_.constant(0);
     fail(where,
          "an index out of range; got {}[{:.0Lf}], expected {} to {}, or a value "
          "for it in boundaries",
@@ -241,7 +274,9 @@ class Parser : Cursor {
 
   const Scope& scope_;
   Graph& graph_;
-  int depth_ = 0;
+  int unused_ = 0;  ///< branches around this place that are never taken
+  std::size_t terms_ = 0;
+  std::vector<Counter> counters_;
 };
 
 }  // namespace

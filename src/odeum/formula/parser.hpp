@@ -43,11 +43,12 @@ struct Scope {
 
 inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes
 inline constexpr int deepest_nesting = 200;
-inline constexpr std::size_t most_nodes = 300'000;  ///< of a graph
+inline constexpr std::size_t most_nodes = 1'000'000;  ///< of a graph
 
 /// The node of an expression: numbers, + - * / ^, parentheses, t, pi, e, functions, and
-/// if(condition, a, b). Throws ExpressionError where the text is no expression, for unknown names,
-/// for a constant part that is not finite, and beyond the limits above.
+/// if(condition, a, b) and sums over an index. Throws ExpressionError where the text is no
+/// expression, for unknown names, for a constant part that is not finite, and beyond the limits
+/// above.
 Id parse_expression(std::string_view text, const Scope& scope, Graph& graph);
 
 /// A whole number: an index. Throws as parse_expression, and where it is no whole number.

@@ -46,7 +46,7 @@ struct Problem {
   std::vector<std::pair<std::string, std::string>> notes;
 };
 
-inline constexpr std::size_t most_states = 20'000;  ///< each is an equation of the C code
+inline constexpr std::size_t most_states = 100'000;  ///< each is an equation of the C code
 inline constexpr std::size_t most_problem_bytes = 8'000'000;
 
 /// Values that replace those of parameters: name and expression.

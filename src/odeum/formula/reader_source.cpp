@@ -37,15 +37,20 @@ std::string Source::scalar(const YamlNode& value, const std::string& key) const 
 Place Source::place_in(const YamlNode& value, const std::string& text, std::size_t at) const {
   Place place = value.place;
   if (place.line > lines_.size()) return place;
-  // A scalar on one line stands there as it is, after its quote; of others only the start is known.
+  // A scalar on one line stands there as it is, after its quote, or some columns before, since the
+  // library moves the mark of one whose key has brackets; of others only the start is known.
+  constexpr std::size_t most = 10;
   const std::string& line = lines_[place.line - 1];
-  const std::size_t begin = line.find(text.substr(0, text.find('\n')));
-  for (std::size_t from = begin; from != std::string::npos; from = line.find(text, from + 1)) {
+  std::size_t nearest = most + 1, column_of_text = 0;
+  for (std::size_t from = line.find(text); from != std::string::npos;
+       from = line.find(text, from + 1)) {
     const std::size_t column = characters(line.substr(0, from)) + 1;
-    if (column != place.column && column != place.column + 1) continue;
-    place.column = column + characters(text.substr(0, at));
-    break;
+    const std::size_t apart = column > place.column ? column - place.column : place.column - column;
+    if (apart >= nearest) continue;
+    nearest = apart;
+    column_of_text = column;
   }
+  if (nearest <= most) place.column = column_of_text + characters(text.substr(0, at));
   return place;
 }
 

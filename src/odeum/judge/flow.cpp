@@ -56,6 +56,8 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
                     .rhs = all.rhs,
                     .jacobian = all.jacobian,
                     .time_derivative = all.time_derivative};
+    contest.view.jacobian_entries = all.jacobian_entries;
+    contest.view.sparsity = all.sparsity;
   }
   for (const Solver& own : own_methods()) {
     if (own.info.method != method) continue;
@@ -74,7 +76,9 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
 Flow::Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance)
     : case_(c), method_(explicit_method), tolerance_(tolerance) {
   Outcome outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, explicit_budget, &evaluated_);
-  if (outcome.status != Status::ok && c.y0.size() <= dense_dimension_limit) {
+  // The implicit method solves with full matrices of few unknowns, or with sparse ones.
+  const bool implicit = c.y0.size() <= dense_dimension_limit || c.problem.view.sparsity;
+  if (outcome.status != Status::ok && implicit) {
     method_ = "radau_iia5";
     evaluated_.clear();
     outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, implicit_budget, &evaluated_);

@@ -22,7 +22,9 @@ std::vector<std::vector<double>> sampled_slopes(const Case& c) {
   for (std::size_t k = 0; k < 3 * n + 8; ++k) {
     std::vector<double> y(n), f(n);
     for (std::size_t i = 0; i < n; ++i)
-      y[i] = near(random) * (c.y0[i] != 0 ? std::abs(c.y0[i]) : c.scale_of(i));
+      // A start that rounding alone sets apart from zero has no size.
+      y[i] = near(random) *
+             (std::abs(c.y0[i]) > 1e-9 * c.scale_of(i) ? std::abs(c.y0[i]) : c.scale_of(i));
     c.problem.view.rhs(c.problem.view.problem, c.t0 + near(random) - 1, y.data(), f.data());
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -129,6 +131,12 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
     }
   }
   if (!known) return all;
+  for (const double stop : c.stops)  // those between that the run did not end a step on
+    if (stop <= request.stops[stops - 1] && c.truth.at(stop, exact.data()))
+      for (std::size_t i = 0; i < n; ++i) {
+        largest[i] = std::max(largest[i], std::abs(exact[i]));
+        lowest_exact[i] = std::min(lowest_exact[i], exact[i]);
+      }
   for (std::size_t i = 0; i < n; ++i) {
     if (request.mode == Mode::adaptive && largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(names[i]);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -16,6 +17,7 @@ constexpr int checks = 80;           // times looked at besides those asked for
 constexpr Real unknown = 1e-6L;      // of the scale: beyond that nothing is known
 constexpr Real least = 0x1p-62L;     // of the scale: rounding of extended precision itself
 constexpr Real moved_by = 0x1p-30L;  // see System::moved_rhs
+constexpr std::size_t few = 64;      // states; with more, each comparison takes seconds
 
 /// Two methods that share no formula.
 struct Family {
@@ -80,6 +82,7 @@ class Search {
 
  private:
   Comparison finest(bool in_double) {
+    if (system_.states > few) return finest_of_many(in_double);
     std::vector<Real> ladder =
         in_double ? std::vector<Real>{1e-11L, 1e-13L, 1e-15L} : std::vector<Real>{2e-18L, 4e-19L};
     Comparison best = compare(ladder.front());
@@ -95,9 +98,44 @@ class Search {
       // Far below the rounding of double.
       if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
       Comparison other = compare(ladder[k]);
-      const bool better =
-          other.known > best.known || (other.known == best.known && other.worst < best.worst);
-      if (better) best = std::move(other);
+      if (is_better(other, best)) best = std::move(other);
+    }
+    return best;
+  }
+
+  static bool is_better(const Comparison& a, const Comparison& b) {
+    return a.known > b.known || (a.known == b.known && a.worst < b.worst);
+  }
+
+  /// Begins in the middle and goes to finer tolerances while they are expected to be affordable.
+  Comparison finest_of_many(bool in_double) {
+    using Ladder = std::vector<Real>;
+    const Ladder finer = in_double ? Ladder{1e-11L, 1e-13L, 1e-15L} : Ladder{1e-16L, 2e-18L},
+                 looser = in_double ? Ladder{1e-7L} : Ladder{1e-12L, 1e-9L};
+    const Real middle = in_double ? 1e-9L : 1e-14L;
+    Comparison best = compare(middle);
+    if (best.spent) {
+      // The work falls as the tolerance's ninth root; the loosest is tried at any rate.
+      const auto both = std::min(best.a.states.size(), best.b.states.size());
+      const Real share = static_cast<Real>(both) / static_cast<Real>(times_.size());
+      for (const Real tolerance : looser) {
+        if (is_late()) break;
+        const bool fits = std::pow(middle / tolerance, 1.0L / 9) <= share;
+        if (!fits && tolerance != looser.back()) continue;
+        Comparison other = compare(tolerance);
+        if (is_better(other, best)) best = std::move(other);
+        if (!best.spent) break;
+      }
+      return best;
+    }
+    constexpr double most = 3;  // times the work, where the power of the tolerance gives 1.7
+    for (const Real tolerance : finer) {
+      // Solvers compute in double, whose rounding adds up to as much.
+      if (best.worst <= 1e-13L * size_of(best) || is_late()) break;
+      most_work_ = {most * best.a.work, most * best.b.work};
+      Comparison other = compare(tolerance);
+      if (is_better(other, best)) best = std::move(other);
+      if (other.spent) break;  // by steps that rounding makes short
     }
     return best;
   }
@@ -125,9 +163,13 @@ class Search {
   Comparison compare(Real tolerance) {
     Comparison c;
     Effort effort{.tolerance = tolerance, .inspect = found_ || tolerance > inspected_};
-    if (system_.states > 64) effort.budget *= 4;
+    // An operation of compiled double arithmetic takes a fifth of one of extended precision.
+    const bool quick = system_.rounding > 0x1p-60L && system_.smooth;
+    if (system_.states > few) effort.budget *= quick ? 16 : 4;
     // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
-    Effort of_second{std::max(tolerance, family_.finest), effort.budget, found_};
+    Effort of_second{std::max(tolerance, family_.finest), std::min(effort.budget, most_work_[1]),
+                     found_};
+    effort.budget = std::min(effort.budget, most_work_[0]);
     const bool again = of_second.tolerance != second_tolerance_;
     // Both at once, and with the first comparison the run on moved constants.
     const bool with_moved = (system_.moved_rhs || system_.mode_at) && !moved_;
@@ -146,7 +188,7 @@ class Search {
     }
     second_tolerance_ = of_second.tolerance;
     c.b = second_;
-    c.spent = c.a.work > effort.budget || c.b.work > effort.budget;
+    c.spent = c.a.work > effort.budget || c.b.work > of_second.budget;
     const std::size_t both = std::min(c.a.states.size(), c.b.states.size());
     Real size = distance(system_.y0, zero_, scale_);
     while (c.known < both) {
@@ -242,6 +284,7 @@ class Search {
   double brief_work_ = 0;       ///< of `first` at a loose tolerance; 0: not known
   Run second_;                  ///< the last of `second`
   Real second_tolerance_ = -1;  ///< at which it was made
+  std::array<double, 2> most_work_{1e300, 1e300};  ///< of the two methods
   std::optional<Run> moved_;
   Real inspected_ = 0;  ///< the loosest tolerance at which steps of `first` were looked into
   bool found_ = false;  ///< something that the samples of steps had missed
