@@ -4,7 +4,7 @@
 (() => {
   const {
     idOf, facts, sameError, colourOf, shapeOf, number, settingText, duration, plural, shorten,
-    statusText, functions,
+    statusText, functions, frontOf,
   } = odeum;
 
   const horizontal = {
@@ -72,23 +72,12 @@
   };
   // The solvers on the Pareto front of time and error; of evaluations and error without times.
   const front = (data) => {
-    const timed = data.timed.filter((run) => run.pareto);
-    if (timed.length)
-      return [
-        ...new Set(
-          timed.map((row) => `${idOf(row)}:${row.setting_kind === 'tol' ? 'adaptive' : 'fixed'}`),
-        ),
-      ];
-    let least = Infinity;
-    const kept = new Set();
-    for (const run of data.runs
-      .filter((r) => r.error_max > 0)
-      .sort((a, b) => a.rhs_evaluations - b.rhs_evaluations || a.error_max - b.error_max))
-      if (run.error_max < least) {
-        least = run.error_max;
-        kept.add(`${idOf(run)}:${run.mode}`);
-      }
-    return [...kept];
+    const timed = data.timed.filter((run) => run.repetitions > 0 && run.error >= 0);
+    const best = timed.length
+      ? frontOf(timed, 'wall_ns_min', 'error')
+      : frontOf(data.runs.filter((run) => run.error_max > 0), 'rhs_evaluations', 'error_max');
+    const modeOf = (row) => row.mode || (row.setting_kind === 'tol' ? 'adaptive' : 'fixed');
+    return [...new Set(best.map((row) => `${idOf(row)}:${modeOf(row)}`))];
   };
 
   const verdictOf = (data, key) => data.orders.find((row) => `${idOf(row)}:${row.mode}` === key);

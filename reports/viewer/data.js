@@ -83,6 +83,14 @@
   }
   const idOf = (row) => `${row.library}/${row.solver}`;
   const isClosedForm = (row) => Boolean(facts.solverOf.get(idOf(row))?.closed_form);
+  // Rows of which no other has less cost and less error; a closed form competes with none.
+  const frontOf = (rows, cost, error) => {
+    let least = Infinity;
+    return rows
+      .filter((row) => !isClosedForm(row))
+      .sort((a, b) => a[cost] - b[cost] || a[error] - b[error])
+      .filter((row) => row[error] < least && (least = row[error]));
+  };
 
   const facts = {
     cases: [], solvers: [], libraries: [], studies: [], tables: [], questions: [], solutions: {},
@@ -174,7 +182,7 @@
   };
 
   Object.assign(odeum, {
-    receive, loadScript, load, Rows, idOf, isClosedForm, facts, takeFacts, tablesRead, rowsOf,
-    measuredCases, isMeasured, loadCase, colourOf, shapeOf,
+    receive, loadScript, load, Rows, idOf, isClosedForm, frontOf, facts, takeFacts, tablesRead,
+    rowsOf, measuredCases, isMeasured, loadCase, colourOf, shapeOf,
   });
 })();

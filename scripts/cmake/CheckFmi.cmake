@@ -43,3 +43,13 @@ expect(2 "converge ${fmu} --set nu=1" "the model has no variable nu; it has x, v
 expect(2 "run ${fmu} --set fault=6" "has time events .the first at t = 1.")
 expect(2 "run ${fmu} --set fault=9" "foreign code crashed: Aborted")
 expect(3 "run ${fmu} --set fault=3 --solver odeum/rk4 --step 0.01" "foreign code crashed: Aborted")
+# Of too many steps it says so before a truth is computed.
+file(ARCHIVE_EXTRACT INPUT ${fmu} DESTINATION ${FOLDER}/long)
+file(READ ${FOLDER}/long/modelDescription.xml text)
+string(REGEX REPLACE "stopTime=\"[^\"]*\"" "stopTime=\"1e300\"" text "${text}")
+file(WRITE ${FOLDER}/long/modelDescription.xml "${text}")
+must(${CMAKE_COMMAND} -E chdir ${FOLDER}/long ${CMAKE_COMMAND} -E tar cf ${FOLDER}/long.fmu --format=zip .)
+expect(2 "run ${FOLDER}/long.fmu --solver odeum/rk4 --step 0.1" "more than 1e.09 steps to t = 1e.300")
+if(output MATCHES "truth")
+  message(FATAL_ERROR "a truth was computed for 1e300 seconds: ${output}")
+endif()

@@ -14,7 +14,7 @@ make(case run damped_oscillator_undamped --solver explicit_euler --solver midpoi
 make(diverged run damped_oscillator_underdamped --solver explicit_euler --solver rk4 --step 0.5)
 make(path run kepler_e06 --solver dormand_prince54 --tol 1e-6)
 make(why why robertson_40 --solver dormand_prince54 --tol 1e-3)
-make(advice advise lotka_volterra --error 1e-4 --library odeum,gsl --seconds 2)
+make(advice advise lotka_volterra --error 1e-4 --library odeum,gsl --seconds 5)
 make(sweep sweep lotka_volterra --over a=1,1.5,2 --solver rk4 --step 0.01)
 make(scene run spring_explicit_euler --solver explicit_euler --solver midpoint --until 1)
 make(types classify "y*u_xx + u_yy = 0" --divisions 24)

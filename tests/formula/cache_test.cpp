@@ -137,6 +137,16 @@ TEST_F(Cache, AFolderInWhichOthersMayWriteIsNotUsed) {
   EXPECT_TRUE(fs::is_empty(cache()));
 }
 
+TEST_F(Cache, AFolderOfAnotherOwnerIsNotUsed) {
+  fs::create_directory(cache());
+  fs::permissions(cache(), fs::perms::owner_all);
+  constexpr uid_t nobody = 65534;
+  if (::chown(cache().c_str(), nobody, static_cast<gid_t>(-1)) != 0)
+    GTEST_SKIP() << "only root gives a folder away";
+  run();
+  EXPECT_TRUE(fs::is_empty(cache()));
+}
+
 TEST_F(Cache, ACompilerThatDoesNotEndIsEnded) {
   script("sleep 30 & sleep 30\n");
   const auto start = std::chrono::steady_clock::now();

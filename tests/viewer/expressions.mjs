@@ -292,6 +292,28 @@ checks['performance profiles count what was asked of whom'] = () => {
   same([page('duelOf')(questions, 'p', 'q'), page('duelOf')(questions, 'q', 'p')], [{ count: 1, faster: 1, median: 2 }, { count: 1, faster: 0, median: 0.5 }], 'duels');
 };
 
+checks['a closed form is on no front'] = () => {
+  const facts = page('facts'), before = facts.solverOf;
+  facts.solverOf = new Map([['l/exact', { closed_form: true }]]);
+  const run = (solver, ns, error) => ({ library: 'l', solver, ns, error });
+  same(page('frontOf')([run('c', 4, 1e-9), run('exact', 1, 1e-16), run('a', 2, 1e-3), run('b', 3, 1e-2)], 'ns', 'error').map((row) => row.solver), ['a', 'c'], 'the front');
+  facts.solverOf = before;
+};
+
+checks['a solver that is unstable at a step is not told that a larger one is enough'] = () => {
+  const facts = page('facts'), before = { ...facts };
+  Object.assign(facts, {
+    caseOf: new Map([['c', { start: 0, end: 10, eigenvalues: [[-10, 0]], eigenvalues_time: 0 }]]),
+    limits: [{ library: 'l', solver: 's', axis: 'real', limit: 2.8, status: 'ok' }],
+  });
+  const words = (finest) => page('functions').needed_step('c', 'l', 's', finest);
+  same(words(0.5), ' It takes h < 0.28, 36 steps to t = 10: 2.8 / |λ|, λ = -10 at t = 0.', 'a limit below the steps tried');
+  same(words(0.03), ' It is unstable at h = 0.03 still, below 2.8 / |λ| = 0.28 with λ = -10 at t = 0.', 'a limit above one of them');
+  facts.limits = [];
+  same([words(0.03), words(NaN)], [' It is unstable at h = 0.03 still.', ''], 'no limit known');
+  Object.assign(facts, before);
+};
+
 for (const [name, check] of Object.entries(checks)) {
   try {
     await check();

@@ -5,7 +5,7 @@
 (() => {
   const {
     functions, facts, blocks, rowsOf, formatted, legendOf, colourOf, idOf, number, duration, plural,
-    addressOf, rangeOf, plot, checkKeys, html, whenSeen,
+    addressOf, rangeOf, plot, checkKeys, html, whenSeen, frontOf,
   } = odeum;
 
   functions.loaded_libraries = () => (facts.run.loaded || []).join(', ');
@@ -28,16 +28,10 @@
     return blocks.matrix(host, spec, context);
   };
 
-  // No other row is both faster and more accurate.
-  const frontOf = (rows) => {
-    let least = Infinity;
-    return d3
-      .sort(rows, (row) => row.wall_ns_min, (row) => row.error)
-      .filter((row) => row.error < least && (least = row.error));
-  };
+  const frontIn = (rows) => frontOf(rows, 'wall_ns_min', 'error');
   const pointOf = (run) => ({ x: run.wall_ns_min, y: run.error, run });
   const fronts = {
-    all: { colour: 'var(--ink)', text: 'Pareto front: no solver is both faster and more accurate' },
+    all: { colour: 'var(--ink)', text: 'Pareto front: no method is both faster and more accurate' },
     peers: { colour: 'var(--dim)', dashed: true, text: 'the same of the peers alone' },
   };
   // Runs are points without a line.
@@ -85,7 +79,7 @@
     return { x: rangeOf(times, 1.4), y: rangeOf(errors, 3) };
   };
   const drawSpeed = (host, c, rows, height, shared) => {
-    const best = frontOf(rows), peers = frontOf(rows.filter((row) => row.library !== 'odeum')),
+    const best = frontIn(rows), peers = frontIn(rows.filter((row) => row.library !== 'odeum')),
       onFront = new Set(best);
     const clouds = d3
       .groups(rows, (row) => row.library)
