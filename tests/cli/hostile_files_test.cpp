@@ -2,6 +2,7 @@
 // Files that are made to do harm, of every kind that a command reads: each is refused with a
 // sentence that names its place, with the exit code 2, and nothing of it is left in the working
 // folder, the cache or the temporary folder.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -80,10 +81,9 @@ TEST(HostileFiles, AreRefusedWithTheirPlaceAndLeaveNothing) {
   for (const Hostile& each : hostile_files()) {
     const fs::path file = files / each.file;
     if (!fs::exists(file)) write_text(file, each.text);
-    const std::string at = place.string();
-    const Result result =
-        shell("cd '" + at + "' && export HOME='" + at + "' TMPDIR='" + at + "' XDG_CACHE_HOME='" +
-              at + "' && odeum " + each.command + " '" + file.string() + "'");
+    const Result result = shell(fmt::format(
+        "cd '{0}' && export HOME='{0}' TMPDIR='{0}' XDG_CACHE_HOME='{0}' && odeum {1} '{2}'",
+        place.string(), each.command, file.string()));
     EXPECT_EQ(result.code, 2) << each.file << ": " << result.output;
     if (result.output.find("without FMI") != std::string::npos) continue;
     EXPECT_NE(result.output.find(each.file + ":"), std::string::npos) << result.output;

@@ -5,6 +5,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/study.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -45,6 +46,31 @@ TEST(Studies, ReadTheirFilesBackToTheSameBytes) {
         continue;
       EXPECT_EQ(text_of(folder.path() / file), text_of(again.path() / file)) << file;
     }
+  }
+}
+
+// It said "wrong answers: 2".
+TEST(Studies, WrongAnswersAreNamed) {
+  ConvergenceRow row;
+  row.case_id = "lotka_volterra", row.library = "odeum", row.solver = "rk4", row.status = "ok";
+  row.mode = Mode::adaptive;
+  row.judged.answer = judge::Answer::wrong;
+  ConvergenceResult result;
+  result.rows = {row, row};
+  row.solver = "heun";
+  row.judged.answer = judge::Answer::explained;
+  result.rows.push_back(row);
+  const tests::TemporaryFolder root;
+  record::write(result, record::OutputFolder(root.path()));
+  for (const auto& study : make_studies()) {
+    if (study->declaration().name != "converge") continue;
+    study->add_earlier(root.path());
+    const std::string table = study->table();
+    EXPECT_NE(table.find("2 runs ended ok with a wrong answer, column answer of convergence.csv:\n"
+                         "  2 of odeum/rk4 on lotka_volterra\n"),
+              std::string::npos)
+        << table << study->problem();
+    EXPECT_EQ(table.find("heun on"), std::string::npos) << table;
   }
 }
 

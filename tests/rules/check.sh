@@ -1,0 +1,25 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# sh check.sh <source>: scripts/check fails where the sanitizers are not through in time, or a command under
+# valgrind ends otherwise than it should. Builds are replaced by nothing.
+set -eu
+at=$(mktemp -d)
+trap 'rm -rf "$at"' EXIT
+mkdir -p "$at/scripts" "$at/build/memory" "$at/bin"
+cp "$1/scripts/check" "$at/scripts/check"
+fake() { printf '#!/bin/sh\n%s\n' "$2" >"$1" && chmod +x "$1"; }
+fails() {
+  if output=$("$@" 2>&1); then echo "$*: passed: $output" && exit 1; fi
+}
+PATH=$at/bin:$PATH
+
+fake "$at/scripts/bootstrap" 'sleep 30'
+ODEUM_CHECK_SECONDS=601 fails "$at/scripts/check" --quick sanitize
+case $output in *"not through within 1 s"*) ;; *) echo "no word on the time: $output" && exit 1 ;; esac
+
+fake "$at/scripts/bootstrap" 'exit 0'
+fake "$at/bin/valgrind" 'case $* in *rk5*|*gauss4*) exit 2 ;; *third_order*) exit 99 ;; esac'
+fails "$at/scripts/check" memory
+case $output in *third_order.yaml*"exit code 99, expected 0"*) ;; *) echo "no word on the command: $output" && exit 1 ;; esac
+fake "$at/bin/valgrind" 'case $* in *rk5*|*gauss4*) exit 2 ;; esac'
+"$at/scripts/check" memory >/dev/null
