@@ -19,7 +19,8 @@
   const tokensOf = (text) => {
     const digits = '\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?',
       name = "[A-Za-z]+[A-Za-z0-9]*(?:_(?:\\{[^{}]*\\}|[A-Za-z0-9]+))?'*";
-    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(\\.\\.|'+|[-+*/^=<>(),|[\\]]))`, 'y');
+    const signs = "\\.\\.|'+|[-+*/^=<>(),|[\\]]";
+    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(${signs}))`, 'y');
     const tokens = [];
     for (const body = text.trimEnd(); pattern.lastIndex < body.length;) {
       const at = pattern.exec(body);

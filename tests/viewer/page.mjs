@@ -251,6 +251,7 @@ const checks = {
     await drawn();
     await key('Tab');
     hold((await browser.run(`document.activeElement.className`)) === 'skip', 'the skip link is not the first stop');
+    hold((await browser.run(`document.querySelectorAll('nav.main a').length`)) <= 8, 'more than eight entries of navigation');
     await key('Enter');
     same(await browser.run(`[document.activeElement.id, location.hash, document.documentElement.dataset.drawn]`), ['main', '#cases', 'cases'], 'after the skip link');
   },
@@ -299,6 +300,7 @@ const checks = {
     const places = await browser.run(`[...document.querySelectorAll('[data-figure="exact-time"] svg.plot, main dl.facts, main .table-host, .panels, h2')].map((e) => (e.tagName === 'H2' ? e.textContent : e.matches('svg') ? 'picture' : e.matches('dl') ? 'facts' : e.matches('.panels') ? 'charts' : 'table'))`);
     same([places.slice(0, 3), places.filter((name) => !['facts', 'charts', 'table'].includes(name)).at(-1)], [['picture', 'facts', 'table'], 'Verdicts, counted'], `the order of ${places}`);
     hold((await text('main .table-host')).includes('fastest method'), 'no answers');
+    same(await browser.run(`[...document.querySelectorAll('main dl.facts dt')].filter((e) => e.nextSibling.querySelector('math')).map((e) => e.textContent)`), ['Equation', 'form', 'solution', 'solution'], 'what is typeset');
   },
   async 'names at the ends of curves are whole'() {
     for (const width of [1280, 900, 700]) {
@@ -323,6 +325,9 @@ const checks = {
     const [, step] = / takes h < (\S+),/.exec(tip) || [], limit = rowsOf('stability_limits.csv').find((each) => each.solver === 'rk4' && each.library === 'odeum' && each.axis === 'real').limit;
     const fastest = Math.max(...facts.cases.find((c) => c.id === 'robertson_40').eigenvalues.map(([re]) => -re));
     near(Number(step), limit / fastest, 0.05, `two digits of the step in: ${tip}`);
+    await browser.go(`${address}#methods?solver=odeum/rk4`);
+    await browser.until(`document.querySelector('[data-numbers="method"] [data-case="robertson_40"]')`);
+    hold(/unstable at the steps tried. It takes h < /.test(await text('[data-numbers="method"] [data-case="robertson_40"]')), 'not so on the page of the method');
   },
   async 'a run that diverged is not ok alone'() {
     const { id, scale } = facts.cases.find((c) => c.id === 'damped_oscillator_underdamped');
