@@ -95,16 +95,23 @@ struct LinkGroup {
   btDeformableMassSpringForce force;
 };
 
+scene::Scene without_surfaces(scene::Scene scene) {
+  scene.surfaces.clear();
+  return scene;
+}
+
+enum class Mode { explicit_, implicit, self_collision };
+
 class DeformableEngine final : public Engine {
  public:
   DeformableEngine(const scene::Scene& scene, const std::vector<double>& state, const Plan& plan,
-                   bool implicit)
-      : exerted_(scene, false),
+                   Mode mode)
+      : exerted_(mode == Mode::self_collision ? without_surfaces(scene) : scene, false),
         world_(&parts_.dispatcher, &parts_.broadphase, &contacts_, &parts_.configuration,
                &solver_) {
-    if (implicit) solver_.count(plan);
+    if (mode == Mode::implicit) solver_.count(plan);
     contacts_.setDeformableSolver(&solver_);
-    world_.setImplicit(implicit);
+    world_.setImplicit(mode == Mode::implicit);
     world_.setUseProjection(true);  // required by the implicit solver
     world_.getWorldInfo().m_maxDisplacement = no_displacement_limit;
     if (const double rate = *medium_damping(scene); rate != 0) {
@@ -113,6 +120,7 @@ class DeformableEngine final : public Engine {
     } else {
       build(scene, state);
     }
+    if (mode == Mode::self_collision) collide(scene);
   }
 
   void exert(double t, Guard& guard) override {
@@ -125,6 +133,20 @@ class DeformableEngine final : public Engine {
   const btSoftBody& body() const override { return *body_; }
 
  private:
+  /// As Bullet's example of a deformable body that collides with itself sets it.
+  void collide(const scene::Scene& scene) {
+    const scene::SelfContact& law = scene.surfaces.front();
+    for (const scene::Surface& surface : scene.surfaces)
+      for (const auto& [a, b, c] : surface.faces)
+        body_->appendFace(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c));
+    body_->m_cfg.collisions = btSoftBody::fCollision::VF_DD;
+    body_->setSelfCollision(true);
+    body_->getCollisionShape()->setMargin(law.thickness / 2);  // those of both add
+    body_->setSpringStiffness(law.stiffness);                  // of the repulsion within it
+    body_->m_cfg.kDF = law.friction;
+    body_->initializeFaceTree();
+  }
+
   void build(const scene::Scene& scene, const std::vector<double>& state) {
     btSoftBodyWorldInfo& info = world_.getWorldInfo();
     body_ = make_body(info, scene, state);
@@ -165,13 +187,19 @@ class DeformableEngine final : public Engine {
 std::unique_ptr<Engine> make_deformable_explicit(const scene::Scene& scene,
                                                  const std::vector<double>& state,
                                                  const Plan& plan) {
-  return std::make_unique<DeformableEngine>(scene, state, plan, false);
+  return std::make_unique<DeformableEngine>(scene, state, plan, Mode::explicit_);
 }
 
 std::unique_ptr<Engine> make_deformable_implicit(const scene::Scene& scene,
                                                  const std::vector<double>& state,
                                                  const Plan& plan) {
-  return std::make_unique<DeformableEngine>(scene, state, plan, true);
+  return std::make_unique<DeformableEngine>(scene, state, plan, Mode::implicit);
+}
+
+std::unique_ptr<Engine> make_deformable_self_collision(const scene::Scene& scene,
+                                                       const std::vector<double>& state,
+                                                       const Plan& plan) {
+  return std::make_unique<DeformableEngine>(scene, state, plan, Mode::self_collision);
 }
 
 }  // namespace odeum::adapters::bullet

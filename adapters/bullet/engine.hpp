@@ -46,5 +46,7 @@ std::unique_ptr<Engine> make_deformable_explicit(const scene::Scene&, const std:
                                                  const Plan&);
 std::unique_ptr<Engine> make_deformable_implicit(const scene::Scene&, const std::vector<double>&,
                                                  const Plan&);
+std::unique_ptr<Engine> make_deformable_self_collision(const scene::Scene&,
+                                                       const std::vector<double>&, const Plan&);
 
 }  // namespace odeum::adapters::bullet

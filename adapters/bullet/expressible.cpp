@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace odeum::adapters::bullet {
@@ -38,6 +40,33 @@ std::optional<double> eigenvalue(const std::array<double, 9>& b, const Vec3& w) 
   for (std::size_t i = 0; i < 3; ++i)
     if (!(std::abs(image[i] - value * w[i]) <= rounding)) return std::nullopt;
   return value;
+}
+
+/// Whether every face is reached from the first one over common edges.
+bool is_one_piece(const std::vector<scene::Surface>& surfaces) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> faces_of;
+  std::vector<std::array<std::size_t, 3>> faces;
+  const auto edge = [](const std::array<std::size_t, 3>& x, std::size_t k) {
+    return std::pair(std::min(x[k], x[(k + 1) % 3]), std::max(x[k], x[(k + 1) % 3]));
+  };
+  for (const scene::Surface& surface : surfaces)
+    for (const auto& face : surface.faces) {
+      for (std::size_t k = 0; k < 3; ++k) faces_of[edge(face, k)].push_back(faces.size());
+      faces.push_back(face);
+    }
+  std::vector<bool> reached(faces.size());
+  std::vector<std::size_t> to_go{0};
+  std::size_t count = 0;
+  while (!to_go.empty()) {
+    const std::size_t face = to_go.back();
+    to_go.pop_back();
+    if (reached[face]) continue;
+    reached[face] = true;
+    ++count;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (const std::size_t next : faces_of[edge(faces[face], k)]) to_go.push_back(next);
+  }
+  return count == faces.size();
 }
 
 constexpr const char* medium_sentence =
@@ -148,6 +177,29 @@ std::string objection_of_deformable(const Scene& scene) {
     return "needs two-way springs: btDeformableMassSpringForce has no tension-only kind";
   if (!medium_damping(scene)) return medium_sentence;
   return {};
+}
+
+std::string objection_of_self_collision(const Scene& scene) {
+  if (scene.surfaces.empty())
+    return "needs surfaces: without them it is the same as bullet/deformable_explicit";
+  std::vector<bool> on_surface(scene.size());
+  for (const scene::Surface& surface : scene.surfaces) {
+    const scene::Surface& first = scene.surfaces.front();
+    if (surface.thickness != first.thickness || surface.stiffness != first.stiffness ||
+        surface.friction != first.friction)
+      return "needs surfaces of one thickness, stiffness and friction: they are those of a "
+             "btSoftBody";
+    for (const auto& face : surface.faces)
+      for (const std::size_t corner : face) on_surface[corner] = true;
+  }
+  for (std::size_t i = 0; i < scene.size(); ++i)
+    if (scene.particles[i].radius > 0 && !on_surface[i])
+      return "needs surfaces that meet surfaces alone: the nodes of a btSoftBody have no radius, "
+             "so that none is a ball";
+  if (!is_one_piece(scene.surfaces))
+    return "needs surfaces that are one piece: btSoftBody::initializeFaceTree joins faces by their "
+           "edges, and does not end where some have no way to the others";
+  return objection_of_deformable(scene);
 }
 
 }  // namespace odeum::adapters::bullet

@@ -33,5 +33,6 @@ std::string objection_of_collision(const scene::Scene& scene);
 std::string objection_of_links(const scene::Scene& scene);
 std::string objection_of_stock_links(const scene::Scene& scene);
 std::string objection_of_deformable(const scene::Scene& scene);
+std::string objection_of_self_collision(const scene::Scene& scene);
 
 }  // namespace odeum::adapters::bullet

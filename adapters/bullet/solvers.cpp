@@ -83,6 +83,15 @@ const Method methods[] = {
      make_deformable_implicit,
      {{"sweeps", "limit of conjugate gradient iterations"}, {"newton", "Newton iterations"}},
      {{{"sweeps", 4}}, {{"sweeps", 16}}, {{"newton", 2}}}},
+    {"deformable_self_collision",
+     "as deformable_explicit, but surfaces meet by fCollision::VF_DD and setSelfCollision(true), a "
+     "model of its own: a node nearer to a face than the thickness is pushed off by impulses and a "
+     "repulsion of its own law; edges do not meet edges",
+     no_claim,
+     false,
+     objection_of_self_collision,
+     make_deformable_self_collision,
+     {}},
 };
 
 Outcome failed(Status status, std::string detail) {

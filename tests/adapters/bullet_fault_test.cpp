@@ -9,7 +9,10 @@
 namespace odeum::bullet_tests {
 namespace {
 
-bool needs_contacts(const Entrant& entrant) { return entrant.info.method == "soft_body_collision"; }
+bool needs_contacts(const Entrant& entrant) {
+  return entrant.info.method == "soft_body_collision" ||
+         entrant.info.method == "deformable_self_collision";
+}
 
 TEST(BulletFault, RefusesInASentence) {
   Request request = steps(10, {1});
@@ -32,7 +35,7 @@ TEST(BulletFault, SaysWhatDoesNotFit) {
   bare.y0 = std::make_shared<const std::vector<double>>(2);
   const std::vector<Entrant> entrants =
       tests::enrolled_on(erase(bare), adapters::bullet::add_solvers);
-  ASSERT_EQ(entrants.size(), 6u);
+  ASSERT_EQ(entrants.size(), 7u);
   for (const Entrant& entrant : entrants) EXPECT_NE(entrant.unfit, "") << entrant.info.id();
 
   const Stage rotation = medium({-0.5, 2});

@@ -8,6 +8,7 @@
 #include "odeum/kernel/components.hpp"
 #include "odeum/kernel/difference_history.hpp"
 #include "odeum/kernel/kept_jacobian.hpp"
+#include "odeum/kernel/residual_system.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 #include "odeum/tableau/ndf_coefficients.hpp"
@@ -85,12 +86,16 @@ class BdfStepper {
   }
 
  private:
+  /// Not below rounding: of a correction, and on residuals of their terms, which a correction
+  /// multiplies by the inverse of the matrix.
   static double newton_tolerance(double relative) {
-    return std::max(10 * std::numeric_limits<double>::epsilon() / relative,
+    constexpr double roundings = WithResiduals<P> ? 1000 : 10;
+    return std::max(roundings * std::numeric_limits<double>::epsilon() / relative,
                     std::min(0.03, std::sqrt(relative)));
   }
 
-  /// Newton on d = y - predicted: d = c f(t, y) - psi, psi the weighted differences.
+  /// Newton on d = y - predicted: d = c f(t, y) - psi, psi the weighted differences; on residuals
+  /// R(t, y, (psi + d) / c) = 0.
   bool converge(double t_new, double c) {
     const auto factorise = [&](double gamma_h) {
       const bool regular = system_.factorise(gamma_h);
@@ -98,9 +103,14 @@ class BdfStepper {
       return regular;
     };
     const auto correct = [&] {
-      problem_.rhs(t_new, y_.data(), f_.data());
-      each_component(y_, [&](std::size_t n) { f_[n] = c * f_[n] - psi_[n] - d_[n]; });
-      if (!system_.solve(f_.data())) return newton_.no_solution;
+      if constexpr (WithResiduals<P>) {
+        each_component(y_, [&](std::size_t n) { f_[n] = (psi_[n] + d_[n]) / c; });
+        system_.correct(t_new, y_, f_);
+      } else {
+        problem_.rhs(t_new, y_.data(), f_.data());
+        each_component(y_, [&](std::size_t n) { f_[n] = c * f_[n] - psi_[n] - d_[n]; });
+        if (!system_.solve(f_.data())) return newton_.no_solution;
+      }
       each_component(y_, [&](std::size_t n) {
         y_[n] += f_[n];
         d_[n] += f_[n];
@@ -131,7 +141,7 @@ class BdfStepper {
 
   const P& problem_;
   ErrorScale<State<P>> level_;
-  ShiftedSystem<P> system_;
+  std::conditional_t<WithResiduals<P>, ResidualSystem<P>, ShiftedSystem<P>> system_;
   double h_;
   // As in ode15s, but a first correction never suffices unless it is zero.
   SimplifiedNewton<NewtonSettings{.foresees = true, .first_remainder = NewtonSettings::never}>

@@ -4,19 +4,11 @@
 #include <complex>
 #include <vector>
 
+#include "odeum/kernel/residual_system.hpp"
 #include "odeum/kernel/stage_system.hpp"
-#include "odeum/linear/dense_lu.hpp"
 #include "odeum/problem/function_problem.hpp"
 
 namespace odeum {
-
-/// A problem that is stated by residuals R(t, y, y') = 0, see ImplicitForm. Its right-hand side
-/// gives the rates of a consistent state.
-template <class P>
-concept WithResiduals = Ode<P> && requires(const P& p, const double* y, double* r) {
-  p.residual(0.0, y, y, r);     // R(t, y, y')
-  p.matrix(0.0, y, y, 0.0, r);  // dR/dy + alpha dR/dy', by rows
-};
 
 /// The stages of a fully implicit Runge-Kutta method on residuals,
 ///

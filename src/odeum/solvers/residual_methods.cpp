@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Own methods on R(t, y, y') = 0 as it is stated.
+#include <cmath>
 #include <utility>
+#include <vector>
 
+#include "odeum/kernel/backward_differences.hpp"
+#include "odeum/kernel/residual_newton.hpp"
+#include "odeum/kernel/residual_rosenbrock.hpp"
 #include "odeum/kernel/residual_stages.hpp"
+#include "odeum/methods/bdf_variable.hpp"
 #include "odeum/methods/radau_iia5.hpp"
 #include "odeum/methods/radau_iia9.hpp"
+#include "odeum/methods/rodas4.hpp"
 #include "odeum/solvers/enroll_method.hpp"
 
 namespace odeum {
@@ -43,8 +50,45 @@ class GuardedResiduals {
   Guard& guard_;
 };
 
+/// Backward differences at a fixed step, whose start is of residuals too.
+struct Bdf4 : BackwardDifferenceMethod<4, methods::radau_iia5> {
+  static constexpr MethodInfo info = named("bdf4");
+};
+
+template <class M>
+inline constexpr bool needs_constant_factors = requires {
+  M::rosenbrock_tableau;
+};
+
+/// Whether dR/dy' is the same at states and rates apart from each other.
+bool has_constant_factors(const ErasedContest& contest) {
+  const ImplicitForm& form = *contest.implicit;
+  const std::size_t n = form.dimension;
+  const auto factors = [&](double t, const std::vector<double>& y, const std::vector<double>& v) {
+    std::vector<double> with(n * n), without(n * n);
+    form.matrix(t, y.data(), v.data(), 1, with.data());
+    form.matrix(t, y.data(), v.data(), 0, without.data());
+    for (std::size_t i = 0; i < n * n; ++i) with[i] -= without[i];
+    return with;
+  };
+  std::vector<double> y = *contest.y0, rates(n, 0);
+  const std::vector<double> first = factors(contest.t0, y, rates);
+  for (std::size_t i = 0; i < n; ++i) {
+    y[i] += 1e-3 * (1 + std::abs(y[i]));
+    rates[i] = 1;
+    const std::vector<double> other = factors(contest.t0 + 0.37, y, rates);
+    for (std::size_t k = 0; k < n * n; ++k)
+      if (!(std::abs(other[k] - first[k]) <= 1e-9 * std::abs(first[k]))) return false;
+  }
+  return true;
+}
+
 template <class M>
 Outcome solve_residuals(const ErasedContest& contest, const Request& request) {
+  if (needs_constant_factors<M> && !has_constant_factors(contest))
+    return refusal(
+        "needs rates with constant factors, M y' = f(t, y): here dR/dy' changes with the state, "
+        "the time or the rates");
   Guard guard(contest.implicit->dimension, request.budget, &request.tolerance);
   Outcome outcome =
       run_method<M>(GuardedResiduals(contest, guard), contest.t0, *contest.y0, request);
@@ -54,11 +98,11 @@ Outcome solve_residuals(const ErasedContest& contest, const Request& request) {
 
 /// The same method as on y' = f(t, y), under an id of its own.
 template <class M>
-Solver residual_method(const char* id) {
+Solver residual_method(const char* id, const char* source) {
   SolverInfo info = info_of_own<M>();
   info.method = id;
   info.needs = "residuals that are not solved for all rates, R(t, y, y') = 0";
-  info.source += "; on residuals, VI.1";
+  info.source += source;
   return {info, [](const ErasedContest& contest, Entrant& entrant) {
             if (!contest.implicit)
               entrant.unfit = "needs " + entrant.info.needs;
@@ -74,8 +118,14 @@ Solver residual_method(const char* id) {
 }  // namespace
 
 void add_residual_methods(std::vector<Solver>& all) {
-  all.push_back(residual_method<methods::radau_iia5>("radau_iia5_residual"));
-  all.push_back(residual_method<methods::radau_iia9>("radau_iia9_residual"));
+  const char* const stages = "; on residuals, VI.1";
+  all.push_back(residual_method<methods::radau_iia5>("radau_iia5_residual", stages));
+  all.push_back(residual_method<methods::radau_iia9>("radau_iia9_residual", stages));
+  const char* const differences = "; on residuals: Hairer, Wanner, Solving ODEs II, VI.2";
+  all.push_back(residual_method<Bdf4>("bdf4_residual", differences));
+  all.push_back(residual_method<methods::bdf_variable>("bdf_variable_residual", differences));
+  all.push_back(
+      residual_method<methods::rodas4>("rodas4_residual", "; on M y' = f(t, y), (VI.4.18)"));
 }
 
 }  // namespace odeum

@@ -2,7 +2,12 @@
 // Surfaces of a scene: those of cloths, and those listed by their faces.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
 
 #include "odeum/scene/read/reader_fields.hpp"
 #include "odeum/scene/surface/surfaces.hpp"
@@ -29,6 +34,80 @@ std::string body_around(const Scene& scene, const Surfaces& surfaces, const Vec3
     }
   }
   return {};
+}
+
+/// Whether each edge belongs to two faces.
+bool is_closed(const Surface& surface) {
+  std::map<std::pair<std::size_t, std::size_t>, int> faces_of;
+  for (const auto& x : surface.faces)
+    for (std::size_t k = 0; k < 3; ++k) ++faces_of[std::minmax(x[k], x[(k + 1) % 3])];
+  return std::ranges::all_of(faces_of, [](const auto& edge) { return edge.second == 2; });
+}
+
+/// Whether a point is inside of a closed surface: the solid angles of its faces add to 4 pi then,
+/// else to 0 (van Oosterom, Strackee 1983). Faces that are listed in mixed directions hide it.
+bool is_around(const Scene& scene, const Surface& surface, const Vec3& x) {
+  double angle = 0;
+  for (const auto& face : surface.faces) {
+    Vec3 r[3];
+    double l[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t d = 0; d < 3; ++d) r[k][d] = scene.particles[face[k]].position[d] - x[d];
+      l[k] = std::sqrt(dot(r[k], r[k]));
+    }
+    const double volume = r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) +
+                          r[0][1] * (r[1][2] * r[2][0] - r[1][0] * r[2][2]) +
+                          r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+    angle += 2 * std::atan2(volume, l[0] * l[1] * l[2] + dot(r[0], r[1]) * l[2] +
+                                        dot(r[1], r[2]) * l[0] + dot(r[2], r[0]) * l[1]);
+  }
+  return std::abs(angle) > 2 * std::numbers::pi;
+}
+
+/// Refuses an edge that goes through a triangle, and a surface within another that is closed.
+void require_outside(Context& context, const Surfaces& surfaces, const double* q) {
+  const Scene& scene = context.scene;
+  if (const auto pierced = surfaces.pierced(q)) {
+    const auto [a, b] = pierced->edge;
+    const auto [c, d, e] = pierced->triangle;
+    context.surfaces[pierced->surface].fail(
+        "starts through a surface",
+        fmt::format("the edge of particles {} and {}, which goes through the triangle of {}, {} "
+                    "and {}",
+                    a, b, c, d, e),
+        "surfaces that do not go through each other");
+  }
+  for (std::size_t body = 0; body < scene.surfaces.size(); ++body) {
+    if (!is_closed(scene.surfaces[body])) continue;
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+      // No edge goes through: all of a connected surface is on the side of its first corner.
+      const std::size_t corner = scene.surfaces[s].faces.front()[0];
+      const Vec3& x = scene.particles[corner].position;
+      if (s != body && is_around(scene, scene.surfaces[body], x))
+        context.surfaces[s].fail("starts inside a body",
+                                 fmt::format("particle {} at ({}, {}, {}) in a closed surface",
+                                             corner, x[0], x[1], x[2]),
+                                 "a start outside of all bodies");
+    }
+  }
+}
+
+/// The parts of a surface whose edges are shorter than the thickness touch each other at rest.
+void warn_of_short_edges(Context& context) {
+  const Scene& scene = context.scene;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    double shortest = std::numeric_limits<double>::max();
+    for (const auto& x : surface.faces)
+      for (std::size_t k = 0; k < 3; ++k)
+        shortest = std::min(shortest, length(scene.particles[x[k]].position,
+                                             scene.particles[x[(k + 1) % 3]].position));
+    if (surface.thickness > shortest)
+      context.surfaces[s].warn(
+          fmt::format("the thickness, {:g} m, is above the shortest edge, {:.3g} m: parts of the "
+                      "surface that are not next to each other are in contact at rest",
+                      surface.thickness, shortest));
+  }
 }
 
 }  // namespace
@@ -80,6 +159,8 @@ void require_apart(Context& context) {
               "a start outside of all bodies");
       }
   const std::vector<double> start = start_of(scene);
+  require_outside(context, surfaces, start.data());
+  warn_of_short_edges(context);
   std::vector<SurfacePair> near;
   surfaces.find_near(start.data(), 0, near);
   for (const SurfacePair& pair : near) {

@@ -9,9 +9,6 @@
 namespace odeum::scene {
 namespace {
 
-Vec<double> across(const Vec<double>& a, const Vec<double>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 double volume(const Vec<double>& a, const Vec<double>& b, const Vec<double>& c) {
   return dot(across(a, b), c);
 }

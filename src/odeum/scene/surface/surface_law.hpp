@@ -29,6 +29,11 @@ Real dot(const Vec<Real>& a, const Vec<Real>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+template <class Real>
+Vec<Real> across(const Vec<Real>& a, const Vec<Real>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// A function and its derivative.
 template <class Real>
 struct Sloped {

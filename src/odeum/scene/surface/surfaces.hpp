@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "odeum/scene/surface/surface_law.hpp"
@@ -20,6 +21,13 @@ struct SurfacePair {
   double slack = 0;       ///< lower bound of what the distance exceeds the thickness by, m
 };
 
+/// An edge that goes through a triangle, by particle, and the surface of the edge.
+struct Pierced {
+  std::array<std::uint32_t, 2> edge{};
+  std::array<std::uint32_t, 3> triangle{};
+  std::uint32_t surface = 0;
+};
+
 /// The surfaces of a scene as points, edges and triangles, and what of them may meet.
 class Surfaces {
  public:
@@ -33,6 +41,10 @@ class Surfaces {
   void find_near(const double* q, double margin, std::vector<SurfacePair>& pairs) const {
     find_near(q, q, margin, pairs);
   }
+
+  /// The first edge that goes through a triangle at the places q; without pairs that share a
+  /// particle.
+  std::optional<Pierced> pierced(const double* q) const;
 
   /// Of these and of copies of them, which hold as much.
   std::uint64_t id() const { return id_; }
