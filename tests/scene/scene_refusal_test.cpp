@@ -67,23 +67,6 @@ std::string cloth_below(const std::string& ball, const std::string& more = "") {
          more;
 }
 
-// A triangle, and a second surface of its own corners, which take up lines from 7 on.
-std::string second_surface(const std::string& corners, const std::string& faces) {
-  return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nparticles:\n"
-         "  - {pos: [0, 0, 0], mass: 1}\n  - {pos: [1, 0, 0], mass: 1}\n"
-         "  - {pos: [0, 1, 0], mass: 1}\n" +
-         corners +
-         "surfaces:\n  - {faces: [[0, 1, 2]], self_contact: {thickness: 0.01, stiffness: 10}}\n"
-         "  - {faces: " +
-         faces + ", self_contact: {thickness: 0.01, stiffness: 10}}\n";
-}
-std::string in_a_tetrahedron() {
-  return second_surface(
-      "  - {pos: [-9, -9, -1], mass: 1}\n  - {pos: [9, -9, -1], mass: 1}\n"
-      "  - {pos: [0, 9, -1], mass: 1}\n  - {pos: [0, 0, 9], mass: 1}\n",
-      "[[3, 4, 5], [4, 3, 6], [5, 4, 6], [3, 5, 6]]");
-}
-
 // An emitter with one key more.
 std::string emitter(const std::string& entry) {
   return "duration: 1\nsolver: {type: rk4, timestep: 0.1}\nemitters: [{position: [0, 0, 0], "
@@ -124,15 +107,6 @@ INSTANTIATE_TEST_SUITE_P(
             "cloth[0].self_contact: starts inside a body; got particle 1 at (0, 0, 0) in a plane"},
         Fault{"cloth_too_near_to_a_ball", cloth_below("pos: [0.5, 0.5, 0.5005]"),
               "cloth[0].self_contact: starts in contact; got 0.0005 m"},
-        Fault{"edge_through_a_triangle",
-              second_surface("  - {pos: [0.2, 0.3, -1], mass: 1}\n  - {pos: [0.2, 0.3, 1], mass: "
-                             "1}\n  - {pos: [5, 5, 0], mass: 1}\n",
-                             "[[3, 4, 5]]"),
-              ":11:5: surfaces[0]: starts through a surface; got the edge of particles 1 and 2, "
-              "which goes through the triangle of 3, 4 and 5"},
-        Fault{"triangle_in_a_tetrahedron", in_a_tetrahedron(),
-              ":12:5: surfaces[0]: starts inside a body; got particle 0 at (0, 0, 0) in a closed "
-              "surface"},
         Fault{"look_of_two_numbers", emitter("look: {colour: [[1, 1, 1], [1, 1]]}"),
               "emitters[0].look.colour[1]: a wrong number of entries"},
         Fault{"look_too_bright", emitter("look: {colour: [[1, 1, 2], [1, 1, 1]]}"),

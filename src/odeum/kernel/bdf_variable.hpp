@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: on right-hand sides and on residuals
 #pragma once
 #include <algorithm>
 #include <cmath>
