@@ -42,31 +42,45 @@ std::optional<double> eigenvalue(const std::array<double, 9>& b, const Vec3& w) 
   return value;
 }
 
-/// Whether every face is reached from the first one over common edges.
-bool is_one_piece(const std::vector<scene::Surface>& surfaces) {
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> faces_of;
-  std::vector<std::array<std::size_t, 3>> faces;
-  const auto edge = [](const std::array<std::size_t, 3>& x, std::size_t k) {
-    return std::pair(std::min(x[k], x[(k + 1) % 3]), std::max(x[k], x[(k + 1) % 3]));
-  };
-  for (const scene::Surface& surface : surfaces)
-    for (const auto& face : surface.faces) {
-      for (std::size_t k = 0; k < 3; ++k) faces_of[edge(face, k)].push_back(faces.size());
-      faces.push_back(face);
-    }
-  std::vector<bool> reached(faces.size());
-  std::vector<std::size_t> to_go{0};
-  std::size_t count = 0;
-  while (!to_go.empty()) {
-    const std::size_t face = to_go.back();
-    to_go.pop_back();
-    if (reached[face]) continue;
-    reached[face] = true;
-    ++count;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (const std::size_t next : faces_of[edge(faces[face], k)]) to_go.push_back(next);
+/// What joins the parts of a whole: those that are joined have one root.
+class Pieces {
+ public:
+  explicit Pieces(std::size_t parts) : above_(parts), count_(parts) {
+    for (std::size_t i = 0; i < parts; ++i) above_[i] = i;
   }
-  return count == faces.size();
+  void join(std::size_t a, std::size_t b) {
+    a = root(a), b = root(b);
+    if (a == b) return;
+    above_[a] = b;
+    --count_;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  std::size_t root(std::size_t i) {
+    while (above_[i] != i) i = above_[i] = above_[above_[i]];
+    return i;
+  }
+  std::vector<std::size_t> above_;
+  std::size_t count_;
+};
+
+/// Whether springs join all particles, and common edges all faces.
+bool is_one_piece(const Scene& scene) {
+  Pieces particles(scene.size());
+  for (const Spring& spring : scene.springs) particles.join(spring.a, spring.b);
+  std::size_t faces = 0;
+  for (const scene::Surface& surface : scene.surfaces) faces += surface.faces.size();
+  Pieces surface(faces);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of;
+  std::size_t face = 0;
+  for (const scene::Surface& one : scene.surfaces)
+    for (const auto& x : one.faces) {
+      for (std::size_t k = 0; k < 3; ++k)
+        surface.join(face, face_of.emplace(std::minmax(x[k], x[(k + 1) % 3]), face).first->second);
+      ++face;
+    }
+  return particles.count() == 1 && surface.count() == 1;
 }
 
 constexpr const char* medium_sentence =
@@ -196,9 +210,10 @@ std::string objection_of_self_collision(const Scene& scene) {
     if (scene.particles[i].radius > 0 && !on_surface[i])
       return "needs surfaces that meet surfaces alone: the nodes of a btSoftBody have no radius, "
              "so that none is a ball";
-  if (!is_one_piece(scene.surfaces))
-    return "needs surfaces that are one piece: btSoftBody::initializeFaceTree joins faces by their "
-           "edges, and does not end where some have no way to the others";
+  if (!is_one_piece(scene))
+    return "needs one piece: btSoftBody::initializeFaceTree joins faces by their edges and nodes "
+           "by "
+           "links, and does not end where some have no way to the others";
   return objection_of_deformable(scene);
 }
 

@@ -26,13 +26,6 @@ std::string second_surface(const std::string& corners, const std::string& faces)
          "  - {faces: " +
          faces + ", self_contact: {thickness: 0.01, stiffness: 10}}\n";
 }
-std::string in_a_tetrahedron() {
-  return second_surface(
-      "  - {pos: [-9, -9, -1], mass: 1}\n  - {pos: [9, -9, -1], mass: 1}\n"
-      "  - {pos: [0, 9, -1], mass: 1}\n  - {pos: [0, 0, 9], mass: 1}\n",
-      "[[3, 4, 5], [4, 3, 6], [5, 4, 6], [3, 5, 6]]");
-}
-
 std::string error_of(const std::string& text) {
   try {
     scene::read_scene("s.yaml", text);
