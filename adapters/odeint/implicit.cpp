@@ -92,6 +92,7 @@ Outcome run_implicit_euler(const OdeView& view, double t0, const std::vector<dou
 Outcome run_rosenbrock4(const OdeView& view, double t0, const std::vector<double>& y0,
                         const Request& request) {
   if (request.mode == Mode::fixed) return run_fixed<od::rosenbrock4<double>>(view, t0, y0, request);
+  if (request.over_stops) return run_rosenbrock4_dense_output(view, t0, y0, request);
   return attempt(view, y0, request, [&](const System& system, Vector& y, Outcome& outcome) {
     walk_rosenbrock4(system, t0, first(system, t0, y0, request), request, y, outcome);
   });

@@ -108,13 +108,14 @@ void add_one_step(Roster<P>& roster) {
   roster.add("runge_kutta_cash_karp54", run_error_stepper<od::runge_kutta_cash_karp54<Y>, P>);
   roster.add("runge_kutta_cash_karp54_classic",
              run_error_stepper<od::runge_kutta_cash_karp54_classic<Y>, P>);
-  roster.add("runge_kutta_dopri5", run_error_stepper<od::runge_kutta_dopri5<Y>, P>);
-  roster.add("runge_kutta_fehlberg78", run_error_stepper<od::runge_kutta_fehlberg78<Y>, P>);
+  using Dopri5 = od::runge_kutta_dopri5<Y>;
   constexpr auto make_dense_dopri5 = [](const Tolerance& tolerance) {
-    using Dopri5 = od::runge_kutta_dopri5<Y>;
     return od::dense_output_runge_kutta<Controlled<Dopri5>>(make_controlled<Dopri5>(tolerance));
   };
-  roster.add("dense_output_runge_kutta_dopri5", run_dense<make_dense_dopri5, 4, P>);
+  constexpr Run<P> dense_dopri5 = run_dense<make_dense_dopri5, 4, P>;
+  roster.add("runge_kutta_dopri5", run_with_outputs<Dopri5, run_plain<Dopri5, P>, dense_dopri5, P>);
+  roster.add("runge_kutta_fehlberg78", run_error_stepper<od::runge_kutta_fehlberg78<Y>, P>);
+  roster.add("dense_output_runge_kutta_dopri5", dense_dopri5);
 }
 
 template <Ode P>

@@ -138,6 +138,15 @@ Outcome run_dense(const Contest<P>& contest, const Request& request) {
   });
 }
 
+/// A stepper with an error estimate for which the library has dense output: between its steps that
+/// gives the states at outputs.
+template <class Stepper, auto fixed, auto dense, Ode P>
+Outcome run_with_outputs(const Contest<P>& contest, const Request& request) {
+  return request.mode == Mode::adaptive && request.over_stops
+             ? dense(contest, request)
+             : run_either<Stepper, fixed>(contest, request);
+}
+
 /// A stepper on pairs (q, v), with the kind of system that it takes.
 template <class Stepper, template <class> class PairSystem, Ode P>
 Outcome run_pair(const Contest<P>& contest, const Request& request) {

@@ -66,7 +66,7 @@ expect(3 "run lotka_volterra --plugin ${at}/libbad_backwards.so --solver bad/eul
 set(ENV{ODEUM_SILENCE_SECONDS} 1)
 # It goes on to evaluate after its budget.
 expect(0 "converge --plugin ${at}/libbad_ignore_budget.so --mode fixed --case lotka_volterra --solver bad/euler --out ${FOLDER}/out"
-       "bad/euler fixed 1 - undetermined.*no right-hand side within its budget for 1 s.* and was ended")
+       "bad/euler fixed 1 - over_budget.*no right-hand side within its budget for 1 s.* and was ended")
 # In a run, whose budget is 600 s.
 expect(3 "run lotka_volterra --plugin ${at}/libbad_ignore_budget.so --solver bad/euler --step 0.01" "at one time for ever, and was ended")
 expect(0 "converge --plugin ${at}/libbad_crash.so --mode fixed --case lotka_volterra --case bad_decay --solver bad/euler --solver odeum/rk4 --out ${FOLDER}/out"

@@ -77,6 +77,7 @@ int check_order(const std::string& case_id, const std::string& folder,
     case judge::Verdict::higher:  // without a number: the case is too easy to show the order
       return std::isnan(fit.order) ? skipped : fails;
     case judge::Verdict::undetermined:
+    case judge::Verdict::over_budget:
     case judge::Verdict::not_applicable:
       return skipped;
     default:

@@ -133,10 +133,10 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   options.wishes.start = std::chrono::steady_clock::now();
   // In seconds; a truth that is found within them is kept.
   constexpr double usual = 40, share = 0.4;
-  truth::deadline =
+  const truth::Deadline deadline(
       options.wishes.start +
       std::chrono::milliseconds(std::llround(
-          1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual)));
+          1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual))));
   const Case given = case_of(options.what, options.problems);
   Box box;
   if (options.vary.empty())

@@ -11,8 +11,8 @@ const char* to_string(Answer answer) {
 
 const char* to_string(Verdict verdict) {
   return text_of_enumerator<Verdict::not_applicable>(
-      verdict,
-      {"confirmed", "higher", "lower", "floors", "undetermined", "failed", "not_applicable"});
+      verdict, {"confirmed", "higher", "lower", "floors", "undetermined", "failed", "over_budget",
+                "not_applicable"});
 }
 
 const char* to_string(NoOrder why) {

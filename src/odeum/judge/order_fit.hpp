@@ -10,12 +10,21 @@
 namespace odeum::judge {
 
 /// The result of comparing a measured order with the claimed one.
-enum class Verdict { confirmed, higher, lower, floors, undetermined, failed, not_applicable };
+enum class Verdict {
+  confirmed,
+  higher,
+  lower,
+  floors,
+  undetermined,
+  failed,
+  over_budget,
+  not_applicable
+};
 
 const char* to_string(Verdict verdict);
 
-/// Why a fit with the verdict `undetermined` or `failed` has no order. Whoever makes the runs adds
-/// what a fit cannot know: `refused` to `budget_ends`.
+/// Why a fit with the verdict `undetermined`, `failed` or `over_budget` has no order. Whoever makes
+/// the runs adds what a fit cannot know: `refused` to `budget_ends`.
 enum class NoOrder {
   none,            ///< another verdict
   refused,         ///< the solver does not take this problem or these settings
@@ -121,7 +130,8 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 /// - `undetermined`: none of these, or confirmed while over a third of the tries are rejected at
 /// the
 ///   finest clear tolerances (no sound control that was measured rejects that many there);
-///   `failed`: nothing was solved.
+///   `failed`: nothing was solved. Whoever makes the runs says `over_budget` instead where none was
+///   paid for.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/trajectories/case_runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -28,6 +30,29 @@ double largest_error(const Case& c, const double* y, const std::vector<double>& 
   return largest;
 }
 
+/// The outputs that a run lacks, in which steps that end on outputs have failed, by runs of their
+/// own from the start, as far as these take no more than a hundred times the work of one to the
+/// end; NaN beyond.
+void complete_outputs(const Entrant& entrant, Request request, const Outcome& alone,
+                      const std::vector<double>& stops, Outcome& outcome) {
+  const std::size_t n = alone.states.size();
+  const std::size_t reached = outcome.states.size() / n;
+  std::uint64_t spent = 0;
+  for (std::size_t k = reached; k < stops.size(); ++k) {
+    request.stops = {stops[k]};
+    Outcome one;
+    one.status = Status::over_budget;
+    if (k + 1 < stops.size() && spent <= 100 * alone.counters.work) one = entrant.solve(request);
+    spent += one.counters.work;
+    if (one.status != Status::ok) one.states.assign(n, nan);
+    outcome.states.insert(outcome.states.end(), one.states.begin(), one.states.end());
+  }
+  outcome.detail = fmt::format(
+      "from t = {:.6g} on each output is that of a run of its own, since steps that end on all of "
+      "them fail there: {}",
+      stops[reached], outcome.detail);
+}
+
 }  // namespace
 
 Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
@@ -38,12 +63,13 @@ Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
   without.stops = {request.stops.back()};
   without.over_stops = false;
   Outcome alone = entrant.solve(without);
-  // Where outputs alone make it fail, that is shown.
-  if (alone.status == Status::ok && outcome.status != Status::ok) return outcome;
+  if (alone.status == Status::ok && outcome.status != Status::ok)
+    complete_outputs(entrant, without, alone, request.stops, outcome);
+  else if (!alone.detail.empty())
+    outcome.detail = alone.detail;
   if (alone.status == Status::ok)
     std::copy(alone.states.begin(), alone.states.end(),
               outcome.states.end() - static_cast<std::ptrdiff_t>(alone.states.size()));
-  if (!alone.detail.empty()) outcome.detail = std::move(alone.detail);
   outcome.status = alone.status;
   outcome.t = alone.t;
   outcome.counters = alone.counters;

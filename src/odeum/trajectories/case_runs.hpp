@@ -22,7 +22,8 @@ struct CaseRun {
 
 /// The outcome of a run with its outputs. To a tolerance, a state between the steps costs
 /// evaluations, and steps of some libraries end on outputs: the run is made without them, too, and
-/// counts, steps and the end are those of that run.
+/// counts, steps, status and the end are those of that run. Outputs at which steps cannot end are
+/// those of runs of their own.
 Outcome solve_with_outputs(const Entrant& entrant, const Request& request);
 
 /// The exact states of a case at some times, those where the truth is known.

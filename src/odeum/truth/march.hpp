@@ -216,7 +216,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
   for (const Real time : times) {
     while (t < time) {
       if (interrupted) throw Interrupted();
-      const bool late = is_late();
+      const bool late = is_past(effort.until);
       if (late || run.work > effort.budget) {
         run.end = fmt::format("the {} spent at t = {:.6Lg}", late ? "seconds are" : "work is", t);
         return run;

@@ -68,8 +68,7 @@ class Search {
   Reference find() {
     choose();
     const bool in_double = system_.rounding > 0x1p-60L;
-    if (in_double || deadline.load() == std::chrono::steady_clock::time_point::max())
-      return reference(finest(in_double));
+    if (in_double || until_ == Moment::max()) return reference(finest(in_double));
     // Something is known where the seconds do not suffice for more, which is not moved by this.
     const Comparison loose = compare(1e-14L);
     moved_.reset();
@@ -94,7 +93,7 @@ class Search {
     // The same steps again where stability limits them, not the tolerance.
     const bool limited = best.a.work < 1.3 * brief_work_;
     if (!in_double && whole && limited && best.worst <= 1e-15L * size_of(best)) return best;
-    for (std::size_t k = 1; k < ladder.size() && !is_late(); ++k) {
+    for (std::size_t k = 1; k < ladder.size() && !is_past(until_); ++k) {
       // Far below the rounding of double.
       if (best.known == times_.size() && best.worst <= 0x1p-60L * size_of(best)) break;
       Comparison other = compare(ladder[k]);
@@ -119,7 +118,7 @@ class Search {
       const auto both = std::min(best.a.states.size(), best.b.states.size());
       const Real share = static_cast<Real>(both) / static_cast<Real>(times_.size());
       for (const Real tolerance : looser) {
-        if (is_late()) break;
+        if (is_past(until_)) break;
         const bool fits = std::pow(middle / tolerance, 1.0L / 9) <= share;
         if (!fits && tolerance != looser.back()) continue;
         Comparison other = compare(tolerance);
@@ -131,7 +130,7 @@ class Search {
     constexpr double most = 3;  // times the work, where the power of the tolerance gives 1.7
     for (const Real tolerance : finer) {
       // Solvers compute in double, whose rounding adds up to as much.
-      if (best.worst <= 1e-13L * size_of(best) || is_late()) break;
+      if (best.worst <= 1e-13L * size_of(best) || is_past(until_)) break;
       most_work_ = {most * best.a.work, most * best.b.work};
       Comparison other = compare(tolerance);
       if (is_better(other, best)) best = std::move(other);
@@ -149,7 +148,7 @@ class Search {
 
   /// On constants that rounding could have moved.
   Run run_moved() const {
-    const Effort effort{.tolerance = 1e-13L, .inspect = found_};
+    const Effort effort{.tolerance = 1e-13L, .inspect = found_, .until = until_};
     if (system_.mode_at) return run_across(family_.for_moved, system_, times_, effort, true);
     System moved = system_;
     moved.rhs = system_.moved_rhs;
@@ -162,13 +161,14 @@ class Search {
 
   Comparison compare(Real tolerance) {
     Comparison c;
-    Effort effort{.tolerance = tolerance, .inspect = found_ || tolerance > inspected_};
+    Effort effort{
+        .tolerance = tolerance, .inspect = found_ || tolerance > inspected_, .until = until_};
     // An operation of compiled double arithmetic takes a fifth of one of extended precision.
     const bool quick = system_.rounding > 0x1p-60L && system_.smooth;
     if (system_.states > few) effort.budget *= quick ? 16 : 4;
     // Where `first` has missed nothing, and `second` agrees, that has missed nothing either.
     Effort of_second{std::max(tolerance, family_.finest), std::min(effort.budget, most_work_[1]),
-                     found_};
+                     found_, until_};
     effort.budget = std::min(effort.budget, most_work_[0]);
     const bool again = of_second.tolerance != second_tolerance_;
     // Both at once, and with the first comparison the run on moved constants.
@@ -217,7 +217,7 @@ class Search {
                                  "Radau IIA of order 13 and the extrapolated implicit Euler method",
                                  radau_run, finest_implicit_extrapolation};
     family_ = series ? by_series : plain;
-    const Effort brief{.tolerance = 1e-12L, .budget = 3e8};
+    const Effort brief{.tolerance = 1e-12L, .budget = 3e8, .until = until_};
     std::size_t farthest = 0;
     // A problem that is too stiff for the series may be cheap enough for shorter steps, and one
     // that has none (a root at zero) may go on without.
@@ -278,6 +278,7 @@ class Search {
 
   const System& system_;
   const std::vector<double>& scale_;
+  const Moment until_ = Deadline::in_force();
   State zero_;
   std::vector<Real> times_;
   Family family_{};

@@ -75,8 +75,9 @@ std::optional<Reference> kept_or_computed(
   const std::string name = formula::content_key(content) + ".reference";
   if (const auto text = formula::kept_text(name))
     if (auto held = from_text(*text, states)) return held;
+  const Moment until = Deadline::in_force();
   std::optional<Reference> reference = compute();
-  if (reference && !is_late()) formula::keep_text(name, to_text(*reference));
+  if (reference && !is_past(until)) formula::keep_text(name, to_text(*reference));
   return reference;
 }
 

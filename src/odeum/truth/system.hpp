@@ -83,11 +83,14 @@ struct Run {
   std::optional<std::pair<Real, State>> changed;
 };
 
+using Moment = std::chrono::steady_clock::time_point;
+
 /// What a run may cost and how accurate each of its steps is to be.
 struct Effort {
-  Real tolerance = 1e-18L;  ///< per step, relative to the size of the solution
-  double budget = 3e9;      ///< operations
-  bool inspect = false;     ///< look into each step
+  Real tolerance = 1e-18L;       ///< per step, relative to the size of the solution
+  double budget = 3e9;           ///< operations
+  bool inspect = false;          ///< look into each step
+  Moment until = Moment::max();  ///< see Deadline
 };
 
 using Method = Run (*)(const System&, const std::vector<Real>& times, const Effort&);
@@ -112,11 +115,22 @@ inline constexpr Real finest_implicit_extrapolation = 1e-16L;
 Run run_across(Method method, const System& system, const std::vector<Real>& times,
                const Effort& effort, bool moved);
 
-/// Until when references are computed. One that is not done by then has what two methods agree on
-/// up to there, to fewer digits or up to an earlier time, and is not kept.
-inline std::atomic<std::chrono::steady_clock::time_point> deadline{
-    std::chrono::steady_clock::time_point::max()};
-inline bool is_late() { return std::chrono::steady_clock::now() > deadline.load(); }
+/// While it lives, a reference whose computation begins has to be done by then, on any thread: one
+/// that is not has what two methods agree on up to there, to fewer digits or up to an earlier time,
+/// and is not kept.
+class Deadline {
+ public:
+  explicit Deadline(Moment until) : before_(in_force_.exchange(until)) {}
+  ~Deadline() { in_force_ = before_; }
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+  static Moment in_force() { return in_force_; }
+
+ private:
+  static inline std::atomic<Moment> in_force_{Moment::max()};
+  Moment before_;
+};
+inline bool is_past(Moment moment) { return std::chrono::steady_clock::now() > moment; }
 
 /// A computed reference.
 struct Reference {

@@ -94,7 +94,7 @@ struct OrderClass {
   std::string_view name, settles;
 };
 
-/// Those of the verdicts `failed` and `undetermined`.
+/// Those of the verdicts `failed`, `undetermined` and `over_budget`.
 std::span<const OrderClass> order_classes();
 
 struct ConvergenceResult {

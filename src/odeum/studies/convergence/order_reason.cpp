@@ -20,6 +20,16 @@ double highest_order(const Pair& pair) {
 }
 bool above_kinks(const Pair& pair) { return pair.entrant->info.order > highest_order(pair); }
 
+/// On linear problems with constant coefficients: that to which the stability function is e^z,
+/// which is above the order of a few methods. It is measured next to 0, above rounding.
+double linear_order(const SolverInfo& info) {
+  if (!info.amplification) return info.order;
+  const auto apart = [&](double z) { return std::abs(info.amplification(z, 0) - std::exp(z)); };
+  constexpr double z = -0.125, rounding = 1e-14;
+  if (apart(z) < rounding) return info.order;
+  return std::max(info.order, std::round(std::log2(apart(2 * z) / apart(z))) - 1);
+}
+
 bool over_budget(const ConvergenceRow* row) {
   return row->status == to_string(Status::over_budget);
 }
@@ -40,7 +50,7 @@ void explain_failure(const Rows& rows, OrderFit& fit) {
   if (other == rows.end()) {
     // Over any budget, so that it did not begin: see dense_over_budget().
     const bool begun = !rows.front()->detail.starts_with("needs a dense Jacobian");
-    fit.verdict = begun ? Verdict::undetermined : Verdict::not_applicable;
+    fit.verdict = begun ? Verdict::over_budget : Verdict::not_applicable;
     fit.why = begun ? NoOrder::over_budget : NoOrder::none;
     fit.reason = begun ? "no run was solved within the budget: " : "";
     fit.reason += rows.front()->detail;
@@ -75,7 +85,9 @@ constexpr OrderClass all_order_classes[] = {
      "A solver that takes this problem: one that is given a dense Jacobian refuses a large "
      "number of unknowns, one with a band or sparse Jacobian, or without any, does not."},
     {NoOrder::over_budget, "over budget at every setting",
-     "More evaluations than the reason says."},
+     "More evaluations than the reason says: `odeum why` measures how far such a run comes and "
+     "what "
+     "its steps are bound by."},
     {NoOrder::newton_failed, "Newton's iteration does not converge",
      "A smaller step or a better first guess: an error at these steps says nothing of the "
      "order."},
@@ -108,7 +120,9 @@ std::span<const OrderClass> order_classes() { return all_order_classes; }
 double claimed_order(const Pair& pair) {
   const SolverInfo& info = pair.entrant->info;
   const bool varies = pair.mode == Mode::adaptive && info.adaptive_order;
-  return varies || above_kinks(pair) ? nan : info.order;
+  if (varies || above_kinks(pair)) return nan;
+  const bool linear = pair.c->has_tag("linear") && !pair.c->has_tag("non_autonomous");
+  return linear && pair.mode == Mode::fixed ? linear_order(info) : info.order;
 }
 
 void explain(const Pair& pair, const Rows& rows, const Foreseen& foreseen, OrderFit& fit) {

@@ -7,7 +7,8 @@
 
 namespace odeum::study {
 
-/// The order that a pair is held to; NaN where none is claimed: it varies during a run, or is above
+/// The order that a pair is held to: at fixed steps on a linear problem with constant coefficients
+/// that of the stability function. NaN where none is claimed: it varies during a run, or is above
 /// what any method has on the case.
 double claimed_order(const Pair& pair);
 

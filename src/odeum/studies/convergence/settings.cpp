@@ -47,7 +47,9 @@ std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) 
     if (steps > finest && ladder.size() >= 8) break;
     if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
   }
-  if (quick && ladder.size() > 6) ladder.resize(6);
+  // Low orders settle late.
+  const std::size_t most = !quick ? ladder.size() : p <= 1 ? 9 : p <= 4 ? 8 : 6;
+  if (ladder.size() > most) ladder.resize(most);
   return ladder;
 }
 
@@ -69,7 +71,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
   if (!shows_orders(*pair.c))
     request.budget.evaluations =
         std::min(request.budget.evaluations, quick ? quick_hard_budget : hard_budget);
-  if (quick) request.budget.evaluations /= many ? 32 : 8;
+  if (quick) request.budget.evaluations /= many ? 32 : 2;
   // A scene's coarsest steps are those that trial runs need: enough for a ladder from there.
   if (quick && pair.c->has_tag("scene"))
     request.budget.evaluations = std::max(request.budget.evaluations,

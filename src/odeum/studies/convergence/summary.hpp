@@ -13,7 +13,8 @@ namespace odeum::study {
 struct LibrarySummary {
   std::string library;
   std::size_t solvers = 0, pairs = 0;
-  std::array<std::size_t, 7> verdicts{};  ///< counts by Verdict
+  std::array<std::size_t, static_cast<std::size_t>(judge::Verdict::not_applicable) + 1>
+      verdicts{};  ///< counts by Verdict
 };
 /// One entry a library, then one for all of them, with the name "all".
 std::vector<LibrarySummary> summarise(const report::Facts& facts,

@@ -15,9 +15,11 @@
     undetermined: ['?', 'there are too few points, or no settled slope'],
     unstable: ['↯', 'no step that was tried is stable for the solver: no word on its answers'],
     failed: ['✗', 'no run gave a result'],
+    over_budget: ['…', 'no run was paid for to its end: nothing to judge'],
     not_applicable: ['·', 'the solver does not fit the case, or there is no claim'],
   };
-  const judged = Object.keys(verdicts).filter((verdict) => verdict !== 'not_applicable');
+  const run = Object.keys(verdicts).filter((verdict) => verdict !== 'not_applicable');
+  const judged = run.filter((verdict) => verdict !== 'over_budget');
   functions.verdict_sign = (verdict) => verdicts[verdict]?.[0] ?? '';
   // What a reader sees of a verdict: that no step was stable is no failure of the code.
   functions.verdict_kind = (verdict, why) =>
@@ -35,9 +37,9 @@
         .map((verdict) => html('i', { class: verdict, style: { 'flex-grow': counts[verdict] } })),
     );
   const wordsOf = (counts) =>
-    judged
+    run
       .filter((verdict) => counts[verdict])
-      .map((verdict) => `${counts[verdict]} ${verdict}`)
+      .map((verdict) => `${counts[verdict]} ${verdict.replace('_', ' ')}`)
       .join(', ') || 'not run';
   const total = (counts) => sum(judged.map((verdict) => counts[verdict] || 0));
 
@@ -95,7 +97,7 @@
         }
       : {
           text: '·', value: NaN, class: 'zero',
-          title: `${title}: ${counts.not_applicable ? 'does not apply' : 'not tried'}`,
+          title: `${title}: ${counts.not_applicable && !counts.over_budget ? 'does not apply' : wordsOf(counts)}`,
         };
   };
   const caseLink = (c, text, part) =>

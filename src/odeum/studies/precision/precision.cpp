@@ -39,9 +39,9 @@ bool runs(const Case& c, const SolverInfo& info, Mode mode) {
 /// they promised, others may be faster.
 constexpr int most_searches = 3;
 
-std::vector<PrecisionRow> measure_case(const Case& c, const Options& options,
+std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& options,
                                        const Runner& runner) {
-  const TimedCase stage(c);
+  const Case& c = stage.c;
   const std::vector<Entrant> inlined = inlined_solvers(c);
   std::vector<TimedSolver> solvers;
   for (const Entrant& entrant : c.entrants) {
@@ -123,7 +123,9 @@ PrecisionResult measure_precision(const Options& options, const Runner& runner) 
   Progress progress("precision", static_cast<double>(cases.size()));
   for (const Case* c : cases) {
     PrecisionResult of_case;
-    of_case.rows = measure_case(*c, options, runner);
+    const TimedCase stage(*c);
+    of_case.rows = measure_case(stage, options, runner);
+    of_case.outputs = measure_outputs(stage, options, runner.jobs());
     for (const PrecisionRow& row : of_case.rows)
       if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
         of_case.tolerances.push_back(

@@ -138,13 +138,37 @@ struct FastestRow {
   }
 };
 
+/// A run to a tolerance with many outputs, made in two ways: with steps that end on each, and with
+/// states between the steps by the solver's own interpolant, where its library has one
+/// (Request::over_stops). A line of precision_outputs.csv. `work` is in evaluations and products;
+/// errors are the largest at the outputs at which the truth is known.
+struct OutputRow {
+  std::string case_id, library, solver;
+  std::string status, detail;
+  double tolerance = 0;
+  std::uint64_t outputs = 0;
+  std::uint64_t steps_ends = 0, steps_between = 0, work_ends = 0, work_between = 0;
+  double error_ends = nan, error_between = nan;
+
+  static constexpr const char* file = "precision_outputs.csv";
+  static void each(auto& row, auto&& visit) {
+    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
+    visit("status", row.status), visit("detail", row.detail);
+    visit("tolerance", row.tolerance), visit("outputs", row.outputs);
+    visit("steps_ends", row.steps_ends), visit("steps_between", row.steps_between);
+    visit("work_ends", row.work_ends), visit("work_between", row.work_between);
+    visit("error_ends", row.error_ends), visit("error_between", row.error_between);
+  }
+};
+
 struct PrecisionResult {
   std::vector<PrecisionRow> rows;
   std::vector<ToleranceRow> tolerances;
   std::vector<PrecisionSummary> summary;
   std::vector<FastestRow> fastest = {};
+  std::vector<OutputRow> outputs = {};
   static auto lists(auto& result) {
-    return std::tie(result.rows, result.tolerances, result.summary, result.fastest);
+    return std::tie(result.rows, result.tolerances, result.summary, result.fastest, result.outputs);
   }
 };
 

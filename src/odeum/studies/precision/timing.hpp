@@ -71,6 +71,10 @@ TimedRun run_guarded(const TimedCase& stage, const Entrant& entrant, const Reque
 /// far as the budget goes.
 void run_guarded(const TimedCase& stage, TimedSolver& solver, double seconds);
 
+/// The solvers of a case that choose their steps, each with a hundred outputs and more.
+std::vector<OutputRow> measure_outputs(const TimedCase& stage, const Options& options,
+                                       unsigned jobs);
+
 /// A library none of whose solvers solves a case within the budget may have one that does beyond:
 /// its solvers that ended over budget run once more, to the loosest tolerance, with thirty times
 /// the evaluations that the case allows.
