@@ -118,12 +118,11 @@ class Search {
       const auto both = std::min(best.a.states.size(), best.b.states.size());
       const Real share = static_cast<Real>(both) / static_cast<Real>(times_.size());
       for (const Real tolerance : looser) {
-        if (is_past(until_)) break;
         const bool fits = std::pow(middle / tolerance, 1.0L / 9) <= share;
         if (!fits && tolerance != looser.back()) continue;
         Comparison other = compare(tolerance);
         if (is_better(other, best)) best = std::move(other);
-        if (!best.spent) break;
+        if (!best.spent || is_past(until_)) break;
       }
       return best;
     }

@@ -88,6 +88,7 @@
     );
   };
 
+  const fit = (counts) => (counts.not_applicable ? 'does not apply' : 'not tried');
   const cellOf = (counts, title) => {
     const all = total(counts), good = (counts.confirmed || 0) + (counts.higher || 0);
     return all
@@ -97,7 +98,7 @@
         }
       : {
           text: '·', value: NaN, class: 'zero',
-          title: `${title}: ${counts.not_applicable && !counts.over_budget ? 'does not apply' : wordsOf(counts)}`,
+          title: `${title}: ${counts.over_budget ? wordsOf(counts) : fit(counts)}`,
         };
   };
   const caseLink = (c, text, part) =>
