@@ -119,7 +119,7 @@ TEST(ExtendedPrecision, AnOrderWithoutANumberIsNoVerdict) {
   };
   for (const ExtendedRun& run : {ExtendedRun(exact), ExtendedRun(failing)}) {
     const study::OrderRow row = order_of(c, run);
-    EXPECT_EQ(row.fit.verdict, judge::Verdict::undetermined) << row.fit.reason;
+    EXPECT_EQ(row.fit.verdict, judge::Verdict::over_budget) << row.fit.reason;
     EXPECT_EQ(row.fit.reason.find("nan"), std::string::npos) << row.fit.reason;
   }
 }

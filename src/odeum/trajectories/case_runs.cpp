@@ -32,7 +32,7 @@ double largest_error(const Case& c, const double* y, const std::vector<double>& 
 
 /// The outputs that a run lacks, in which steps that end on outputs have failed, by runs of their
 /// own from the start, as far as these take no more than a hundred times the work of one to the
-/// end; NaN beyond.
+/// end; NaN beyond, and where they fail, too.
 void complete_outputs(const Entrant& entrant, Request request, const Outcome& alone,
                       const std::vector<double>& stops, Outcome& outcome) {
   const std::size_t n = alone.states.size();
@@ -48,8 +48,8 @@ void complete_outputs(const Entrant& entrant, Request request, const Outcome& al
     outcome.states.insert(outcome.states.end(), one.states.begin(), one.states.end());
   }
   outcome.detail = fmt::format(
-      "from t = {:.6g} on each output is that of a run of its own, since steps that end on all of "
-      "them fail there: {}",
+      "from t = {:.6g} on each output is that of a run of its own, nan where that fails too, since "
+      "steps that end on all of them fail there: {}",
       stops[reached], outcome.detail);
 }
 

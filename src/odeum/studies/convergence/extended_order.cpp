@@ -80,7 +80,8 @@ std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t ro
 
 void refit_in_extended_precision(const Pair& pair, std::uint64_t end_of_double,
                                  judge::OrderFit& fit) {
-  if (fit.verdict != judge::Verdict::undetermined) return;
+  if (fit.verdict != judge::Verdict::undetermined && fit.verdict != judge::Verdict::over_budget)
+    return;
   std::optional<judge::OrderFit> closer = extended_order(pair, end_of_double);
   // Without a number where no run gave an error, or all of them are rounding.
   if (!closer || closer->verdict == judge::Verdict::undetermined || std::isnan(closer->order))
