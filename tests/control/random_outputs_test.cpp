@@ -81,7 +81,8 @@ TEST(RandomOutputs, BreakNoRunAndChangeNone) {
     const bool by_own_run = shown.detail.find("that of a run of its own") != std::string::npos;
     by_own_runs += by_own_run;
     EXPECT_TRUE(by_own_run || is_finite(shown.states.data(), shown.states.size())) << what;
-    EXPECT_TRUE(by_own_run || shown.detail == alone.detail) << what << ": " << shown.detail;
+    const bool marked = by_own_run || shown.detail.find("is interpolated") != std::string::npos;
+    EXPECT_TRUE(marked || shown.detail == alone.detail) << what << ": " << shown.detail;
     EXPECT_EQ(shown.counters.steps, alone.counters.steps) << what;
     EXPECT_EQ(shown.counters.rhs_evaluations, alone.counters.rhs_evaluations) << what;
     EXPECT_EQ(shown.counters.jacobian_evaluations, alone.counters.jacobian_evaluations) << what;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/shifted_solver.hpp"
