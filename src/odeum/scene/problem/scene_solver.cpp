@@ -87,9 +87,9 @@ class SparseShiftedSolver final : public ShiftedSolver {
     known_.setFromTriplets(known.begin(), known.end());
     Matrix matrix(n_, n_);
     matrix.setFromTriplets(all.begin(), all.end());
-    if (problem_.symmetric()) return ldlt_.compute(matrix).info() == Eigen::Success;
-    lu_.compute(matrix);
-    return lu_.info() == Eigen::Success;
+    const bool analysed = has_pattern_of(matrix);
+    pattern_.swap(matrix);
+    return problem_.symmetric() ? factorise(ldlt_, analysed) : factorise(lu_, analysed);
   }
 
   bool bound() override { return bounded_ = true; }
@@ -114,9 +114,26 @@ class SparseShiftedSolver final : public ShiftedSolver {
   double mass(Eigen::Index row) const {
     return problem_.bodies().mass[static_cast<std::size_t>(row) / 3];
   }
+  /// Whether that is the pattern analysed last.
+  bool has_pattern_of(const Matrix& matrix) const {
+    const auto same = [](const int* a, const int* b, Eigen::Index n) {
+      return std::equal(a, a + n, b);
+    };
+    return pattern_.nonZeros() == matrix.nonZeros() && pattern_.rows() == n_ &&
+           same(pattern_.outerIndexPtr(), matrix.outerIndexPtr(), n_) &&
+           same(pattern_.innerIndexPtr(), matrix.innerIndexPtr(), matrix.nonZeros());
+  }
+  /// The analysis takes as long as the factors.
+  template <class Solver>
+  bool factorise(Solver& solver, bool analysed) {
+    if (!analysed) solver.analyzePattern(pattern_);
+    solver.factorize(pattern_);
+    return solver.info() == Eigen::Success;
+  }
 
   const SceneProblem& problem_;
   Eigen::Index n_;
+  Matrix pattern_;    ///< the last A
   Matrix k_, known_;  // K; the columns of A that belong to fixed particles
   Eigen::VectorXd right_;
   Eigen::SimplicialLDLT<Matrix> ldlt_;
