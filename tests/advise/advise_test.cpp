@@ -117,7 +117,8 @@ TEST(Advise, ItsSecondsContainTheTruth) {
   const tests::TemporaryFolder folder;
   const Result result = shell("XDG_CACHE_HOME='" + folder.path().string() +
                               "' odeum advise flag --error 1e-3 --seconds 1 --solver odeum/rk4");
-  EXPECT_EQ(result.code, 1) << result.output;
+  // An answer on the part that is known, or none.
+  EXPECT_LE(result.code, 1) << result.output;
   EXPECT_NE(result.output.find("the seconds are spent at t = "), std::string::npos)
       << result.output;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))

@@ -114,7 +114,7 @@ TEST(Words, BashCompletes) {
   EXPECT_EQ(completed("odeum list --form"), "--format\n");
   EXPECT_EQ(completed("odeum list --format j"), "json\n");
   EXPECT_EQ(completed("odeum list sce"), "scenes\n");
-  EXPECT_EQ(completed("odeum run --solver odeum/rodas4"), "odeum/rodas4\n");
+  EXPECT_EQ(completed("odeum run --solver odeum/rodas5"), "odeum/rodas5p\n");
   EXPECT_EQ(completed("odeum run lotka_v"), "lotka_volterra\n");
 }
 

@@ -235,7 +235,11 @@ const checks = {
         if (!['table', 'matrix', 'chart', 'profile', 'duels'].includes(kind.trim())) continue;
         const [, condition] = /^[a-z_0-9]+\s+where\s+(.*)$/.exec(spec.rows) || [];
         if (condition) { hold(errorOf(() => parse(condition)) === 'no error', `${where}: ${errorOf(() => parse(condition))}`); ++expressions; }
-        for (const key of ['columns', 'shade', 'tips', 'before']) for (const line of Array.isArray(spec[key]) ? spec[key] : []) check(columnOf(line).cell, where);
+        for (const key of ['columns', 'shade', 'tips', 'before']) for (const line of Array.isArray(spec[key]) ? spec[key] : []) {
+          const { heading, cell } = columnOf(line);
+          check(cell, where);
+          hold(key !== 'columns' || !['', 'is', 'are', 'has', 'was'].includes(heading), `${where}: a column has the heading "${heading}"`);
+        }
         const axes = ['chart', 'profile', 'duels'].includes(kind.trim()) ? ['by', 'facet', 'tip'] : ['sort', 'group', 'one', 'row', 'column', 'order', 'heading', 'cell', 'shade', 'tip', 'keep'];
         for (const key of axes) if (typeof spec[key] === 'string' && spec[key]) check(spec[key], where);
         for (const key of ['x', 'y']) if (spec[key]) { const wrong = errorOf(() => page('axisOf')(spec[key])); hold(wrong === 'no error', `${where}: ${wrong}`); }
