@@ -2,7 +2,9 @@
 // Sums over an index: sum(j, x[j] - x[i]).
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include "odeum/formula/evaluator.hpp"
 #include "support/problem_texts.hpp"
@@ -56,9 +58,11 @@ TEST(Sums, MistakesHaveTheirPlace) {
   expect("sum(j, if(j < 9, 1, 0)/(x[j] - x[j]))", "", "division by zero");
   expect("sums(j, x[j])", "3:12: ", "did you mean sum?");
   std::string nested = "x[a]";
-  for (const char index : std::string("abcdfghklmnopq"))
-    nested =
-        "sum(" + std::string(1, index) + ", x[" + std::string(1, index) + "] + " + nested + ")";
+  for (const char index : std::string("abcdfghklmnopq")) {
+    std::string outer = "sum(?, x[?] + ";
+    std::replace(outer.begin(), outer.end(), '?', index);
+    nested = outer.append(nested).append(")");
+  }
   expect(nested, "", "terms of sums");
 }
 

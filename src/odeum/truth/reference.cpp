@@ -126,14 +126,14 @@ class Search {
       }
       return best;
     }
-    constexpr double most = 3;  // times the work, where the power of the tolerance gives 1.7
     for (const Real tolerance : finer) {
       // Solvers compute in double, whose rounding adds up to as much.
       if (best.worst <= 1e-13L * size_of(best) || is_past(until_)) break;
-      most_work_ = {most * best.a.work, most * best.b.work};
+      most_work_ = {3 * best.a.work, 3 * best.b.work};  // the power of the tolerance gives 1.7
       Comparison other = compare(tolerance);
+      const bool spent = other.spent;
       if (is_better(other, best)) best = std::move(other);
-      if (other.spent) break;  // by steps that rounding makes short
+      if (spent) break;  // by steps that rounding makes short
     }
     return best;
   }
