@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "expressible.hpp"
 
+#include <BulletCollision/CollisionDispatch/btUnionFind.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,45 +44,31 @@ std::optional<double> eigenvalue(const std::array<double, 9>& b, const Vec3& w) 
   return value;
 }
 
-/// What joins the parts of a whole: those that are joined have one root.
-class Pieces {
- public:
-  explicit Pieces(std::size_t parts) : above_(parts), count_(parts) {
-    for (std::size_t i = 0; i < parts; ++i) above_[i] = i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a), b = root(b);
-    if (a == b) return;
-    above_[a] = b;
-    --count_;
-  }
-  std::size_t count() const { return count_; }
-
- private:
-  std::size_t root(std::size_t i) {
-    while (above_[i] != i) i = above_[i] = above_[above_[i]];
-    return i;
-  }
-  std::vector<std::size_t> above_;
-  std::size_t count_;
-};
+/// Whether the parts that were joined are one.
+bool is_one(btUnionFind& parts) {
+  for (int i = 1; i < parts.getNumElements(); ++i)
+    if (parts.find(0, i) == 0) return false;
+  return true;
+}
 
 /// Whether springs join all particles, and common edges all faces.
 bool is_one_piece(const Scene& scene) {
-  Pieces particles(scene.size());
-  for (const Spring& spring : scene.springs) particles.join(spring.a, spring.b);
-  std::size_t faces = 0;
-  for (const scene::Surface& surface : scene.surfaces) faces += surface.faces.size();
-  Pieces surface(faces);
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of;
-  std::size_t face = 0;
-  for (const scene::Surface& one : scene.surfaces)
-    for (const auto& x : one.faces) {
+  btUnionFind particles, faces;
+  particles.reset(static_cast<int>(scene.size()));
+  for (const Spring& spring : scene.springs)
+    particles.unite(static_cast<int>(spring.a), static_cast<int>(spring.b));
+  std::size_t count = 0;
+  for (const scene::Surface& surface : scene.surfaces) count += surface.faces.size();
+  faces.reset(static_cast<int>(count));
+  std::map<std::pair<std::size_t, std::size_t>, int> face_of;
+  int face = 0;
+  for (const scene::Surface& surface : scene.surfaces)
+    for (const auto& x : surface.faces) {
       for (std::size_t k = 0; k < 3; ++k)
-        surface.join(face, face_of.emplace(std::minmax(x[k], x[(k + 1) % 3]), face).first->second);
+        faces.unite(face, face_of.emplace(std::minmax(x[k], x[(k + 1) % 3]), face).first->second);
       ++face;
     }
-  return particles.count() == 1 && surface.count() == 1;
+  return is_one(particles) && is_one(faces);
 }
 
 constexpr const char* medium_sentence =
@@ -212,8 +200,7 @@ std::string objection_of_self_collision(const Scene& scene) {
              "so that none is a ball";
   if (!is_one_piece(scene))
     return "needs one piece: btSoftBody::initializeFaceTree joins faces by their edges and nodes "
-           "by "
-           "links, and does not end where some have no way to the others";
+           "by links, and does not end where some have no way to the others";
   return objection_of_deformable(scene);
 }
 

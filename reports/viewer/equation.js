@@ -19,8 +19,8 @@
   const tokensOf = (text) => {
     const digits = '\\d+(?:\\.\\d+)?(?:e[-+]?\\d+)?',
       name = "[A-Za-z]+[A-Za-z0-9]*(?:_(?:\\{[^{}]*\\}|[A-Za-z0-9]+))?'*";
-    const signs = "\\.\\.|'+|[-+*/^=<>(),|[\\]]";
-    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(${signs}))`, 'y');
+    const mark = "\\.\\.|'+|[-+*/^=<>(),|[\\]]";
+    const pattern = new RegExp(`(\\s*)(?:(${digits})|(${name})|(${mark}))`, 'y');
     const tokens = [];
     for (const body = text.trimEnd(); pattern.lastIndex < body.length;) {
       const at = pattern.exec(body);
@@ -72,6 +72,15 @@
         'below', plain, row(parts.flatMap((part, k) => (k ? [sign(','), part] : [part]))),
       ]);
     };
+    // x[i], and its rate x[i]'.
+    const elementOf = (word) => {
+      take('[');
+      const element = ['below', ['name', greek[word] || word], relation()];
+      take(']');
+      if (!/^'/.test(kind() || '')) return element;
+      at += 1;
+      return ['primed', element, '′'.repeat(tokens[at - 1][1].length)];
+    };
     const inside = (close) => {
       const list = [relation()];
       while (kind() === ',') {
@@ -120,16 +129,7 @@
       }
       if (functions.includes(word))
         return row([['function', word], ...(kind() === '(' ? [] : [['space']]), power()]);
-      let name = kind() === '[' && !spaced() ? ['name', greek[word] || word] : nameOf(word);
-      if (kind() === '[' && !spaced()) {
-        take('[');
-        name = ['below', name, relation()];
-        take(']');
-        if (/^'/.test(kind() || '')) {
-          name = ['primed', name, '′'.repeat(kind().length)];
-          at += 1;
-        }
-      }
+      const name = kind() === '[' && !spaced() ? elementOf(word) : nameOf(word);
       if (kind() !== '(' || spaced()) return name;
       take('(');
       return row([name, ...within('(', inside(')'), ')')]);

@@ -130,8 +130,8 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 /// - `undetermined`: none of these, or confirmed while over a third of the tries are rejected at
 /// the
 ///   finest clear tolerances (no sound control that was measured rejects that many there);
-///   `failed`: nothing was solved. Whoever makes the runs says `over_budget` instead where none was
-///   paid for.
+///   `failed`: nothing was solved. Whoever makes the runs says `over_budget` instead where the
+///   budget ended all of them.
 /// A claimed order of NaN gives not_applicable with the measured slope.
 OrderFit fit_order(const std::vector<ErrorPoint>& points, double claimed_order,
                    const FitTolerance& tolerance);

@@ -119,24 +119,24 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   std::vector<std::string> uncontrolled, negative;
   std::vector<double> largest(n), exact(n), lowest(n), lowest_exact(n);
   for (std::size_t i = 0; i < n; ++i) largest[i] = std::abs(c.y0[i]);
-  bool known = false;
-  for (std::size_t k = 0; k < stops; ++k) {
-    if (!c.truth.at || !c.truth.at(request.stops[k], exact.data())) continue;
-    known = true;
-    const double* y = outcome.states.data() + k * n;
+  const auto take_truth_at = [&](double stop) {
+    if (!c.truth.at || !c.truth.at(stop, exact.data())) return false;
     for (std::size_t i = 0; i < n; ++i) {
       largest[i] = std::max(largest[i], std::abs(exact[i]));
       lowest_exact[i] = std::min(lowest_exact[i], exact[i]);
-      lowest[i] = std::min(lowest[i], y[i]);
     }
+    return true;
+  };
+  bool known = false;
+  for (std::size_t k = 0; k < stops; ++k) {
+    if (!take_truth_at(request.stops[k])) continue;
+    known = true;
+    const double* y = outcome.states.data() + k * n;
+    for (std::size_t i = 0; i < n; ++i) lowest[i] = std::min(lowest[i], y[i]);
   }
   if (!known) return all;
-  for (const double stop : c.stops)  // those between that the run did not end a step on
-    if (stop <= request.stops[stops - 1] && c.truth.at(stop, exact.data()))
-      for (std::size_t i = 0; i < n; ++i) {
-        largest[i] = std::max(largest[i], std::abs(exact[i]));
-        lowest_exact[i] = std::min(lowest_exact[i], exact[i]);
-      }
+  for (const double stop : c.stops)  // and between those of the run
+    if (stop <= request.stops[stops - 1]) take_truth_at(stop);
   for (std::size_t i = 0; i < n; ++i) {
     if (request.mode == Mode::adaptive && largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(names[i]);

@@ -85,9 +85,8 @@ constexpr OrderClass all_order_classes[] = {
      "A solver that takes this problem: one that is given a dense Jacobian refuses a large "
      "number of unknowns, one with a band or sparse Jacobian, or without any, does not."},
     {NoOrder::over_budget, "over budget at every setting",
-     "More evaluations than the reason says: `odeum why` measures how far such a run comes and "
-     "what "
-     "its steps are bound by."},
+     "More evaluations than the reason says: `odeum why` measures how far such a run comes, and "
+     "what bounds its steps."},
     {NoOrder::newton_failed, "Newton's iteration does not converge",
      "A smaller step or a better first guess: an error at these steps says nothing of the "
      "order."},

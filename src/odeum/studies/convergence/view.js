@@ -15,11 +15,12 @@
     undetermined: ['?', 'there are too few points, or no settled slope'],
     unstable: ['↯', 'no step that was tried is stable for the solver: no word on its answers'],
     failed: ['✗', 'no run gave a result'],
-    over_budget: ['…', 'no run was paid for to its end: nothing to judge'],
+    over_budget: ['…', 'no run reached its end within its budget: there is nothing to judge'],
     not_applicable: ['·', 'the solver does not fit the case, or there is no claim'],
   };
   const run = Object.keys(verdicts).filter((verdict) => verdict !== 'not_applicable');
   const judged = run.filter((verdict) => verdict !== 'over_budget');
+  functions.is_judged = (verdict) => judged.includes(verdict);
   functions.verdict_sign = (verdict) => verdicts[verdict]?.[0] ?? '';
   // What a reader sees of a verdict: that no step was stable is no failure of the code.
   functions.verdict_kind = (verdict, why) =>
