@@ -51,6 +51,7 @@ TEST(Sums, MistakesHaveTheirPlace) {
   expect("sum(i, x[i])", "3:16: ", "expected a new name");
   expect("sum(z, x[z])", "3:16: ", "expected a new name");
   expect("sum(j, sum(j, x[j]))", "3:23: ", "expected a new name");
+  expect("sum(, x[j])", "3:16: ", "got none");
   expect("sum(j x[j])", "3:12: ", "a sum without an index");
   expect("sum(j, x[j]*u[j])", "3:24: ", "got 1 to 3 and 1 to 2");
   expect("sum(j, x[j+1] + x[j])", "3:19: ", "out of range");
@@ -63,7 +64,17 @@ TEST(Sums, MistakesHaveTheirPlace) {
     std::replace(outer.begin(), outer.end(), '?', index);
     nested = outer.append(nested).append(")");
   }
-  expect(nested, "", "terms of sums");
+  expect(nested, "", "terms in all sums");
+}
+
+// 10^10 terms of 10^5 states, all of which are the same few operations, were read for hours.
+TEST(Sums, TooManyTermsOfAllStatesAreRefused) {
+  const std::string states = "states: {x[1..100000]: i}\ntime: {end: 1}\n";
+  EXPECT_NE(fault_of(states + "equations:\n  x[1..100000]: sum(j, x[j])\n").find("the definitions"),
+            std::string::npos);
+  EXPECT_EQ(fault_of(states +
+                     "definitions:\n  all: sum(j, x[j])\nequations:\n  x[1..100000]: all - x[i]\n"),
+            "");
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ class Graph {
 
   const Node& operator[](Id id) const { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
+  /// How many terms of sums over an index were read into it, this one among them.
+  std::size_t count_term() { return ++terms_; }
   bool is_constant(Id id) const { return nodes_[id].op == Op::constant; }
   bool is_number(Id id) const { return is_constant(id) && nodes_[id].index == 0; }
   bool is(Id id, long double value) const { return is_number(id) && nodes_[id].value == value; }
@@ -79,6 +81,7 @@ class Graph {
   Id whole_power(Id base, unsigned exponent);
 
   std::vector<Node> nodes_;
+  std::size_t terms_ = 0;
   std::vector<Definition> definitions_;
   std::unordered_map<Key, Id, Hash> known_;
 };

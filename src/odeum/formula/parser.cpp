@@ -218,7 +218,8 @@ class Parser : Cursor {
     const bool counts = std::any_of(counters_.begin(), counters_.end(),
                                     [&](const Counter& c) { return c.name == index; });
     if (counts || !is_free_index(index, scope_))
-      fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])", shown(index));
+      fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])",
+           index.empty() ? "none" : shown(index));
     if (!take(',')) fail(where, "a sum without an index; expected it and a comma: sum(j, x[j])");
     const Level level(*this);
     const Array& array = counted_by(index, text_, at_, scope_);
@@ -226,8 +227,11 @@ class Parser : Cursor {
     Id total = no_node;
     counters_.push_back({index, 0});
     for (std::int64_t k = array.first; k <= array.last(); ++k) {
-      if (++terms_ > most_nodes)
-        fail(where, "too large; got more than {} terms of sums, expected at most that", most_nodes);
+      if (graph_.count_term() > most_terms)
+        fail(where,
+             "too large; got more than {} terms in all sums together, expected at most that: a sum "
+             "that is the same for all states is read once among the definitions",
+             most_terms);
       at_ = body;
       counters_.back().value = k;
       const Id term = sum();
@@ -275,7 +279,6 @@ class Parser : Cursor {
   const Scope& scope_;
   Graph& graph_;
   int unused_ = 0;  ///< branches around this place that are never taken
-  std::size_t terms_ = 0;
   std::vector<Counter> counters_;
 };
 

@@ -43,7 +43,8 @@ struct Scope {
 
 inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes
 inline constexpr int deepest_nesting = 200;
-inline constexpr std::size_t most_nodes = 1'000'000;  ///< of a graph
+inline constexpr std::size_t most_nodes = 1'000'000;   ///< of a graph
+inline constexpr std::size_t most_terms = 10'000'000;  ///< of sums, in some seconds
 
 /// The node of an expression: numbers, + - * / ^, parentheses, t, pi, e, functions, and
 /// if(condition, a, b) and sums over an index. Throws ExpressionError where the text is no
