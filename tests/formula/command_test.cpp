@@ -50,7 +50,7 @@ TEST_F(ProblemCommands, RunSaysWhatWasFoundAndHowGoodTheTruthIs) {
   expect(run, 0, "from the cache");
   expect(run + " --set eccentricity=0.3", 0, "eccentricity = 0.3");
   expect("run kepler.yaml --step 0.1", 2, "--solver is required");
-  expect("run kepler.yaml --solver exponential_propagator --step 0.1", 2, "does not fit");
+  expect("run kepler.yaml --solver exponential_propagator --step 0.1", 2, "does not fit kepler: ");
 }
 
 // A file says of its cases what a built-in one says.

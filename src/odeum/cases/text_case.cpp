@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "odeum/cases/case_text.hpp"
+#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/printed_list.hpp"
 #include "odeum/cases/proposed_scale.hpp"
@@ -286,7 +287,7 @@ std::optional<Case> case_before_truth(const std::string& file, const std::string
   const std::vector<Statement> all = statements_of(user, id, set);
   const auto chosen = std::ranges::find(all, id, &Statement::id);
   if (chosen == all.end()) return std::nullopt;
-  Case c = chosen->make();
+  Case c = case_of(*chosen);
   std::vector<double> y(c.y0.size());
   return c.truth.at(c.stops.front(), y.data()) ? std::nullopt : std::optional(std::move(c));
 }
