@@ -25,6 +25,11 @@ const tableOf = (name) => {
 // count(orders where verdict == lower), max(error of replays) | .1e: names of columns, numbers, words, and, or, not.
 const figures = Object.assign({}, ...facts.studies.map((study) => Object.fromEntries(Object.entries(study.figures || {}).map(([key, value]) => [`${study.name}.${key}`, value]))));
 class Left extends Error {}
+// Verdicts that nobody judged are named here again, as columns.md defines them.
+const called = {
+  known: '(x=>x===x&&x!=="")', abs: 'Math.abs',
+  is_judged: "(x=>!['not_applicable','over_budget'].includes(x))",
+};
 const inRow = (text) => {
   const words = /'([^']*)'|([A-Za-z_][A-Za-z_0-9]*)|([0-9.]+(?:e-?[0-9]+)?)|(==|!=|<=|>=|[-<>+*/()])|\s+/gy, code = [];
   let at = 0;
@@ -33,7 +38,7 @@ const inRow = (text) => {
     at += m[0].length;
     if (m[1] !== undefined) code.push(JSON.stringify(m[1]));
     else if (['and', 'or', 'not'].includes(m[2])) code.push({ and: '&&', or: '||', not: '!' }[m[2]]);
-    else if (['known', 'abs'].includes(m[2]) && text[at] === '(') code.push({ known: '(x=>x===x&&x!=="")', abs: 'Math.abs' }[m[2]]);
+    else if (m[2] in called && text[at] === '(') code.push(called[m[2]]);
     else if (m[2]) code.push(`(${JSON.stringify(m[2])} in r?r.${m[2]}:${JSON.stringify(m[2])})`);
     else if (m[3]) code.push(m[3]);
     else if (m[4]) code.push({ '==': '===', '!=': '!==' }[m[4]] || m[4]);
