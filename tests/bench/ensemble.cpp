@@ -27,7 +27,7 @@ constexpr double goal_for(double avx512, double avx2, double sse2) {
 }
 
 std::vector<Timing> in_turn(const std::vector<std::function<void()>>& rivals) {
-  return interleave(rivals, 0.7, true, true);
+  return interleave(rivals, 0.7);
 }
 
 template <template <class> class P>
@@ -124,7 +124,7 @@ Row two_threads(const std::string& name, const State<P<double>>& start) {
   return compare(fmt::format("{}: two threads against one, wall time", name), 1.9, t[0], t[1]);
 }
 
-void print_rows() {
+void print_rows(const Printed& out) {
   const methods::rk4 rk4;
   const methods::dormand_prince54 pair;
   const methods::rodas4 rodas;
@@ -132,32 +132,32 @@ void print_rows() {
                stiff = goal_for(5, 3, none);
   const Step h{1e-3};
   const Tolerance r{1e-6};
-  fmt::print("\nFixed step, time of one by one / in lanes\n");
-  print(row_of<Lorenz>("Lorenz", fixed, rk4, h, 1, {1, 2, 20}, 2000));
-  print(row_of<Duffing>("Duffing", fixed, rk4, h, 1, {1, 0.2}, 2000));
-  print(row_of<LotkaVolterra>("Lotka-Volterra", fixed, rk4, h, 1, {2, 1}, 2000));
-  print(row_of<Kepler>("Kepler", fixed, rk4, h, 1, {1, 0, 0, 1}, 2000));
-  print(row_of<Pendulum>("driven pendulum, sin", fixed * 2 / 3, rk4, h, 0.2, {1, 0}, 2000));
-  fmt::print("\nTo a tolerance of 1e-6\n");
-  print(row_of<Lorenz>("Lorenz", adaptive, pair, r, 5, {1, 2, 20}, 2000));
-  print(row_of<Duffing>("Duffing", adaptive, pair, r, 20, {1, 0.2}, 2000));
-  print(row_of<LotkaVolterra>("Lotka-Volterra", adaptive, pair, r, 20, {2, 1}, 2000));
-  print(row_of<Kepler>("Kepler", adaptive, pair, r, 20, {1, 0, 0, 0.8}, 2000));
-  fmt::print("\nStiff, to a tolerance of 1e-6\n");
-  print(row_of<Robertson>("Robertson to 4e4", stiff, rodas, Tolerance(1e-6, 1e-10), 4e4, {1, 0, 0},
-                          1000));
-  print(
+  out.title("Fixed step, time of one by one / in lanes");
+  out.row(row_of<Lorenz>("Lorenz", fixed, rk4, h, 1, {1, 2, 20}, 2000));
+  out.row(row_of<Duffing>("Duffing", fixed, rk4, h, 1, {1, 0.2}, 2000));
+  out.row(row_of<LotkaVolterra>("Lotka-Volterra", fixed, rk4, h, 1, {2, 1}, 2000));
+  out.row(row_of<Kepler>("Kepler", fixed, rk4, h, 1, {1, 0, 0, 1}, 2000));
+  out.row(row_of<Pendulum>("driven pendulum, sin", fixed * 2 / 3, rk4, h, 0.2, {1, 0}, 2000));
+  out.title("To a tolerance of 1e-6");
+  out.row(row_of<Lorenz>("Lorenz", adaptive, pair, r, 5, {1, 2, 20}, 2000));
+  out.row(row_of<Duffing>("Duffing", adaptive, pair, r, 20, {1, 0.2}, 2000));
+  out.row(row_of<LotkaVolterra>("Lotka-Volterra", adaptive, pair, r, 20, {2, 1}, 2000));
+  out.row(row_of<Kepler>("Kepler", adaptive, pair, r, 20, {1, 0, 0, 0.8}, 2000));
+  out.title("Stiff, to a tolerance of 1e-6");
+  out.row(row_of<Robertson>("Robertson to 4e4", stiff, rodas, Tolerance(1e-6, 1e-10), 4e4,
+                            {1, 0, 0}, 1000));
+  out.row(
       row_of<Hires>("HIRES to 321.8", stiff, rodas, r, 321.8, {1, 0, 0, 0, 0, 0, 0, 0.0057}, 1000));
 #ifdef ODEUM_TEXT_ROWS  // compiled for the processor at hand alone
-  fmt::print("\nA problem as text\n");
-  print(text_row("rk4", 0, fixed));
-  print(text_row("dormand_prince54", 1e-6, adaptive));
-  print(text_row("rodas4", 1e-6, stiff));
+  out.title("A problem as text");
+  out.row(text_row("rk4", 0, fixed));
+  out.row(text_row("dormand_prince54", 1e-6, adaptive));
+  out.row(text_row("rodas4", 1e-6, stiff));
 #endif
-  fmt::print("\nAgainst others\n");
-  print(against_odeint<Lorenz>("Lorenz", {1, 2, 20}));
-  print(against_odeint<Kepler>("Kepler", {1, 0, 0, 1}));
-  print(two_threads<Lorenz>("Lorenz, dormand_prince54", {1, 2, 20}));
+  out.title("Against others");
+  out.row(against_odeint<Lorenz>("Lorenz", {1, 2, 20}));
+  out.row(against_odeint<Kepler>("Kepler", {1, 0, 0, 1}));
+  out.row(two_threads<Lorenz>("Lorenz, dormand_prince54", {1, 2, 20}));
 }
 
 }  // namespace
@@ -165,6 +165,7 @@ void print_rows() {
 
 int main() {
   using namespace odeum;
-  fmt::print("{}, vectors of {} bits\n", cpu_model(), 8 * vector_bytes);
-  bench::print_rows();
+  const bench::Printed out;
+  out.machine();
+  bench::print_rows(out);
 }

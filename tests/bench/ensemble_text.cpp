@@ -39,7 +39,7 @@ time: {end: 5}
     for (std::uint64_t k = 0; k < plan.members.size(); ++k)
       runner.run(sweep::parameters_of(plan, k), plan.request);
   };
-  const std::vector<Timing> t = interleave({in_lanes, one_by_one}, 0.7, true, true);
+  const std::vector<Timing> t = interleave({in_lanes, one_by_one}, 0.7);
   return compare(fmt::format("Lorenz as text, {}", solver), goal, t[0], t[1],
                  fmt::format("{:.2f} ns a step and member, alone {:.1f}", 1e9 * t[0].min / steps,
                              1e9 * t[1].min / steps));

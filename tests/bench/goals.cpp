@@ -15,17 +15,6 @@
 #include "odeum/core/machine.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
-namespace {
-constexpr const char* instruction_set =
-#if defined(__AVX512F__)
-    "AVX-512";
-#elif defined(__AVX2__)
-    "AVX2";
-#else
-    "vectors of two numbers";
-#endif
-}  // namespace
-
 int main(int argc, char** argv) {
   using namespace odeum::bench;
   struct Group {
@@ -40,6 +29,8 @@ int main(int argc, char** argv) {
       {"contact", "A cloth that lies on itself, with contacts / without", contact_rows},
       {"fixed", "Fixed-step RK4 against the better of odeint's two", fixed_step_rows},
       {"evaluation", "What a step costs beyond the right-hand side, by unknowns", evaluation_rows},
+      {"growth", "Time as work grows: the largest number of unknowns / the smallest, an unknown",
+       growth_rows},
       {"precision", "At equal error: time of the best peer / of the best own solver",
        precision_rows},
       {"advise", "Time of the setting advised / of the best of an exhaustive search", advise_rows},
@@ -50,19 +41,19 @@ int main(int argc, char** argv) {
                      [&](const Group& g) { return std::string(g.name) == argv[i]; })) {
       fmt::print(stderr,
                  "odeum_goals: no group {}; got {}, expected kernel, steps, cloth, contact, fixed, "
-                 "evaluation, precision, advise, sparse or fem\n",
+                 "evaluation, growth, precision, advise, sparse or fem\n",
                  argv[i], argv[i]);
       return 2;
     }
   const double before = odeum::study::calibration_ns();
-  fmt::print("{}, compiled for {}\n", odeum::cpu_model(), instruction_set);
-  fmt::print("{:<66} {:>10} {:>10} {:<16}\n", "", "goal", "measured", "interval");
+  const Printed out;
+  out.machine();
   for (const Group& group : groups) {
     if (argc > 1 && std::none_of(argv + 1, argv + argc,
                                  [&](const char* a) { return std::string(a) == group.name; }))
       continue;
-    fmt::print("\n{}\n", group.title);
-    for (const Row& row : group.rows()) print(row);
+    out.title(group.title);
+    for (const Row& row : group.rows()) out.row(row);
   }
   const double drift = odeum::study::calibration_ns() / before - 1;
   fmt::print("\nThe machine's speed changed by {:+.1f} % from the first row to the last{}.\n",

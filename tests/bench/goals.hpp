@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,21 +18,35 @@ struct Row {
   std::string note{};
 
   bool met() const { return at_most ? measured <= goal : measured >= goal; }
+  /// met, or by how much it is missed; empty without a goal.
+  std::string verdict() const;
 };
 
-/// Wall times in seconds of one of several candidates measured in turn.
+/// Times in seconds of one of several candidates measured in turn.
 struct Timing {
   double min = 0, median = 0;
 };
-/// Runs all in turn, each at least three times and for `seconds` in all, on one pinned processor
-/// unless they use threads of their own. `processor`: the time of the thread in place of wall time.
+/// Runs all in turn, each at least three times and for `seconds` in all: on one pinned processor by
+/// the time of the thread, which other programs do not lengthen, or, where they use threads of
+/// their own, by wall time.
 std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
-                               bool pinned = true, bool processor = false);
+                               bool pinned = true);
 /// How many times as long as `ours` the other takes.
 Row compare(std::string what, double goal, const Timing& ours, const Timing& theirs,
             std::string note = {});
 
-void print(const Row& row);
+/// Prints tables row by row, as they are measured: for a terminal, or as Markdown where
+/// ODEUM_BENCH_PAGE is set, by which scripts/bench says what it runs for a page.
+class Printed {
+ public:
+  /// Processor, instruction set, compiler, load, date.
+  void machine() const;
+  void title(const std::string& text) const;
+  void row(const Row& row) const;
+
+ private:
+  const char* page_ = std::getenv("ODEUM_BENCH_PAGE");
+};
 
 std::vector<Row> cloth_kernel_rows();
 std::vector<Row> cloth_step_rows();
@@ -39,11 +54,15 @@ std::vector<Row> cloth_error_rows();
 std::vector<Row> contact_rows();
 std::vector<Row> fixed_step_rows();
 std::vector<Row> evaluation_rows();
+std::vector<Row> growth_rows();
 std::vector<Row> precision_rows();
 std::vector<Row> advise_rows();
 std::vector<Row> sparse_rows();
 std::vector<Row> fem_rows();
 std::vector<Row> cloth_multigrid_rows();
+
+/// A number of a table with three digits; - where there is none.
+std::string three_digits(double number, const std::string& unit = "");
 
 /// Of scripts/bench ensemble; a tolerance of 0: a fixed step.
 Row text_row(const char* solver, double tolerance, double goal);

@@ -4,18 +4,40 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <optional>
+#include <thread>
 
 #include "goals.hpp"
+#include "odeum/core/machine.hpp"
 #include "odeum/core/thread_time.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::bench {
+namespace {
+
+constexpr const char* instruction_set =
+#if defined(__AVX512F__)
+    "AVX-512";
+#elif defined(__AVX2__)
+    "AVX2";
+#else
+    "vectors of two numbers";
+#endif
+constexpr const char* compiler_name =
+#ifdef __clang__
+    "clang";
+#else
+    "g++";
+#endif
+constexpr const char* compiler_version = __VERSION__;
+
+}  // namespace
 
 std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals, double seconds,
-                               bool pinned, bool processor) {
+                               bool pinned) {
   const auto now = [&] {
-    return processor
+    return pinned
                ? processor_seconds()
                : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
                      .count();
@@ -46,20 +68,48 @@ Row compare(std::string what, double goal, const Timing& ours, const Timing& the
           .note = std::move(note)};
 }
 
-void print(const Row& row) {
+std::string three_digits(double number, const std::string& unit) {
+  if (std::isnan(number)) return "-";
+  // Numbers of four digits and more have no exponent.
+  return (std::abs(number) < 999.5 ? fmt::format("{:.3g}", number)
+                                   : fmt::format("{:.0f}", number)) +
+         unit;
+}
+
+std::string Row::verdict() const {
+  if (std::isnan(goal)) return "";
+  if (std::isnan(measured)) return "not measured";
+  if (met()) return "met";
+  return fmt::format("NOT MET: {:.2f} of it", measured / goal);
+}
+
+void Printed::machine() const {
+  if (!page_) return fmt::print("{}, compiled for {}\n", cpu_model(), instruction_set);
+  double load = 0;
+  std::ifstream("/proc/loadavg") >> load;
+  fmt::print("{}, {}: {}, {} processors, load {:.1f} when it began; compiled for {} by {} {}.\n",
+             page_, utc_text(std::chrono::system_clock::now()).substr(0, 10), cpu_model(),
+             std::thread::hardware_concurrency(), load, instruction_set, compiler_name,
+             compiler_version);
+  std::fflush(stdout);
+}
+
+void Printed::title(const std::string& text) const {
+  if (page_)
+    fmt::print("\n| {} | goal | measured | interval | | |\n|---|---|---|---|---|---|\n", text);
+  else
+    fmt::print("\n{:<66} {:>10} {:>10} {:<16}\n", text, "goal", "measured", "interval");
+}
+
+void Printed::row(const Row& row) const {
   const std::string goal =
-      std::isnan(row.goal)
-          ? ""
-          : fmt::format("{}{:.3g}{}", row.at_most ? "<= " : ">= ", row.goal, row.unit);
-  const std::string verdict = std::isnan(row.goal)       ? ""
-                              : std::isnan(row.measured) ? "not measured"
-                              : row.met()                ? "met"
-                                                         : "NOT MET";
+      std::isnan(row.goal) ? "" : (row.at_most ? "<= " : ">= ") + three_digits(row.goal, row.unit);
   const std::string interval =
-      row.low > 0 ? fmt::format("[{:.3g}, {:.3g}]", row.low, row.high) : "";
-  fmt::print("{:<66} {:>10} {:>10} {:<16} {:<12} {}\n", row.what, goal,
-             std::isnan(row.measured) ? "-" : fmt::format("{:.3g}{}", row.measured, row.unit),
-             interval, verdict, row.note);
+      row.low > 0 ? fmt::format("{} to {}", three_digits(row.low), three_digits(row.high)) : "";
+  constexpr const char* forms[] = {"{:<66} {:>10} {:>10} {:<16} {:<22} {}\n",
+                                   "| {} | {} | {} | {} | {} | {} |\n"};
+  fmt::print(fmt::runtime(forms[page_ ? 1 : 0]), row.what, goal,
+             three_digits(row.measured, row.unit), interval, row.verdict(), row.note);
   std::fflush(stdout);
 }
 

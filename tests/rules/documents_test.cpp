@@ -99,5 +99,23 @@ TEST(Documents, FilesThatAreNamedExist) {
   EXPECT_GE(paths, 20U) << "the documents were not read";
 }
 
+// All that was measured stands between the two comments of a table, which scripts/bench writes.
+TEST(Documents, SpeedHasNoNumberTypedByHand) {
+  std::string text = text_of(root / "reports/speed.md");
+  const std::string open = "<!-- scripts/bench ", close = "<!-- end -->";
+  std::size_t tables = 0;
+  for (std::size_t from = text.find(open); from != std::string::npos; from = text.find(open)) {
+    const std::size_t to = text.find(close, from);
+    ASSERT_NE(to, std::string::npos) << text.substr(from, 60) << " has no end";
+    EXPECT_EQ(text.find(open, from + 1), text.find(open, to)) << "a table within another";
+    text.erase(from, to + close.size() - from);
+    ++tables;
+  }
+  EXPECT_GE(tables, 20U);
+  static const std::regex number(
+      "(\\d+\\.\\d+|\\d+ ?(?:%|ns|us|ms|s|kB|MB|times|x)(?![a-z0-9_-])(?! \\d))");
+  for (const std::string& each : all_matches(text, number)) ADD_FAILURE() << each;
+}
+
 }  // namespace
 }  // namespace odeum::rules
