@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <arkode/arkode_arkstep.h>
 
+#include <memory>
+#include <string>
 #include <utility>
 
+#include "odeum/methods/ars222.hpp"
+#include "odeum/methods/ars443.hpp"
 #include "sundials/arkode.hpp"
 #include "sundials/newton.hpp"
 #include "sundials/session.hpp"
@@ -60,7 +64,65 @@ Method implicit_method(const ImplicitTable& table, Settings settings) {
           [id = table.id, settings](Session& session) { build(session, id, settings); }};
 }
 
+/// A pair of tables: what sets it, and its orders.
+Method imex_method(const std::string& name, int order, int order_embedded,
+                   const std::string& source, std::function<int(void* arkstep)> set_tables) {
+  SolverInfo info = describe_table("arkstep_imex_" + name, "imex_rk", order, order_embedded,
+                                   "ARKODE ARKStep, additive, " + source + "; Newton iteration");
+  info.needs = ForSplit::needs;
+  return {std::move(info), &arkstep_module,
+          [set = std::move(set_tables)](Session& session) {
+            create_arkstep(session, Session::explicit_part, Session::rhs);
+            check(set(session.integrator()), "setting the tables");
+            attach_linear_solver(session);
+            if (session.fixed_step())
+              solve_stages_exactly(session);
+            else if (factorises(session))
+              solve_stages_newly(session);
+          },
+          true};
+}
+
+/// A built-in pair, whose two tables differ by a word in their names.
+Method built_in_pair(const ImplicitTable& implicit, const ExplicitTable& explicit_table) {
+  std::string name = implicit.method;
+  name.erase(name.find("_dirk"), std::string("_dirk").size());
+  return imex_method(
+      name, implicit.order, implicit.order_embedded,
+      "built-in tables ARKODE_" + implicit.name + " and ARKODE_" + explicit_table.name,
+      [i = implicit.id, e = explicit_table.id](void* arkstep) {
+        return ARKStepSetTableNum(arkstep, i, e);
+      });
+}
+
+/// The coefficients of an own method.
+template <class M, std::size_t S>
+Method user_pair(const AdditiveTableau<S>& tableau) {
+  const std::string id(M::info.id);
+  std::shared_ptr<ARKodeButcherTableMem> implicit = as_butcher_table(tableau.implicit_half),
+                                         outer = as_butcher_table(tableau.explicit_half);
+  return imex_method("user_" + id, tableau.order, 0, "with the tables of odeum/" + id,
+                     [implicit, outer, order = tableau.order](void* arkstep) {
+                       return ARKStepSetTables(arkstep, order, 0, implicit.get(), outer.get());
+                     });
+}
+
 }  // namespace
+
+std::vector<Method> arkode_imex_methods() {
+  std::vector<Method> list;
+  for (const ImplicitTable& table : implicit_tables())
+    for (const ExplicitTable& other : explicit_tables()) {
+      std::string as_explicit = table.name;
+      const std::size_t word = as_explicit.find("_DIRK_");
+      if (!table.name.starts_with("ARK") || word == std::string::npos) continue;
+      as_explicit.replace(word, 6, "_ERK_");
+      if (other.name == as_explicit) list.push_back(built_in_pair(table, other));
+    }
+  list.push_back(user_pair<methods::ars222>(methods::ars222_tableau));
+  list.push_back(user_pair<methods::ars443>(methods::ars443_tableau));
+  return list;
+}
 
 std::vector<Method> arkode_implicit_methods() {
   std::vector<Method> list;

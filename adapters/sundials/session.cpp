@@ -62,6 +62,12 @@ int Session::rhs(double t, N_Vector y, N_Vector dydt, void* data) {
   return -session.problem_.rhs(t, NV_DATA_S(y), NV_DATA_S(dydt));
 }
 
+int Session::explicit_part(double t, N_Vector y, N_Vector f, void* data) {
+  auto& session = *static_cast<Session*>(data);
+  if (session.stuck()) return -1;
+  return -session.problem_.explicit_part(t, NV_DATA_S(y), NV_DATA_S(f));
+}
+
 void Session::hear(int code, const char*, const char*, char* message, void* data) {
   auto& session = *static_cast<Session*>(data);
   if (code < 0) session.message_ = message;

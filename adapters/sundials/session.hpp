@@ -59,6 +59,7 @@ class Session {
   /// The right-hand side as the library calls it; `data` is the session. Fails unrecoverably once
   /// the guard has tripped, since no smaller step can help.
   static int rhs(double t, N_Vector y, N_Vector dydt, void* data);
+  static int explicit_part(double t, N_Vector y, N_Vector f, void* data);
 
  private:
   /// Whether the library has warned, as often as it does at most (mxhnil), that t + h rounds to t.
@@ -97,6 +98,9 @@ struct Method {
   /// Creates the integrator of a session and sets it up; tolerances, steps and stop times of the
   /// request are set afterwards. Throws Failure.
   std::function<void(Session&)> build;
+  /// It takes the explicit and the implicit part of a problem; the session's right-hand side and
+  /// Jacobian are then those of the implicit part.
+  bool split = false;
 };
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request);
@@ -106,5 +110,6 @@ std::vector<Method> cvode_methods();
 std::vector<Method> cvode_held_methods();
 std::vector<Method> arkode_explicit_methods();
 std::vector<Method> arkode_implicit_methods();
+std::vector<Method> arkode_imex_methods();
 
 }  // namespace odeum::adapters::sundials

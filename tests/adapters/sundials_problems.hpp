@@ -27,6 +27,18 @@ struct Witch {
     j[1] = j[3] = 0;
     j[2] = 1;
   }
+  void explicit_part(double, const double* y, double* f) const {
+    f[0] = 0;
+    f[1] = y[0] / 4;
+  }
+  void implicit_part(double t, const double* y, double* f) const {
+    f[0] = -2 * t * y[0] * y[0];
+    f[1] = 3 * y[0] / 4;
+  }
+  void implicit_jacobian(double t, const double* y, double* j) const {
+    jacobian(t, y, j);
+    j[2] = 0.75;
+  }
   static double error(double t, const double* y) {
     return std::hypot(y[0] - 1 / (1 + t * t), y[1] - std::atan(t));
   }
@@ -36,6 +48,8 @@ struct Witch {
 struct WitchWithoutJacobian {
   static constexpr std::size_t dimension = 2;
   void rhs(double t, const double* y, double* dydt) const { Witch{}.rhs(t, y, dydt); }
+  void explicit_part(double t, const double* y, double* f) const { Witch{}.explicit_part(t, y, f); }
+  void implicit_part(double t, const double* y, double* f) const { Witch{}.implicit_part(t, y, f); }
 };
 
 /// y' = y^2 from 1: 1/(1-t), a pole at t = 1.
@@ -86,7 +100,8 @@ struct ManyDecays {
   }
 };
 
-/// The adapter's solvers on a problem but for IDA, which takes residuals (sundials_ida_test.cpp).
+/// The adapter's solvers on a problem but for IDA, which takes residuals (sundials_ida_test.cpp),
+/// and for additive ones where it has no parts.
 template <Ode P>
 std::vector<Entrant> entrants(std::vector<double> y0, P problem = {}, double t0 = 0) {
   Contest<P> contest;
@@ -94,7 +109,9 @@ std::vector<Entrant> entrants(std::vector<double> y0, P problem = {}, double t0 
   contest.problem = std::make_shared<const P>(std::move(problem));
   contest.y0 = std::make_shared<const std::vector<double>>(std::move(y0));
   auto all = tests::enrolled_on(erase(contest), adapters::sundials::add_solvers);
-  std::erase_if(all, [](const Entrant& entrant) { return entrant.info.library == "ida"; });
+  std::erase_if(all, [](const Entrant& entrant) {
+    return entrant.info.library == "ida" || (!Split<P> && entrant.info.family == "imex_rk");
+  });
   return all;
 }
 

@@ -16,6 +16,8 @@ struct Row {
   bool at_most = false;      ///< the goal is an upper bound
   std::string unit = "x";
   std::string note{};
+  /// Other programs ran during it, and it is longer than they leave a processor alone.
+  bool disturbed = false;
 
   bool met() const { return at_most ? measured <= goal : measured >= goal; }
   /// met, or by how much it is missed; empty without a goal.

@@ -34,6 +34,16 @@ double goal_at(const std::string& case_id, int exponent) {
   return goal;
 }
 
+/// The study takes wall time. Shorter runs than a slice of the scheduler are not lengthened by
+/// other programs, as the least of some; of longer ones nothing is known.
+bool is_disturbed(const study::PrecisionResult& result, const study::PrecisionSummary& line) {
+  constexpr double slice_ns = 1e6;
+  double share = 1;
+  for (const study::PrecisionRow& row : result.rows)
+    if (row.processor_share < share) share = row.processor_share;
+  return share < 0.95 && std::max(line.own_ns, line.peer_ns) > slice_ns;
+}
+
 }  // namespace
 
 std::vector<Row> precision_rows() {
@@ -53,6 +63,9 @@ std::vector<Row> precision_rows() {
               .low = line.ratio_low,
               .high = line.ratio_high,
               .note = line.reason.empty() ? line.own + " / " + line.peer : line.reason};
+      row.disturbed = is_disturbed(result, line);
+      if (!std::isnan(row.measured))
+        row.note += fmt::format(", {} us", three_digits(line.own_ns / 1e3));
       if (!line.own.empty() && line.peer.empty()) row.note += ": " + line.own + " does";
       rows.push_back(std::move(row));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -60,11 +61,13 @@ std::vector<Timing> interleave(const std::vector<std::function<void()>>& rivals,
 
 Row compare(std::string what, double goal, const Timing& ours, const Timing& theirs,
             std::string note) {
+  const double measured = theirs.min / ours.min;
+  // A median of differences may lie below the least of them.
   return {.what = std::move(what),
           .goal = goal,
-          .measured = theirs.min / ours.min,
-          .low = theirs.min / ours.median,
-          .high = theirs.median / ours.min,
+          .measured = measured,
+          .low = std::min(measured, theirs.min / ours.median),
+          .high = std::max(measured, theirs.median / ours.min),
           .note = std::move(note)};
 }
 
@@ -77,6 +80,7 @@ std::string three_digits(double number, const std::string& unit) {
 }
 
 std::string Row::verdict() const {
+  if (disturbed) return "not judged: other programs ran";
   if (std::isnan(goal)) return "";
   if (std::isnan(measured)) return "not measured";
   if (met()) return "met";

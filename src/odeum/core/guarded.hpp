@@ -32,6 +32,7 @@ struct jacobian {};
 struct product {};       ///< one product of the Jacobian with a vector
 struct products {};      ///< as many as the call returns
 struct acceleration {};  ///< an evaluation of half of the right-hand side
+struct part {};          ///< an evaluation, of a part of the right-hand side
 struct series {};        ///< an evaluation for each coefficient: one pass of the recurrence
 struct solver {};        ///< the products of its solves
 }  // namespace charge
@@ -111,6 +112,11 @@ class Guarded : public detail::VelocityDependence<P> {
     real* const a = std::get<sizeof...(Arguments) - 1>(std::tuple<Arguments...>(all...));
     return watch_.evaluate(
         t, a, [this] { return size() / 2; }, true, call);
+  }
+  template <class Call>
+  int charged(detail::charge::part, const Call& call, real t, const real*, real* f) const {
+    return watch_.evaluate(
+        t, f, [this] { return size(); }, false, call);
   }
   /// The coefficients that the problem does not set are zero.
   template <class Call>

@@ -37,6 +37,17 @@ void find_second_order(const Problem& problem, const Analysis& analysis, Structu
       s.velocity_dependent = s.velocity_dependent || entry.by >= half;
 }
 
+void find_implicit_part(Problem& problem, Analysis& analysis) {
+  const auto n = static_cast<std::uint32_t>(problem.states.size());
+  if (problem.implicit_part.empty()) return;
+  analysis.implicit_jacobian = gradients(problem.graph, problem.implicit_part, n);
+  for (std::vector<Entry>& row : analysis.implicit_jacobian)
+    if (!row.empty() && row.back().by == n) row.pop_back();  // the time
+  analysis.structure.with_implicit_part = static_cast<std::size_t>(
+      std::count_if(problem.implicit_part.begin(), problem.implicit_part.end(),
+                    [&](Id id) { return !problem.graph.is(id, 0); }));
+}
+
 }  // namespace
 
 Analysis analyse(Problem& problem) {
@@ -69,6 +80,7 @@ Analysis analyse(Problem& problem) {
   s.linear = s.smooth && std::ranges::none_of(graph.needed(varying),
                                               [&](Id id) { return graph[id].op == Op::state; });
   if (s.autonomous) analysis.time_derivative.clear();
+  find_implicit_part(problem, analysis);
   find_second_order(problem, analysis, s);
   if (s.smooth) {
     SeriesPlan plan = make_series_plan(graph, problem.equations);
@@ -77,9 +89,9 @@ Analysis analyse(Problem& problem) {
   return analysis;
 }
 
-std::vector<Id> jacobian_roots(const Analysis& analysis) {
+std::vector<Id> jacobian_roots(const std::vector<std::vector<Entry>>& jacobian) {
   std::vector<Id> roots;
-  for (const auto& row : analysis.jacobian)
+  for (const auto& row : jacobian)
     for (const Entry& entry : row) roots.push_back(entry.value);
   return roots;
 }
@@ -105,6 +117,10 @@ std::vector<std::string> describe(const Structure& s) {
       fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal", s.entries,
                   s.states * s.states, s.lower, s.upper) +
       (s.is_sparse() ? ": implicit methods solve with factors of a band, or sparse ones" : ""));
+  if (s.with_implicit_part > 0)
+    lines.push_back(
+        fmt::format("split for additive methods: {} of {} equations have an implicit part",
+                    s.with_implicit_part, s.states));
   return lines;
 }
 

@@ -17,6 +17,7 @@ struct Structure {
   bool second_order = false, velocity_dependent = false;
   /// The equations would be of second order if the states stood in another order.
   bool second_order_in_other_order = false;
+  std::size_t with_implicit_part = 0;  ///< equations that have one
 
   /// Sparse factors pay: few unknowns are solved for faster by dense matrices made for their
   /// number.
@@ -26,16 +27,20 @@ struct Structure {
 /// The derivatives of a problem and its structure.
 struct Analysis {
   Structure structure;
-  std::vector<std::vector<Entry>> jacobian;  ///< by row
-  std::vector<Id> time_derivative;           ///< by state; empty where autonomous
-  std::optional<SeriesPlan> series;          ///< none where not smooth, or too large
+  std::vector<std::vector<Entry>> jacobian;           ///< by row
+  std::vector<std::vector<Entry>> implicit_jacobian;  ///< of the implicit part, likewise
+  std::vector<Id> time_derivative;                    ///< by state; empty where autonomous
+  std::optional<SeriesPlan> series;                   ///< none where not smooth, or too large
 };
 
 /// Adds the derivatives to the problem's graph. Throws std::length_error where they are too many.
 Analysis analyse(Problem& problem);
 
-/// The entries of the Jacobian, row by row.
-std::vector<Id> jacobian_roots(const Analysis& analysis);
+/// The entries of a Jacobian, row by row.
+std::vector<Id> jacobian_roots(const std::vector<std::vector<Entry>>& jacobian);
+inline std::vector<Id> jacobian_roots(const Analysis& analysis) {
+  return jacobian_roots(analysis.jacobian);
+}
 
 /// The structure in words, a line each.
 std::vector<std::string> describe(const Structure& structure);

@@ -124,8 +124,8 @@ std::string code_of_problem(const std::string& file, const std::string& text) {
   std::string code;
   for (const reading::Item& item : source.items(source.root(), "problem")) {
     const bool keys = item.key == "parameters" || item.key == "states";
-    for (const char* used :
-         {"parameters", "definitions", "states", "equations", "boundaries", "invariants", "mass"})
+    for (const char* used : {"parameters", "definitions", "states", "equations", "boundaries",
+                             "implicit", "invariants", "mass"})
       if (item.key == used) code += item.key + serialised(*item.value, keys);
   }
   const Offers offers = CaseKeys(file, text).offers();

@@ -54,7 +54,7 @@ std::string print_lanes(const Problem& problem, const Analysis& analysis) {
            Lanes::count, prelude);
   const std::size_t n = analysis.structure.states;
   print_values(out, function("rhs"), problem.equations, in_order(n), in_lanes);
-  print_jacobian(out, function("jacobian"), analysis, in_lanes);
+  print_jacobian(out, function("jacobian"), analysis.jacobian, in_lanes);
   if (!analysis.time_derivative.empty())
     print_values(out, function("time_derivative"), analysis.time_derivative, in_order(n), in_lanes);
   return std::move(out.text);

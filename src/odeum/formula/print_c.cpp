@@ -78,14 +78,15 @@ void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::S
 
 }  // namespace
 
-void print_jacobian(Printer& out, Function function, const Analysis& analysis, const Type& type) {
-  const std::size_t n = analysis.structure.states;
+void print_jacobian(Printer& out, Function function, const std::vector<std::vector<Entry>>& rows,
+                    const Type& type) {
+  const std::size_t n = rows.size();
   std::vector<std::uint32_t> places;
   for (std::size_t row = 0; row < n; ++row)
-    for (const Entry& entry : analysis.jacobian[row])
+    for (const Entry& entry : rows[row])
       places.push_back(static_cast<std::uint32_t>(row * n + entry.by));
   function.cleared = places.size() < n * n ? n * n : 0;
-  print_values(out, function, jacobian_roots(analysis), places, type);
+  print_values(out, function, jacobian_roots(rows), places, type);
 }
 
 void print_series(Printer& out, const std::string& head, const Problem& problem,
@@ -141,12 +142,19 @@ std::string print_c(const Problem& problem, const Analysis& analysis) {
   print_all(out, "rhs", problem.equations, in_double);
   constexpr std::size_t few_states = 64;
   if (problem.states.size() <= few_states)
-    print_jacobian(out, values_function("jacobian", in_double), analysis, in_double);
+    print_jacobian(out, values_function("jacobian", in_double), analysis.jacobian, in_double);
   const std::vector<Id> entries = jacobian_roots(analysis);
   print_all(out, "jacobian_entries", entries, in_double);
   if (!analysis.time_derivative.empty())
     print_all(out, "time_derivative", analysis.time_derivative, in_double);
   if (analysis.structure.second_order) print_acceleration(out, problem);
+  if (!problem.implicit_part.empty()) {
+    print_all(out, "explicit_part", problem.explicit_part, in_double);
+    print_all(out, "implicit_part", problem.implicit_part, in_double);
+    if (problem.states.size() <= few_states)
+      print_jacobian(out, values_function("implicit_jacobian", in_double),
+                     analysis.implicit_jacobian, in_double);
+  }
   // One function of all steps: the compiler takes minutes for more.
   constexpr std::size_t most_compiled = 600;
   if (analysis.series && analysis.series->steps.size() <= most_compiled)

@@ -101,8 +101,9 @@ struct Function {
 /// `name`(const void* problem, t, y, f) in numbers of a type.
 Function values_function(const std::string& name, const Type& type);
 
-/// The dense Jacobian, row-major.
-void print_jacobian(Printer& out, Function function, const Analysis& analysis, const Type& type);
+/// A Jacobian by its rows as a dense one, row-major.
+void print_jacobian(Printer& out, Function function, const std::vector<std::vector<Entry>>& rows,
+                    const Type& type);
 
 /// Computes the nodes on which roots depend.
 void print_nodes(Printer& out, const Function& function, const std::vector<Id>& roots,

@@ -27,6 +27,9 @@ struct Problem {
   std::vector<long double> y0;
   std::vector<Id> start;  ///< y0 as expressions of the parameters
   std::vector<Id> equations;
+  /// The equations as two parts by state, of which additive methods solve for the second; empty:
+  /// not split.
+  std::vector<Id> explicit_part, implicit_part;
   std::map<std::string, long double> parameters;
   long double t0 = 0;
   std::vector<double> stops;  ///< where errors are measured; the last is the end

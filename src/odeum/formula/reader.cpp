@@ -12,10 +12,10 @@ namespace odeum::formula {
 namespace {
 
 // `case` and `cases` are read by CaseKeys.
-constexpr std::string_view known_keys[] = {"name",       "parameters", "definitions", "states",
-                                           "equations",  "boundaries", "time",        "exact",
-                                           "invariants", "scale",      "tolerance",   "mass",
-                                           "residuals",  "rates",      "case",        "cases"};
+constexpr std::string_view known_keys[] = {
+    "name",      "parameters", "definitions", "states", "equations", "boundaries",
+    "time",      "exact",      "invariants",  "scale",  "tolerance", "mass",
+    "residuals", "rates",      "implicit",    "case",   "cases"};
 
 }  // namespace
 
@@ -43,6 +43,7 @@ Problem Reader::read() {
     read_residuals(all);
   else
     read_equations(all);
+  read_implicit(all);
   read_mass(all);
   read_exact();
   read_invariants(all);

@@ -93,6 +93,9 @@ class Reader : Source {
   std::vector<Id> read_by_state(const std::string& in, Scope scope, std::vector<Place>& places);
   void require_all(const std::string& in, const std::vector<Id>& nodes);
   void read_equations(const Scope& scope);
+  /// Which terms of the equations additive methods take implicitly: reader_implicit.cpp.
+  void read_implicit(const Scope& scope);
+  std::vector<Id> implicit_by_name(const YamlNode& list, const Scope& scope);
   /// Solves M v' = F for the equations of the states that have a mass: reader_mass.cpp.
   void read_mass(Scope& scope);
   void apply_mass(const std::vector<std::size_t>& at,

@@ -23,13 +23,15 @@ constexpr std::size_t most_linear_states = 256;
 
 /// The functions of the view by evaluation of the graph.
 struct TextOde::Interpreted {
-  Evaluator<double> rhs, entries, time_derivative;
+  Evaluator<double> rhs, entries, time_derivative, explicit_part, implicit_part;
   Evaluator<long double> extended_rhs, extended_entries;
 
   Interpreted(const Problem& problem, const Analysis& analysis)
       : rhs(problem.graph, problem.equations),
         entries(problem.graph, jacobian_roots(analysis)),
         time_derivative(problem.graph, analysis.time_derivative),
+        explicit_part(problem.graph, problem.explicit_part),
+        implicit_part(problem.graph, problem.implicit_part),
         extended_rhs(problem.graph, problem.equations),
         extended_entries(problem.graph, jacobian_roots(analysis)) {}
 };
@@ -85,6 +87,10 @@ void TextOde::use(const Library& library) {
   view_.time_derivative = library.function<decltype(view_.time_derivative)>("time_derivative");
   view_.acceleration = library.function<decltype(view_.acceleration)>("acceleration");
   view_.taylor = library.function<decltype(view_.taylor)>("taylor");
+  view_.explicit_part = library.function<decltype(view_.explicit_part)>("explicit_part");
+  view_.implicit_part = library.function<decltype(view_.implicit_part)>("implicit_part");
+  view_.implicit_jacobian =
+      library.function<decltype(view_.implicit_jacobian)>("implicit_jacobian");
   extended_rhs_ = library.function<Extended>("rhs_extended");
   extended_entries_ = library.function<Extended>("entries_extended");
 }
@@ -101,6 +107,14 @@ void TextOde::interpret() {
     view_.time_derivative = [](const void* p, double t, const double* y, double* d) {
       of(p).interpreted_->time_derivative(t, y, d);
     };
+  if (!problem_.implicit_part.empty()) {
+    view_.explicit_part = [](const void* p, double t, const double* y, double* f) {
+      of(p).interpreted_->explicit_part(t, y, f);
+    };
+    view_.implicit_part = [](const void* p, double t, const double* y, double* f) {
+      of(p).interpreted_->implicit_part(t, y, f);
+    };
+  }
   if (analysis_.structure.second_order)
     view_.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
       const auto& self = of(p);

@@ -93,6 +93,18 @@ struct ForSeparable {
   static constexpr bool fits = Separable<P>;
 };
 
+/// Fits y' = f_E(t, y) + f_I(t, y), where the problem says which is which.
+struct ForSplit {
+  static constexpr std::string_view needs =
+      "a right-hand side that is split into an explicit and an implicit part";
+  template <class P>
+  static constexpr bool fits = Split<P>;
+  template <class P>
+  static bool fits_problem(const P& problem) {
+    return offers_explicit_part(problem) && offers_implicit_part(problem);
+  }
+};
+
 /// What follows from the tableau of a Runge-Kutta method. The bases of its families add the
 /// stepper, and `described`, the info of a method that is the tableau and nothing else.
 template <const auto& T>

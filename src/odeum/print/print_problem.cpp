@@ -29,6 +29,7 @@ class ProblemPrinter {
       print_function("template <class R>\n  void rhs(R t, const R* y, R* f)", problem_.equations,
                      "f", in_real);
     if (offers.jacobian) print_jacobian();
+    if (!problem_.implicit_part.empty()) print_parts();
     if (!s.autonomous)
       print_function("void time_derivative(double t, const double* y, double* f)",
                      analysis_.time_derivative, "f", in_double);
@@ -51,6 +52,9 @@ class ProblemPrinter {
     need(problem_.equations);
     if (offers.jacobian) need(jacobian_roots(analysis_));
     need(analysis_.time_derivative);
+    need(problem_.explicit_part);
+    need(problem_.implicit_part);
+    need(jacobian_roots(analysis_.implicit_jacobian));
     if (offers.series && analysis_.series)
       for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
     for (const Kept& kept : problem_.invariants) need({kept.value});
@@ -99,12 +103,23 @@ class ProblemPrinter {
     out_.line("  acceleration(t, y, y + {0}, f + {0});\n  }}", half);
   }
 
-  void print_jacobian() {
-    const std::size_t n = analysis_.structure.states;
+  void print_dense(const char* name, const std::vector<std::vector<Entry>>& rows) {
+    const std::size_t n = rows.size();
     std::vector<Id> all(n * n, no_node);
     for (std::size_t row = 0; row < n; ++row)
-      for (const Entry& entry : analysis_.jacobian[row]) all[row * n + entry.by] = entry.value;
-    print_function("void jacobian(double t, const double* y, double* j)", all, "j", in_double);
+      for (const Entry& entry : rows[row]) all[row * n + entry.by] = entry.value;
+    print_function(fmt::format("void {}(double t, const double* y, double* j)", name), all, "j",
+                   in_double);
+  }
+  void print_parts() {
+    for (const auto& [name, roots] : {std::pair{"explicit_part", &problem_.explicit_part},
+                                      {"implicit_part", &problem_.implicit_part}})
+      print_function(fmt::format("void {}(double t, const double* y, double* f)", name), *roots,
+                     "f", in_double);
+    print_dense("implicit_jacobian", analysis_.implicit_jacobian);
+  }
+  void print_jacobian() {
+    print_dense("jacobian", analysis_.jacobian);
     if (analysis_.structure.linear && analysis_.structure.autonomous)
       out_.line("  void linear_matrix(double* a) const {{ jacobian(0, nullptr, a); }}");
   }

@@ -32,6 +32,10 @@
 ///   first fills a; the second takes one step of length h of the trapezoidal rule for v' = d(t, q,
 ///   v) at fixed t and q, with an error of at most `relative` of the change of v, and returns the
 ///   number of products with dd/dv.
+/// - `explicit_part` and `implicit_part` split f into a part that additive (IMEX) methods take
+///   explicitly and a stiff one that they solve for; each fills f, and their sum is the right-hand
+///   side. `implicit_jacobian` fills j with the derivative of the second, dense and row-major;
+///   without it that is formed by differences.
 // clang-format off
 #define ODEUM_CAPABILITIES(ENTRY)                                                                    \
   ENTRY(WithJacobian, jacobian, jacobian, void(real t, const real* y, real* j))                      \
@@ -46,6 +50,10 @@
         void(real t, const real* q, const real* v, real* a))                                         \
   ENTRY(WithUndampedAcceleration, undamped_acceleration, acceleration,                               \
         void(real t, const real* q, real* a))                                                        \
+  ENTRY(WithExplicitPart, explicit_part, part, void(real t, const real* y, real* f))                 \
+  ENTRY(WithImplicitPart, implicit_part, part, void(real t, const real* y, real* f))                 \
+  ENTRY(WithImplicitJacobian, implicit_jacobian, jacobian,                                           \
+        void(real t, const real* y, real* j))                                                        \
   ENTRY(WithDampingStep, damp, products,                                                             \
         std::uint64_t(real t, const real* q, real h, real* v, double relative))
 // clang-format on

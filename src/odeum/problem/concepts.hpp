@@ -87,6 +87,10 @@ concept Separable = SecondOrder<P> && !P::velocity_dependent;
 template <class P>
 concept WithDamping = SecondOrder<P> && WithUndampedAcceleration<P> && WithDampingStep<P>;
 
+/// f = explicit part + implicit part, see capabilities.hpp.
+template <class P>
+concept Split = WithExplicitPart<P> && WithImplicitPart<P>;
+
 /// Offers an energy, in the problem's units.
 template <class P>
 concept WithEnergy = Ode<P> && requires(const P& p, const double* y) {

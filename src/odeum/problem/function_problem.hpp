@@ -12,7 +12,8 @@ namespace odeum {
 
 /// A problem of std::functions: one type for every right-hand side, so that a method is compiled
 /// for it once. For proofs, where the cost of a call does not matter. Jacobian and df/dt (zero
-/// where autonomous) must be set.
+/// where autonomous) must be set. It is split by components: of some a quarter is implicit, the
+/// others are as a whole.
 struct FunctionProblem {
   static constexpr std::size_t dimension = dynamic;
   std::size_t unknowns = 0;
@@ -24,6 +25,19 @@ struct FunctionProblem {
   void rhs(double t, const double* y, double* dydt) const { f(t, y, dydt); }
   void jacobian(double t, const double* y, double* j) const { f_y(t, y, j); }
   void time_derivative(double t, const double* y, double* dfdt) const { f_t(t, y, dfdt); }
+  void explicit_part(double t, const double* y, double* dydt) const {
+    f(t, y, dydt);
+    for (std::size_t i = 0; i < unknowns; ++i) dydt[i] *= 1 - implicit_share(i);
+  }
+  void implicit_part(double t, const double* y, double* dydt) const {
+    f(t, y, dydt);
+    for (std::size_t i = 0; i < unknowns; ++i) dydt[i] *= implicit_share(i);
+  }
+  void implicit_jacobian(double t, const double* y, double* j) const {
+    f_y(t, y, j);
+    for (std::size_t i = 0; i < unknowns * unknowns; ++i) j[i] *= implicit_share(i / unknowns);
+  }
+  static double implicit_share(std::size_t i) { return i % 2 == 0 ? 0.25 : 1; }
 };
 
 /// The same of second order, q'' = a(t, q, v) with y = [q, v].
