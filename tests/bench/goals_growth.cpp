@@ -112,7 +112,7 @@ std::vector<Sized> steps_of(const std::string& id, const std::vector<Heat>& prob
     c.y0.assign(n, 1.0);
     cases::set_stage(c, problem);
     const Entrant* const solver = c.entrants.find(id);
-    const std::uint64_t steps = std::max<std::uint64_t>(2, 400'000 / n);
+    const std::uint64_t steps = std::max<std::uint64_t>(1, 200'000 / n);
     const auto run = [&](std::uint64_t count) {
       return [solver, count] {
         Request request{.steps = count, .stops = {0.01 * static_cast<double>(count)}};
@@ -120,7 +120,7 @@ std::vector<Sized> steps_of(const std::string& id, const std::vector<Heat>& prob
         solver->solve(request);
       };
     };
-    const auto t = interleave({run(steps), run(3 * steps)}, 0.3);
+    const auto t = interleave({run(steps), run(3 * steps)}, 0.1);
     all.push_back({n, std::max(0.0, t[1].min - t[0].min) / (2 * static_cast<double>(steps)),
                    8 * numbers_a_unknown * static_cast<double>(n)});
   }
@@ -147,7 +147,7 @@ std::vector<Sized> cloths() {
 std::vector<Row> growth_rows() {
   std::vector<Heat> lines, squares;
   for (const std::size_t n : {10, 100, 1000, 10'000, 100'000, 1'000'000}) lines.emplace_back(n, 1);
-  for (const std::size_t n : {3, 10, 32, 100, 316}) squares.emplace_back(n, n);
+  for (const std::size_t n : {3, 10, 32, 100, 200}) squares.emplace_back(n, n);
   std::vector<Row> rows;
   // Numbers of a step: states and stages, and for factors those of the band.
   add_rows(rows, "explicit, rk4", steps_of("odeum/rk4", lines, 6), 3);
