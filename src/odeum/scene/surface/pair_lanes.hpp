@@ -199,7 +199,7 @@ class MeetingPairs {
   const Quads& q_;
   const Use& use_;
   PairLanes candidates_, meeting_;
-  Vec<Lanes> e1_, e2_, r_;
+  Vec<Lanes> e1_{}, e2_{}, r_{};
 };
 
 }  // namespace odeum::scene

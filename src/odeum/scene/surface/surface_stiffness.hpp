@@ -27,7 +27,7 @@ class SurfaceStiffness {
   static constexpr std::size_t unknowns = 9;  ///< r, e1, e2
   struct Pairs {
     PairLanes lanes;
-    std::array<Lanes, unknowns*(unknowns + 1) / 2> entries;  ///< row by row from the diagonal
+    std::array<Lanes, unknowns*(unknowns + 1) / 2> entries{};  ///< row by row from the diagonal
     const Lanes& at(std::size_t row, std::size_t column) const {
       if (row > column) std::swap(row, column);
       return entries[row * unknowns - row * (row + 1) / 2 + column];

@@ -44,10 +44,10 @@ Lanes above_zero(const Lanes& x) { return max(x, Lanes(0.0)); }
 
 /// How the lines or the plane and point of pairs lie, and where their nearest points are.
 struct Lying {
-  Vec<Lanes> e1, e2, r;
-  Lanes a, b, c, twice;  ///< twice: the square of the parallelogram's area
-  Lanes u, v;            ///< 0 where that is 0
-  LaneMask spans;        ///< where it is not
+  Vec<Lanes> e1{}, e2{}, r{};
+  Lanes a = 0, b = 0, c = 0, twice = 0;  ///< twice: the square of the parallelogram's area
+  Lanes u = 0, v = 0;                    ///< 0 where that is 0
+  LaneMask spans{};                      ///< where it is not
 
   Lying(const PairLanes& pairs, const Quads& q) {
     pairs.differences(q, e1, e2, r);
