@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces that meet: the potential between two parts of them, what is near, what passes through.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
-#include <set>
 
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -160,71 +158,37 @@ TEST(Surface, AnAbsentTermCostsNothing) {
   EXPECT_EQ(tally.entries.at("self_contact").evaluations, 1U);
 }
 
-/// A sheet of n x n in waves, as the surface of a scene.
-Scene wavy(std::size_t n, double height) {
-  Scene scene = read(fmt::format(
-      "duration: 1\nsolver: {{type: rk4, timestep: 0.001}}\ncloth: [{{rows: {0}, columns: {0}, "
-      "row_edge: [1, 0, 0], column_edge: [0, 1, 0], mass: 1, structural: {{stiffness: 10}}, "
-      "self_contact: {{thickness: 0.06, stiffness: 10}}}}]\n",
-      n));
-  for (scene::Particle& particle : scene.particles) {
-    const double x = particle.position[0];
-    particle.position[0] = 0.1 * x + 0.15 * std::sin(14 * x + particle.position[1]);
-    particle.position[2] = height * x;
-  }
-  return scene;
-}
-
-// All pairs of parts are tried, in place of those in neighbouring cells.
-TEST(Surface, WhatIsNearIsFound) {
-  const Scene scene = wavy(14, 0.4);
-  const scene::Surfaces surfaces(scene);
-  const std::vector<double> q = scene::start_of(scene);
-  const double margin = 0.02;
-  std::vector<scene::SurfacePair> pairs;
-  surfaces.find_near(q.data(), margin, pairs);
-  std::set<std::pair<scene::SurfacePair::Kind, std::array<std::uint32_t, 4>>> found;
-  for (const scene::SurfacePair& pair : pairs) {
-    EXPECT_TRUE(found.insert({pair.kind, pair.x}).second) << "found twice";
-    EXPECT_LE(pair.slack, margin);
-  }
-  std::size_t acting = 0, tried = 0;
-  const auto& faces = scene.surfaces[0].faces;
-  for (const auto& face : faces)
-    for (std::uint32_t p = 0; p < scene.size(); ++p) {
-      if (p == face[0] || p == face[1] || p == face[2]) continue;
-      scene::SurfacePair pair{
-          {std::uint32_t(face[0]), std::uint32_t(face[1]), p, std::uint32_t(face[2])},
-          scene::SurfacePair::Kind::triangle};
+// Pairs are computed in vector lanes, each rounded as it is alone, and added in their order.
+TEST(Surface, ForcesAreThoseOfPairAfterPair) {
+  for (const char* const friction : {"0", "0.3"}) {
+    const Scene scene = read(with_friction(friction));
+    const SceneProblem problem(scene);
+    const scene::Surfaces surfaces(scene);
+    const double *const q = problem.start().data(), *const v = q + 3 * scene.size();
+    std::vector<double> a(3 * scene.size()), force(a.size());
+    problem.acceleration(0, q, v, a.data());
+    std::vector<scene::SurfacePair> pairs;
+    surfaces.find_near(q, 0, pairs);
+    std::size_t acting = 0;
+    for (const scene::SurfacePair& pair : pairs) {
+      const scene::SelfContact& law = surfaces.law(pair.law);
       scene::Vec<double> e1, e2, r;
       scene::Apart<double> apart;
-      scene::differences_of(pair, q.data(), e1, e2, r);
-      ++tried;
-      if (!scene::meet(pair, surfaces.law(0), e1, e2, r, apart)) continue;
+      scene::differences_of(pair, q, e1, e2, r);
+      if (!scene::meet(pair, law, e1, e2, r, apart)) continue;
       ++acting;
-      EXPECT_TRUE(found.contains({pair.kind, pair.x})) << apart.distance;
+      scene::differences_of(pair, v, e1, e2, r);
+      if (law.friction > 0) scene::add_friction(law, scene::friction_speed, e1, e2, r, apart);
+      const scene::Shares share = scene::shares_of(pair.kind);
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t d = 0; d < 3; ++d)
+          force[3 * pair.x[k] + d] += share.r[k] * apart.on_r[d] + share.e1[k] * apart.on_e1[d] +
+                                      share.e2[k] * apart.on_e2[d];
     }
-  EXPECT_GT(acting, 50U);
-  EXPECT_LT(pairs.size(), tried / 5);
-}
-
-// Pairs are kept while they may still act: what is computed depends on the state alone.
-TEST(Surface, ForcesDoNotDependOnWhatWasComputedBefore) {
-  const Scene scene = wavy(14, 0.4);
-  const SceneProblem problem(scene), other(scene);
-  std::vector<double> y = problem.start(), a(y.size() / 2), b(a.size());
-  const double* const v = y.data() + a.size();
-  problem.acceleration(0, y.data(), v, a.data());
-  std::size_t changed = 0;
-  for (int k = 0; k < 30; ++k) {
-    for (std::size_t i = 0; i < a.size(); ++i) y[i] += 0.002 * std::sin(0.3 * k + 5.0 * double(i));
-    problem.acceleration(0, y.data(), v, a.data());
-    const SceneProblem fresh(scene);
-    fresh.acceleration(0, y.data(), v, b.data());
-    ASSERT_EQ(a, b) << k;
-    changed += a[0] != 0;
+    EXPECT_GT(acting, 3U);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      EXPECT_DOUBLE_EQ(a[i], force[i] / scene.particles[i / 3].mass) << i;
   }
-  EXPECT_GT(changed, 0U);
 }
 
 TEST(Surface, WhatPassesThroughIsFound) {

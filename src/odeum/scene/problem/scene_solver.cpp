@@ -15,6 +15,8 @@
 #include <algorithm>
 
 #include "odeum/scene/problem/scene_problem.hpp"
+#include "odeum/scene/springs/grid_matrix.hpp"
+#include "odeum/scene/surface/surface_term.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -58,11 +60,14 @@ class EntrySink final : public BlockSink {
   bool bounded_;
 };
 
-/// A sparse L D L^T where the terms are symmetric, else a sparse LU.
+/// A sparse L D L^T where the terms are symmetric, else a sparse LU. Of surfaces that meet without
+/// friction the derivatives are symmetric to rounding: L D L^T takes them where A is positive
+/// definite.
 class SparseShiftedSolver final : public ShiftedSolver {
  public:
-  explicit SparseShiftedSolver(const SceneProblem& problem)
+  SparseShiftedSolver(const SceneProblem& problem, bool surfaces)
       : problem_(problem),
+        surfaces_(surfaces),
         n_(static_cast<Eigen::Index>(problem.size() / 2)),
         k_(n_, n_),
         known_(n_, n_),
@@ -89,7 +94,14 @@ class SparseShiftedSolver final : public ShiftedSolver {
     matrix.setFromTriplets(all.begin(), all.end());
     const bool analysed = has_pattern_of(matrix);
     pattern_.swap(matrix);
-    return problem_.symmetric() ? factorise(ldlt_, analysed) : factorise(lu_, analysed);
+    by_ldlt_ = problem_.symmetric() || surfaces_;
+    if (by_ldlt_) {
+      const bool done = factorise(ldlt_, analysed);
+      if (!surfaces_) return done;
+      if (done && ldlt_.vectorD().minCoeff() > 0) return true;
+      by_ldlt_ = false;
+    }
+    return factorise(lu_, analysed && !surfaces_);
   }
 
   bool bound() override { return bounded_ = true; }
@@ -100,8 +112,7 @@ class SparseShiftedSolver final : public ShiftedSolver {
     right_.noalias() -= known_ * xv;
     for (Eigen::Index i = 0; i < n_; ++i)
       right_[i] = moves(i) ? right_[i] + mass(i) * xv[i] : xv[i];
-    xv = problem_.symmetric() ? Eigen::VectorXd(ldlt_.solve(right_))
-                              : Eigen::VectorXd(lu_.solve(right_));
+    xv = by_ldlt_ ? Eigen::VectorXd(ldlt_.solve(right_)) : Eigen::VectorXd(lu_.solve(right_));
     xq += g_ * xv;
     return true;
   }
@@ -132,6 +143,7 @@ class SparseShiftedSolver final : public ShiftedSolver {
   }
 
   const SceneProblem& problem_;
+  bool surfaces_, by_ldlt_ = false;
   Eigen::Index n_;
   Matrix pattern_;    ///< the last A
   Matrix k_, known_;  // K; the columns of A that belong to fixed particles
@@ -146,8 +158,9 @@ class SparseShiftedSolver final : public ShiftedSolver {
 /// indefinite, the sparse solver takes over.
 class SceneGridSolver final : public ShiftedSolver {
  public:
-  SceneGridSolver(const SceneProblem& problem, std::unique_ptr<ShiftedSolver> on_grid)
-      : problem_(problem), on_grid_(std::move(on_grid)) {}
+  SceneGridSolver(const SceneProblem& problem, std::unique_ptr<ShiftedSolver> on_grid,
+                  bool surfaces)
+      : problem_(problem), on_grid_(std::move(on_grid)), surfaces_(surfaces) {}
 
   bool factorise(double t, const double* y, double gamma_h) override {
     t_ = t;
@@ -175,7 +188,7 @@ class SceneGridSolver final : public ShiftedSolver {
 
  private:
   bool factorise_directly() {
-    directly_ = std::make_unique<SparseShiftedSolver>(problem_);
+    directly_ = std::make_unique<SparseShiftedSolver>(problem_, surfaces_);
     if (bounded_) directly_->bound();
     return directly_->factorise(t_, y_.data(), gamma_h_);
   }
@@ -185,16 +198,31 @@ class SceneGridSolver final : public ShiftedSolver {
   std::unique_ptr<SparseShiftedSolver> directly_;
   std::vector<double> y_;
   double t_ = 0, gamma_h_ = 0;
-  bool bounded_ = false;
+  bool bounded_ = false, surfaces_;
 };
+
+std::unique_ptr<ShiftedSolver> with_surfaces(const SceneProblem& problem,
+                                             const Surfaces& surfaces) {
+  const GridSprings<double>& springs = problem.grid()->springs();
+  const Bodies& bodies = problem.bodies();
+  std::vector<double> masses(3 * bodies.size()), by_place(3 * springs.layout().size);
+  for (std::size_t i = 0; i < masses.size(); ++i)
+    masses[i] = bodies.free(i / 3) ? bodies.mass[i / 3] : 0;
+  springs.layout().scatter(masses.data(), by_place.data());
+  return std::make_unique<GridShiftedSolver>(springs, by_place.data(), &surfaces);
+}
 
 }  // namespace
 
 std::unique_ptr<ShiftedSolver> SceneProblem::shifted_solver() const {
-  if (grid_ && symmetric())
-    if (auto on_grid = grid_->shifted_solver())
-      return std::make_unique<SceneGridSolver>(*this, std::move(on_grid));
-  return std::make_unique<SparseShiftedSolver>(*this);
+  const Surfaces* const surfaces = terms_.size() == 1 ? frictionless_surfaces(*terms_[0]) : nullptr;
+  if (grid_ && (symmetric() || surfaces)) {
+    std::unique_ptr<ShiftedSolver> on_grid = grid_->shifted_solver();
+    if (on_grid && surfaces) on_grid = with_surfaces(*this, *surfaces);
+    if (on_grid)
+      return std::make_unique<SceneGridSolver>(*this, std::move(on_grid), surfaces != nullptr);
+  }
+  return std::make_unique<SparseShiftedSolver>(*this, surfaces != nullptr);
 }
 
 }  // namespace odeum::scene

@@ -21,7 +21,8 @@ void each_vector(const GridLayout& layout, Visit&& visit) {
 
 }  // namespace
 
-GridMatrix::GridMatrix(const GridSprings<double>& springs, const double* mass)
+GridMatrix::GridMatrix(const GridSprings<double>& springs, const double* mass,
+                       const Surfaces* surfaces)
     : springs_(springs),
       layout_(springs.layout()),
       mass_(mass, mass + layout_.size),
@@ -37,6 +38,7 @@ GridMatrix::GridMatrix(const GridSprings<double>& springs, const double* mass)
     layout_.each_spring(kind, [&](std::size_t i) { added.damping[i] = kind.damping; });
   }
   for (std::vector<double>& entry : inverse_) entry = zeros;
+  if (surfaces) surfaces_.emplace(*surfaces);
 }
 
 void GridMatrix::assemble(const double* q, double g, bool clamped) {
@@ -52,6 +54,11 @@ void GridMatrix::assemble(const double* q, double g, bool clamped) {
       c[i] = stiffness[i] + g * kind.damping[i];
     }
   }
+  if (surfaces_) {
+    std::vector<double> places(3 * surfaces_->particles());
+    layout_.gather(q, places.data());
+    surfaces_->assemble(places.data(), clamped);
+  }
   invert_diagonal();
 }
 
@@ -59,9 +66,19 @@ void GridMatrix::assemble(const double* q, double g, bool clamped) {
 // keeps it out of every direction of conjugate gradients.
 void GridMatrix::invert_diagonal() {
   const std::size_t n = layout_.size;
+  for (std::vector<double>& entry : inverse_) std::ranges::fill(entry, 0.0);
+  if (surfaces_ && !surfaces_->empty()) {
+    std::vector<std::array<double, 6>> blocks(surfaces_->particles());
+    surfaces_->add_diagonal(-g_ * g_, blocks);
+    for (std::size_t p = 0; p < blocks.size(); ++p)
+      for (std::size_t e = 0; e < 6; ++e)
+        inverse_[e][layout_.row(p / layout_.columns) + p % layout_.columns] = blocks[p][e];
+  }
   each_vector(layout_, [&](std::size_t i) {
-    const V free = load(free_.data() + i);
-    V xx = load(mass_.data() + i) + (1 - free), yy = xx, zz = xx, xy{}, xz{}, yz{};
+    const V free = load(free_.data() + i), alone = load(mass_.data() + i) + (1 - free);
+    const auto added = [&](std::size_t entry) { return free * load(inverse_[entry].data() + i); };
+    V xx = alone + added(0), yy = alone + added(3), zz = alone + added(5);
+    V xy = added(1), xz = added(2), yz = added(4);
     for (const Kind& kind : kinds_)
       for (const std::size_t spring : {i, i - kind.offset}) {
         const double* const of = kind.components.data() + spring;
@@ -123,12 +140,33 @@ void GridMatrix::spring_times(const double* x, double* product) const {
 
 void GridMatrix::multiply(const double* x, double* product) const {
   spring_times<true>(x, product);
+  add_surfaces(x, -g_ * g_, product);
+}
+
+void GridMatrix::add_surfaces(const double* x, double factor, double* product) const {
+  if (!surfaces_ || surfaces_->empty()) return;
+  const std::size_t n = layout_.size, particles = surfaces_->particles();
+  x_.resize(4 * particles);
+  sum_.assign(4 * particles, 0);
+  const auto each = [&](const auto& use) {
+    for (std::size_t r = 0; r < layout_.rows; ++r)
+      for (std::size_t c = 0; c < layout_.columns; ++c)
+        use(4 * (r * layout_.columns + c), layout_.row(r) + c);
+  };
+  each([&](std::size_t quad, std::size_t i) {
+    for (std::size_t d = 0; d < 3; ++d) x_[quad + d] = x[d * n + i];
+  });
+  surfaces_->add_product(x_, factor, sum_);
+  each([&](std::size_t quad, std::size_t i) {
+    for (std::size_t d = 0; d < 3; ++d) product[d * n + i] += free_[i] * sum_[quad + d];
+  });
 }
 
 void GridMatrix::stiffness_times(const double* x, double* product) const {
   spring_times<false>(x, product);
   const double scale = -1 / g_;
   for (std::size_t i = 0; i < 3 * layout_.size; ++i) product[i] *= scale;
+  add_surfaces(x, g_, product);
 }
 
 void GridMatrix::mass_times(const double* x, double* product) const {
@@ -148,8 +186,13 @@ bool GridMatrix::solve(const double* b, double* x, double relative_tolerance) {
                    relative_tolerance);
 }
 
-GridShiftedSolver::GridShiftedSolver(const GridSprings<double>& springs, const double* mass)
-    : matrix_(springs, mass), n_(3 * springs.layout().size), right_(n_), scratch_(n_), last_(n_) {}
+GridShiftedSolver::GridShiftedSolver(const GridSprings<double>& springs, const double* mass,
+                                     const Surfaces* surfaces)
+    : matrix_(springs, mass, surfaces),
+      n_(3 * springs.layout().size),
+      right_(n_),
+      scratch_(n_),
+      last_(n_) {}
 
 bool GridShiftedSolver::factorise(double, const double* y, double gamma_h) {
   g_ = gamma_h;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "odeum/linear/conjugate_gradients.hpp"
 #include "odeum/problem/shifted_solver.hpp"
 #include "odeum/scene/springs/spring_grid.hpp"
+#include "odeum/scene/surface/surface_stiffness.hpp"
 
 namespace odeum::scene {
 
@@ -14,13 +16,15 @@ namespace odeum::scene {
 ///     A = M - g D - g^2 K,
 ///
 /// with M the masses, K and D the derivatives of the springs' forces by positions and velocities;
-/// symmetric, and positive definite unless compressed springs outweigh the masses. All vectors have
-/// the grid's layout, three components one after the other, with zeros in the margins.
+/// symmetric, and positive definite unless compressed springs outweigh the masses. Surfaces that
+/// meet have their share of K. All vectors have the grid's layout, three components one after the
+/// other, with zeros in the margins.
 class GridMatrix {
  public:
   /// `mass` by place (kg), 0 where a particle is fixed and in the margins. The springs must outlive
   /// the matrix, and have no negative stiffness * rest_length.
-  GridMatrix(const GridSprings<double>& springs, const double* mass);
+  GridMatrix(const GridSprings<double>& springs, const double* mass,
+             const Surfaces* surfaces = nullptr);
 
   /// Takes the springs as they are at q; `clamped` as GridSprings::stiffness has it: A is positive
   /// definite then, whatever the springs.
@@ -52,6 +56,8 @@ class GridMatrix {
   };
   template <bool whole>
   void spring_times(const double* x, double* product) const;
+  /// product += factor times the share of the surfaces in K x on free particles.
+  void add_surfaces(const double* x, double factor, double* product) const;
   void invert_diagonal();
   void precondition(const double* r, double* z) const;
 
@@ -62,6 +68,8 @@ class GridMatrix {
   std::vector<double> inverse_[6];  // of the diagonal blocks: xx, xy, xz, yy, yz, zz
   linear::ConjugateGradients cg_;
   double g_ = 0;
+  std::optional<SurfaceStiffness> surfaces_;
+  mutable Quads x_, sum_;  ///< by particle
 };
 
 /// Solves (I - g J) x = r of springs on a grid for states in the grid's layout, positions before
@@ -69,7 +77,8 @@ class GridMatrix {
 /// with x lost, where A is found indefinite, which solve_once_a_step() excludes.
 class GridShiftedSolver final : public ShiftedSolver {
  public:
-  GridShiftedSolver(const GridSprings<double>& springs, const double* mass);
+  GridShiftedSolver(const GridSprings<double>& springs, const double* mass,
+                    const Surfaces* surfaces = nullptr);
   bool factorise(double t, const double* y, double gamma_h) override;
   bool solve(double* x, double relative) override;
   void solve_once_a_step() override { once_ = true; }

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <vector>
+
+#include "odeum/core/lanes.hpp"
 
 /// Which of many boxes are near to a box: a grid of cells that are as wide as two boxes and the
 /// distance, in a block that repeats, so that its size does not depend on where things are.
@@ -60,9 +63,19 @@ class Cells {
       ++starts_[cells[i] + 1];
     }
     for (std::size_t c = 0; c < count; ++c) starts_[c + 1] += starts_[c];
+    // Vectors of numbers are read from any of them.
     sorted_.resize(boxes.size());
+    for (std::size_t d = 0; d < 3; ++d) {
+      low_[d].assign(boxes.size() + Lanes::count, 0);
+      high_[d].assign(boxes.size() + Lanes::count, 0);
+    }
     std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) sorted_[next[cells[i]]++] = {boxes[i], i};
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      const std::uint32_t place = next[cells[i]]++;
+      sorted_[place] = i;
+      for (std::size_t d = 0; d < 3; ++d)
+        low_[d][place] = boxes[i].low[d], high_[d][place] = boxes[i].high[d];
+    }
   }
 
   /// Calls use(i), ascending, for each box with i >= first that is near.
@@ -91,16 +104,22 @@ class Cells {
 
  private:
   using Cell = std::array<std::uint32_t, 3>;
-  struct Sorted {
-    Box box;
-    std::uint32_t index = 0;
-  };
-
   void look(std::uint32_t from, std::uint32_t to, const Box& box, std::size_t first,
             std::vector<std::uint32_t>& found) const {
-    for (std::uint32_t k = from; k < to; ++k)
-      if (sorted_[k].index >= first && sorted_[k].box.is_near(box, distance_))
-        found.push_back(sorted_[k].index);
+    for (std::uint32_t k = from; k < to; k += Lanes::count) {
+      LaneMask near = lanes_at(low_[0], k) - box.high[0] <= distance_;
+      for (std::size_t d = 0; d < 3; ++d)
+        near = near & (lanes_at(low_[d], k) - box.high[d] <= distance_) &
+               (box.low[d] - lanes_at(high_[d], k) <= distance_);
+      if (!any(near)) continue;
+      for (std::uint32_t lane = 0; lane < Lanes::count && k + lane < to; ++lane)
+        if (near[lane] && sorted_[k + lane] >= first) found.push_back(sorted_[k + lane]);
+    }
+  }
+  static Lanes lanes_at(const std::vector<double>& numbers, std::size_t k) {
+    LaneVector v;
+    std::memcpy(&v, numbers.data() + k, sizeof v);
+    return Lanes(v);
   }
   // Where a box is far out or not finite, the first one.
   Cell cell_of(const Box& box) const {
@@ -120,7 +139,8 @@ class Cells {
   double distance_, width_ = 0;
   std::uint32_t bits_ = 2;  ///< of the number of cells along an axis of the block
   std::vector<std::uint32_t> starts_;
-  std::vector<Sorted> sorted_;
+  std::vector<std::uint32_t> sorted_;     ///< the boxes of cell after cell
+  std::vector<double> low_[3], high_[3];  ///< of these
 };
 
 }  // namespace odeum::scene

@@ -20,28 +20,32 @@ class NearPairs {
     return near;
   }
 
-  /// Looks again where that is necessary at the places q; then use(pair) for those that may meet.
-  template <class Use>
-  std::size_t visit(const Surfaces& surfaces, const double* q, const Use& use) {
-    double moved = id_ == surfaces.id() ? moved_to(q) : far;
-    if (!(surfaces.shrinks * moved <= margin_)) {
+  /// Those that may meet at the places q, always in the same order, and others.
+  const std::vector<SurfacePair>& at(const Surfaces& surfaces, const double* q) {
+    double shrunk = id_ == surfaces.id() ? surfaces.shrinks * moved_to(q) : far;
+    if (!(shrunk <= margin_)) {
       choose_margin(surfaces);
       places_.assign(q, q + surfaces.numbers());
       surfaces.find_near(q, margin_, pairs_);
-      moved = 0;
+      shrunk = 0;
+      within_ = -1;
     }
     ++visits_;
-    for (const SurfacePair& pair : pairs_)
-      if (pair.slack <= surfaces.shrinks * moved) use(pair);
-    return pairs_.size();
+    if (shrunk > within_) {
+      within_ = std::min(std::max(2 * shrunk, margin_ / 8), margin_);
+      nearest_.clear();
+      for (const SurfacePair& pair : pairs_)
+        if (pair.slack <= within_) nearest_.push_back(pair);
+    }
+    return nearest_;
   }
   /// Of the straight way from q to the places of the last visit: whether the pairs hold on it.
   bool hold_from(const Surfaces& surfaces, const double* q) const {
     return surfaces.shrinks * moved_to(q) <= margin_;
   }
   /// Whether the parts of one of the pairs may touch while no particle has moved farther.
-  static bool may_touch(const Surfaces& surfaces, const SurfacePair& pair, double moved) {
-    return pair.slack + surfaces.law(pair.law).thickness <= surfaces.shrinks * moved;
+  static bool may_touch(const SurfacePair& pair, double moved) {
+    return std::max(pair.distance, pair.slack) <= Surfaces::shrinks * moved;
   }
   const std::vector<SurfacePair>& pairs() const { return pairs_; }
 
@@ -81,7 +85,8 @@ class NearPairs {
   double margin_ = 0;
   std::size_t visits_ = 0;  ///< since the search
   std::vector<double> places_;
-  std::vector<SurfacePair> pairs_;
+  double within_ = -1;  ///< the largest slack of those that follow
+  std::vector<SurfacePair> pairs_, nearest_;
 };
 
 }  // namespace odeum::scene

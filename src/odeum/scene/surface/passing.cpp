@@ -89,30 +89,30 @@ Touching touching_at(const Surfaces& surfaces, const double* q,
                      std::vector<std::uint32_t>* particles) {
   Touching result;
   Apart<double> apart;
-  NearPairs::of_thread().visit(surfaces, q, [&](const SurfacePair& pair) {
+  for (const SurfacePair& pair : NearPairs::of_thread().at(surfaces, q)) {
     Vec<double> e1, e2, r;
     differences_of(pair, q, e1, e2, r);
     const SelfContact& law = surfaces.law(pair.law);
-    if (!meet(pair, law, e1, e2, r, apart)) return;
+    if (!meet(pair, law, e1, e2, r, apart)) continue;
     ++result.pairs;
     if (particles) particles->insert(particles->end(), pair.x.begin(), pair.x.end());
     if (const double depth = law.thickness - apart.distance; depth > result.deepest) {
       result.deepest = depth, result.thickness = law.thickness;
       result.pair = pair;
     }
-  });
+  }
   return result;
 }
 
 std::vector<SurfacePair> passed_between(const Surfaces& surfaces, const double* q,
                                         const double* to) {
   NearPairs& known = NearPairs::of_thread();
-  known.visit(surfaces, to, [](const SurfacePair&) {});
+  known.at(surfaces, to);
   std::vector<SurfacePair> near;
   if (known.hold_from(surfaces, q)) {
     const double moved = std::max(known.moved_to(q), known.moved_to(to));
     for (const SurfacePair& pair : known.pairs())
-      if (known.may_touch(surfaces, pair, moved)) near.push_back(pair);
+      if (known.may_touch(pair, moved)) near.push_back(pair);
   } else {
     surfaces.find_near(q, to, 0, near);
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <concepts>
 
 #include "odeum/scene/model/scene.hpp"
 
@@ -34,6 +35,16 @@ Vec<Real> across(const Vec<Real>& a, const Vec<Real>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// What comparisons of numbers give: a truth value, or with Lanes one for each lane.
+template <class Real>
+using MaskOf = decltype(Real() > Real());
+inline bool any(bool mask) { return mask; }
+inline bool all(bool mask) { return mask; }
+template <std::floating_point Real>
+Real select(bool first, const Real& a, const Real& b) {
+  return first ? a : b;
+}
+
 /// A function and its derivative.
 template <class Real>
 struct Sloped {
@@ -43,10 +54,15 @@ struct Sloped {
 /// From 0 at x <= 0 to 1 at x >= 1, with three continuous derivatives.
 template <class Real>
 Sloped<Real> rise(const Real& x) {
-  if (!(x > 0)) return {Real(0), Real(0)};
-  if (!(x < 1)) return {Real(1), Real(0)};
+  const MaskOf<Real> begun = x > 0, rising = x < 1;
+  const Real zero(0), one(1);
+  if (!any(begun)) return {zero, zero};
+  if (all(begun) && !any(rising)) return {one, zero};
   const Real x2 = x * x, rest = 1 - x;
-  return {x2 * x2 * (35 + x * (-84 + x * (70 - 20 * x))), 140 * x2 * x * rest * rest * rest};
+  const Real value = x2 * x2 * (35 + x * (-84 + x * (70 - 20 * x)));
+  const Real slope = 140 * x2 * x * rest * rest * rest;
+  return {select(begun, select(rising, value, one), zero),
+          select(begun, select(rising, slope, zero), zero)};
 }
 
 /// How far beyond its ends, in lengths, an edge or a triangle acts.
@@ -57,10 +73,14 @@ inline constexpr double parallel = 0.04;
 /// phi(d); 0 at 0 and below, where the exact motion never comes.
 template <class Real>
 Sloped<Real> repulsion(const SelfContact& law, const Real& d) {
-  const Real x = d / law.thickness, rest = 1 - x;
-  if (!(x > 0) || !(rest > 0)) return {};
-  const Real scale = 0.4 * law.stiffness * law.thickness * rest * rest * rest / x;
-  return {scale * law.thickness * rest, -scale * (1 + 3 * x) / x};
+  const Real x = d * (1 / law.thickness), rest = 1 - x;
+  const MaskOf<Real> within = (x > 0) & (rest > 0);
+  const Real zero(0);
+  if (!any(within)) return {zero, zero};
+  const Real inverse = 1 / x;
+  const Real scale = 0.4 * law.stiffness * law.thickness * rest * rest * rest * inverse;
+  return {select(within, Real(scale * law.thickness * rest), zero),
+          select(within, Real(-scale * (1 + 3 * x) * inverse), zero)};
 }
 
 enum class Meeting { point_and_triangle, two_edges };
@@ -70,44 +90,70 @@ enum class Meeting { point_and_triangle, two_edges };
 template <class Real>
 struct Apart {
   Real energy{}, distance{}, push{};  ///< push: -dE/dd, N
+  Real weight{};                      ///< of the windows
   Real u{}, v{};
   Vec<Real> normal{}, on_r{}, on_e1{}, on_e2{};
 };
 
+/// Where the point is in the plane of the triangle, or the lines of the edges are nearest.
+template <class Real>
+struct Nearest {
+  Real a{}, b{}, c{}, determinant{}, inverse{};  ///< of e1 and e2: [a b; b c]
+  Real u{}, v{}, near2{}, far1{}, far2{};        ///< an end of the window is where one is -reach
+  Vec<Real> w{};
+  Real squared{};  ///< |w|^2
+};
+
+/// Whether the two are near enough for a force, and where.
+template <class Real>
+MaskOf<Real> is_near(Meeting kind, const SelfContact& law, double radius, const Vec<Real>& e1,
+                     const Vec<Real>& e2, const Vec<Real>& r, Nearest<Real>& at) {
+  at.a = dot(e1, e1), at.b = dot(e1, e2), at.c = dot(e2, e2);
+  at.determinant = at.a * at.c - at.b * at.b;
+  MaskOf<Real> near = at.determinant > 0;
+  if (!any(near)) return near;
+  const Real p1 = dot(e1, r), p2 = dot(e2, r);
+  at.inverse = 1 / at.determinant;
+  at.u = (at.c * p1 - at.b * p2) * at.inverse, at.v = (at.a * p2 - at.b * p1) * at.inverse;
+  const bool edges = kind == Meeting::two_edges;
+  at.far1 = edges ? 1 - at.u : 1 - at.u - at.v, at.near2 = edges ? -at.v : at.v;
+  at.far2 = edges ? 1 + at.v : at.far1;
+  near = near & (at.u > -reach) & (at.near2 > -reach) & (at.far1 > -reach) & (at.far2 > -reach);
+  if (!any(near)) return near;
+  for (std::size_t k = 0; k < 3; ++k) at.w[k] = r[k] - at.u * e1[k] - at.v * e2[k];
+  at.squared = dot(at.w, at.w);
+  const double most = law.thickness + radius;
+  return near & (at.squared < most * most) & (at.squared > radius * radius);
+}
+
 /// False where there is no force; `apart` is then undefined. The point of a triangle may be a ball
 /// of a radius, from whose surface d counts.
 template <class Real>
-bool meet(Meeting kind, const SelfContact& law, double radius, const Vec<Real>& e1,
-          const Vec<Real>& e2, const Vec<Real>& r, Apart<Real>& apart) {
-  const Real a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2);
-  const Real determinant = a * c - b * b;
-  if (!(determinant > 0)) return false;
-  const Real p1 = dot(e1, r), p2 = dot(e2, r), inverse = 1 / determinant;
-  const Real u = (c * p1 - b * p2) * inverse, v = (a * p2 - b * p1) * inverse;
+MaskOf<Real> meet(Meeting kind, const SelfContact& law, double radius, const Vec<Real>& e1,
+                  const Vec<Real>& e2, const Vec<Real>& r, Apart<Real>& apart) {
+  Nearest<Real> at;
+  MaskOf<Real> acts = is_near(kind, law, radius, e1, e2, r, at);
+  if (!any(acts)) return acts;
+  const auto& [a, b, c, determinant, inverse, u, v, near2, far1, far2, w, squared] = at;
   const bool edges = kind == Meeting::two_edges;
-  const Real far1 = edges ? 1 - u : 1 - u - v, near2 = edges ? -v : v;
-  const Real far2 = edges ? 1 + v : far1;
-  if (!(u > -reach && near2 > -reach && far1 > -reach && far2 > -reach)) return false;
-  Vec<Real> w;
-  for (std::size_t k = 0; k < 3; ++k) w[k] = r[k] - u * e1[k] - v * e2[k];
-  const Real squared = dot(w, w);
-  const double most = law.thickness + radius;
-  if (!(squared < most * most) || !(squared > radius * radius)) return false;
   using std::sqrt;
   const Real length = sqrt(squared), d = length - radius;
   const Sloped<Real> phi = repulsion(law, d);
+  constexpr double steep = 1 / (2 * reach);
   const auto window = [](const Real& x) {
-    Sloped<Real> s = rise(Real((x + reach) / (2 * reach)));
-    s.slope = s.slope / (2 * reach);
+    Sloped<Real> s = rise(Real((x + reach) * steep));
+    s.slope = s.slope * steep;
     return s;
   };
   const Sloped<Real> u0 = window(u), u1 = window(far1), v0 = window(near2);
   const Sloped<Real> v1 = edges ? window(far2) : Sloped<Real>{Real(1), Real(0)};
+  const Real per_ac = edges ? 1 / (a * c) : Real(0);
   const Sloped<Real> angle =
-      edges ? rise(Real(determinant / (a * c) / parallel)) : Sloped<Real>{Real(1), Real(0)};
+      edges ? rise(Real(determinant * per_ac * (1 / parallel))) : Sloped<Real>{Real(1), Real(0)};
   const Real in_u = u0.value * u1.value, in_v = v0.value * v1.value;
   const Real weight = in_u * in_v * angle.value;
-  if (!(weight > 0)) return false;
+  acts = acts & (weight > 0);
+  if (!any(acts)) return acts;
   // Derivatives by d, u, v and the sine squared. The far end of a triangle moves with u and v.
   const Real by_d = weight * phi.slope, scale = phi.value * angle.value;
   Real by_u = scale * in_v * (u0.slope * u1.value - u0.value * u1.slope);
@@ -116,39 +162,49 @@ bool meet(Meeting kind, const SelfContact& law, double radius, const Vec<Real>& 
     by_v = -by_v;
   else
     by_v = by_v - scale * in_v * u0.value * u1.slope;
-  const Real by_sine = phi.value * in_u * in_v * angle.slope / parallel;
   // With the inverse of [a b; b c]: du = (row of it times (e1, e2)) dr, and so on; w is across.
   const Real au = (c * by_u - b * by_v) * inverse, av = (a * by_v - b * by_u) * inverse;
-  const Real ratio = b / (a * c), s12 = 2 * by_sine * ratio;
-  const Real s11 = s12 * b / a, s22 = s12 * b / c;
-  apart.energy = weight * phi.value;
+  const Real per_length = 1 / length;
+  apart.energy = weight * phi.value, apart.weight = weight;
   apart.distance = d, apart.push = -by_d;
   apart.u = u, apart.v = v;
   for (std::size_t k = 0; k < 3; ++k) {
-    apart.normal[k] = w[k] / length;
+    apart.normal[k] = w[k] * per_length;
     apart.on_r[k] = -(by_d * apart.normal[k] + au * e1[k] + av * e2[k]);
-    apart.on_e1[k] = -u * apart.on_r[k] - au * w[k] + s12 * e2[k] - s11 * e1[k];
-    apart.on_e2[k] = -v * apart.on_r[k] - av * w[k] + s12 * e1[k] - s22 * e2[k];
+    apart.on_e1[k] = -u * apart.on_r[k] - au * w[k];
+    apart.on_e2[k] = -v * apart.on_r[k] - av * w[k];
   }
-  return true;
+  if (!edges) return acts;
+  const Real by_sine = phi.value * in_u * in_v * angle.slope * (1 / parallel);
+  const Real s12 = 2 * by_sine * b * per_ac;
+  const Real s11 = s12 * b * c * per_ac, s22 = s12 * b * a * per_ac;
+  for (std::size_t k = 0; k < 3; ++k) {
+    apart.on_e1[k] = apart.on_e1[k] + s12 * e2[k] - s11 * e1[k];
+    apart.on_e2[k] = apart.on_e2[k] + s12 * e1[k] - s22 * e2[k];
+  }
+  return acts;
 }
 
-/// The same of a point that r away from the centre of a ball; its force is on_r.
+/// The same of a point that is r away from the centre of a ball; its force is on_r.
 template <class Real>
-bool meet_ball(const SelfContact& law, double radius, const Vec<Real>& r, Apart<Real>& apart) {
+MaskOf<Real> meet_ball(const SelfContact& law, double radius, const Vec<Real>& r,
+                       Apart<Real>& apart) {
   const Real squared = dot(r, r);
   const double most = law.thickness + radius;
-  if (!(squared < most * most) || !(squared > radius * radius)) return false;
+  const MaskOf<Real> acts = (squared < most * most) & (squared > radius * radius);
+  if (!any(acts)) return acts;
   using std::sqrt;
-  const Real length = sqrt(squared);
+  const Real length = sqrt(squared), inverse = 1 / length;
   const Sloped<Real> phi = repulsion(law, Real(length - radius));
-  apart = {};
+  const Real none(0);
+  apart.u = apart.v = none, apart.on_e1 = apart.on_e2 = {none, none, none};
+  apart.weight = Real(1);
   apart.energy = phi.value, apart.distance = length - radius, apart.push = -phi.slope;
   for (std::size_t k = 0; k < 3; ++k) {
-    apart.normal[k] = r[k] / length;
+    apart.normal[k] = r[k] * inverse;
     apart.on_r[k] = apart.push * apart.normal[k];
   }
-  return true;
+  return acts;
 }
 
 /// Adds friction to the forces: of r, e1 and e2 that change at the rates dr, d1 and d2 the nearest

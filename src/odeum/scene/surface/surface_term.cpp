@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "odeum/scene/surface/near_pairs.hpp"
+#include "odeum/scene/surface/pair_lanes.hpp"
 #include "odeum/scene/surface/slopes.hpp"
 #include "odeum/scene/surface/surfaces.hpp"
 
@@ -16,6 +17,8 @@ class SurfaceContact final : public Term {
     for (const Surface& surface : scene.surfaces) friction_ |= surface.friction > 0;
   }
 
+  const Surfaces* without_friction() const { return friction_ ? nullptr : &surfaces_; }
+
   TermInfo info(const Bodies&) const override {
     return {.name = "self_contact",
             .law = friction_ ? "-dphi/dd n - mu N s, phi = 0.4 k h^2 (1 - d/h)^4 h/d"
@@ -27,50 +30,48 @@ class SurfaceContact final : public Term {
   }
 
   std::uint64_t add(const Bodies&, const double* q, const double* v, double* force) const override {
-    Apart<double> apart;
-    return for_near(q, [&](const SurfacePair& pair) {
-      Vec<double> e1, e2, r;
-      differences_of(pair, q, e1, e2, r);
-      const SelfContact& law = surfaces_.law(pair.law);
-      if (!meet(pair, law, e1, e2, r, apart)) return;
+    thread_local Quads places, rates, sum;
+    const std::size_t particles = surfaces_.numbers() / 3;
+    const std::vector<SurfacePair>& pairs = NearPairs::of_thread().at(surfaces_, q);
+    if (pairs.empty()) return 0;
+    to_quads(q, particles, places);
+    if (friction_) to_quads(v, particles, rates);
+    sum.assign(4 * particles, 0);
+    const auto use = [&](const PairLanes& lanes, const LaneMask& mask, Apart<Lanes>& apart) {
+      const SelfContact& law = surfaces_.law(lanes.first().law);
       if (law.friction > 0) {
-        differences_of(pair, v, e1, e2, r);
-        add_friction(law, friction_speed, e1, e2, r, apart);
+        Vec<Lanes> d1, d2, dr;
+        lanes.differences(rates, d1, d2, dr);
+        add_friction(law, friction_speed, d1, d2, dr, apart);
       }
-      const Shares share = shares_of(pair.kind);
-      for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t d = 0; d < 3; ++d)
-          force[3 * pair.x[k] + d] += share.r[k] * apart.on_r[d] + share.e1[k] * apart.on_e1[d] +
-                                      share.e2[k] * apart.on_e2[d];
-    });
+      lanes.add_to(sum, mask, lanes.forces_of(apart.on_r, apart.on_e1, apart.on_e2));
+    };
+    MeetingPairs(surfaces_, places, use).visit(pairs);
+    for (std::size_t i = 0; i < particles; ++i)
+      for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += sum[4 * i + d];
+    return pairs.size();
   }
 
   void add_blocks(const Bodies&, const double* q, const double* v, BlockSink& sink) const override {
-    for_near(q, [&](const SurfacePair& pair) {
+    for (const SurfacePair& pair : NearPairs::of_thread().at(surfaces_, q))
       if (surfaces_.law(pair.law).friction > 0)
         add_derivatives<18>(pair, q, v, sink);
       else
         add_derivatives<9>(pair, q, v, sink);
-    });
   }
 
   double potential(const Bodies&, const double* q) const override {
     double sum = 0;
     Apart<double> apart;
-    for_near(q, [&](const SurfacePair& pair) {
+    for (const SurfacePair& pair : NearPairs::of_thread().at(surfaces_, q)) {
       Vec<double> e1, e2, r;
       differences_of(pair, q, e1, e2, r);
       if (meet(pair, surfaces_.law(pair.law), e1, e2, r, apart)) sum += apart.energy;
-    });
+    }
     return sum;
   }
 
  private:
-  template <class Use>
-  std::uint64_t for_near(const double* q, const Use& use) const {
-    return NearPairs::of_thread().visit(surfaces_, q, use);
-  }
-
   /// Exact, by differentiating what computes the forces: the unknowns are the components of r, e1
   /// and e2, and with friction their rates.
   template <std::size_t N>
@@ -125,6 +126,11 @@ class SurfaceContact final : public Term {
 
 std::unique_ptr<Term> make_surface_contact(const Scene& scene) {
   return std::make_unique<SurfaceContact>(scene);
+}
+
+const Surfaces* frictionless_surfaces(const Term& term) {
+  const auto* const contact = dynamic_cast<const SurfaceContact*>(&term);
+  return contact ? contact->without_friction() : nullptr;
 }
 
 }  // namespace odeum::scene

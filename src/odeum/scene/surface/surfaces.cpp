@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "odeum/scene/surface/cells.hpp"
+#include "odeum/scene/surface/pair_lanes.hpp"
 
 namespace odeum::scene {
 namespace {
@@ -39,44 +40,113 @@ bool shares_particle(const std::array<std::uint32_t, 4>& x) {
   return x[0] == x[2] || x[0] == x[3] || x[1] == x[2] || x[1] == x[3];
 }
 
-/// The smallest distance of two segments, by clamping.
-double distance_of(const std::array<Place, 2>& a, const std::array<Place, 2>& b) {
-  Place e1, e2, r;
-  for (std::size_t d = 0; d < 3; ++d)
-    e1[d] = a[1][d] - a[0][d], e2[d] = b[1][d] - b[0][d], r[d] = b[0][d] - a[0][d];
-  const double aa = dot(e1, e1), ab = dot(e1, e2), bb = dot(e2, e2);
-  const double ar = dot(e1, r), br = dot(e2, r), determinant = aa * bb - ab * ab;
-  double s = determinant > 0 ? std::clamp((ar * bb - ab * br) / determinant, 0.0, 1.0) : 0;
-  double t = bb > 0 ? (ab * s - br) / bb : 0;
-  if (t < 0 || t > 1) {
-    t = std::clamp(t, 0.0, 1.0);
-    s = aa > 0 ? std::clamp((ab * t + ar) / aa, 0.0, 1.0) : 0;
+Lanes above_zero(const Lanes& x) { return max(x, Lanes(0.0)); }
+
+/// How the lines or the plane and point of pairs lie, and where their nearest points are.
+struct Lying {
+  Vec<Lanes> e1{}, e2{}, r{};
+  Lanes a = 0, b = 0, c = 0, twice = 0;  ///< twice: the square of the parallelogram's area
+  Lanes u = 0, v = 0;                    ///< 0 where that is 0
+  LaneMask spans{};                      ///< where it is not
+
+  Lying(const PairLanes& pairs, const Quads& q) {
+    pairs.differences(q, e1, e2, r);
+    a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2), twice = a * c - b * b;
+    spans = twice > 0;
+    const Lanes per_twice = select(spans, 1 / twice, Lanes(0.0));
+    u = (c * dot(e1, r) - b * dot(e2, r)) * per_twice;
+    v = (a * dot(e2, r) - b * dot(e1, r)) * per_twice;
   }
-  double squared = 0;
-  for (std::size_t d = 0; d < 3; ++d) squared += std::pow(r[d] + t * e2[d] - s * e1[d], 2);
-  return std::sqrt(squared);
+};
+
+Lanes per(const Lanes& x) { return select(x > 0, 1 / x, Lanes(0.0)); }
+Lanes within_edge(const Lanes& x) { return min(max(x, Lanes(-reach)), Lanes(1 + reach)); }
+
+/// The smallest distance of two edges that are drawn out, by clamping.
+Lanes distance_of_edges(const Lying& at) {
+  const Lanes first = (at.b * within_edge(at.u) - dot(at.e2, at.r)) * per(at.c);
+  const Lanes t = within_edge(first), again = (at.b * t + dot(at.e1, at.r)) * per(at.a);
+  const Lanes s = within_edge(select(abs(first - t) > 0, again, at.u));
+  Vec<Lanes> apart;
+  for (std::size_t d = 0; d < 3; ++d) apart[d] = at.r[d] + t * at.e2[d] - s * at.e1[d];
+  return sqrt(dot(apart, apart));
 }
 
 /// A lower bound of the distance of a point from a triangle that is drawn out.
-double distance_of(const std::array<std::uint32_t, 3>& x, std::uint32_t point, const double* q) {
-  Place e1, e2, r, w;
-  for (std::size_t d = 0; d < 3; ++d) {
-    const double corner = q[3 * x[0] + d];
-    e1[d] = q[3 * x[1] + d] - corner, e2[d] = q[3 * x[2] + d] - corner;
-    r[d] = q[3 * point + d] - corner;
-  }
-  const double a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2), twice = a * c - b * b;
-  if (!(twice > 0)) return 0;
-  const double u = (c * dot(e1, r) - b * dot(e2, r)) / twice;
-  const double v = (a * dot(e2, r) - b * dot(e1, r)) / twice;
-  for (std::size_t d = 0; d < 3; ++d) w[d] = r[d] - u * e1[d] - v * e2[d];
+Lanes distance_of_point(const Lying& at) {
+  Vec<Lanes> w;
+  for (std::size_t d = 0; d < 3; ++d) w[d] = at.r[d] - at.u * at.e1[d] - at.v * at.e2[d];
   // Beyond a side by so many heights of the triangle, which are twice its area by the side.
-  const double beyond = std::max({0.0, (-u - reach) / std::sqrt(c), (-v - reach) / std::sqrt(a),
-                                  (u + v - 1 - reach) / std::sqrt(a - 2 * b + c)});
-  return std::sqrt(dot(w, w) + beyond * beyond * twice);
+  const Lanes beyond[] = {above_zero(-at.u - reach), above_zero(-at.v - reach),
+                          above_zero(at.u + at.v - 1 - reach)};
+  const Lanes squared =
+      max(max(beyond[0] * beyond[0] * per(at.c), beyond[1] * beyond[1] * per(at.a)),
+          beyond[2] * beyond[2] * per(at.a - 2 * at.b + at.c));
+  return select(at.spans, sqrt(dot(w, w) + squared * at.twice), Lanes(0.0));
+}
+
+/// A lower bound of Surfaces::shrinks times how far particles move until the nearest point is where
+/// a force acts. After a motion of m each, D from one nearest point to the other is across e1 and
+/// e2, and shorter than the thickness h. Between the same points it differed by s = shrinks m at
+/// most, and e1 and e2 by 2 m, so that its part along e_i was at most s (1 + 2 h / (shrinks
+/// |e_i|)). That part is what lies between u, v now and after the motion.
+Lanes slack_to_window(SurfacePair::Kind kind, const Lying& at, double thickness) {
+  const double part = 2 * thickness / Surfaces::shrinks;
+  const Lanes per1 = per(sqrt(at.a)), per2 = per(sqrt(at.c));
+  const Lanes sine = at.twice * per1 * per1 * per2 * per2, cosine = abs(at.b) * per1 * per2;
+  const Lanes along1 = 1 + part * per1, along2 = 1 + part * per2;
+  const Lanes most1 = (along1 + cosine * along2) * per1, most2 = (along2 + cosine * along1) * per2;
+  if (kind == SurfacePair::Kind::triangle)
+    return sine * max(max(above_zero(-at.u - reach) / most1, above_zero(-at.v - reach) / most2),
+                      above_zero(at.u + at.v - 1 - reach) / (most1 + most2));
+  return sine * max(above_zero(abs(at.u - 0.5) - 0.5 - reach) / most1,
+                    above_zero(abs(at.v + 0.5) - 0.5 - reach) / most2);
 }
 
 }  // namespace
+
+/// Keeps of pairs, as many as a vector holds at once, those with little slack.
+class Surfaces::Sieve {
+ public:
+  Sieve(const Surfaces& surfaces, const double* q, double margin, std::vector<SurfacePair>& kept)
+      : surfaces_(surfaces), margin_(margin), kept_(kept) {
+    to_quads(q, surfaces.fixed_.size(), places_);
+  }
+  // Member by member: a copy as a whole would wait for the members to be written.
+  void add(const SurfacePair& pair) {
+    SurfacePair& added = pairs_[count_++];
+    added.x = pair.x, added.kind = pair.kind, added.law = pair.law;
+    if (count_ == pairs_.size()) sift();
+  }
+  void sift() {
+    PairLanes lanes;
+    const SurfacePair *next = pairs_.data(), *const end = next + count_;
+    for (SurfacePair* pair = pairs_.data(); next != end;) {
+      next = lanes.take(next, end);
+      lanes.fill();
+      const Lying at(lanes, places_);
+      const SurfacePair::Kind kind = lanes.first().kind;
+      const double thickness = surfaces_.laws_[lanes.first().law].thickness;
+      const Lanes distance =
+          kind == SurfacePair::Kind::triangle ? distance_of_point(at) : distance_of_edges(at);
+      const Lanes window = select(at.spans, slack_to_window(kind, at, thickness), Lanes(0.0));
+      const Lanes slack = max(distance - thickness, window);
+      for (std::size_t lane = 0; lane < lanes.count(); ++lane, ++pair) {
+        pair->distance = distance[lane], pair->slack = slack[lane];
+        if (!(pair->slack > margin_)) kept_.push_back(*pair);
+      }
+    }
+    count_ = 0;
+  }
+
+ private:
+  const Surfaces& surfaces_;
+  double margin_;
+  std::vector<SurfacePair>& kept_;
+  std::array<SurfacePair, 256> pairs_;
+  std::size_t count_ = 0;
+  Quads places_;
+};
 
 Surfaces::Surfaces(const Scene& scene)
     : id_(next_id()), surfaces_(static_cast<std::uint32_t>(scene.surfaces.size())) {
@@ -122,16 +192,9 @@ bool Surfaces::all_fixed(const SurfacePair& pair) const {
   return std::ranges::all_of(pair.x, [&](std::uint32_t i) { return fixed_[i]; });
 }
 
-void Surfaces::find_near(const double* q, const double* to, double margin,
-                         std::vector<SurfacePair>& pairs) const {
-  pairs.clear();
-  find_points(q, to, margin, pairs);
-  find_edges(q, to, margin, pairs);
-  find_balls(q, to, margin, pairs);
-}
-
+template <class Take>
 void Surfaces::find_edges(const double* q, const double* to, double margin,
-                          std::vector<SurfacePair>& pairs) const {
+                          const Take& take) const {
   std::vector<Box> boxes(edges_.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     cover<2>(boxes[i], edges_[i].x, q);
@@ -143,17 +206,14 @@ void Surfaces::find_edges(const double* q, const double* to, double margin,
     cells.visit(boxes[i], i + 1, [&](std::size_t j) {
       const Part& b = edges_[j];
       SurfacePair pair{{a.x[0], a.x[1], b.x[0], b.x[1]}, SurfacePair::Kind::edges, law_of(a, b)};
-      if (shares_particle(pair.x) || all_fixed(pair)) return;
-      if (to == q)
-        pair.slack =
-            distance_of(drawn_out<2>(a.x, q), drawn_out<2>(b.x, q)) - laws_[pair.law].thickness;
-      if (pair.slack <= margin) pairs.push_back(pair);
+      if (!shares_particle(pair.x) && !all_fixed(pair)) take(pair);
     });
   }
 }
 
+template <class Take>
 void Surfaces::find_points(const double* q, const double* to, double margin,
-                           std::vector<SurfacePair>& pairs) const {
+                           const Take& take) const {
   std::vector<Box> boxes(corners_.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     boxes[i].add(q + 3 * corners_[i].x[0]);
@@ -172,11 +232,23 @@ void Surfaces::find_points(const double* q, const double* to, double margin,
       SurfacePair pair{{face.x[0], face.x[1], point, face.x[2]},
                        SurfacePair::Kind::triangle,
                        law_of(face, corners_[j])};
-      if (point == face.x[0] || point == face.x[1] || point == face.x[2] || all_fixed(pair)) return;
-      if (to == q) pair.slack = distance_of(face.x, point, q) - laws_[pair.law].thickness;
-      if (pair.slack <= margin) pairs.push_back(pair);
+      if (point != face.x[0] && point != face.x[1] && point != face.x[2] && !all_fixed(pair))
+        take(pair);
     });
   }
+}
+
+void Surfaces::find_near(const double* q, const double* to, double margin,
+                         std::vector<SurfacePair>& pairs) const {
+  pairs.clear();
+  Sieve sieve(*this, q, margin, pairs);
+  const auto take = [&](const SurfacePair& pair) {
+    to == q ? sieve.add(pair) : pairs.push_back(pair);
+  };
+  find_points(q, to, margin, take);
+  find_edges(q, to, margin, take);
+  sieve.sift();
+  find_balls(q, to, margin, pairs);
 }
 
 // Few balls: each with every corner and triangle.
@@ -191,6 +263,7 @@ void Surfaces::find_balls(const double* q, const double* to, double margin,
       pair.radius = radius_[ball];
       const double most = pair.radius + laws_[pair.law].thickness;
       if (!box.is_near(around, most + margin) || all_fixed(pair)) return;
+      if (to == q) pair.distance = box.distance(around) - pair.radius;
       if (to == q) pair.slack = box.distance(around) - most;
       pairs.push_back(pair);
     };

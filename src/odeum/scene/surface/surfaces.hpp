@@ -18,7 +18,9 @@ struct SurfacePair {
   Kind kind = Kind::triangle;
   std::uint32_t law = 0;  ///< of Surfaces
   double radius = 0;      ///< of the ball; 0: a point
-  double slack = 0;       ///< lower bound of what the distance exceeds the thickness by, m
+  double distance = 0;    ///< lower bound, m
+  /// Lower bound of Surfaces::shrinks times how far particles move until a force acts, m.
+  double slack = 0;
 };
 
 /// An edge that goes through a triangle, by particle, and the surface of the edge.
@@ -33,9 +35,9 @@ class Surfaces {
  public:
   explicit Surfaces(const Scene& scene);
 
-  /// The pairs that may be nearer to each other than the thickness and a margin (m), anywhere on
-  /// the straight way from the places q to `to`; without those that share a particle and those
-  /// that are fixed. Always in the same order.
+  /// The pairs with a slack of at most a margin (m), or, where `to` is another place, that may be
+  /// nearer to each other than the thickness and the margin anywhere on the straight way from q to
+  /// `to`; without those that share a particle and those that are fixed. Always in the same order.
   void find_near(const double* q, const double* to, double margin,
                  std::vector<SurfacePair>& pairs) const;
   void find_near(const double* q, double margin, std::vector<SurfacePair>& pairs) const {
@@ -56,7 +58,7 @@ class Surfaces {
   const std::vector<std::uint32_t>& balls() const { return balls_; }
   std::size_t edges() const { return edges_.size(); }
   std::size_t triangles() const { return triangles_.size(); }
-  /// By how much a pair's slack shrinks when its particles move by 1, at most.
+  /// By how much a pair's distance and slack shrink when its particles move by 1, at most.
   static constexpr double shrinks = 2 + 4 * reach;
 
  private:
@@ -68,10 +70,11 @@ class Surfaces {
     return a.surface * surfaces_ + b.surface;
   }
   bool all_fixed(const SurfacePair& pair) const;
-  void find_edges(const double* q, const double* to, double margin,
-                  std::vector<SurfacePair>& pairs) const;
-  void find_points(const double* q, const double* to, double margin,
-                   std::vector<SurfacePair>& pairs) const;
+  class Sieve;
+  template <class Take>
+  void find_edges(const double* q, const double* to, double margin, const Take& take) const;
+  template <class Take>
+  void find_points(const double* q, const double* to, double margin, const Take& take) const;
   void find_balls(const double* q, const double* to, double margin,
                   std::vector<SurfacePair>& pairs) const;
 
@@ -99,14 +102,16 @@ void differences_of(const SurfacePair& pair, const Real* q, Vec<Real>& e1, Vec<R
   }
 }
 
+inline Meeting meeting_of(SurfacePair::Kind kind) {
+  return kind == SurfacePair::Kind::triangle ? Meeting::point_and_triangle : Meeting::two_edges;
+}
+
 /// Whether a force acts between the two, which goes to `apart`.
 template <class Real>
-bool meet(const SurfacePair& pair, const SelfContact& law, const Vec<Real>& e1, const Vec<Real>& e2,
-          const Vec<Real>& r, Apart<Real>& apart) {
+MaskOf<Real> meet(const SurfacePair& pair, const SelfContact& law, const Vec<Real>& e1,
+                  const Vec<Real>& e2, const Vec<Real>& r, Apart<Real>& apart) {
   if (pair.kind == SurfacePair::Kind::corner) return meet_ball(law, pair.radius, r, apart);
-  return meet(
-      pair.kind == SurfacePair::Kind::triangle ? Meeting::point_and_triangle : Meeting::two_edges,
-      law, pair.radius, e1, e2, r, apart);
+  return meet(meeting_of(pair.kind), law, pair.radius, e1, e2, r, apart);
 }
 
 /// The share of x_k in r, e1 and e2, by which forces on these go to the particles.
