@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "odeum/cases/scene_case.hpp"
+#include "odeum/core/counted_solver.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -235,6 +236,37 @@ TEST(SceneCommands, RunsThatAreStableDoNotBlowUp) {
     const Result result = shell(std::string("odeum run ") + run + " --no-truth");
     EXPECT_EQ(result.code, 0) << run << result.output;
   }
+}
+
+// Newton's method takes a dozen Jacobians by differences at the longest steps that it manages: what
+// ends the search is that it fails, not its evaluations.
+TEST(SceneCommands, TheLimitsOfImplicitMethodsAreNotThoseOfABudget) {
+  const TemporaryFolder folder;
+  const Result result =
+      shell("odeum limits spinning_pair --solver radau_iia9 --solver gauss6 --out " +
+            folder.path().string());
+  EXPECT_EQ(result.code, 0) << result.output;
+  std::ifstream file(folder.path() / "largest_steps.csv");
+  const std::string rows(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(rows.find("gauss6,ok,"), std::string::npos) << rows;
+  EXPECT_EQ(rows.find("evaluations of the right-hand side"), std::string::npos) << rows;
+}
+
+// A step's factors are part of what a run may cost.
+TEST(SceneCommands, FactorsCountAgainstABudget) {
+  const SceneProblem problem(spring_scene(3));
+  const auto solver = problem.shifted_solver();
+  const std::vector<double> start = problem.start();
+  ASSERT_TRUE(solver->factorise(0, start.data(), 1e-3));
+  const std::uint64_t once = solver->products();
+  EXPECT_GT(once, 0U);
+  ASSERT_TRUE(solver->factorise(0, start.data(), 2e-3));
+  EXPECT_EQ(solver->products(), 2 * once);
+
+  Guard guard(problem.size(), {.evaluations = 3 * once});
+  const auto counting = counted(problem.shifted_solver(), guard);
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(counting->factorise(0, start.data(), 1e-3));
+  EXPECT_FALSE(guard.admit());
 }
 
 TEST(SceneCommands, ARunHasItsErrorInMetres) {

@@ -23,7 +23,7 @@ class ShiftedSolver {
   /// which no state exceeds as far as a step reaches, for steps towards a solution from afar.
   /// False: there is none, and J stays.
   virtual bool bound() { return false; }
-  /// Products with a matrix of J's sparsity by all solves so far; 0 for a direct solver.
+  /// What factors and solves have cost so far, in products with a matrix of J's sparsity.
   virtual std::uint64_t products() const { return 0; }
 };
 

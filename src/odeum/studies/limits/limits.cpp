@@ -11,6 +11,7 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/linear/dense_limit.hpp"
+#include "odeum/studies/foreseen.hpp"
 #include "odeum/studies/spectrum.hpp"
 
 namespace odeum::study {
@@ -18,6 +19,8 @@ namespace {
 
 constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
+/// Of dense matrices in one run: some seconds, foreseen from a run of half as many steps.
+constexpr double most_multiplications = 4e9;
 
 /// A case and the window over which it is run, with the size of its solution and the spectrum along
 /// it.
@@ -82,20 +85,40 @@ struct Failure {
   std::string status, detail;
 };
 
-/// None where it is bounded.
+/// The costs of the runs so far.
+struct Costs {
+  double multiplications_a_step = 0;  ///< of the last run that ended, for dense factors
+  Foreseen foreseen = {};             ///< of a large system
+};
+
+/// None where it is bounded. A run that takes too much is not begun.
 std::optional<Failure> failure_of(const StiffWindow& window, const Entrant& entrant,
-                                  std::uint64_t steps) {
+                                  std::uint64_t steps, Costs& costs) {
   if (interrupted) throw Interrupted();
+  if (static_cast<double>(steps) * costs.multiplications_a_step > most_multiplications)
+    return Failure{to_string(Status::over_budget),
+                   fmt::format("{} steps take more than {:.0e} multiplications for the factors of "
+                               "dense matrices",
+                               steps, most_multiplications)};
   Request request;
   request.steps = steps;
   for (int k = 1; k <= 4; ++k) request.stops.push_back(window.c.t0 + window.length * k / 4);
-  // Of a large system, whose linear solvers count their products, some seconds as foreseen.
-  request.budget.evaluations = window.sizes.size() > dense_dimension_limit
-                                   ? window.c.settings.evaluation_budget
-                                   : 64 * steps + 1'000;
-  const Outcome outcome = entrant.solve(request);
-  if (outcome.status != Status::ok) return Failure{to_string(outcome.status), outcome.detail};
+  // Of a large system, whose linear solvers count their products, some seconds as foreseen. Else
+  // what a step may take that converges: iterations of all stages, and at steps as long as these a
+  // dozen Jacobians by differences (a hanging chain with radau_iia9: 700 evaluations a step).
   const std::size_t n = window.sizes.size();
+  request.budget.evaluations = n > dense_dimension_limit ? window.c.settings.evaluation_budget
+                                                         : (256 + 12 * n) * steps + 1'000;
+  if (const std::string excess = costs.foreseen.excess(request); !excess.empty())
+    return Failure{to_string(Status::over_budget), excess};
+  const Outcome outcome = entrant.solve(request);
+  const auto jacobians = static_cast<double>(outcome.counters.jacobian_evaluations);
+  if (n > dense_dimension_limit)
+    costs.foreseen.add(request, outcome.counters.work);
+  else if (outcome.status == Status::ok)
+    costs.multiplications_a_step =
+        jacobians * std::pow(static_cast<double>(n), 3) / static_cast<double>(steps);
+  if (outcome.status != Status::ok) return Failure{to_string(outcome.status), outcome.detail};
   for (std::size_t i = 0; i < outcome.states.size(); ++i)
     if (std::abs(outcome.states[i]) > 10 * window.sizes[i % n])
       return Failure{"ok", fmt::format("component {} grows to {:.3g}", i % n, outcome.states[i])};
@@ -112,9 +135,10 @@ LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
   row.eigenvalue = prediction.eigenvalue;
   row.window = window.length;
   Failure failure;  // the last one
+  Costs costs;
   const std::uint64_t fewest = fewest_bounded_steps(
       [&](std::uint64_t steps) {
-        const std::optional<Failure> found = failure_of(window, entrant, steps);
+        const std::optional<Failure> found = failure_of(window, entrant, steps, costs);
         if (found) failure = *found;
         return !found;
       },
