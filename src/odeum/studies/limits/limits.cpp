@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
-/// Of dense matrices in one run: some seconds, foreseen from a run of half as many steps.
-constexpr double most_multiplications = 4e9;
+/// Of dense matrices in one run: a second or two, foreseen from a run of half as many steps.
+constexpr double most_multiplications = 1e9;
 
 /// A case and the window over which it is run, with the size of its solution and the spectrum along
 /// it.
