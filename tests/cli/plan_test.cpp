@@ -46,7 +46,7 @@ TEST_F(Plan, OfASweepMergesToTheBytesOfOneRun) {
   for (const char* shard : {"2", "0", "1", "2"}) expect_code(0, std::string("shard run ") + shard);
   expect_code(1, "status run", "3 of 4 done");
   expect_code(1, "merge run --out merged --resubmit", "missing shard 3: was not run");
-  EXPECT_NE(text("run/resubmit.sh").find("for shard in 3; do"), std::string::npos);
+  EXPECT_NE(text("run/resubmit.sh").find("these 3\n"), std::string::npos);
   expect_code(0, "shard run 3");
   expect_code(0, "merge run --out merged", "solved    30");
   EXPECT_EQ(text("merged/members.csv"), text("one/members.csv"));
@@ -81,6 +81,47 @@ TEST_F(Plan, OfAStudyMergesToTheBytesOfOneRun) {
   }
 }
 
+// The files of earlier runs are not touched, and rows but for times are those of one run.
+TEST_F(Plan, OfATimedStudyKeepsEachCaseInOneShard) {
+  const std::string words =
+      "precision --case kepler_e06 --case dahlquist_real --solver rk4 --seconds 0.05 ";
+  expect_code(0, "plan " + words + "--shards 2 --out run", "2 tasks in 2 shards");
+  EXPECT_NE(text("run/submit.sh").find("how=--exclusive\nrange 0 2\n"), std::string::npos);
+  expect_code(0, "shard run 0");
+  expect_code(0, "shard run 1");
+  expect_code(0, "merge run --out merged");
+  const std::string rows = text("merged/precision.csv");
+  for (const char* id : {",kepler_e06,", ",dahlquist_real,"})
+    EXPECT_NE(rows.find(id), std::string::npos) << rows;
+  EXPECT_NE(rows.find(",processor\n"), std::string::npos);
+}
+
+TEST_F(Plan, StudiesOfMembersMergeToTheBytesOfOneRun) {
+  write("decay.yaml", decay);
+  const std::string words =
+      "sweep decay.yaml --over k=0.5..3:5 --study converge --solver rk4 --solver heun ";
+  expect_code(0, words + "--out one", "confirmed");
+  expect_code(0, "plan " + words + "--shard-time 1h --out run", "10 tasks in 1 shards");
+  expect_code(0, "plan " + words + "--shards 3 --out more", "10 tasks in 3 shards");
+  for (const char* shard : {"0", "1", "2"}) expect_code(0, std::string("shard more ") + shard);
+  expect_code(0, "merge more --out merged");
+  EXPECT_EQ(text("merged/members.csv"), text("one/members.csv"));
+  EXPECT_NE(text("one/members.csv").find("odeum/heun,3,ok,confirmed"), std::string::npos);
+}
+
+TEST_F(Plan, AMergeWaitsForNamesThatAreShownLate) {
+  write("decay.yaml", decay);
+  expect_code(0,
+              "plan sweep decay.yaml --over k=1,2 --solver rk4 --step 0.1 --check 0 --shards 1 "
+              "--out run");
+  expect_code(0, "shard run 0");
+  std::filesystem::rename(folder_.path() / "run/shards/0", folder_.path() / "late");
+  const Result late =
+      shell("cd " + folder_.path().string() + " && (sleep 1; mv late run/shards/0) & odeum merge " +
+            (folder_.path() / "run").string());
+  EXPECT_EQ(late.code, 0) << late.output;
+}
+
 TEST_F(Plan, AShardWhoseResultsAreNotKeptFails) {
   write("decay.yaml", decay);
   expect_code(
@@ -99,8 +140,9 @@ TEST_F(Plan, AShardWhoseResultsAreNotKeptFails) {
 TEST_F(Plan, BadInputHasItsSentence) {
   write("decay.yaml", decay);
   expect_code(2, "plan --shards 2 --out run", "no command");
-  expect_code(2, "plan report --shards 2 --out run", "report cannot be done in shards");
-  expect_code(2, "plan precision --shards 2 --out run", "precision cannot be done in shards");
+  expect_code(2, "plan advise kepler_e06 --shards 2 --out run", "advise cannot be done in shards");
+  expect_code(2, "plan converge --out run", "--shard");
+  expect_code(2, "plan converge --shard-time soon --out run", "in h, min, s or ms");
   expect_code(2, "plan converge --case nothing_like_it --shards 2 --out run");
   expect_code(2, "shard run 0", "no plan.json");
   expect_code(0, "plan sweep decay.yaml --over k=1,2 --solver rk4 --step 0.1 --shards 9 --out run",

@@ -51,13 +51,22 @@ void each_member(const Plan& plan, Compare&& compare) {
     compare(in_lanes[k], alone);
   }
 }
-void expect_as_alone(const Plan& plan) {
-  each_member(plan, [](const Outcome& in_lanes, const Outcome& alone) {
+/// To the last bit, but where functions of libmvec are called: to this part of the state.
+void expect_as_alone(const Plan& plan, double part = 0) {
+  each_member(plan, [=](const Outcome& in_lanes, const Outcome& alone) {
     // What fails runs alone besides.
     EXPECT_EQ(in_lanes.status == Status::ok, alone.status == Status::ok) << alone.detail;
     if (alone.status != Status::ok) return;
-    EXPECT_EQ(in_lanes.states, alone.states);
     EXPECT_EQ(in_lanes.t, alone.t);
+    if (part > 0) {
+      ASSERT_EQ(in_lanes.states.size(), alone.states.size());
+      for (std::size_t i = 0; i < alone.states.size(); ++i)
+        EXPECT_NEAR(in_lanes.states[i], alone.states[i], part * (1 + std::abs(alone.states[i])));
+      EXPECT_NEAR(static_cast<double>(in_lanes.counters.steps),
+                  static_cast<double>(alone.counters.steps), 1);
+      return;
+    }
+    EXPECT_EQ(in_lanes.states, alone.states);
     EXPECT_EQ(in_lanes.counters.rhs_evaluations, alone.counters.rhs_evaluations);
     EXPECT_EQ(in_lanes.counters.steps, alone.counters.steps);
     EXPECT_EQ(in_lanes.counters.rejected_steps, alone.counters.rejected_steps);
@@ -77,16 +86,37 @@ equations:
 time: {end: 3}
 )";
 
-TEST(SweepInLanes, ExplicitMethodsGiveTheBitsOfRunsAlone) {
-  const Case c = case_of_text(with_functions);
+constexpr const char* without_functions = R"(
+parameters: {k: 2, d: 0.3, p: 2.5}
+states: {x: 1 + k/10, v: 0.5, w: 1}
+equations:
+  x: v - 0.1*x^3
+  v: -k*x - d*abs(v)*v + p*t/(1 + t^2)
+  w: -w/(1 + x^2) + sqrt(1 + w^2) - 0.2*w^3 + 0.1*sign(v)
+time: {end: 3}
+)";
+
+void expect_explicit_methods_as_alone(const char* text, double part) {
+  const Case c = case_of_text(text);
   const std::vector<std::string> over{"k~uniform(0.1,9)", "d~uniform(0,2)", "p~normal(2,0.2)"};
-  expect_as_alone(fixed(plan_of(c, over, "odeum/rk4"), 30));
-  expect_as_alone(adaptive(plan_of(c, over, "odeum/dormand_prince54"), 1e-5));
+  expect_as_alone(fixed(plan_of(c, over, "odeum/rk4"), 30), part);
+  expect_as_alone(adaptive(plan_of(c, over, "odeum/dormand_prince54"), 1e-5), 100 * part);
   for (const char* solver : {"heun", "dormand_prince54", "verner98", "fehlberg78"})
-    expect_as_alone(fixed(plan_of(c, over, std::string("odeum/") + solver, 100), 30));
+    expect_as_alone(fixed(plan_of(c, over, std::string("odeum/") + solver, 100), 30), part);
   for (const char* solver : {"bogacki_shampine32", "dormand_prince54_pi", "dormand_prince853",
                              "tsitouras54", "verner65", "dormand_prince54_dead_band"})
-    expect_as_alone(adaptive(plan_of(c, over, std::string("odeum/") + solver, 100), 1e-7));
+    expect_as_alone(adaptive(plan_of(c, over, std::string("odeum/") + solver, 100), 1e-7),
+                    100 * part);
+}
+
+TEST(SweepInLanes, ExplicitMethodsGiveTheBitsOfRunsAlone) {
+  expect_explicit_methods_as_alone(without_functions, 0);
+}
+
+// Vector functions have up to 4 units in the last place, where scalar ones have less than 1: with
+// thirty steps of some stages some hundred units of rounding, and steps that follow these.
+TEST(SweepInLanes, FunctionsHaveTheRoundingOfVectorFunctions) {
+  expect_explicit_methods_as_alone(with_functions, 1e-12);
 }
 
 // Forty unknowns of one form, which are printed as loops with tables.
@@ -99,7 +129,7 @@ equations:
   u[1..40]: k*(u[i-1] - 2*u[i] + u[i+1]) - u[i]^2*sin(i)/(1 + i)
 time: {end: 1}
 )");
-  expect_as_alone(adaptive(plan_of(c, {"k=1..9:33"}, "odeum/dormand_prince54", 0), 1e-6));
+  expect_as_alone(adaptive(plan_of(c, {"k=1..9:33"}, "odeum/dormand_prince54", 0), 1e-6), 1e-12);
 }
 
 // They are branches where a member is alone.

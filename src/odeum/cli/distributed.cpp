@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cli/distributed.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 
 #include "odeum/cli/session.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/record/output_folder.hpp"
 
 namespace odeum::cli {
@@ -16,6 +23,42 @@ Part& part() {
 std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
                                    bool done) {
   return run / "shards" / fmt::format("{}{}", shard, done ? "" : ".part");
+}
+
+namespace {
+
+constexpr const char* cache_variable = "XDG_CACHE_HOME";  // of formula::cache_folder
+
+}  // namespace
+
+void keep_code_in(const std::filesystem::path& run) {
+  ::setenv(cache_variable, (std::filesystem::absolute(run) / "code").c_str(), 1);
+}
+
+void take_code_of(const std::filesystem::path& run, const std::string& id) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const fs::path own =
+      fs::temp_directory_path(failed) / fmt::format("odeum-{}-{}", ::geteuid(), id);
+  if (failed) return;
+  ::setenv(cache_variable, own.c_str(), 1);
+  const fs::path folder = formula::cache_folder();
+  if (folder.empty()) return;
+  // What another process has copied in part has another hash than its text says, and is not used.
+  for (const auto& entry : fs::directory_iterator(fs::absolute(run) / "code/odeum", failed)) {
+    std::error_code there;
+    if (entry.is_regular_file(there))
+      fs::copy_file(entry.path(), folder / entry.path().filename(), fs::copy_options::skip_existing,
+                    there);
+  }
+}
+
+void sync(const std::filesystem::path& path) {
+  const record::OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // Some file systems sync no folders.
+  if (file.get() < 0 || (::fsync(file.get()) != 0 && errno != EINVAL))
+    throw record::FileError(
+        fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
 }
 
 std::unique_ptr<record::Store> store_of_part() {

@@ -30,6 +30,14 @@ Part& part();
 std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
                                    bool done);
 
+/// What a plan compiles and computes of its texts is kept in its folder. A shard works with a copy
+/// on a disk of its own machine, in $TMPDIR.
+void keep_code_in(const std::filesystem::path& run);
+void take_code_of(const std::filesystem::path& run, const std::string& id);
+
+/// Has the system write a file or a folder to the disk. Throws FileError.
+void sync(const std::filesystem::path& path);
+
 /// The store of this process's part: the shard's own; in a merge that of all shards.
 std::unique_ptr<record::Store> store_of_part();
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "odeum/cli/problems.hpp"
 
 namespace odeum::cli {
@@ -16,10 +18,14 @@ set -eu
 cd "$(dirname "$0")"
 most=$(scontrol show config | sed -n 's/^MaxArraySize *= *\([0-9]*\).*/\1/p')
 if [ -z "$most" ]; then echo "scontrol does not tell MaxArraySize" >&2; exit 1; fi
+how=
 submit() {
-  sbatch --array="$1" --export=ALL,ODEUM_FIRST="$2" --output=logs/%A_%a.log shard.sh
+  sbatch $how --array="$1" --export=ALL,ODEUM_FIRST="$2" --output=logs/%A_%a.log shard.sh
 }
 )sh";
+
+// Shards that are timed have a node to themselves, and keep the processor that they begin on.
+constexpr const char* with_own_node = "--exclusive";
 
 }  // namespace
 
@@ -37,36 +43,51 @@ exec {} shard {} $((ODEUM_FIRST + SLURM_ARRAY_TASK_ID))
                      shell_word(program.string()), shell_word(run.string()));
 }
 
-std::string submit_script(std::uint64_t shards) {
-  return fmt::format(R"sh({}first=0
-while [ "$first" -lt {} ]; do
-  count=$(({} - first))
-  if [ "$count" -gt "$most" ]; then count=$most; fi
-  submit "0-$((count - 1))" "$first"
-  first=$((first + count))
-done
+std::string submit_script(std::uint64_t shards, std::uint64_t first_alone) {
+  std::string text = fmt::format(R"sh({}range() {{
+  first=$1
+  while [ "$first" -lt "$2" ]; do
+    count=$(($2 - first))
+    if [ "$count" -gt "$most" ]; then count=$most; fi
+    submit "0-$((count - 1))" "$first"
+    first=$((first + count))
+  done
+}}
 )sh",
-                     head, shards, shards);
+                                 head);
+  if (first_alone > 0) text += fmt::format("range 0 {}\n", first_alone);
+  if (first_alone < shards)
+    text += fmt::format("how={}\nrange {} {}\n", with_own_node, first_alone, shards);
+  return text;
 }
 
-std::string resubmit_script(const std::vector<std::uint64_t>& shards) {
-  return fmt::format(R"sh({}indices=
-first=
-for shard in {}; do
-  if [ -n "$first" ] && [ "$((shard - first))" -ge "$most" ]; then
-    submit "$indices" "$first"
-    first=
-  fi
-  if [ -z "$first" ]; then
-    first=$shard
-    indices=0
-  else
-    indices=$indices,$((shard - first))
-  fi
-done
-submit "$indices" "$first"
+std::string resubmit_script(const std::vector<std::uint64_t>& shards, std::uint64_t first_alone) {
+  std::string text = fmt::format(R"sh({}these() {{
+  indices=
+  first=
+  for shard; do
+    if [ -n "$first" ] && [ "$((shard - first))" -ge "$most" ]; then
+      submit "$indices" "$first"
+      first=
+    fi
+    if [ -z "$first" ]; then
+      first=$shard
+      indices=0
+    else
+      indices=$indices,$((shard - first))
+    fi
+  done
+  submit "$indices" "$first"
+}}
 )sh",
-                     head, fmt::join(shards, " "));
+                                 head);
+  const auto alone_from = std::lower_bound(shards.begin(), shards.end(), first_alone);
+  if (alone_from != shards.begin())
+    text += fmt::format("these {}\n", fmt::join(shards.begin(), alone_from, " "));
+  if (alone_from != shards.end())
+    text +=
+        fmt::format("how={}\nthese {}\n", with_own_node, fmt::join(alone_from, shards.end(), " "));
+  return text;
 }
 
 }  // namespace odeum::cli

@@ -10,9 +10,10 @@ namespace odeum::cli {
 
 /// A task of an array: `run` is the folder of the plan. More `#SBATCH` lines may be added to it.
 std::string shard_script(const std::filesystem::path& run);
-/// Submits shards 0 to `shards` - 1, in arrays that are as long as the site's MaxArraySize allows.
-std::string submit_script(std::uint64_t shards);
+/// Submits shards 0 to `shards` - 1, in arrays that are as long as the site's MaxArraySize allows;
+/// those from `first_alone` on have a node to themselves each.
+std::string submit_script(std::uint64_t shards, std::uint64_t first_alone);
 /// Submits just these shards, in ascending order.
-std::string resubmit_script(const std::vector<std::uint64_t>& shards);
+std::string resubmit_script(const std::vector<std::uint64_t>& shards, std::uint64_t first_alone);
 
 }  // namespace odeum::cli

@@ -42,6 +42,13 @@ std::string mark_of_machine() {
 
 }  // namespace
 
+record::Store* seconds_of_tasks() {
+  static const std::string folder = formula::cache_folder();
+  static record::Store store(folder + "/seconds", 1U << 26);
+  const Role role = part().role;
+  return folder.empty() || role == Role::shard || role == Role::merge ? nullptr : &store;
+}
+
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
   static const std::string here = mark_of_program() + ' ' + mark_of_machine() + ' ';
   const std::string build = part().role == Role::alone ? here : part().mark + ' ';
@@ -53,8 +60,12 @@ study::ResultCache result_cache_of(record::Store* store, const study::Options& o
                                                                     const SolverInfo&) {
     return is_built_in(c) ? of_built_in : run;
   };
-  return {
-      .store = store, .dependencies = run, .dependencies_of_pair = of_pair, .share = part().share};
+  return {.store = store,
+          .dependencies = run,
+          .dependencies_of_pair = of_pair,
+          .share = part().share,
+          .seconds = seconds_of_tasks(),
+          .settings = "seconds " + settings.text()};
 }
 
 std::unique_ptr<record::Store> open_store(const StudyOptions& options) {

@@ -13,6 +13,10 @@ namespace odeum::cli {
 /// loaded. A pair of a built-in case depends on neither the options that are globs nor these texts.
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options);
 
+/// Where the seconds of tasks are kept, in the folder that is the user's at the first call; null in
+/// shards, whose machine is another, and where there is no folder.
+record::Store* seconds_of_tasks();
+
 /// Identifies the program's own bytes and the plug-ins that are loaded.
 std::string mark_of_program();
 

@@ -6,16 +6,18 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <numeric>
+#include <thread>
 
 #include "odeum/cli/distributed.hpp"
 #include "odeum/cli/job_scripts.hpp"
 #include "odeum/cli/kept_results.hpp"
+#include "odeum/cli/packing.hpp"
+#include "odeum/cli/plan_file.hpp"
 #include "odeum/cli/problems.hpp"
-#include "odeum/core/checksum.hpp"
+#include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/machine.hpp"
-#include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/studies/study.hpp"
 
@@ -28,44 +30,10 @@ using nlohmann::ordered_json;
 constexpr std::uint64_t most_shards = 1'000'000;
 
 struct PlanOptions {
-  std::string run, out;
+  std::string run, out, shard_time;
   std::uint64_t shards = 0, shard = 0;
   bool resubmit = false;
 };
-
-struct PlanFile {
-  std::string id, program, content, folder;
-  std::vector<std::string> words;
-  std::uint64_t shards = 0, tasks = 0;
-};
-
-std::string sum_of(const std::string& text) { return fmt::format("{:016x}", checksum(text)); }
-std::string program_sum() { return sum_of(mark_of_program()); }
-
-/// Throws UsageError for a folder without a sound plan.
-PlanFile read_plan(const std::string& run) {
-  const fs::path file = fs::path(run) / "plan.json";
-  const std::optional<std::string> text = text_of_file(file);
-  if (!text) throw UsageError("{} has no plan.json; odeum plan makes one", run);
-  try {
-    const auto json = nlohmann::json::parse(*text);
-    return {.id = json.at("id"),
-            .program = json.at("program"),
-            .content = json.at("content"),
-            .folder = json.at("folder"),
-            .words = json.at("words"),
-            .shards = std::max<std::uint64_t>(1, json.at("shards")),
-            .tasks = json.at("tasks")};
-  } catch (const nlohmann::json::exception& error) {
-    throw UsageError("{} is damaged, or no plan: {}", file.string(), error.what());
-  }
-}
-
-void require_same_program(const PlanFile& plan) {
-  if (plan.program != program_sum())
-    throw UsageError(
-        "the plan was made by another build of odeum; make the plan anew with this one");
-}
 
 /// Runs the planned command in the folder in which it was planned.
 int run_planned(const PlanFile& plan, const Again& again) {
@@ -82,71 +50,61 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   if (words.empty())
     throw UsageError("plan: no command; expected one: odeum plan converge --shards 8 --out RUN");
   const study::Studies studies = study::make_studies();
-  if (words.front() != "sweep" &&
+  if (words.front() != "sweep" && words.front() != "report" &&
       std::none_of(studies.begin(), studies.end(),
                    [&](const auto& each) { return each->declaration().name == words.front(); }))
     throw UsageError("plan: {} cannot be done in shards; sweep and the studies can", words.front());
   Part& here = part();
   here.role = Role::plan;
-  here.share.count = std::make_shared<std::atomic<std::uint64_t>>(0);
+  here.share.plan = std::make_shared<study::PlannedTasks>();
   const record::OutputFolder folder(options.run);
   if (fs::exists(folder.path() / "plan.json") && !fs::is_empty(folder.path() / "shards"))
     throw UsageError("--out {}: has shards of a plan already; expected a new folder", options.run);
+  seconds_of_tasks();  // the user's, and not the plan's
+  keep_code_in(folder.path());
   if (const int code = again(words); code != success) return code;
-  const std::uint64_t tasks = here.share.count->load();
+  const study::PlannedTasks& foreseen = *here.share.plan;
+  const std::size_t tasks = foreseen.seconds.size();
   if (tasks == 0)
     throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
-  const std::uint64_t shards = std::min(options.shards, tasks);
+  double wanted = static_cast<double>(options.shards);
+  if (!options.shard_time.empty())
+    wanted = std::accumulate(foreseen.seconds.begin(), foreseen.seconds.end(), 0.) /
+             number_of("--shard-time", options.shard_time,
+                       {{"", 1}, {"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}});
+  const Packing packing = pack(foreseen, std::min<double>(wanted, most_shards));
+  const std::size_t shards = packing.seconds.size();
   const std::string program = program_sum();
+  const std::string shard_of_task = text_of_shares(packing.shares);
   const ordered_json json{{"id", sum_of(fmt::format("{} {} {} {}", program, here.content,
-                                                    fmt::join(words, "\n"), shards))},
+                                                    fmt::join(words, "\n"), shard_of_task))},
                           {"program", program},
                           {"content", here.content},
                           {"folder", fs::current_path().string()},
                           {"words", words},
                           {"shards", shards},
-                          {"tasks", tasks}};
+                          {"first_alone", packing.first_alone},
+                          {"foreseen_seconds", packing.seconds},
+                          {"shard_of_task", shard_of_task}};
   fs::create_directories(folder.path() / "shards");
   fs::create_directories(folder.path() / "logs");
   folder.write("plan.json", json.dump(2) + "\n");
   folder.write("shard.sh", shard_script(fs::absolute(folder.path())));
-  folder.write("submit.sh", submit_script(shards));
+  folder.write("submit.sh", submit_script(shards, packing.first_alone));
   print("plan    {} tasks in {} shards\n", tasks, shards);
+  print(
+      "time    {:.3g} s foreseen, the longest shard {:.3g} s ({} tasks timed, {} of earlier "
+      "runs)\n",
+      std::accumulate(packing.seconds.begin(), packing.seconds.end(), 0.),
+      *std::max_element(packing.seconds.begin(), packing.seconds.end()), foreseen.timed,
+      foreseen.earlier);
   if (shards < options.shards)
     print("note    fewer than {} shards, since a task is not split\n", options.shards);
   print(
-      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P 2 -I K odeum shard {0} K\n"
+      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P {2} -I K odeum shard {0} K\n"
       "then    odeum merge {0} --out DIR\n",
-      shell_word(options.run), shards - 1);
+      shell_word(options.run), shards - 1, packing.first_alone < shards ? 1 : 2);
   return success;
-}
-
-/// The files of a shard with their sums; a name that another process has removed is skipped.
-ordered_json sums_of(const fs::path& folder) {
-  ordered_json sums = ordered_json::object();
-  for (const auto& entry : fs::directory_iterator(folder / "results"))
-    if (const auto text = text_of_file(entry.path()))
-      sums[entry.path().filename().string()] = {{"bytes", text->size()}, {"sum", sum_of(*text)}};
-  return sums;
-}
-
-/// What is wrong with a finished shard; empty: nothing.
-std::string fault_of(const PlanFile& plan, const fs::path& folder) {
-  const auto text = text_of_file(folder / "shard.json");
-  if (!text) return "has no shard.json";
-  try {
-    const auto json = nlohmann::json::parse(*text);
-    if (json.at("plan") != plan.id) return "is of another plan";
-    for (const auto& [name, file] : json.at("files").items()) {
-      const auto content = text_of_file(folder / "results" / name);
-      if (!content) return "lacks " + name;
-      if (file.at("bytes") != content->size() || file.at("sum") != sum_of(*content))
-        return name + " is damaged";
-    }
-  } catch (const nlohmann::json::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 int run_shard(const PlanOptions& options, const Again& again) {
@@ -159,7 +117,9 @@ int run_shard(const PlanOptions& options, const Again& again) {
   here.run = fs::absolute(options.run);
   here.mark = "plan " + plan.id;
   here.content = plan.content;
-  here.share = {.at = options.shard, .of = plan.shards};
+  here.share.at = options.shard;
+  here.share.shares = std::make_shared<const std::vector<std::uint32_t>>(plan.shares);
+  here.share.begun = std::make_shared<std::uint64_t>(0);
   const fs::path done = shard_folder(here.run, options.shard, true),
                  doing = shard_folder(here.run, options.shard, false);
   if (fs::exists(done)) {
@@ -171,6 +131,7 @@ int run_shard(const PlanOptions& options, const Again& again) {
     remark("shard {} {}; it is run again", options.shard, fault);
     fs::remove_all(done);
   }
+  take_code_of(here.run, plan.id);
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(doing);
   fs::create_directories(doing / "results");
@@ -183,24 +144,11 @@ int run_shard(const PlanOptions& options, const Again& again) {
       {"processor", cpu_model()},
       {"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
       {"files", sums_of(doing)}};
+  for (const auto& entry : fs::directory_iterator(doing / "results")) sync(entry.path());
   folder.write("shard.json", json.dump(2) + "\n");
   fs::rename(doing, done);
+  sync(done.parent_path());
   return success;
-}
-
-/// The shards that are not there, or damaged, each with the reason.
-std::vector<std::pair<std::uint64_t, std::string>> missing_of(const PlanFile& plan,
-                                                              const fs::path& run) {
-  std::vector<std::pair<std::uint64_t, std::string>> missing;
-  for (std::uint64_t shard = 0; shard < plan.shards; ++shard) {
-    const fs::path done = shard_folder(run, shard, true);
-    if (!fs::exists(done))
-      missing.emplace_back(
-          shard, fs::exists(shard_folder(run, shard, false)) ? "is unfinished" : "was not run");
-    else if (const std::string fault = fault_of(plan, done); !fault.empty())
-      missing.emplace_back(shard, fault);
-  }
-  return missing;
 }
 
 /// A line for each of the first ten, and how many more there are.
@@ -217,14 +165,20 @@ int merge(const PlanOptions& options, const Again& again) {
   const PlanFile plan = read_plan(options.run);
   require_same_program(plan);
   const fs::path run = fs::absolute(options.run);
-  const auto missing = missing_of(plan, run);
+  auto missing = missing_of(plan, run);
+  // A network file system may show names and content some time after another machine made them.
+  constexpr int looks = 4;
+  for (int look = 1; look < looks && !missing.empty() && !interrupted; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200 << look));
+    missing = missing_of(plan, run);
+  }
   if (!missing.empty()) {
     print(text_of(missing));
     if (options.resubmit) {
       std::vector<std::uint64_t> shards;
       for (const auto& [shard, reason] : missing) shards.push_back(shard);
       const record::OutputFolder folder(options.run);
-      folder.write("resubmit.sh", resubmit_script(shards));
+      folder.write("resubmit.sh", resubmit_script(shards, plan.first_alone));
       print("slurm   sh {}/resubmit.sh\n", shell_word(options.run));
     }
     return check_failed;
@@ -250,7 +204,7 @@ int tell_status(const PlanOptions& options) {
   for (const auto& [shard, reason] : missing) unfinished += reason == "is unfinished";
   print("plan    odeum {}\nshards  {} of {} done, {} begun, {} tasks in all\n",
         fmt::join(plan.words, " "), plan.shards - missing.size(), plan.shards, unfinished,
-        plan.tasks);
+        plan.shares.size());
   print(text_of(missing));
   return missing.empty() ? success : check_failed;
 }
@@ -265,9 +219,14 @@ void add_plan(CLI::App& app, int& result, const Again& again) {
   CLI::App* plan =
       app.add_subcommand("plan", "cut a sweep or a study into shards for a cluster or any shell");
   plan->allow_extras();
-  add_option(*plan, "--shards N", options->shards, "at most so many")
-      ->required()
+  CLI::App* const shards = plan->add_option_group("size");
+  add_option(*shards, "--shards N", options->shards, "at most so many")
       ->check(CLI::Range(std::uint64_t{1}, most_shards));
+  add_option(
+      *shards, "--shard-time T", options->shard_time,
+      "as many that each takes about so long, as 30min, by the seconds of earlier runs or of "
+      "a sample that is timed now");
+  shards->require_option(1);
   add_option(*plan, "--out RUN", options->run, "the folder of the plan")->required();
   plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
   CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");

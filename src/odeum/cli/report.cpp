@@ -4,8 +4,10 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cli/distributed.hpp"
 #include "odeum/cli/kept_results.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -79,34 +81,41 @@ std::vector<const Case*> cases_of(const Options& options) {
 /// Runs what each study has of its own for a report, adds what earlier runs left of the rest, and
 /// writes the files of what was measured.
 void run_studies(const study::Studies& studies, const Options& options,
-                 const record::OutputFolder& folder, record::Store* store) {
+                 const std::optional<record::OutputFolder>& folder, record::Store* store) {
   for (const auto& study : studies) {
     const study::Declaration& declaration = study->declaration();
     const std::vector<study::Options> runs = runs_of(*study, options);
     bool partial = runs.empty();
     for (const study::Options& run : runs) {
-      record::Store* const kept = declaration.no_resume.empty() ? store : nullptr;
+      record::Store* const kept =
+          declaration.no_resume.empty() || part().role != Role::alone ? store : nullptr;
       study->measure(run, study::Runner(options.jobs_or_cores(), result_cache_of(kept, run)));
       partial = partial || !run.cases.empty() || !run.solvers.empty();
     }
-    if (partial && options.given.empty()) study->add_earlier(folder.path());
+    if (folder && partial && options.given.empty()) study->add_earlier(folder->path());
   }
+  if (!folder) return;
   for (const auto& study : studies)
-    if (study->measured()) study->write(folder, options.jobs_or_cores());
+    if (study->measured()) study->write(*folder, options.jobs_or_cores());
 }
 
 void run(const Options& options) {
   check_case_globs(options.cases);
   check_solver_globs(options.solvers);
   const auto start = std::chrono::steady_clock::now();
-  const record::OutputFolder folder(options.out);
+  require_same_content(mark_of_loaded());
+  std::optional<record::OutputFolder> out;
+  if (const std::string path = output_of_part(options.out); !path.empty()) out.emplace(path);
   const study::Studies studies = study::make_studies();
   const auto store = open_store(options);
   try {
-    run_studies(studies, options, folder, store.get());
+    run_studies(studies, options, out, store.get());
   } catch (const Interrupted&) {
     throw Stopped(what_continues(store.get()));
   }
+  require_kept(store.get());
+  if (!out) return;
+  const record::OutputFolder& folder = *out;
   report::Report report(facts_for(cases_of(options)), folder, options.jobs_or_cores());
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) {
@@ -133,7 +142,7 @@ void run(const Options& options) {
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
         fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));
-  remark_on(store.get());
+  if (part().role == Role::alone) remark_on(store.get());
 }
 
 }  // namespace

@@ -65,9 +65,17 @@ double number_of(const char* option, const std::string& text,
     sound = read(below);
   }
   const auto unit = units.find(std::string(at, end));
-  if (!sound || unit == units.end())
+  if (!sound || unit == units.end()) {
+    std::vector<std::pair<double, std::string>> names;
+    for (const auto& [name, size] : units)
+      if (!name.empty()) names.emplace_back(size, name);
+    std::sort(names.rbegin(), names.rend());
+    std::string list;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      list += (k == 0 ? ", in " : k + 1 < names.size() ? ", " : " or ") + names[k].second;
     throw UsageError("{}: got {}, expected a positive number or a fraction{}", option, shown(text),
-                     units.size() > 1 ? ", in s, ms, us or ns" : "");
+                     list);
+  }
   return value / below * unit->second;
 }
 

@@ -58,12 +58,11 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   check_case_globs(options.cases);
   options.solvers = common.solvers;
   check_solver_globs(options.solvers);
-  if (part().role != Role::alone && !declaration.no_resume.empty())
-    throw UsageError("{} cannot be done in shards: {}", declaration.name, declaration.no_resume);
   require_same_content(mark_of_loaded());
   std::optional<record::OutputFolder> out;
   if (const std::string path = output_of_part(common.out); !path.empty()) out.emplace(path);
-  const auto store = declaration.no_resume.empty() ? open_store(common) : nullptr;
+  const auto store =
+      declaration.no_resume.empty() || part().role != Role::alone ? open_store(common) : nullptr;
   try {
     study.measure(options,
                   study::Runner(common.jobs_or_cores(), result_cache_of(store.get(), options)));

@@ -12,14 +12,15 @@
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/sweep/answer.hpp"
+#include "odeum/sweep/study.hpp"
 
 namespace odeum::cli {
 namespace {
 
 struct SweepOptions {
-  std::string what, solver, quantities, over_file, out, format = "text";
-  std::vector<std::string> over;
-  double sample = 0;
+  std::string what, quantities, over_file, out, format = "text", study = "run";
+  std::vector<std::string> over, solvers;
+  double sample = 0, error = 0, seconds = 0;
   std::uint64_t seed = 1, check = 100;
   StudyOptions common;  ///< its number of threads
   RunSettings settings;
@@ -63,17 +64,45 @@ Request with_outputs(Request request, const RunSettings& settings, const Case& c
   return request;
 }
 
-sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
+/// Throws UsageError for options that the study does not take.
+void plan_study(const SweepOptions& options, const Case& c, const std::string& solver,
+                sweep::Plan& plan) {
+  const bool advice = options.study == "advise";
+  if (has_setting(options.settings) || !options.quantities.empty())
+    throw UsageError(
+        "--study {}: chooses its settings and has quantities of its own; expected no "
+        "--step, --tol or --quantity",
+        options.study);
+  if (advice) require_positive("--error", options.error);
+  plan.solver = solver;
+  if (!advice) {
+    const Entrant& entrant = find_entrant(c.entrants, c.id, solver);
+    plan.solver = entrant.info.id();
+  } else if (!solver.empty()) {
+    check_solver_globs({solver});
+  }
+  plan.study = sweep::member_study(
+      options.study, {.solver = plan.solver, .error = options.error, .seconds = options.seconds});
+  plan.quantities = plan.study->quantities;
+}
+
+sweep::Plan plan_of(const SweepOptions& options, const Case& c, const std::string& solver) {
   sweep::Plan plan(c, members_of(options));
+  plan.jobs = options.common.jobs_or_cores();
+  if (options.study != "run") {
+    plan_study(options, c, solver, plan);
+    return plan;
+  }
+  if (options.error != 0 || options.seconds != 0)
+    throw UsageError("--error and --seconds are those of --study advise and precision");
   const RunSettings settings = settings_for(c, options.settings);
   if (!has_setting(settings)) throw UsageError("sweep needs --step or --tol, or --rtol and --atol");
-  const Entrant& entrant = find_entrant(c.entrants, c.id, options.solver);
+  const Entrant& entrant = find_entrant(c.entrants, c.id, solver);
   plan.solver = entrant.info.id();
   plan.request = make_request(settings, c.t0, c.end(), c.y0.size(), entrant.info);
   // One member among many does not hold up the others.
   plan.request.budget.evaluations = 20 * c.settings.evaluation_budget;
   plan.quantities = sweep::quantities_of(options.quantities, c);
-  plan.jobs = options.common.jobs_or_cores();
   plan.checks = options.check;
   const Request outputs = with_outputs(plan.request, settings, c);
   if (!output_of_part(options.out).empty()) plan.over_time = outputs;
@@ -82,32 +111,52 @@ sweep::Plan plan_of(const SweepOptions& options, const Case& c) {
   return plan;
 }
 
+/// Advice needs none.
+std::vector<std::string> solvers_of(const SweepOptions& options) {
+  if (options.solvers.empty() && options.study != "advise")
+    throw UsageError("--solver is required");
+  return options.solvers.empty() ? std::vector<std::string>{""} : options.solvers;
+}
+
 int sweep_on(const SweepOptions& options, const CLI::App& command) {
   try {
     const Case c = case_of(options.what, options.problems,
                            [&](double t0, double end) { check_span(options.settings, t0, end); });
-    sweep::Plan plan = plan_of(options, c);
+    std::vector<sweep::Plan> plans;
+    for (const std::string& solver : solvers_of(options))
+      plans.push_back(plan_of(options, c, solver));
     require_same_content(mark_of_loaded());
     const auto store = part().role == Role::alone ? nullptr : store_of_part();
-    if (part().role != Role::alone)
-      plan.kept = {.store = store.get(),
-                   .dependencies = part().mark + mark_of_loaded(),
-                   .dependencies_of_pair = {},
-                   .share = part().share};
     const sweep::Asked asked{shell_word(options.what), words_of(options.problems.sets, command)};
     std::optional<record::OutputFolder> folder;
     const std::string out = output_of_part(options.out);
     if (!out.empty()) folder.emplace(out);
-    const sweep::Result result = sweep::run(plan);
+    std::vector<sweep::Result> results;
+    std::string text;
+    auto json = nlohmann::ordered_json::array();
+    std::uint64_t solved = 0;
+    for (sweep::Plan& plan : plans) {
+      if (part().role != Role::alone)
+        plan.kept = {.store = store.get(),
+                     .dependencies = part().mark + mark_of_loaded(),
+                     .dependencies_of_pair = {},
+                     .share = part().share};
+      results.push_back(sweep::run(plan));
+      if (part().role == Role::plan || part().role == Role::shard) continue;
+      text += sweep::text_of(plan, results.back(), asked);
+      json.push_back(sweep::json_of(plan, results.back(), asked));
+      solved += results.back().solved;
+    }
     require_kept(store.get());
     if (part().role == Role::plan || part().role == Role::shard) return success;
-    print(options.format == "json" ? sweep::json_of(plan, result, asked).dump(2) + "\n"
-                                   : sweep::text_of(plan, result, asked));
+    if (json.size() == 1) json = nlohmann::ordered_json(json.front());
+    print(options.format == "json" ? json.dump(2) + "\n" : text);
     if (folder) {
-      remark_on_page(sweep::write_page(*folder, plan, result, asked));
+      const sweep::Joined all = sweep::join(plans, std::move(results));
+      remark_on_page(sweep::write_page(*folder, all, text, json, asked));
       remark("members.csv is in {}", out);
     }
-    return result.solved > 0 ? success : solver_failed;
+    return solved > 0 ? success : solver_failed;
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   } catch (const InputError& error) {
@@ -138,7 +187,17 @@ void add_sweep(CLI::App& app, int& result) {
   command->add_option("--seed", options->seed, "of the draws; default: 1")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000'000));
-  command->add_option("--solver", options->solver, "the solver")->required()->type_name("ID");
+  add_option(*command, "--solver ID", options->solvers,
+             "a solver; several run on the same members. For advice, a glob")
+      ->allow_extra_args(false);
+  add_option(*command, "--study STUDY", options->study,
+             "run; or of each member converge: its order, precision: its least times to errors, "
+             "advise: the fastest solver to an error; default: run")
+      ->check(CLI::IsMember({"run", "converge", "precision", "advise"}));
+  add_option(*command, "--error E", options->error, "with --study advise: the error that is asked");
+  add_option(
+      *command, "--seconds S", options->seconds,
+      "with --study advise: for each answer; with precision: for the timed runs of a member");
   add_step_and_tolerances(*command, options->settings);
   command->add_option("--until", options->settings.until, "end time; default: the horizon")
       ->type_name("T");

@@ -21,6 +21,14 @@
 #define ODEUM_LANES lanes_16
 #endif
 
+// Functions of all lanes at once from glibc's libmvec (part of -lm), which is within 4 units in the
+// last place where the scalar ones are within 1. Others, and other systems, take lane after lane.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(ODEUM_SCALAR_FUNCTIONS)
+#if __GLIBC_PREREQ(2, 35)
+#define ODEUM_VECTOR_FUNCTIONS
+#endif
+#endif
+
 namespace odeum {
 inline namespace ODEUM_LANES {
 
@@ -35,6 +43,29 @@ inline constexpr std::size_t vector_bytes = 16;  // SSE2, NEON
 
 using LaneVector __attribute__((vector_size(vector_bytes))) = double;
 using LaneBits __attribute__((vector_size(vector_bytes))) = std::int64_t;
+
+#define ODEUM_EACH_FUNCTION(ONE, TWO)                                                             \
+  ONE(sin)                                                                                        \
+  ONE(cos) ONE(tan) ONE(asin) ONE(acos) ONE(atan) ONE(sinh) ONE(cosh) ONE(tanh) ONE(exp) ONE(log) \
+      ONE(log10) ONE(cbrt) TWO(pow) TWO(atan2) TWO(hypot)
+#ifdef ODEUM_VECTOR_FUNCTIONS
+#if defined(__AVX512F__)
+#define ODEUM_VECTOR_NAME(arguments, name) _ZGVeN8##arguments##_##name
+#elif defined(__AVX2__)
+#define ODEUM_VECTOR_NAME(arguments, name) _ZGVdN4##arguments##_##name
+#elif defined(__AVX__)
+#define ODEUM_VECTOR_NAME(arguments, name) _ZGVcN4##arguments##_##name
+#else
+#define ODEUM_VECTOR_NAME(arguments, name) _ZGVbN2##arguments##_##name
+#endif
+extern "C" {
+#define ODEUM_FUNCTION(name) LaneVector ODEUM_VECTOR_NAME(v, name)(LaneVector);
+#define ODEUM_FUNCTION_OF_TWO(name) LaneVector ODEUM_VECTOR_NAME(vv, name)(LaneVector, LaneVector);
+ODEUM_EACH_FUNCTION(ODEUM_FUNCTION, ODEUM_FUNCTION_OF_TWO)
+#undef ODEUM_FUNCTION
+#undef ODEUM_FUNCTION_OF_TWO
+}
+#endif
 
 /// A truth value for each lane, which chooses among numbers: select(x < y, x, y).
 struct LaneMask {
@@ -62,8 +93,8 @@ struct LaneMask {
 
 /// A number for the member in each lane of a vector register, in the compiler's own vector types:
 /// the number type (`real`) of a problem whose members are computed together. Each lane is rounded
-/// as a double is. Functions of <cmath> are found where they are called without std::, after
-/// `using std::sin;`.
+/// as a double is, but for functions of ODEUM_VECTOR_FUNCTIONS. Functions of <cmath> are found
+/// where they are called without std::, after `using std::sin;`.
 struct Lanes {
   static constexpr std::size_t count = vector_bytes / sizeof(double);
   LaneVector v;
@@ -139,32 +170,26 @@ struct Lanes {
     for (std::size_t lane = 0; lane < count; ++lane) result.set(lane, f(a[lane], more[lane]...));
     return result;
   }
+#ifdef ODEUM_VECTOR_FUNCTIONS
+#define ODEUM_FUNCTION(name) \
+  friend Lanes name(const Lanes& a) { return Lanes(ODEUM_VECTOR_NAME(v, name)(a.v)); }
+#define ODEUM_FUNCTION_OF_TWO(name)                      \
+  friend Lanes name(const Lanes& a, const Lanes& b) {    \
+    return Lanes(ODEUM_VECTOR_NAME(vv, name)(a.v, b.v)); \
+  }
+#else
 #define ODEUM_FUNCTION(name)                                    \
   friend Lanes name(const Lanes& a) {                           \
     return each_lane([](double x) { return std::name(x); }, a); \
   }
-  ODEUM_FUNCTION(sin)
-  ODEUM_FUNCTION(cos)
-  ODEUM_FUNCTION(tan)
-  ODEUM_FUNCTION(asin)
-  ODEUM_FUNCTION(acos)
-  ODEUM_FUNCTION(atan)
-  ODEUM_FUNCTION(sinh)
-  ODEUM_FUNCTION(cosh)
-  ODEUM_FUNCTION(tanh)
-  ODEUM_FUNCTION(exp)
-  ODEUM_FUNCTION(log)
-  ODEUM_FUNCTION(log10)
-  ODEUM_FUNCTION(cbrt)
-#undef ODEUM_FUNCTION
-#define ODEUM_FUNCTION(name)                                                    \
+#define ODEUM_FUNCTION_OF_TWO(name)                                             \
   friend Lanes name(const Lanes& a, const Lanes& b) {                           \
     return each_lane([](double x, double y) { return std::name(x, y); }, a, b); \
   }
-  ODEUM_FUNCTION(pow)
-  ODEUM_FUNCTION(atan2)
-  ODEUM_FUNCTION(hypot)
+#endif
+  ODEUM_EACH_FUNCTION(ODEUM_FUNCTION, ODEUM_FUNCTION_OF_TWO)
 #undef ODEUM_FUNCTION
+#undef ODEUM_FUNCTION_OF_TWO
 };
 
 }  // namespace ODEUM_LANES

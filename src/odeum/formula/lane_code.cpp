@@ -8,9 +8,9 @@
 namespace odeum::formula {
 namespace {
 
-/// What operators of C do not do with vectors is done lane by lane: a function has the bits that it
-/// has alone. It is not inlined, since its loop would stand between the products and sums that the
-/// compiler joins elsewhere: within a block of code without branches alone.
+/// What operators of C do not do with vectors is done by the vector functions of core/lanes.hpp, or
+/// else lane by lane. That is not inlined, since its loop would stand between the products and sums
+/// that the compiler joins elsewhere: within a block of code without branches alone.
 constexpr const char* prelude = R"(
 #define t (*time)
 static inline V all(double x) { return x - (V){0}; }
@@ -18,11 +18,23 @@ static inline V all(double x) { return x - (V){0}; }
   V r; for (int i = 0; i < N; ++i) r[i] = value; return r; }
 #define FUNCTION(name) EACH(name, (V a), __builtin_##name(a[i]))
 #define OF_TWO(name) EACH(name, (V a, V b), __builtin_##name(a[i], b[i]))
-FUNCTION(sin) FUNCTION(cos) FUNCTION(tan) FUNCTION(asin) FUNCTION(acos) FUNCTION(atan)
-FUNCTION(sinh) FUNCTION(cosh) FUNCTION(tanh) FUNCTION(exp) FUNCTION(log) FUNCTION(log10)
-FUNCTION(sqrt) FUNCTION(fabs) OF_TWO(pow) OF_TWO(atan2) OF_TWO(hypot)
+FUNCTION(sqrt) FUNCTION(fabs)
 EACH(sign, (V a), (a[i] > 0) - (a[i] < 0) + 0 * a[i])
 )";
+
+#define ODEUM_TEXT(word) #word
+#define ODEUM_TEXT_OF(word) ODEUM_TEXT(word)
+#ifdef ODEUM_VECTOR_FUNCTIONS
+#define ODEUM_DECLARED(letters, arguments, name)                 \
+  "V " ODEUM_TEXT_OF(ODEUM_VECTOR_NAME(letters, name)) arguments \
+      ";\n#define lanes_" #name " " ODEUM_TEXT_OF(ODEUM_VECTOR_NAME(letters, name)) "\n"
+#define ODEUM_ONE(name) ODEUM_DECLARED(v, "(V)", name)
+#define ODEUM_TWO(name) ODEUM_DECLARED(vv, "(V, V)", name)
+#else
+#define ODEUM_ONE(name) "FUNCTION(" #name ")\n"
+#define ODEUM_TWO(name) "OF_TWO(" #name ")\n"
+#endif
+constexpr const char* vector_functions = ODEUM_EACH_FUNCTION(ODEUM_ONE, ODEUM_TWO);
 
 /// A choice is a branch where a member is alone, and none in lanes.
 bool has_choices(const Problem& problem, const Analysis& analysis) {
@@ -50,8 +62,8 @@ std::string print_lanes(const Problem& problem, const Analysis& analysis) {
   Printer out(problem.graph);
   out.owner = "(*(const V* const*)problem)";
   out.numbered = true;
-  out.line("typedef double V __attribute__((vector_size({})));\nenum {{ N = {} }};{}", vector_bytes,
-           Lanes::count, prelude);
+  out.line("typedef double V __attribute__((vector_size({})));\nenum {{ N = {} }};{}{}",
+           vector_bytes, Lanes::count, prelude, vector_functions);
   const std::size_t n = analysis.structure.states;
   print_values(out, function("rhs"), problem.equations, in_order(n), in_lanes);
   print_jacobian(out, function("jacobian"), analysis.jacobian, in_lanes);

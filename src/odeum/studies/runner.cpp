@@ -1,12 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/runner.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/record/csv.hpp"
 
 namespace odeum::study {
+void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t)>& earlier_of,
+                       const std::function<void(std::size_t)>& work) {
+  constexpr std::size_t most = 32;
+  constexpr double most_seconds = 5;
+  std::vector<double> known(tasks);
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < tasks; ++i) {
+    known[i] = earlier_of(i);
+    std::isnan(known[i]) ? open.push_back(i) : void(++earlier);
+  }
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const Clock::time_point start = Clock::now();
+  const std::size_t sample = work ? std::min(most, open.size()) : 0;
+  // In the order of a golden ratio, so that they are spread wherever the seconds end.
+  for (std::size_t k = 0; k < sample && since(start) < most_seconds; ++k) {
+    const double part = std::fmod(0.5 + 0.6180339887498949 * static_cast<double>(k), 1);
+    const std::size_t i = open[static_cast<std::size_t>(part * static_cast<double>(open.size()))];
+    if (!std::isnan(known[i])) continue;
+    const Clock::time_point begin = Clock::now();
+    work(i);
+    known[i] = since(begin);
+    ++timed;
+  }
+  alone.insert(alone.end(), tasks, !work);
+  for (std::size_t i = 0, last = tasks, next = 0; i < tasks; ++i) {
+    if (!std::isnan(known[i])) last = i;
+    for (next = std::max(next, i); next < tasks && std::isnan(known[next]);) ++next;
+    const bool nearer = last < tasks && (next >= tasks || i - last <= next - i);
+    seconds.push_back(nearer ? known[last] : next < tasks ? known[next] : 1);
+  }
+}
+
+double Runner::seconds_of(const std::string& name) const {
+  if (!cache_.seconds) return nan;
+  const std::string text = cache_.seconds->take(cache_.settings, name).value_or("");
+  double seconds = nan;
+  std::from_chars(text.data(), text.data() + text.size(), seconds);
+  return seconds;
+}
+
+void Runner::keep_seconds(const std::string& name, double seconds) const {
+  if (cache_.seconds) cache_.seconds->add(cache_.settings, name, record::format_number(seconds));
+}
 
 std::vector<const Case*> select_cases(const std::vector<std::string>& globs) {
   std::vector<const Case*> cases;

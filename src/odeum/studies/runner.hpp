@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <atomic>
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -59,12 +60,35 @@ Row not_applicable(Row row, const std::string& reason) {
   return row;
 }
 
-/// The tasks of a run that are its own: every `of`-th from number `at`, others are left out.
+/// What a plan learns of the tasks of a command.
+struct PlannedTasks {
+  std::vector<double> seconds = {};      ///< by task, in the order in which they would be done
+  std::vector<bool> alone = {};          ///< by task: its times are its result
+  std::uint64_t earlier = 0, timed = 0;  ///< tasks whose seconds are of earlier runs, of a sample
+
+  /// Adds tasks. `earlier_of` a task: its seconds in an earlier run; NaN: not known. Of others
+  /// some, evenly spread, are done and timed for a few seconds, or none without `work`, where tasks
+  /// are timed; the rest is taken to be as long as the nearest of these, or one second.
+  void add(std::size_t tasks, const std::function<double(std::size_t)>& earlier_of,
+           const std::function<void(std::size_t)>& work);
+};
+
+/// The tasks of a command that this process does.
 struct Share {
-  std::uint64_t at = 0, of = 1;
+  std::uint64_t at = 0;
+  /// By task, the number of the share that has it; null: all are this one's.
+  std::shared_ptr<const std::vector<std::uint32_t>> shares = nullptr;
+  std::shared_ptr<std::uint64_t> begun = nullptr;  ///< tasks of the runs before, beside `shares`
   bool all_kept = false;  ///< every result is to be in the store: another is an error
-  std::shared_ptr<std::atomic<std::uint64_t>> count = nullptr;  ///< only counts tasks
-  bool has(std::uint64_t task) const { return task % of == at; }
+  std::shared_ptr<PlannedTasks> plan = nullptr;  ///< only adds its tasks to it
+
+  /// The number of the first task of a run of so many.
+  std::uint64_t begin(std::size_t tasks) const {
+    return begun ? std::exchange(*begun, *begun + tasks) : 0;
+  }
+  bool has(std::uint64_t task) const {
+    return !shares || (task < shares->size() && (*shares)[task] == at);
+  }
 };
 
 /// Where a run keeps results and takes those of earlier runs from, and what they depend on.
@@ -75,6 +99,8 @@ struct ResultCache {
   /// What a result of this case and solver depends on; empty: `dependencies` for them too.
   std::function<std::string(const Case&, const SolverInfo&)> dependencies_of_pair = {};
   Share share = {};
+  record::Store* seconds = nullptr;  ///< where the seconds of tasks are kept, for plans
+  std::string settings = {};         ///< by which these are: the options that are no globs
 };
 
 /// Runs the tasks of a study: several at a time, with progress, and keeps their results, so that
@@ -92,22 +118,16 @@ class Runner {
   /// options that are no globs. Throws Interrupted.
   template <class Task, class Key, class Work>
   auto run(const std::string& what, const std::vector<Task>& tasks, Key&& key, Work&& work) const {
-    using Result = decltype(work(tasks.front()));
-    if (cache_.share.count) return *cache_.share.count += tasks.size(), Result();
-    std::vector<Result> results(tasks.size());
-    Progress progress(what, static_cast<double>(tasks.size()));
-    parallel_for(tasks.size(), jobs_, [&](std::size_t i) {
-      if (!cache_.share.has(i)) return;
-      results[i] = kept_or(
-          tasks[i], [&] { return what + ' ' + key(tasks[i]); }, [&] { return work(tasks[i]); });
-      progress.advance();
-    });
-    Result all;
-    for (Result& result : results) record::append(all, std::move(result));
-    return all;
+    return run_by(jobs_, what, tasks, key, work);
+  }
+  /// The same one after the other, for tasks whose times are the result: a plan times none.
+  template <class Task, class Key, class Work>
+  auto run_in_turn(const std::string& what, const std::vector<Task>& tasks, Key&& key,
+                   Work&& work) const {
+    return run_by(0, what, tasks, key, work);
   }
 
-  /// For timed tasks, which are neither kept nor run in parallel.
+  /// For what is timed within a task.
   unsigned jobs() const { return jobs_; }
 
  private:
@@ -118,6 +138,35 @@ class Runner {
   }
 
   template <class Task, class Key, class Work>
+  auto run_by(unsigned jobs, const std::string& what, const std::vector<Task>& tasks, Key&& key,
+              Work&& work) const {
+    using Result = decltype(work(tasks.front()));
+    const auto name = [&](std::size_t i) { return what + ' ' + key(tasks[i]); };
+    if (cache_.share.plan) {
+      cache_.share.plan->add(
+          tasks.size(), [&](std::size_t i) { return seconds_of(name(i)); },
+          jobs == 0 ? std::function<void(std::size_t)>() : [&](std::size_t i) { work(tasks[i]); });
+      return Result();
+    }
+    const std::uint64_t first = cache_.share.begin(tasks.size());
+    std::vector<Result> results(tasks.size());
+    Progress progress(what, static_cast<double>(tasks.size()));
+    parallel_for(tasks.size(), std::max(jobs, 1U), [&](std::size_t i) {
+      if (!cache_.share.has(first + i)) return;
+      results[i] = kept_or(
+          tasks[i], [&] { return name(i); }, [&] { return work(tasks[i]); });
+      progress.advance();
+    });
+    Result all;
+    for (Result& result : results) record::append(all, std::move(result));
+    return all;
+  }
+
+  /// Of a task in an earlier run; NaN: not known.
+  double seconds_of(const std::string& name) const;
+  void keep_seconds(const std::string& name, double seconds) const;
+
+  template <class Task, class Key, class Work>
   auto kept_or(const Task& task, Key&& key, Work&& work) const {
     using Result = decltype(work());
     if (!cache_.store) return work();
@@ -125,10 +174,13 @@ class Runner {
     if (const auto kept = cache_.store->take(dependencies, name))
       return record::from_record<Result>(*kept);
     if (cache_.share.all_kept) throw std::runtime_error("the shards lack the result of " + name);
+    const auto start = std::chrono::steady_clock::now();
     Result result = work();
     // An interrupted task has no result.
     if (interrupted) throw Interrupted();
     cache_.store->add(dependencies, name, record::to_record(result));
+    keep_seconds(name,
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     return result;
   }
 

@@ -10,25 +10,32 @@
 namespace odeum::sweep {
 namespace {
 
-std::string setting_of(const Plan& plan) { return advise::setting_of(plan.request, *plan.base); }
+std::string setting_of(const Plan& plan) {
+  return plan.study ? plan.study->words : advise::setting_of(plan.request, *plan.base);
+}
 
 constexpr std::array names{"least", "5 %", "median", "95 %", "greatest"};
 
 }  // namespace
 
 std::string command_of(const Plan& plan, const Asked& asked, std::uint64_t member) {
-  return fmt::format("odeum run {}{}{} --solver {} {}", asked.what, asked.more,
-                     sets_of(plan, member), plan.solver, setting_of(plan));
+  return fmt::format("odeum {} {}{}{}{}{}{}", plan.study ? plan.study->name : "run", asked.what,
+                     asked.more, sets_of(plan, member), plan.solver.empty() ? "" : " --solver ",
+                     plan.solver, setting_of(plan).empty() ? "" : " " + setting_of(plan));
 }
 
 std::string text_of(const Plan& plan, const Result& result, const Asked& asked) {
-  std::string text = fmt::format("sweep     {} members of {}\nsolver    {} {}\n", result.size,
-                                 plan.base->id, plan.solver, setting_of(plan));
+  std::string text = fmt::format("sweep     {} members of {}\n{:<9}", result.size, plan.base->id,
+                                 plan.study ? plan.study->name : "solver");
+  for (const std::string& word : {plan.solver, setting_of(plan)})
+    if (!word.empty()) text += ' ' + word;
+  text += '\n';
   text += fmt::format("solved    {} ({:.4g} %)\n", result.solved,
                       100 * static_cast<double>(result.solved) / static_cast<double>(result.size));
   for (const auto& [status, ending] : result.endings)
-    text += fmt::format("failed    {} {}, first member {}{}{}\n          {}\n", ending.count,
-                        status, ending.first, ending.detail.empty() ? "" : ": ", ending.detail,
+    text += fmt::format("{}    {} {}, first member {}{}{}\n          {}\n",
+                        plan.study ? "answer" : "failed", ending.count, status, ending.first,
+                        ending.detail.empty() ? "" : ": ", ending.detail,
                         command_of(plan, asked, ending.first));
   constexpr std::size_t most = 12;
   for (std::size_t q = 0; q < std::min(result.quantiles.size(), most); ++q) {
@@ -54,10 +61,30 @@ std::string text_of(const Plan& plan, const Result& result, const Asked& asked) 
       "time      {:.3g} s on {} thread{}, {:.3g} us a member and thread; {} evaluations\n",
       result.seconds, plan.jobs, plan.jobs == 1 ? "" : "s",
       1e6 * result.seconds * plan.jobs / static_cast<double>(result.size), result.evaluations);
-  if (!result.one_code)
+  if (!result.one_code && !plan.study)
     text +=
         "note      a case was made for each member, since the parameters cannot change in place\n";
   return text;
+}
+
+Joined join(const std::vector<Plan>& plans, std::vector<Result> results) {
+  Joined all{plans.front(), std::move(results.front())};
+  if (plans.size() == 1) return all;
+  const std::size_t solvers = plans.size(), quantities = plans.front().quantities.size();
+  std::vector<double> values(all.result.results.size() * solvers);
+  all.plan.quantities.clear();
+  for (std::size_t s = 0; s < solvers; ++s) {
+    const Result& one = s == 0 ? all.result : results[s];
+    for (std::size_t q = 0; q < quantities; ++q) {
+      all.plan.quantities.push_back(plans[s].quantities[q]);
+      all.plan.quantities.back().name += ", " + plans[s].solver;
+      for (std::size_t member = 0; member < one.size; ++member)
+        values[(member * solvers + s) * quantities + q] = one.results[member * quantities + q];
+    }
+    if (s > 0) all.result.csv += one.csv.substr(one.csv.find('\n') + 1);
+  }
+  all.result.results = std::move(values);
+  return all;
 }
 
 nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Asked& asked) {
@@ -67,13 +94,14 @@ nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Ask
                     {"setting", setting_of(plan)},
                     {"members", result.size},
                     {"solved", result.solved}};
-  json["failed"] = ordered_json::array();
+  const char* const endings = plan.study ? "answers" : "failed";
+  json[endings] = ordered_json::array();
   for (const auto& [status, ending] : result.endings)
-    json["failed"].push_back({{"status", status},
-                              {"members", ending.count},
-                              {"first", ending.first},
-                              {"detail", ending.detail},
-                              {"command", command_of(plan, asked, ending.first)}});
+    json[endings].push_back({{"status", status},
+                             {"members", ending.count},
+                             {"first", ending.first},
+                             {"detail", ending.detail},
+                             {"command", command_of(plan, asked, ending.first)}});
   json["quantities"] = ordered_json::array();
   for (std::size_t q = 0; q < result.quantiles.size(); ++q) {
     ordered_json one{{"name", plan.quantities[q].name}};

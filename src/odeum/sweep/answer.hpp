@@ -19,9 +19,16 @@ std::string command_of(const Plan& plan, const Asked& asked, std::uint64_t membe
 std::string text_of(const Plan& plan, const Result& result, const Asked& asked);
 nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Asked& asked);
 
-/// Writes members.csv and the page; false where there is no page, see Report::write. Throws
-/// FileError.
-bool write_page(const record::OutputFolder& folder, const Plan& plan, const Result& result,
-                const Asked& asked);
+/// Several solvers on the same members: a plan with the quantities of each by name, and its result.
+struct Joined {
+  Plan plan;
+  Result result;
+};
+Joined join(const std::vector<Plan>& plans, std::vector<Result> results);
+
+/// Writes members.csv, `json` as sweep.json and the page, which tells `text`; false where there is
+/// no page, see Report::write. Throws FileError.
+bool write_page(const record::OutputFolder& folder, const Joined& all, const std::string& text,
+                const nlohmann::ordered_json& json, const Asked& asked);
 
 }  // namespace odeum::sweep

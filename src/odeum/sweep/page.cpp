@@ -101,7 +101,8 @@ record::Records map_of(const Plan& plan, const Result& result, const std::vector
     std::vector<std::vector<double>> values(shown);
     std::uint64_t solved = 0;
     for (const std::uint64_t member : members[cell]) {
-      solved += std::isfinite(result.results[member * all]);
+      const double* const first = result.results.data() + member * all;
+      solved += std::all_of(first, first + all, [](double value) { return std::isfinite(value); });
       for (std::size_t q = 0; q < shown; ++q) values[q].push_back(result.results[member * all + q]);
     }
     row.emplace_back(static_cast<double>(solved) / static_cast<double>(members[cell].size()));
@@ -113,16 +114,18 @@ record::Records map_of(const Plan& plan, const Result& result, const std::vector
 
 }  // namespace
 
-bool write_page(const record::OutputFolder& folder, const Plan& plan, const Result& result,
-                const Asked& asked) {
+bool write_page(const record::OutputFolder& folder, const Joined& all, const std::string& text,
+                const nlohmann::ordered_json& answers, const Asked& asked) {
+  const Plan& plan = all.plan;
+  const Result& result = all.result;
   folder.write("members.csv", result.csv);
-  folder.write("sweep.json", json_of(plan, result, asked).dump(2) + "\n");
+  folder.write("sweep.json", answers.dump(2) + "\n");
   report::Report page({.cases = {}, .solvers = {}, .libraries = all_libraries()}, folder);
   trajectories::RunTexts texts{.title = plan.base->title,
                                .lead = plan.base->id,
                                .facts = {{"Equation", plan.base->equation}},
                                .command = "odeum sweep"};
-  trajectories::add_lines(texts, text_of(plan, result, asked));
+  trajectories::add_lines(texts, text);
   nlohmann::ordered_json json = trajectories::page_facts("sweep", texts);
   json["quantities"] = nlohmann::ordered_json::array();
   for (const Quantity& quantity : plan.quantities) json["quantities"].push_back(quantity.name);

@@ -10,10 +10,10 @@ namespace odeum::sweep {
 
 /// A number of a member's solution.
 struct Quantity {
-  enum class Kind { end, least, greatest, energy };
+  enum class Kind { end, least, greatest, energy, measured };
   std::string name;
   Kind kind = Kind::end;
-  std::size_t component = 0;  ///< of the state; of no meaning for an energy
+  std::size_t component = 0;  ///< of the state, or of what a study measured; none of an energy
 
   /// Whether it needs the solution between the start and the end.
   bool over_time() const { return kind == Kind::least || kind == Kind::greatest; }

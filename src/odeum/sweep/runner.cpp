@@ -48,7 +48,7 @@ void Runner::use_lanes() {
 }
 
 std::vector<Outcome> Runner::run_in_lanes(std::uint64_t first, std::uint64_t last) {
-  if (!lane_run_) return {};
+  if (!lane_run_ || plan_.study) return {};
   const auto place = [&](std::size_t member) {
     try {
       return lanes_->place(parameters_of(plan_, first + member));
@@ -80,12 +80,24 @@ Outcome Runner::run(const std::vector<double>& values, const Request& request) {
   }
 }
 
+MemberRow Runner::measure(const std::vector<double>& values) const {
+  try {
+    Case member = plan_.base->with_values(values);
+    return plan_.study->measure(member);
+  } catch (const std::invalid_argument& error) {
+    return {.solver = plan_.solver,
+            .status = to_string(Status::refused),
+            .detail = error.what(),
+            .answer = to_string(Status::refused)};
+  }
+}
+
 double Runner::value(const Quantity& quantity, const Outcome& outcome) const {
   return quantity.of(energy_, *y0_, outcome.states.data(), outcome.states.size() / y0_->size());
 }
 
 Runners::Runners(const Plan& plan) : plan_(plan) {
-  if (!plan.base->family) return;
+  if (!plan.base->family || plan.study) return;
   try {
     std::optional<Family> family = plan.base->family(samples_of(plan));
     in_place_ = family.has_value();

@@ -19,6 +19,8 @@ class Runner {
   Runner(const Plan& plan, std::optional<Family> family);
   /// `refused` where the values make no problem, or the solver does not fit it.
   Outcome run(const std::vector<double>& values, const Request& request);
+  /// The plan's study of a member; a row of values that make no problem says so.
+  MemberRow measure(const std::vector<double>& values) const;
   /// The plan's request for members from `first` to `last` in lanes, where the solver, the problem
   /// and the request allow it; else nothing. One that is not ok has to run alone.
   std::vector<Outcome> run_in_lanes(std::uint64_t first, std::uint64_t last);
@@ -63,6 +65,7 @@ class Lent {
   Lent(const Lent&) = delete;
   Lent& operator=(const Lent&) = delete;
   Runner* operator->() const { return lent_.get(); }
+  Runner& operator*() const { return *lent_; }
 
  private:
   Runners& from_;

@@ -38,21 +38,30 @@ class Sweep {
     const auto parts = static_cast<std::size_t>((size + together - 1) / together);
     result_.size = size;
     const study::Share& share = plan_.kept.share;
-    if (share.count) {
-      *share.count += parts;
-      return std::move(result_);
-    }
     result_.one_code = runners_.in_place();
     result_.results.assign(size * plan_.quantities.size(), nan);
+    const auto ends_of = [&](std::size_t part) {
+      return std::pair(part * together, std::min(size, (part + 1) * together));
+    };
+    if (share.plan) {
+      const auto none = [](std::size_t) { return nan; };
+      const auto work = [&](std::size_t k) { run_part(ends_of(k).first, ends_of(k).second); };
+      if (plan_.study && plan_.study->timed)
+        share.plan->add(parts, none, {});
+      else
+        share.plan->add(parts, none, work);
+      return std::move(result_);
+    }
+    const std::uint64_t begun = share.begin(parts);
     result_.csv = header();
     Progress progress("sweep", static_cast<double>(size));
     std::vector<Part> done(parts);
     std::vector<bool> ready(parts, false);
     std::size_t written = 0;
     std::mutex mutex;
-    parallel_for(parts, plan_.jobs, [&](std::size_t k) {
-      const std::uint64_t first = k * together, last = std::min(size, first + together);
-      Part part = share.has(k) ? kept_or_run(first, last) : Part();
+    parallel_for(parts, plan_.study && plan_.study->timed ? 1 : plan_.jobs, [&](std::size_t k) {
+      const auto [first, last] = ends_of(k);
+      Part part = share.has(begun + k) ? kept_or_run(first, last) : Part();
       progress.advance(static_cast<double>(last - first));
       const std::lock_guard lock(mutex);
       done[k] = std::move(part);
@@ -89,7 +98,7 @@ class Sweep {
   Part kept_or_run(std::uint64_t first, std::uint64_t last) {
     const study::ResultCache& kept = plan_.kept;
     if (!kept.store) return run_part(first, last);
-    const std::string key = fmt::format("members {} to {}", first, last);
+    const std::string key = fmt::format("{} members {} to {}", plan_.solver, first, last);
     const std::size_t quantities = plan_.quantities.size();
     if (const auto text = kept.store->take(kept.dependencies, key))
       return part_of(*text, quantities, result_.results.data() + first * quantities);
@@ -108,27 +117,44 @@ class Sweep {
         std::any_of(plan_.quantities.begin(), plan_.quantities.end(),
                     [](const Quantity& q) { return q.kind == Quantity::Kind::energy; });
     for (std::uint64_t member = first; member < last && !interrupted; ++member) {
-      const bool lanes = !in_lanes.empty() && in_lanes[member - first].status == Status::ok;
-      const Outcome outcome = lanes ? std::move(in_lanes[member - first])
-                                    : runner->run(parameters_of(plan_, member), plan_.request);
-      if (lanes && needs_energy) runner->place(parameters_of(plan_, member));
-      const bool ok = outcome.status == Status::ok;
+      MemberRow row;
+      if (plan_.study) {
+        row = runner->measure(parameters_of(plan_, member));
+      } else {
+        const bool lanes = !in_lanes.empty() && in_lanes[member - first].status == Status::ok;
+        const Outcome outcome = lanes ? std::move(in_lanes[member - first])
+                                      : runner->run(parameters_of(plan_, member), plan_.request);
+        if (lanes && needs_energy) runner->place(parameters_of(plan_, member));
+        row = row_of(*runner, outcome);
+      }
+      const bool ok = row.status == to_string(Status::ok);
       part.solved += ok;
-      part.evaluations += outcome.counters.rhs_evaluations;
-      if (!ok) add_ending(part.endings, to_string(outcome.status), {1, member, outcome.detail});
-      part.lines += fmt::format("{},{},{}", record::csv_schema, member, plan_.solver);
+      part.evaluations += row.evaluations;
+      if (const std::string& ending = plan_.study ? row.answer : row.status;
+          ending != to_string(Status::ok))
+        add_ending(part.endings, ending, {1, member, row.detail});
+      part.lines += fmt::format("{},{},{}", record::csv_schema, member, row.solver);
       for (const double value : plan_.members.values(member))
         part.lines += ',' + record::format_number(value);
-      part.lines += fmt::format(",{},{}", to_string(outcome.status),
-                                outcome.detail.empty() ? "" : record::format_text(outcome.detail));
+      part.lines += fmt::format(",{},{}", row.status,
+                                row.detail.empty() ? "" : record::format_text(row.detail));
       double* const results = result_.results.data() + member * plan_.quantities.size();
       for (std::size_t q = 0; q < plan_.quantities.size(); ++q) {
-        if (ok) results[q] = runner->value(plan_.quantities[q], outcome);
+        if (!row.values.empty()) results[q] = row.values[q];
         part.lines += ',' + record::format_number(results[q]);
       }
-      part.lines += fmt::format(",{}\n", outcome.counters.rhs_evaluations);
+      part.lines += fmt::format(",{}\n", row.evaluations);
     }
     return part;
+  }
+
+  MemberRow row_of(const Runner& runner, const Outcome& outcome) const {
+    MemberRow row{plan_.solver, to_string(outcome.status), outcome.detail};
+    row.evaluations = outcome.counters.rhs_evaluations;
+    if (outcome.status == Status::ok)
+      for (const Quantity& quantity : plan_.quantities)
+        row.values.push_back(runner.value(quantity, outcome));
+    return row;
   }
 
   const Plan& plan_;
@@ -187,7 +213,7 @@ Result run(const Plan& plan) {
                                       : fmt::format("{} has no parameter {}; expected {}",
                                                     plan.base->id, name, one_of(known, name)));
   Result result = Sweep(plan).run();
-  if (plan.kept.share.of != 1 || plan.kept.share.count) return result;
+  if (plan.kept.share.shares || plan.kept.share.plan || plan.study) return result;
   check_members(plan, result);
   if (!plan.over_time.stops.empty()) add_over_time(plan, result);
   return result;

@@ -2,7 +2,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,13 +16,30 @@
 
 namespace odeum::sweep {
 
+/// What there is of a member: a row without its parameters.
+struct MemberRow {
+  std::string solver = {}, status = "ok", detail = {};
+  std::string answer = {};          ///< of a study, in a word, by which members are counted
+  std::vector<double> values = {};  ///< by quantity; empty: none is known
+  std::uint64_t evaluations = 0;
+};
+
+/// What is measured of a member in place of a run, see study.hpp.
+struct MemberStudy {
+  std::string name = {}, words = {};  ///< of the command that repeats it
+  std::vector<Quantity> quantities = {};
+  std::function<MemberRow(Case& member)> measure = {};
+  bool timed = false;  ///< one member after the other
+};
+
 /// What to run: each member from the case's start to the last stop.
 struct Plan {
   Plan(const Case& c, Members of) : base(&c), members(std::move(of)) {}
 
   const Case* base;
-  std::string solver;  ///< library/method
-  Request request;     ///< with stops between where a quantity needs them
+  std::string solver;                                  ///< library/method
+  std::shared_ptr<const MemberStudy> study = nullptr;  ///< null: a run
+  Request request;  ///< with stops between where a quantity needs them
   Members members;
   std::vector<Quantity> quantities;
   unsigned jobs = 1;
@@ -51,7 +70,7 @@ struct Checks {
 
 struct Result {
   std::uint64_t size = 0, solved = 0, evaluations = 0;
-  std::map<std::string, Ending> endings;  ///< by status
+  std::map<std::string, Ending> endings;  ///< by status, of a study by answer
   std::string csv;                        ///< members.csv
   std::vector<double> results;            ///< by member, one a quantity; NaN where it failed
   std::vector<Quantiles> quantiles;       ///< by quantity

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "odeum/core/glob.hpp"
+#include "odeum/core/machine.hpp"
 #include "odeum/core/parallel.hpp"
-#include "odeum/core/progress.hpp"
 #include "odeum/solvers/inlined.hpp"
 #include "odeum/solvers/variants.hpp"
 #include "odeum/studies/precision/timing.hpp"
@@ -75,11 +75,13 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
     conditions = meter.end();
     if (!disturbed(conditions.drift, conditions.processor_share)) break;
   }
+  const std::string processor = cpu_model();
   std::vector<PrecisionRow> rows;
   for (TimedSolver& solver : solvers)
     for (TimedRun& trial : solver.trials) {
       PrecisionRow& row = trial.row;
       row.measured = conditions.measured;
+      row.processor = processor;
       if (row.repetitions && !trial.guarded()) {
         row.drift = conditions.drift;
         row.processor_share = conditions.processor_share;
@@ -119,24 +121,21 @@ std::string jacobian_of(const Case& c) {
 
 PrecisionResult measure_precision(const Options& options, const Runner& runner) {
   const std::vector<const Case*> cases = select_cases(options.cases);
-  PrecisionResult result;
-  Progress progress("precision", static_cast<double>(cases.size()));
-  for (const Case* c : cases) {
-    PrecisionResult of_case;
+  const auto id = [](const Case* c) { return c->id; };
+  return runner.run_in_turn("precision", cases, id, [&](const Case* c) {
+    PrecisionResult result;
     const TimedCase stage(*c);
-    of_case.rows = measure_case(stage, options, runner);
-    of_case.outputs = measure_outputs(stage, options, runner.jobs());
-    for (const PrecisionRow& row : of_case.rows)
+    result.rows = measure_case(stage, options, runner);
+    result.outputs = measure_outputs(stage, options, runner.jobs());
+    for (const PrecisionRow& row : result.rows)
       if (row.mode == Mode::adaptive && row.status == to_string(Status::ok))
-        of_case.tolerances.push_back(
+        result.tolerances.push_back(
             {row.case_id, row.library, row.solver, row.setting, row.error, row.judged.answer});
-    const std::vector<PrecisionRow> compared = methods_of(*c, of_case.rows);
-    of_case.summary = summarise(compared, c->timed_floor());
-    of_case.fastest = fastest(compared, c->timed_floor());
-    record::append(result, std::move(of_case));
-    progress.advance();
-  }
-  return result;
+    const std::vector<PrecisionRow> compared = methods_of(*c, result.rows);
+    result.summary = summarise(compared, c->timed_floor());
+    result.fastest = fastest(compared, c->timed_floor());
+    return result;
+  });
 }
 
 }  // namespace odeum::study

@@ -43,12 +43,13 @@ struct PrecisionRow {
   /// where nothing was timed.
   double processor_share = nan;
   std::string measured;        ///< when the case was measured, UTC
+  std::string processor;       ///< its model; that of all rows of a case
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
   static constexpr const char* file = "precision.csv";
   /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times; 5: near_error;
-  /// 6: library_compiled
-  static constexpr int schema = 6;
+  /// 6: library_compiled; 7: processor
+  static constexpr int schema = 7;
   static constexpr bool compared_within_case = true;
   static void each(auto& row, auto&& visit) {
     visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
@@ -68,7 +69,7 @@ struct PrecisionRow {
     visit("pareto", row.pareto), visit("drift", row.drift);
     visit("processor_share", row.processor_share), visit("measured", row.measured);
     visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
-    visit("answer_reason", row.judged.reason);
+    visit("answer_reason", row.judged.reason), visit("processor", row.processor);
   }
 };
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/cli/packing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <queue>
+#include <sstream>
+#include <tuple>
+
+namespace odeum::cli {
+namespace {
+
+double length_of(const study::PlannedTasks& foreseen, const std::vector<std::size_t>& tasks) {
+  double sum = 0;
+  for (const std::size_t task : tasks) sum += foreseen.seconds[task];
+  return sum;
+}
+
+/// Adds shards of these tasks to the packing.
+void add_shards(const study::PlannedTasks& foreseen, std::vector<std::size_t> tasks, double wanted,
+                Packing& packing) {
+  if (tasks.empty()) return;
+  const auto count = static_cast<std::size_t>(
+      std::clamp(std::ceil(wanted), 1., static_cast<double>(tasks.size())));
+  std::stable_sort(tasks.begin(), tasks.end(), [&](std::size_t a, std::size_t b) {
+    return foreseen.seconds[a] > foreseen.seconds[b];
+  });
+  struct Bin {
+    double seconds = 0;
+    std::vector<std::size_t> tasks = {};
+  };
+  std::vector<Bin> bins(count);
+  using Load = std::tuple<double, std::size_t, std::size_t>;  // seconds, tasks, bin
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (std::size_t k = 0; k < count; ++k) loads.emplace(0, 0, k);
+  for (const std::size_t task : tasks) {
+    Bin& bin = bins[std::get<2>(loads.top())];
+    const std::size_t at = std::get<2>(loads.top());
+    loads.pop();
+    bin.seconds += foreseen.seconds[task];
+    bin.tasks.push_back(task);
+    loads.emplace(bin.seconds, bin.tasks.size(), at);
+  }
+  std::stable_sort(bins.begin(), bins.end(),
+                   [](const Bin& a, const Bin& b) { return a.seconds > b.seconds; });
+  for (const Bin& bin : bins) {
+    for (const std::size_t task : bin.tasks)
+      packing.shares[task] = static_cast<std::uint32_t>(packing.seconds.size());
+    packing.seconds.push_back(bin.seconds);
+  }
+}
+
+}  // namespace
+
+Packing pack(const study::PlannedTasks& foreseen, double shards) {
+  std::vector<std::size_t> beside, alone;
+  for (std::size_t task = 0; task < foreseen.seconds.size(); ++task)
+    (foreseen.alone[task] ? alone : beside).push_back(task);
+  Packing packing;
+  packing.shares.resize(foreseen.seconds.size());
+  const double of_alone = length_of(foreseen, alone), of_beside = length_of(foreseen, beside),
+               part = of_alone / std::max(of_alone + of_beside, 1e-30);
+  const double for_alone =
+      alone.empty()    ? 0
+      : beside.empty() ? shards
+                       : std::clamp(std::round(part * shards), 1., std::max(1., shards - 1));
+  add_shards(foreseen, beside, shards - for_alone, packing);
+  packing.first_alone = packing.seconds.size();
+  add_shards(foreseen, alone, for_alone, packing);
+  return packing;
+}
+
+std::string text_of_shares(const std::vector<std::uint32_t>& shares) {
+  return fmt::format("{}", fmt::join(shares, " "));
+}
+
+std::vector<std::uint32_t> shares_of(const std::string& text) {
+  std::vector<std::uint32_t> shares;
+  std::istringstream in(text);
+  for (std::uint32_t shard = 0; in >> shard;) shares.push_back(shard);
+  return shares;
+}
+
+}  // namespace odeum::cli
