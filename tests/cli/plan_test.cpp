@@ -117,7 +117,7 @@ TEST_F(Plan, AMergeWaitsForNamesThatAreShownLate) {
   expect_code(0, "shard run 0");
   std::filesystem::rename(folder_.path() / "run/shards/0", folder_.path() / "late");
   const Result late =
-      shell("cd " + folder_.path().string() + " && (sleep 1; mv late run/shards/0) & odeum merge " +
+      shell("cd " + folder_.path().string() + " && (sleep 0.3; mv late run/shards/0) & odeum merge " +
             (folder_.path() / "run").string());
   EXPECT_EQ(late.code, 0) << late.output;
 }
@@ -144,6 +144,10 @@ TEST_F(Plan, BadInputHasItsSentence) {
   expect_code(2, "plan converge --out run", "--shard");
   expect_code(2, "plan converge --shard-time soon --out run", "in h, min, s or ms");
   expect_code(2, "plan converge --case nothing_like_it --shards 2 --out run");
+  expect_code(2, "sweep decay.yaml --over k=1,2 --study advise", "--error: got 0");
+  expect_code(2, "sweep decay.yaml --over k=1,2 --study converge", "--solver is required");
+  expect_code(2, "sweep decay.yaml --over k=1,2 --study converge --solver rk4 --tol 1e-3",
+              "chooses its settings");
   expect_code(2, "shard run 0", "no plan.json");
   expect_code(0, "plan sweep decay.yaml --over k=1,2 --solver rk4 --step 0.1 --shards 9 --out run",
               "2 tasks in 2 shards");

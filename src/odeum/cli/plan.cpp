@@ -12,13 +12,13 @@
 #include "odeum/cli/distributed.hpp"
 #include "odeum/cli/job_scripts.hpp"
 #include "odeum/cli/kept_results.hpp"
-#include "odeum/cli/packing.hpp"
 #include "odeum/cli/plan_file.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/studies/packing.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::cli {
@@ -72,10 +72,10 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
     wanted = std::accumulate(foreseen.seconds.begin(), foreseen.seconds.end(), 0.) /
              number_of("--shard-time", options.shard_time,
                        {{"", 1}, {"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}});
-  const Packing packing = pack(foreseen, std::min<double>(wanted, most_shards));
+  const study::Packing packing = study::pack(foreseen, std::min<double>(wanted, most_shards));
   const std::size_t shards = packing.seconds.size();
   const std::string program = program_sum();
-  const std::string shard_of_task = text_of_shares(packing.shares);
+  const std::string shard_of_task = study::text_of_shares(packing.shares);
   const ordered_json json{{"id", sum_of(fmt::format("{} {} {} {}", program, here.content,
                                                     fmt::join(words, "\n"), shard_of_task))},
                           {"program", program},
@@ -167,9 +167,9 @@ int merge(const PlanOptions& options, const Again& again) {
   const fs::path run = fs::absolute(options.run);
   auto missing = missing_of(plan, run);
   // A network file system may show names and content some time after another machine made them.
-  constexpr int looks = 4;
-  for (int look = 1; look < looks && !missing.empty() && !interrupted; ++look) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(200 << look));
+  constexpr int looks = 2;
+  for (int look = 0; look < looks && !missing.empty() && !interrupted; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(400 << look));
     missing = missing_of(plan, run);
   }
   if (!missing.empty()) {

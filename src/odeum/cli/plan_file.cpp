@@ -8,10 +8,10 @@
 
 #include "odeum/cli/distributed.hpp"
 #include "odeum/cli/kept_results.hpp"
-#include "odeum/cli/packing.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/checksum.hpp"
 #include "odeum/input/text_file.hpp"
+#include "odeum/studies/packing.hpp"
 
 namespace odeum::cli {
 
@@ -34,7 +34,7 @@ PlanFile read_plan(const std::string& run) {
             .words = json.at("words"),
             .shards = std::max<std::uint64_t>(1, json.at("shards")),
             .first_alone = json.at("first_alone"),
-            .shares = shares_of(json.at("shard_of_task"))};
+            .shares = study::shares_of(json.at("shard_of_task"))};
   } catch (const nlohmann::json::exception& error) {
     throw UsageError("{} is damaged, or no plan: {}", file.string(), error.what());
   }

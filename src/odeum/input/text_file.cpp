@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <vector>
 
 #include "odeum/input/yaml_tree.hpp"
 
@@ -58,7 +58,13 @@ std::string read_text_file(const std::string& path, const std::string& name, std
 std::optional<std::string> text_of_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  std::string text;
+  std::vector<char> block(1 << 16);
+  do {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  return text;
 }
 
 }  // namespace odeum

@@ -2,6 +2,7 @@
 #include "odeum/studies/runner.hpp"
 
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,7 +13,7 @@
 namespace odeum::study {
 void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t)>& earlier_of,
                        const std::function<void(std::size_t)>& work) {
-  constexpr std::size_t most = 32;
+  constexpr std::size_t most = 32, one_of = 64;
   constexpr double most_seconds = 5;
   std::vector<double> known(tasks);
   std::vector<std::size_t> open;
@@ -25,15 +26,16 @@ void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const Clock::time_point start = Clock::now();
-  const std::size_t sample = work ? std::min(most, open.size()) : 0;
+  const std::size_t sample =
+      work ? std::min(open.size(), std::clamp<std::size_t>(tasks / one_of, 1, most)) : 0;
   // In the order of a golden ratio, so that they are spread wherever the seconds end.
   for (std::size_t k = 0; k < sample && since(start) < most_seconds; ++k) {
     const double part = std::fmod(0.5 + 0.6180339887498949 * static_cast<double>(k), 1);
     const std::size_t i = open[static_cast<std::size_t>(part * static_cast<double>(open.size()))];
     if (!std::isnan(known[i])) continue;
-    const Clock::time_point begin = Clock::now();
+    const double begin = thread_seconds();
     work(i);
-    known[i] = since(begin);
+    known[i] = thread_seconds() - begin;
     ++timed;
   }
   alone.insert(alone.end(), tasks, !work);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "odeum/record/rows.hpp"
 #include "odeum/record/store.hpp"
 #include "odeum/solvers/case.hpp"
+#include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {
 
@@ -62,7 +62,7 @@ Row not_applicable(Row row, const std::string& reason) {
 
 /// What a plan learns of the tasks of a command.
 struct PlannedTasks {
-  std::vector<double> seconds = {};      ///< by task, in the order in which they would be done
+  std::vector<double> seconds = {};      ///< of the processor, by task, in the order of a run
   std::vector<bool> alone = {};          ///< by task: its times are its result
   std::uint64_t earlier = 0, timed = 0;  ///< tasks whose seconds are of earlier runs, of a sample
 
@@ -174,13 +174,12 @@ class Runner {
     if (const auto kept = cache_.store->take(dependencies, name))
       return record::from_record<Result>(*kept);
     if (cache_.share.all_kept) throw std::runtime_error("the shards lack the result of " + name);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = thread_seconds();
     Result result = work();
     // An interrupted task has no result.
     if (interrupted) throw Interrupted();
     cache_.store->add(dependencies, name, record::to_record(result));
-    keep_seconds(name,
-                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    keep_seconds(name, thread_seconds() - start);
     return result;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cli/packing.hpp"
+#include "odeum/studies/packing.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,17 +12,17 @@
 #include <sstream>
 #include <tuple>
 
-namespace odeum::cli {
+namespace odeum::study {
 namespace {
 
-double length_of(const study::PlannedTasks& foreseen, const std::vector<std::size_t>& tasks) {
+double length_of(const PlannedTasks& foreseen, const std::vector<std::size_t>& tasks) {
   double sum = 0;
   for (const std::size_t task : tasks) sum += foreseen.seconds[task];
   return sum;
 }
 
 /// Adds shards of these tasks to the packing.
-void add_shards(const study::PlannedTasks& foreseen, std::vector<std::size_t> tasks, double wanted,
+void add_shards(const PlannedTasks& foreseen, std::vector<std::size_t> tasks, double wanted,
                 Packing& packing) {
   if (tasks.empty()) return;
   const auto count = static_cast<std::size_t>(
@@ -57,7 +57,7 @@ void add_shards(const study::PlannedTasks& foreseen, std::vector<std::size_t> ta
 
 }  // namespace
 
-Packing pack(const study::PlannedTasks& foreseen, double shards) {
+Packing pack(const PlannedTasks& foreseen, double shards) {
   std::vector<std::size_t> beside, alone;
   for (std::size_t task = 0; task < foreseen.seconds.size(); ++task)
     (foreseen.alone[task] ? alone : beside).push_back(task);
@@ -86,4 +86,4 @@ std::vector<std::uint32_t> shares_of(const std::string& text) {
   return shares;
 }
 
-}  // namespace odeum::cli
+}  // namespace odeum::study

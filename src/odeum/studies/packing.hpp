@@ -6,7 +6,7 @@
 
 #include "odeum/studies/runner.hpp"
 
-namespace odeum::cli {
+namespace odeum::study {
 
 /// Tasks in shards: first those of tasks that may run beside others, then those of timed tasks,
 /// each the longest first.
@@ -18,10 +18,10 @@ struct Packing {
 
 /// In about `shards` shards, none of which is empty: the longest task first, each to the shard that
 /// has the least.
-Packing pack(const study::PlannedTasks& foreseen, double shards);
+Packing pack(const PlannedTasks& foreseen, double shards);
 
 /// The shares of tasks as text, by which a plan keeps them, and back.
 std::string text_of_shares(const std::vector<std::uint32_t>& shares);
 std::vector<std::uint32_t> shares_of(const std::string& text);
 
-}  // namespace odeum::cli
+}  // namespace odeum::study
