@@ -126,15 +126,20 @@ bool same(const S& a, const S& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// Whether a member has the bits of a run alone; functions of libmvec have some units in the last
-/// place more.
-template <template <class> class P, class S>
-bool as_rounded(const S& a, const S& b) {
-  return same(a, b);
-}
-template <>
-bool as_rounded<Driven>(const State<Driven<double>>& a, const State<Driven<double>>& b) {
-  return std::abs(a[0] - b[0]) < 1e-11 && std::abs(a[1] - b[1]) < 1e-11;
+/// Functions of libmvec have some units in the last place more than those of a run alone: steps of
+/// equal length add up some hundred of them, and steps to a tolerance may differ within it.
+template <template <class> class P>
+constexpr bool calls_functions = std::is_same_v<P<double>, Driven<double>>;
+double apart(const Step&) { return 1e-11; }
+double apart(const Tolerance& tolerance) { return tolerance.relative; }
+
+template <class S>
+bool near(const RunEnd& a, const RunEnd& b, const S& y, const S& z, double apart) {
+  const double steps = static_cast<double>(a.steps) - static_cast<double>(b.steps);
+  bool all = a.status == b.status && a.t == b.t && std::abs(steps) <= 1;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    all = all && std::abs(y[i] - z[i]) <= apart * (1 + std::abs(z[i]));
+  return all;
 }
 
 /// Each member to the last bit as alone, and all that is told of its run.
@@ -147,11 +152,12 @@ void expect_as_alone(M method, const How& how, double end, const State<P<double>
   std::size_t others = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const RunEnd run = integrate(alone.members[k], method, alone.states[k], 0.5, end, how);
-    const bool as_alone =
-        ends[k].status == run.status && ends[k].t == run.t && ends[k].steps == run.steps &&
-        ends[k].rejected_steps == run.rejected_steps &&
-        ends[k].rhs_evaluations == run.rhs_evaluations &&
-        as_rounded<P>(together.states[k], alone.states[k]);
+    bool as_alone = ends[k].status == run.status && ends[k].t == run.t &&
+                    ends[k].steps == run.steps && ends[k].rejected_steps == run.rejected_steps &&
+                    ends[k].rhs_evaluations == run.rhs_evaluations &&
+                    same(together.states[k], alone.states[k]);
+    if (calls_functions<P>)
+      as_alone = near(ends[k], run, together.states[k], alone.states[k], apart(how));
     if (!as_alone && others++ == 0)
       ADD_FAILURE() << M::info.id << ", member " << k << ": " << ends[k].steps << " steps, "
                     << ends[k].rhs_evaluations << " evaluations, alone " << run.steps << ", "

@@ -141,7 +141,7 @@ TEST_F(Plan, BadInputHasItsSentence) {
   write("decay.yaml", decay);
   expect_code(2, "plan --shards 2 --out run", "no command");
   expect_code(2, "plan advise kepler_e06 --shards 2 --out run", "advise cannot be done in shards");
-  expect_code(2, "plan converge --out run", "--shard");
+  expect_code(2, "plan converge --out run", "--shards or --shard-time");
   expect_code(2, "plan converge --shard-time soon --out run", "in h, min, s or ms");
   expect_code(2, "plan converge --case nothing_like_it --shards 2 --out run");
   expect_code(2, "sweep decay.yaml --over k=1,2 --study advise", "--error: got 0");

@@ -100,13 +100,15 @@ void expect_explicit_methods_as_alone(const char* text, double part) {
   const Case c = case_of_text(text);
   const std::vector<std::string> over{"k~uniform(0.1,9)", "d~uniform(0,2)", "p~normal(2,0.2)"};
   expect_as_alone(fixed(plan_of(c, over, "odeum/rk4"), 30), part);
-  expect_as_alone(adaptive(plan_of(c, over, "odeum/dormand_prince54"), 1e-5), 100 * part);
+  // Steps that follow what differs by rounding may differ within the tolerance.
+  const double of_tolerance = part > 0 ? 1 : 0;
+  expect_as_alone(adaptive(plan_of(c, over, "odeum/dormand_prince54"), 1e-5), of_tolerance * 1e-5);
   for (const char* solver : {"heun", "dormand_prince54", "verner98", "fehlberg78"})
     expect_as_alone(fixed(plan_of(c, over, std::string("odeum/") + solver, 100), 30), part);
   for (const char* solver : {"bogacki_shampine32", "dormand_prince54_pi", "dormand_prince853",
                              "tsitouras54", "verner65", "dormand_prince54_dead_band"})
     expect_as_alone(adaptive(plan_of(c, over, std::string("odeum/") + solver, 100), 1e-7),
-                    100 * part);
+                    of_tolerance * 1e-7);
 }
 
 TEST(SweepInLanes, ExplicitMethodsGiveTheBitsOfRunsAlone) {
@@ -114,7 +116,7 @@ TEST(SweepInLanes, ExplicitMethodsGiveTheBitsOfRunsAlone) {
 }
 
 // Vector functions have up to 4 units in the last place, where scalar ones have less than 1: with
-// thirty steps of some stages some hundred units of rounding, and steps that follow these.
+// thirty steps of some stages some hundred units of rounding.
 TEST(SweepInLanes, FunctionsHaveTheRoundingOfVectorFunctions) {
   expect_explicit_methods_as_alone(with_functions, 1e-12);
 }

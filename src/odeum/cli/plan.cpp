@@ -49,6 +49,8 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
               const Again& again) {
   if (words.empty())
     throw UsageError("plan: no command; expected one: odeum plan converge --shards 8 --out RUN");
+  if ((options.shards == 0) == options.shard_time.empty())
+    throw UsageError("plan needs --shards or --shard-time, and not both");
   const study::Studies studies = study::make_studies();
   if (words.front() != "sweep" && words.front() != "report" &&
       std::none_of(studies.begin(), studies.end(),
@@ -219,14 +221,12 @@ void add_plan(CLI::App& app, int& result, const Again& again) {
   CLI::App* plan =
       app.add_subcommand("plan", "cut a sweep or a study into shards for a cluster or any shell");
   plan->allow_extras();
-  CLI::App* const shards = plan->add_option_group("size");
-  add_option(*shards, "--shards N", options->shards, "at most so many")
+  add_option(*plan, "--shards N", options->shards, "at most so many")
       ->check(CLI::Range(std::uint64_t{1}, most_shards));
   add_option(
-      *shards, "--shard-time T", options->shard_time,
+      *plan, "--shard-time T", options->shard_time,
       "as many that each takes about so long, as 30min, by the seconds of earlier runs or of "
       "a sample that is timed now");
-  shards->require_option(1);
   add_option(*plan, "--out RUN", options->run, "the folder of the plan")->required();
   plan->callback([=, &result] { result = make_plan(*options, plan->remaining(), again); });
   CLI::App* shard = app.add_subcommand("shard", "run one shard of a plan");
