@@ -44,9 +44,10 @@ std::string mark_of_machine() {
 
 record::Store* seconds_of_tasks() {
   static const std::string folder = formula::cache_folder();
-  static record::Store store(folder + "/seconds", 1U << 26);
+  static const auto store =
+      folder.empty() ? nullptr : std::make_unique<record::Store>(folder + "/seconds", 1U << 26);
   const Role role = part().role;
-  return folder.empty() || role == Role::shard || role == Role::merge ? nullptr : &store;
+  return role == Role::shard || role == Role::merge ? nullptr : store.get();
 }
 
 study::ResultCache result_cache_of(record::Store* store, const study::Options& options) {
