@@ -127,11 +127,13 @@ bool same(const S& a, const S& b) {
 }
 
 /// Functions of libmvec have some units in the last place more than those of a run alone: steps of
-/// equal length add up some hundred of them, and steps to a tolerance may differ within it.
+/// equal length add up some hundred of them. A step to a tolerance that is nearly rejected may be
+/// rejected in one of the two: then the runs have steps of their own, and as much of an error each
+/// as their tolerances leave over all steps, some ten times one step's.
 template <template <class> class P>
 constexpr bool calls_functions = std::is_same_v<P<double>, Driven<double>>;
 double apart(const Step&) { return 1e-11; }
-double apart(const Tolerance& tolerance) { return tolerance.relative; }
+double apart(const Tolerance& tolerance) { return 20 * tolerance.relative; }
 
 template <class S>
 bool near(const RunEnd& a, const RunEnd& b, const S& y, const S& z, double apart) {

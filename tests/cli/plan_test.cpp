@@ -116,9 +116,9 @@ TEST_F(Plan, AMergeWaitsForNamesThatAreShownLate) {
               "--out run");
   expect_code(0, "shard run 0");
   std::filesystem::rename(folder_.path() / "run/shards/0", folder_.path() / "late");
-  const Result late =
-      shell("cd " + folder_.path().string() + " && (sleep 0.3; mv late run/shards/0) & odeum merge " +
-            (folder_.path() / "run").string());
+  const Result late = shell("cd " + folder_.path().string() +
+                            " && (sleep 0.3; mv late run/shards/0) & odeum merge " +
+                            (folder_.path() / "run").string());
   EXPECT_EQ(late.code, 0) << late.output;
 }
 

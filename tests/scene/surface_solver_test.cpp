@@ -70,7 +70,7 @@ TEST(SurfaceSolver, SystemsOfStepsAreSolved) {
   const SceneProblem with_friction(folded(", friction: 0.2"));
   const auto directly = with_friction.shifted_solver();
   expect_solved(with_friction, 0.001, *directly, 1e-8);
-  EXPECT_EQ(directly->products(), 0U);
+  EXPECT_GT(directly->products(), products) << "what the factors cost";
 }
 
 // For methods whose order does not depend on J the pairs have a semidefinite part alone.

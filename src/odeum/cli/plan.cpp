@@ -45,6 +45,24 @@ int run_planned(const PlanFile& plan, const Again& again) {
   return again(plan.words);
 }
 
+void print_plan(const PlanOptions& options, const study::PlannedTasks& foreseen,
+                const study::Packing& packing) {
+  const std::size_t shards = packing.seconds.size();
+  print("plan    {} tasks in {} shards\n", foreseen.seconds.size(), shards);
+  print(
+      "time    {:.3g} s foreseen, the longest shard {:.3g} s ({} tasks timed, {} of earlier "
+      "runs)\n",
+      std::accumulate(packing.seconds.begin(), packing.seconds.end(), 0.),
+      *std::max_element(packing.seconds.begin(), packing.seconds.end()), foreseen.timed,
+      foreseen.earlier);
+  if (shards < options.shards)
+    print("note    fewer than {} shards, since a task is not split\n", options.shards);
+  print(
+      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P {2} -I K odeum shard {0} K\n"
+      "then    odeum merge {0} --out DIR\n",
+      shell_word(options.run), shards - 1, packing.first_alone < shards ? 1 : 2);
+}
+
 int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
               const Again& again) {
   if (words.empty())
@@ -93,19 +111,7 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   folder.write("plan.json", json.dump(2) + "\n");
   folder.write("shard.sh", shard_script(fs::absolute(folder.path())));
   folder.write("submit.sh", submit_script(shards, packing.first_alone));
-  print("plan    {} tasks in {} shards\n", tasks, shards);
-  print(
-      "time    {:.3g} s foreseen, the longest shard {:.3g} s ({} tasks timed, {} of earlier "
-      "runs)\n",
-      std::accumulate(packing.seconds.begin(), packing.seconds.end(), 0.),
-      *std::max_element(packing.seconds.begin(), packing.seconds.end()), foreseen.timed,
-      foreseen.earlier);
-  if (shards < options.shards)
-    print("note    fewer than {} shards, since a task is not split\n", options.shards);
-  print(
-      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P {2} -I K odeum shard {0} K\n"
-      "then    odeum merge {0} --out DIR\n",
-      shell_word(options.run), shards - 1, packing.first_alone < shards ? 1 : 2);
+  print_plan(options, foreseen, packing);
   return success;
 }
 
