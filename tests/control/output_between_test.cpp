@@ -45,11 +45,11 @@ struct Task {
   double end;
 };
 
-// Each method on the first of these that it fits: the last two are for Taylor's method and for one
-// that needs damping apart from the other forces.
+// Each method on the first of these that it fits: the last three are for Taylor's method, for
+// additive ones, and for one that needs damping apart from the other forces.
 Task task_of(const std::string& id) {
-  for (const char* name :
-       {"damped_oscillator_underdamped", "damped_oscillator_undamped", "lotka_volterra"})
+  for (const char* name : {"damped_oscillator_underdamped", "damped_oscillator_undamped",
+                           "lotka_volterra", "brusselator2"})
     if (find_entrant(find_case(name), id).unfit.empty()) return {find_case(name), 5};
   return {find_case("cloth11_two_way"), 0.1};
 }

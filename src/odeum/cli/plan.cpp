@@ -87,7 +87,7 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   const std::size_t tasks = foreseen.seconds.size();
   if (tasks == 0)
     throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
-  double wanted = static_cast<double>(options.shards);
+  auto wanted = static_cast<double>(options.shards);
   if (!options.shard_time.empty())
     wanted = std::accumulate(foreseen.seconds.begin(), foreseen.seconds.end(), 0.) /
              number_of("--shard-time", options.shard_time,
