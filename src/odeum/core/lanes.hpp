@@ -44,11 +44,12 @@ inline constexpr std::size_t vector_bytes = 16;  // SSE2, NEON
 using LaneVector __attribute__((vector_size(vector_bytes))) = double;
 using LaneBits __attribute__((vector_size(vector_bytes))) = std::int64_t;
 
-#define ODEUM_EACH_FUNCTION(ONE, TWO)                                                    \
-  ONE(sin)                                                                               \
-  ONE(cos)                                                                               \
-  ONE(tan) ONE(asin) ONE(acos) ONE(atan) ONE(sinh) ONE(cosh) ONE(tanh) ONE(exp) ONE(log) \
-      ONE(log10) ONE(cbrt) TWO(pow) TWO(atan2) TWO(hypot)
+// clang-format off
+#define ODEUM_EACH_FUNCTION(ONE, TWO)                                           \
+  ONE(sin) ONE(cos) ONE(tan) ONE(asin) ONE(acos) ONE(atan) ONE(sinh) ONE(cosh)  \
+  ONE(tanh) ONE(exp) ONE(log) ONE(log10) ONE(cbrt)                              \
+  TWO(pow) TWO(atan2) TWO(hypot)
+// clang-format on
 #ifdef ODEUM_VECTOR_FUNCTIONS
 #if defined(__AVX512F__)
 #define ODEUM_VECTOR_NAME(arguments, name) _ZGVeN8##arguments##_##name
