@@ -143,8 +143,9 @@ TEST_F(Plan, BadInputHasItsSentence) {
   expect_code(2, "plan advise kepler_e06 --shards 2 --out run", "advise cannot be done in shards");
   expect_code(2, "plan converge --out run", "--shards or --shard-time");
   expect_code(2, "plan converge --shard-time soon --out run", "in h, min, s or ms");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "run")) << "refused before it is made";
   expect_code(2, "plan converge --case nothing_like_it --shards 2 --out run");
-  expect_code(2, "sweep decay.yaml --over k=1,2 --study advise", "--error: got 0");
+  expect_code(2, "sweep decay.yaml --over k=1,2 --study advise", "needs --error");
   expect_code(2, "sweep decay.yaml --over k=1,2 --study converge", "--solver is required");
   expect_code(2, "sweep decay.yaml --over k=1,2 --study converge --solver rk4 --tol 1e-3",
               "chooses its settings");

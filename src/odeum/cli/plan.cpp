@@ -45,6 +45,11 @@ int run_planned(const PlanFile& plan, const Again& again) {
   return again(plan.words);
 }
 
+double seconds_of(const std::string& shard_time) {
+  return number_of("--shard-time", shard_time,
+                   {{"", 1}, {"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}});
+}
+
 void print_plan(const PlanOptions& options, const study::PlannedTasks& foreseen,
                 const study::Packing& packing) {
   const std::size_t shards = packing.seconds.size();
@@ -69,6 +74,7 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
     throw UsageError("plan: no command; expected one: odeum plan converge --shards 8 --out RUN");
   if ((options.shards == 0) == options.shard_time.empty())
     throw UsageError("plan needs --shards or --shard-time, and not both");
+  const double shard_seconds = options.shard_time.empty() ? 0 : seconds_of(options.shard_time);
   const study::Studies studies = study::make_studies();
   if (words.front() != "sweep" && words.front() != "report" &&
       std::none_of(studies.begin(), studies.end(),
@@ -87,11 +93,10 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   const std::size_t tasks = foreseen.seconds.size();
   if (tasks == 0)
     throw UsageError("{} has no tasks that shards could do; nothing was planned", words.front());
-  auto wanted = static_cast<double>(options.shards);
-  if (!options.shard_time.empty())
-    wanted = std::accumulate(foreseen.seconds.begin(), foreseen.seconds.end(), 0.) /
-             number_of("--shard-time", options.shard_time,
-                       {{"", 1}, {"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}});
+  const double wanted =
+      shard_seconds > 0
+          ? std::accumulate(foreseen.seconds.begin(), foreseen.seconds.end(), 0.) / shard_seconds
+          : static_cast<double>(options.shards);
   const study::Packing packing = study::pack(foreseen, std::min<double>(wanted, most_shards));
   const std::size_t shards = packing.seconds.size();
   const std::string program = program_sum();

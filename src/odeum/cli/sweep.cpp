@@ -73,6 +73,7 @@ void plan_study(const SweepOptions& options, const Case& c, const std::string& s
         "--study {}: chooses its settings and has quantities of its own; expected no "
         "--step, --tol or --quantity",
         options.study);
+  if (advice && options.error == 0) throw UsageError("--study advise needs --error");
   if (advice) require_positive("--error", options.error);
   plan.solver = solver;
   if (!advice) {
