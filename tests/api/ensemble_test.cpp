@@ -112,7 +112,7 @@ Ensemble<P> around(const State<P<double>>& start, std::size_t count) {
   std::mt19937 draw(7);
   std::uniform_real_distribution<double> factor(1, 1.5);
   for (std::size_t k = 0; k < count; ++k) {
-    std::array<double, sizeof(P<double>) / sizeof(double)> numbers;
+    std::array<double, sizeof(P<double>) / sizeof(double)> numbers{};
     for (double& each : numbers) each = factor(draw);
     all.members[k] = scaled(all.members[k], numbers);
     for (double& each : all.states[k]) each *= factor(draw);

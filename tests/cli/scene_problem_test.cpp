@@ -256,7 +256,7 @@ TEST(SceneCommands, TheLimitsOfImplicitMethodsAreNotThoseOfABudget) {
 TEST(SceneCommands, FactorsCountAgainstABudget) {
   const SceneProblem problem(spring_scene(3));
   const auto solver = problem.shifted_solver();
-  const std::vector<double> start = problem.start();
+  const std::vector<double>& start = problem.start();
   ASSERT_TRUE(solver->factorise(0, start.data(), 1e-3));
   const std::uint64_t once = solver->products();
   EXPECT_GT(once, 0U);
