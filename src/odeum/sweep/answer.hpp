@@ -26,8 +26,8 @@ struct Joined {
 };
 Joined join(const std::vector<Plan>& plans, std::vector<Result> results);
 
-/// Writes members.csv, `answers` as sweep.json and the page, which tells `text`; false where there is
-/// no page, see Report::write. Throws FileError.
+/// Writes members.csv, `answers` as sweep.json and the page, which tells `text`; false where there
+/// is no page, see Report::write. Throws FileError.
 bool write_page(const record::OutputFolder& folder, const Joined& all, const std::string& text,
                 const nlohmann::ordered_json& answers, const Asked& asked);
 
