@@ -97,9 +97,9 @@ TEST(ImplicitPart, RefusesWhatIsNone) {
     const char *implicit, *place, *sentence;
   };
   const Fault faults[] = {
-      {"{u: B*u}", "5:15", "implicit: u: term 1 of 1 is none of its equation"},
-      {"{u: A + u}", "5:15", "term 2 of 2 is none of its equation"},
-      {"{u: A + r + r}", "5:15", "term 3 of 3 is none of its equation"},
+      {"{u: B*u}", "5:15", "implicit: u: term 1 of 1 is not in its equation"},
+      {"{u: A + u}", "5:15", "term 2 of 2 is not in its equation"},
+      {"{u: A + r + r}", "5:15", "term 3 of 3 is not in its equation"},
       {"{x: u}", "5:12", "implicit: no state; got x"},
       {"{w: u}", "5:12", "an index is missing"},
       {"{u: A + }", "5:", "implicit: u"},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which parts of surfaces are near enough for a force.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,32 +7,15 @@
 #include <set>
 
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/surface/surfaces.hpp"
+#include "support/wavy_sheet.hpp"
 
 namespace odeum {
 namespace {
 
 using scene::Scene;
 using scene::SceneProblem;
-
-/// A sheet of n x n in waves, as the surface of a scene.
-Scene wavy(std::size_t n, double height) {
-  Scene scene = scene::read_scene(
-                    "s.yaml", fmt::format("duration: 1\nsolver: {{type: rk4, timestep: "
-                                          "0.001}}\ncloth: [{{rows: {0}, columns: {0}, "
-                                          "row_edge: [1, 0, 0], column_edge: [0, 1, 0], mass: 1, "
-                                          "structural: {{stiffness: 10}}, "
-                                          "self_contact: {{thickness: 0.06, stiffness: 10}}}}]\n",
-                                          n))
-                    .scene;
-  for (scene::Particle& particle : scene.particles) {
-    const double x = particle.position[0];
-    particle.position[0] = 0.1 * x + 0.15 * std::sin(14 * x + particle.position[1]);
-    particle.position[2] = height * x;
-  }
-  return scene;
-}
+using tests::wavy;
 
 // All pairs of parts are tried, in place of those in neighbouring cells.
 TEST(NearPairs, WhatIsNearIsFound) {

@@ -10,11 +10,13 @@
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
 #include "odeum/scene/surface/surfaces.hpp"
+#include "support/wavy_sheet.hpp"
 
 namespace odeum {
 namespace {
 
 using scene::Scene;
+using tests::wavy;
 
 // A triangle, and a second surface of its own corners, which take up lines from 7 on.
 std::string second_surface(const std::string& corners, const std::string& faces) {
@@ -58,25 +60,6 @@ TEST(Piercing, AStartInsideOfAClosedSurfaceIsRefused) {
             "closed surface, expected a start outside of all bodies");
   EXPECT_EQ(error_of(second_surface(high, closed)), "");
   EXPECT_EQ(error_of(second_surface(low, "[[3, 4, 5], [4, 3, 6], [5, 4, 6]]")), "") << "open";
-}
-
-/// A sheet of n x n in waves, as the surface of a scene.
-Scene wavy(std::size_t n, double height) {
-  Scene scene =
-      scene::read_scene(
-          "s.yaml",
-          fmt::format("duration: 1\nsolver: {{type: rk4, timestep: 0.001}}\ncloth: [{{rows: {0}, "
-                      "columns: {0}, row_edge: [1, 0, 0], column_edge: [0, 1, 0], mass: 1, "
-                      "structural: {{stiffness: 10}}, self_contact: {{thickness: 0.06, stiffness: "
-                      "10}}}}]\n",
-                      n))
-          .scene;
-  for (scene::Particle& particle : scene.particles) {
-    const double x = particle.position[0];
-    particle.position[0] = 0.1 * x + 0.15 * std::sin(14 * x + particle.position[1]);
-    particle.position[2] = height * x;
-  }
-  return scene;
 }
 
 // All pairs of an edge and a triangle are tried by the sides of planes, in place of those in

@@ -160,7 +160,7 @@ void Reader::read_implicit(const Scope& scope) {
         });
       if (at == rest.end())
         fail(places[k],
-             "implicit: {}: term {} of {} is none of its equation; got {}, expected terms as the "
+             "implicit: {}: term {} of {} is not in its equation; got {}, expected terms as the "
              "equation has them, with their signs",
              problem_.states[k], i + 1, asked.size(),
              asked.size() == 1 ? "another expression" : "such a sum");

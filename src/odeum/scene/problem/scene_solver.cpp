@@ -180,13 +180,12 @@ class SceneGridSolver final : public ShiftedSolver {
     t_ = t;
     y_.assign(y, y + problem_.size());
     gamma_h_ = gamma_h;
-    if (directly_) direct_products_ += directly_->products();
-    directly_.reset();
+    direct_ = false;
     if (bounded_) return factorise_directly();
     return on_grid_->factorise(t, problem_.grid()->scattered(y_).data(), gamma_h);
   }
   bool solve(double* x, double relative) override {
-    if (!directly_) {
+    if (!direct_) {
       std::vector<double> state = problem_.grid()->scattered({x, x + problem_.size()});
       if (on_grid_->solve(state.data(), relative)) {
         const std::vector<double> solution = problem_.grid()->gathered(state);
@@ -200,23 +199,23 @@ class SceneGridSolver final : public ShiftedSolver {
   void solve_once_a_step() override { on_grid_->solve_once_a_step(); }
   bool bound() override { return bounded_ = true; }
   std::uint64_t products() const override {
-    return on_grid_->products() + direct_products_ + (directly_ ? directly_->products() : 0);
+    return on_grid_->products() + (directly_ ? directly_->products() : 0);
   }
 
  private:
   bool factorise_directly() {
-    directly_ = std::make_unique<SparseShiftedSolver>(problem_, surfaces_);
+    if (!directly_) directly_ = std::make_unique<SparseShiftedSolver>(problem_, surfaces_);
     if (bounded_) directly_->bound();
+    direct_ = true;
     return directly_->factorise(t_, y_.data(), gamma_h_);
   }
 
   const SceneProblem& problem_;
   std::unique_ptr<ShiftedSolver> on_grid_;
-  std::unique_ptr<SparseShiftedSolver> directly_;
+  std::unique_ptr<SparseShiftedSolver> directly_;  ///< with its analysis, from its first use on
   std::vector<double> y_;
   double t_ = 0, gamma_h_ = 0;
-  std::uint64_t direct_products_ = 0;  ///< by earlier direct solvers
-  bool bounded_ = false, surfaces_;
+  bool bounded_ = false, direct_ = false, surfaces_;  ///< direct: the last factors are
 };
 
 std::unique_ptr<ShiftedSolver> with_surfaces(const SceneProblem& problem,
