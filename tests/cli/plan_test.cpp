@@ -154,6 +154,10 @@ TEST_F(Plan, BadInputHasItsSentence) {
               "2 tasks in 2 shards");
   expect_code(2, "shard run 2", "the plan has shards 0 to 1");
   expect_code(2, "merge nowhere");
+  std::filesystem::create_directory(folder_.path() / "bad");
+  write("bad/plan.json", R"({"id": "x", "program": "a", "content": "b", "folder": "c", "words": [],
+                             "shards": 1, "first_alone": 0, "shard_of_task": "0 -4 two"})");
+  expect_code(2, "status bad", "bad/plan.json is damaged: shard_of_task");
 }
 
 }  // namespace

@@ -27,14 +27,21 @@ PlanFile read_plan(const std::string& run) {
   if (!text) throw UsageError("{} has no plan.json; odeum plan makes one", run);
   try {
     const auto json = nlohmann::json::parse(*text);
-    return {.id = json.at("id"),
-            .program = json.at("program"),
-            .content = json.at("content"),
-            .folder = json.at("folder"),
-            .words = json.at("words"),
-            .shards = std::max<std::uint64_t>(1, json.at("shards")),
-            .first_alone = json.at("first_alone"),
-            .shares = study::shares_of(json.at("shard_of_task"))};
+    const std::string shard_of_task = json.at("shard_of_task");
+    PlanFile plan{.id = json.at("id"),
+                  .program = json.at("program"),
+                  .content = json.at("content"),
+                  .folder = json.at("folder"),
+                  .words = json.at("words"),
+                  .shards = std::max<std::uint64_t>(1, json.at("shards")),
+                  .first_alone = json.at("first_alone"),
+                  .shares = study::shares_of(shard_of_task)};
+    const auto beyond = [&](std::uint32_t shard) { return shard >= plan.shards; };
+    if (study::text_of_shares(plan.shares) != shard_of_task ||
+        std::any_of(plan.shares.begin(), plan.shares.end(), beyond))
+      throw UsageError("{} is damaged: shard_of_task holds other things than numbers of shards",
+                       file.string());
+    return plan;
   } catch (const nlohmann::json::exception& error) {
     throw UsageError("{} is damaged, or no plan: {}", file.string(), error.what());
   }
