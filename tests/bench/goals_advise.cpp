@@ -15,6 +15,7 @@
 #include "goals.hpp"
 #include "odeum/advise/race.hpp"
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/interrupt.hpp"
@@ -237,6 +238,24 @@ std::string single_best(const std::vector<Regret>& all) {
       ->first;
 }
 
+/// Null where a scene is no problem of ordinary differential equations, which is printed.
+const Case* case_or_scene(const std::string& id) {
+  for (const cases::SceneText& text : cases::all_scenes())
+    if (text.name == id) {
+      scene::ReadOptions options;
+      options.need_solver = false;
+      const std::string content(text.text);
+      try {
+        return &add_user_case(cases::scene_statement(
+            id, id + ".yaml", content, scene::read_scene(id + ".yaml", content, options).scene));
+      } catch (const InputError& error) {
+        fmt::print("  {}: {}\n", id, error.what());
+        return nullptr;
+      }
+    }
+  return &known_case(id);
+}
+
 }  // namespace
 
 std::vector<Row> advise_rows() {
@@ -247,9 +266,13 @@ std::vector<Row> advise_rows() {
     for (std::string glob; std::getline(stream, glob, ',');) only.push_back(glob);
   }
   std::size_t unanswered = 0;
-  for (const std::string& id : known_ids()) {
+  std::vector<std::string> ids = known_ids();
+  for (const cases::SceneText& scene : cases::all_scenes()) ids.emplace_back(scene.name);
+  for (const std::string& id : ids) {
     if (!only.empty() && !any_glob_matches(only, id)) continue;
-    const Case& c = known_case(id);
+    const Case* made = case_or_scene(id);
+    if (made == nullptr) continue;
+    const Case& c = *made;
     for (const double error : errors) {
       if (error <= c.truth.floor) continue;
       Regret regret = regret_of(c, error);
