@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# slurm.sh ODEUM ROOT FOLDER: a sweep through a real Slurm (scripts/slurm-here), whose tasks are cancelled, killed and
-# lose their node, is submitted again and merges to the bytes of one run. Exit code 77: Slurm cannot run here.
+# slurm.sh ODEUM ROOT FOLDER: a sweep through a real Slurm (scripts/slurm-here), whose tasks are cancelled, killed,
+# requeued and lose their node, whose disk is full, and whose program changes, is submitted again and merges to the bytes
+# of one run. Exit code 77: Slurm cannot run here. scripts/slurm-campaign is the long one.
 set -eu
 odeum=$1 root=$2 folder=$3
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 "$root/scripts/slurm-here" start "$folder/slurm" || exit $?
-trap '"$root/scripts/slurm-here" stop "$folder/slurm"' EXIT
+trap '"$root/scripts/slurm-here" stop "$folder/slurm"; umount "$folder/small" 2> /dev/null || true' EXIT
 . "$folder/slurm/environment"
 
 fail() { echo "$*" >&2; exit 1; }
@@ -39,6 +40,8 @@ job=$(squeue -h -o %A | sort -u | head -n 1)
 scancel "${job}_11" || true
 tries=0
 until pkill -9 -f "shard $folder/run" || [ $tries -gt 100 ]; do tries=$((tries + 1)); sleep 0.05; done
+task=$(squeue -h -r -t R -o %i | tail -n 1)
+if [ -n "$task" ] && scontrol requeue "$task"; then scontrol update JobId="$task" StartTime=now || true; fi
 "$root/scripts/slurm-here" node n2 stop "$folder/slurm"
 sleep 1
 "$root/scripts/slurm-here" node n2 start "$folder/slurm"
@@ -63,6 +66,40 @@ grep -q "missing shard 3: .* is damaged" missing.txt || fail "$(cat missing.txt)
 "$odeum" shard run 3 2> /dev/null
 "$odeum" merge run --out merged > /dev/null 2>&1
 cmp one/members.csv merged/members.csv
+
+# A program that changes in the middle: no shard of another one is made or merged.
+cp "$odeum" changing
+./changing plan $words --shards 3 --out changed
+./changing shard changed 0
+printf x >> changing
+sh changed/submit.sh
+settle
+[ "$(grep -l "another build of odeum" changed/logs/*.log | wc -l)" = 3 ] || fail "a changed program ran"
+./changing merge changed > changed.txt 2>&1 && fail "a changed program merged"
+grep -q "another build of odeum" changed.txt || fail "$(cat changed.txt)"
+cp "$odeum" changing
+sh changed/submit.sh
+settle
+./changing merge changed > changed.txt 2>&1 || fail "$(cat changed.txt)"
+cmp one/members.csv changed/out/members.csv
+
+# A disk that is full: shards fail, and once there is space they go on.
+mkdir small
+if mount -t tmpfs -o size=500k none small 2> /dev/null; then
+  "$odeum" plan $words --shards 3 --out small/run
+  sh small/run/submit.sh
+  settle
+  "$odeum" merge small/run --out small/merged --resubmit > full.txt 2>&1 && fail "a full disk was not noticed"
+  grep -q "missing shard" full.txt || fail "$(cat full.txt)"
+  mount -o remount,size=64m small
+  "$odeum" merge small/run --out small/merged --resubmit > full.txt 2>&1 && fail "nothing was missing"
+  sh small/run/resubmit.sh
+  settle
+  "$odeum" merge small/run --out small/merged > full.txt 2>&1 || fail "$(cat full.txt)"
+  cmp one/members.csv small/merged/members.csv
+else
+  echo "a full disk is not tested: no file system can be mounted"
+fi
 
 # Arrays as long as the site allows: offsets reach the rest.
 most=$(scontrol show config | sed -n 's/^MaxArraySize *= *\([0-9]*\).*/\1/p')
