@@ -123,6 +123,46 @@ TEST(Sweep, HasARowForEachMemberAndAnErrorOfSome) {
   EXPECT_EQ(run(one).csv, result.csv);
 }
 
+// In lanes, alone, and where the formula is the solution for some members only.
+TEST(Sweep, AClosedFormGivesEachMemberItsError) {
+  const Case c = case_of_text(
+      "parameters: {k: 2, a: 1, p: 1}\nstates: {x: a}\nequations: {x: -k*x^p}\n"
+      "exact: {x: a*exp(-k*t)}\ntime: {end: 2}\n");
+  const std::optional<Quantity> error = error_of_members(c);
+  ASSERT_TRUE(error);
+  const auto run_over = [&](const std::string& solver, const std::vector<Axis>& axes) {
+    Plan plan = plan_of(c, Members(axes, 0, 1));
+    plan.solver = solver;
+    plan.quantities.push_back(*error);
+    return run(plan);
+  };
+  for (const char* solver : {"odeum/dormand_prince54", "odeum/taylor"}) {
+    const Result result = run_over(solver, {axis_of("k=0.1..10:40"), axis_of("a=1,2,3")});
+    double largest = 0;
+    for (std::size_t member = 0; member < 120; ++member) {
+      const double k = 0.1 + 9.9 / 39 * static_cast<double>(member / 3),
+                   exact = static_cast<double>(member % 3 + 1) * std::exp(-2 * k);
+      // Both formulas are rounded.
+      EXPECT_NEAR(result.results[2 * member + 1], std::abs(result.results[2 * member] - exact),
+                  1e-14)
+          << solver << " " << member;
+      largest = std::max(largest, result.results[2 * member + 1]);
+    }
+    EXPECT_TRUE(result.checks.all);
+    EXPECT_EQ(result.checks.made, 120U);
+    EXPECT_EQ(result.checks.largest, largest);
+    EXPECT_NE(result.csv.find(",x,error,rhs_evaluations\n"), std::string::npos);
+  }
+  // With p = 2 the reader refuses the formula, and the member has the reason.
+  const Result some = run_over("odeum/dormand_prince54", {axis_of("p=1,2")});
+  EXPECT_EQ(some.solved, 1U);
+  EXPECT_LT(some.results[1], 1e-6);
+  EXPECT_NE(some.csv.find("does not fulfil its equation"), std::string::npos) << some.csv;
+  // A case in C++, whose own closed form follows its values, and a text that has none.
+  EXPECT_TRUE(error_of_members(tests::find_case("blow_up")));
+  EXPECT_FALSE(error_of_members(tests::find_case("lotka_volterra")));
+}
+
 TEST(Sweep, AMemberThatFailsIsARow) {
   const Case c =
       case_of_text("parameters: {k: 2}\nstates: {x: 1}\nequations: {x: k*x^2}\ntime: {end: 0.4}\n");

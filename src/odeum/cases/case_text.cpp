@@ -96,6 +96,15 @@ std::vector<double> CaseText::stops() {
   return all;
 }
 
+void CaseText::place(const std::vector<double>& values,
+                     const std::map<std::string, long double>& as_read) {
+  for (std::size_t k = 0; k < offered_.size(); ++k) {
+    const long double read = as_read.at(offered_[k]);
+    problem_.parameters[offered_[k]] =
+        values[k] == static_cast<double>(read) ? read : static_cast<long double>(values[k]);
+  }
+}
+
 std::vector<double> CaseText::thresholds() {
   std::vector<double> all = numbers("thresholds");
   const auto bad = [](double threshold) { return !(threshold > 0); };

@@ -43,6 +43,8 @@ class CaseText : protected formula::CaseKeys {
   void require_signs();
   /// Whether the parameters are those of the file.
   bool is_usual() const;
+  /// Gives the parameters offered these values; one that stays `as_read` keeps all digits.
+  void place(const std::vector<double>& values, const std::map<std::string, long double>& as_read);
 
   std::string id_;
   formula::Problem problem_;

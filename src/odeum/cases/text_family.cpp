@@ -40,11 +40,7 @@ class TextFamily : CaseText {
   }
 
   bool place(const std::vector<double>& values) {
-    for (std::size_t k = 0; k < offered_.size(); ++k) {
-      const long double as_read = usual_.at(offered_[k]);
-      problem_.parameters[offered_[k]] =
-          values[k] == static_cast<double>(as_read) ? as_read : static_cast<long double>(values[k]);
-    }
+    CaseText::place(values, usual_);
     require_signs();
     if (!ode_->set_parameters(problem_.parameters)) return false;
     std::copy(ode_->problem().y0.begin(), ode_->problem().y0.end(), y0_->begin());

@@ -18,6 +18,10 @@ struct FamilyInLanes {
   std::function<bool(const std::vector<double>& values)> place;
 };
 
+/// The exact state at a time of the member with these values of all parameters; false where the
+/// closed form does not hold for them. For one thread.
+using MemberTruth = std::function<bool(const std::vector<double>& values, double t, double* y)>;
+
 /// What Case::family is of the case `id` of a problem file, whose code is compiled once with the
 /// parameters as variables.
 class TextFamilies {
@@ -28,6 +32,8 @@ class TextFamilies {
   std::optional<Family> operator()(const std::vector<std::vector<double>>& samples) const;
   /// Where there is a family.
   FamilyInLanes in_lanes() const;
+  /// Empty where the file has no closed form.
+  MemberTruth exact() const;
 
  private:
   std::string file_, text_, id_;

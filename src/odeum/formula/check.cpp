@@ -2,16 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "odeum/formula/exact.hpp"
 #include "odeum/formula/reader.hpp"
 
 namespace odeum::formula {
 namespace {
 
 using Real = long double;
-
-/// Far above the rounding of extended precision, also where terms cancel; far below what a wrong
-/// digit of a formula leaves.
-constexpr Real agreement = 1e-11L;
 
 /// sum_j g_j f_j along the equations, and the sum of the sizes of its terms, for the gradient g of
 /// an invariant.
@@ -68,39 +65,19 @@ void Reader::require_start() {
 void Reader::require_exact() {
   Problem& problem = problem_;
   if (problem.exact.empty()) return;
-  const std::size_t n = problem.states.size();
-  const auto by_time = gradients(problem.graph, problem.exact, static_cast<std::uint32_t>(n));
-  std::vector<Id> roots = problem.exact;
-  for (const auto& entries : by_time)
-    roots.push_back(entries.empty() ? problem.graph.constant(0) : entries.front().value);
-  const Evaluator<Real> solution(problem.graph, roots), equations(problem.graph, problem.equations);
-  std::vector<Real> y(2 * n), f(n), moved(n), f_moved(n);
-  const auto refuse = [&](std::size_t k, const std::string& what, Real got, Real expected) {
-    fail(problem.exact_places[k], "exact: {}: {}; got {:.12Lg}, expected {:.12Lg}",
-         problem.states[k], what, got, expected);
-  };
+  Exact exact(problem);
   constexpr int points = 64;
   const Real end = problem.stops.back();
   for (int point = 0; point <= points; ++point) {
     const Real t = problem.t0 + (end - problem.t0) * point / points;
-    solution(t, nullptr, y.data());
-    equations(t, y.data(), f.data());
-    // The equations may amplify the rounding of y: f_moved - f tells by how much.
-    for (std::size_t k = 0; k < n; ++k) moved[k] = y[k] * (1 + 1e-14L);
-    equations(t, moved.data(), f_moved.data());
-    for (std::size_t k = 0; k < n; ++k) {
-      const Real slope = y[n + k];
-      if (point == 0 && !(std::abs(y[k] - problem.y0[k]) <=
-                          agreement * std::max(std::abs(problem.y0[k]), std::abs(y[k]))))
-        refuse(k, "is not the initial value", y[k], problem.y0[k]);
-      const Real rounding = std::abs(f_moved[k] - f[k]) * 1e-3L;
-      const Real allowed =
-          agreement * (std::abs(slope) + std::abs(f[k]) + std::abs(y[k]) / (end - problem.t0)) +
-          rounding;
-      if (!(std::abs(slope - f[k]) <= allowed))
-        refuse(k, fmt::format("does not fulfil its equation at t = {:.6Lg}: the derivative", t),
-               slope, f[k]);
-    }
+    const std::optional<Exact::Flaw> flaw = exact.flaw_at(t, problem.t0, end);
+    if (!flaw) continue;
+    fail(problem.exact_places[flaw->state], "exact: {}: {}; got {:.12Lg}, expected {:.12Lg}",
+         problem.states[flaw->state],
+         flaw->initial
+             ? "is not the initial value"
+             : fmt::format("does not fulfil its equation at t = {:.6Lg}: the derivative", t),
+         flaw->got, flaw->expected);
   }
 }
 

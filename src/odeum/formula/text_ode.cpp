@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "odeum/formula/exact.hpp"
+
 namespace odeum::formula {
 namespace {
 
@@ -140,18 +142,12 @@ void TextOde::interpret() {
 bool TextOde::set_parameters(const std::map<std::string, long double>& values) {
   if (!library_) return false;
   const Graph& graph = problem_.graph;
-  std::vector<long double> known;
-  const auto value = [&](Id id) {
-    if (id == no_node) return 0.0L;
-    return graph.is_number(id) ? graph[id].value : known[graph[id].index - 1];
-  };
-  for (const Definition& each : graph.definitions())
-    known.push_back(each.op == Op::constant
-                        ? values.at(each.name)
-                        : apply(each.op, value(each.of[0]), value(each.of[1]), value(each.of[2])));
+  const std::vector<long double> known = definitions_of(graph, values);
   constants_.assign(known.begin(), known.end());
   handle_.constants = constants_.data();
-  std::transform(problem_.start.begin(), problem_.start.end(), problem_.y0.begin(), value);
+  std::transform(problem_.start.begin(), problem_.start.end(), problem_.y0.begin(), [&](Id id) {
+    return graph.is_number(id) ? graph[id].value : known[graph[id].index - 1];
+  });
   problem_.parameters = values;
   return true;
 }

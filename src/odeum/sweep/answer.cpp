@@ -51,10 +51,15 @@ std::string text_of(const Plan& plan, const Result& result, const Asked& asked) 
   const Checks& checks = result.checks;
   if (checks.made > 0)
     text += fmt::format(
-        "error     of {} members, evenly spread, each against a truth of its own: median {:.3g}, "
-        "largest {:.3g}, member {}\n          {}\n",
-        checks.made, checks.median, checks.largest, checks.worst,
-        command_of(plan, asked, checks.worst));
+        "error     of {} members, {}: median {:.3g}, largest {:.3g}, member {}\n          {}\n",
+        checks.made,
+        checks.all
+            ? fmt::format("each against its closed form{}",
+                          checks.made < checks.wanted
+                              ? fmt::format(", which holds for no other of {}", checks.wanted)
+                              : "")
+            : "evenly spread, each against a truth of its own",
+        checks.median, checks.largest, checks.worst, command_of(plan, asked, checks.worst));
   else if (checks.wanted > 0)
     text += "error     not known: no member that was compared ended and has a truth\n";
   text += fmt::format(
@@ -109,8 +114,10 @@ nlohmann::ordered_json json_of(const Plan& plan, const Result& result, const Ask
     json["quantities"].push_back(one);
   }
   const Checks& checks = result.checks;
-  json["checked"] = {
-      {"members", checks.made}, {"error_median", checks.median}, {"error_largest", checks.largest}};
+  json["checked"] = {{"of_all", checks.all},
+                     {"members", checks.made},
+                     {"error_median", checks.median},
+                     {"error_largest", checks.largest}};
   if (checks.made > 0) {
     json["checked"]["worst"] = checks.worst;
     json["checked"]["command"] = command_of(plan, asked, checks.worst);

@@ -102,7 +102,11 @@ record::Records map_of(const Plan& plan, const Result& result, const std::vector
     std::uint64_t solved = 0;
     for (const std::uint64_t member : members[cell]) {
       const double* const first = result.results.data() + member * all;
-      solved += std::all_of(first, first + all, [](double value) { return std::isfinite(value); });
+      bool ended = true;
+      for (std::size_t q = 0; q < all; ++q)
+        ended = ended && (std::isfinite(first[q]) ||
+                          plan.quantities[q].kind == Quantity::Kind::error);  // may not be known
+      solved += ended;
       for (std::size_t q = 0; q < shown; ++q) values[q].push_back(result.results[member * all + q]);
     }
     row.emplace_back(static_cast<double>(solved) / static_cast<double>(members[cell].size()));

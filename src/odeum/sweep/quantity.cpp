@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "odeum/cases/text_family.hpp"
 #include "odeum/input/near_words.hpp"
 
 namespace odeum::sweep {
@@ -58,6 +59,14 @@ double Quantity::of(const std::function<double(const double*)>& energy,
     value = kind == Kind::greatest ? std::max(value, each) : std::min(value, each);
   }
   return value;
+}
+
+std::optional<Quantity> error_of_members(const Case& c) {
+  const auto* const text = c.family.target<cases::TextFamilies>();
+  const bool known = text ? static_cast<bool>(text->exact())
+                          : c.truth.source.find("closed form") != std::string::npos;
+  if (!known) return std::nullopt;
+  return Quantity{.name = "error", .kind = Quantity::Kind::error};
 }
 
 std::vector<Quantity> quantities_of(const std::string& text, const Case& c) {

@@ -5,6 +5,9 @@
 
 #include <stdexcept>
 
+#include "odeum/input/yaml_tree.hpp"
+#include "odeum/judge/errors.hpp"
+
 namespace odeum::sweep {
 namespace {
 
@@ -77,23 +80,46 @@ Outcome Runner::run(const std::vector<double>& values, const Request& request) {
     return entrant->solve(request);
   } catch (const std::invalid_argument& error) {
     return refused(error.what());
+  } catch (const InputError& error) {
+    return refused(error.what());
   }
 }
 
 MemberRow Runner::measure(const std::vector<double>& values) const {
+  MemberRow row{.solver = plan_.solver, .status = to_string(Status::refused)};
+  row.answer = row.status;
   try {
     Case member = plan_.base->with_values(values);
     return plan_.study->measure(member);
   } catch (const std::invalid_argument& error) {
-    return {.solver = plan_.solver,
-            .status = to_string(Status::refused),
-            .detail = error.what(),
-            .answer = to_string(Status::refused)};
+    row.detail = error.what();
+  } catch (const InputError& error) {
+    row.detail = error.what();
   }
+  return row;
 }
 
-double Runner::value(const Quantity& quantity, const Outcome& outcome) const {
-  return quantity.of(energy_, *y0_, outcome.states.data(), outcome.states.size() / y0_->size());
+double Runner::value(const Quantity& quantity, const std::vector<double>& values,
+                     const Outcome& outcome) {
+  const std::size_t n = y0_->size();
+  if (quantity.kind == Quantity::Kind::error)
+    return error(values, outcome.states.data() + outcome.states.size() - n);
+  return quantity.of(energy_, *y0_, outcome.states.data(), outcome.states.size() / n);
+}
+
+double Runner::error(const std::vector<double>& values, const double* last) {
+  const Case& base = *plan_.base;
+  if (const auto* const text = base.family.target<cases::TextFamilies>(); text && !exact_) {
+    exact_ = text->exact();
+    judged_.y0 = base.y0;
+    judged_.measured = base.measured;
+    judged_.scale = base.scale;
+  }
+  if (exact_) judged_.truth.at = [&](double t, double* y) { return exact_(values, t, y); };
+  Outcome end;
+  end.states.assign(last, last + y0_->size());
+  const judge::Judge judge(exact_ ? judged_ : case_, {plan_.request.stops.back()});
+  return judge.errors(end).back().error_max;
 }
 
 Runners::Runners(const Plan& plan) : plan_(plan) {
@@ -104,6 +130,8 @@ Runners::Runners(const Plan& plan) : plan_(plan) {
     if (in_place_) free_.push_back(std::make_unique<Runner>(plan, std::move(family)));
   } catch (const std::invalid_argument&) {
     in_place_ = false;  // values that make no problem are told by member
+  } catch (const InputError&) {
+    in_place_ = false;
   }
 }
 

@@ -24,20 +24,24 @@ class Runner {
   /// The plan's request for members from `first` to `last` in lanes, where the solver, the problem
   /// and the request allow it; else nothing. One that is not ok has to run alone.
   std::vector<Outcome> run_in_lanes(std::uint64_t first, std::uint64_t last);
-  /// Of an outcome that is ok, of the member placed last.
-  double value(const Quantity& quantity, const Outcome& outcome) const;
+  /// Of an outcome that is ok, of the member placed last, which has these values.
+  double value(const Quantity& quantity, const std::vector<double>& values, const Outcome& outcome);
   /// A member that did not run last.
   void place(const std::vector<double>& values) { family_->place(values); }
   const std::vector<double>& y0() const { return *y0_; }
 
  private:
   void use_lanes();
+  /// NaN where the closed form does not hold for the values.
+  double error(const std::vector<double>& values, const double* last);
 
   const Plan& plan_;
   std::optional<Family> family_;
   std::optional<cases::FamilyInLanes> lanes_;
   LaneRun lane_run_ = nullptr;
-  Case case_;
+  Case case_;                 ///< of the member that ran last, where there is no family
+  cases::MemberTruth exact_;  ///< made where an error is asked for
+  Case judged_;               ///< what an error by it needs
   std::function<double(const double*)> energy_;
   std::shared_ptr<const std::vector<double>> y0_;
 };

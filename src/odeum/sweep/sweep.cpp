@@ -125,7 +125,7 @@ class Sweep {
         const Outcome outcome = lanes ? std::move(in_lanes[member - first])
                                       : runner->run(parameters_of(plan_, member), plan_.request);
         if (lanes && needs_energy) runner->place(parameters_of(plan_, member));
-        row = row_of(*runner, outcome);
+        row = row_of(*runner, parameters_of(plan_, member), outcome);
       }
       const bool ok = row.status == to_string(Status::ok);
       part.solved += ok;
@@ -148,12 +148,13 @@ class Sweep {
     return part;
   }
 
-  MemberRow row_of(const Runner& runner, const Outcome& outcome) const {
+  MemberRow row_of(Runner& runner, const std::vector<double>& values,
+                   const Outcome& outcome) const {
     MemberRow row{plan_.solver, to_string(outcome.status), outcome.detail};
     row.evaluations = outcome.counters.rhs_evaluations;
     if (outcome.status == Status::ok)
       for (const Quantity& quantity : plan_.quantities)
-        row.values.push_back(runner.value(quantity, outcome));
+        row.values.push_back(runner.value(quantity, values, outcome));
     return row;
   }
 

@@ -43,7 +43,8 @@ struct Plan {
   Members members;
   std::vector<Quantity> quantities;
   unsigned jobs = 1;
-  std::uint64_t checks = 100;    ///< members that are held against a truth of their own
+  /// Members that are held against a truth of their own, unless the error is a quantity.
+  std::uint64_t checks = 100;
   double check_seconds = 20;     ///< which takes no longer
   study::ResultCache kept = {};  ///< where rows are kept; of a share only its rows are made
   /// For the quantiles of the components over time; without stops none are wanted.
@@ -61,8 +62,9 @@ using Quantiles = std::array<double, 5>;
 /// Of the finite ones; NaN where there is none.
 Quantiles quantiles(std::vector<double> values);
 
-/// The errors of some members at the end, in the units of the case's errors.
+/// The errors of members at the end, in the units of the case's errors.
 struct Checks {
+  bool all = false;                    ///< a closed form is the truth of each; else of some members
   std::uint64_t wanted = 0, made = 0;  ///< made: with a known truth
   double median = nan, largest = nan;
   std::uint64_t worst = 0;  ///< the member
