@@ -18,8 +18,12 @@ settle() {
   tries=0
   while [ -n "$(squeue -h -o %i)" ]; do
     tries=$((tries + 1))
-    [ $tries -lt 240 ] || fail "jobs are still in the queue: $(squeue -a)"
-    sleep 0.5
+    [ $tries -lt 600 ] || fail "jobs are still in the queue: $(squeue -a)"
+    # A task that is requeued waits for two minutes unless it is told to begin.
+    for task in $(squeue -h -r -t PD -o '%i %r' | sed -n 's/ BeginTime$//p'); do
+      scontrol update JobId="$task" StartTime=now || true
+    done
+    sleep 0.2
   done
 }
 
@@ -41,7 +45,7 @@ scancel "${job}_11" || true
 tries=0
 until pkill -9 -f "shard $folder/run" || [ $tries -gt 100 ]; do tries=$((tries + 1)); sleep 0.05; done
 task=$(squeue -h -r -t R -o %i | tail -n 1)
-if [ -n "$task" ] && scontrol requeue "$task"; then scontrol update JobId="$task" StartTime=now || true; fi
+[ -z "$task" ] || scontrol requeue "$task" || true
 "$root/scripts/slurm-here" node n2 stop "$folder/slurm"
 sleep 1
 "$root/scripts/slurm-here" node n2 start "$folder/slurm"
