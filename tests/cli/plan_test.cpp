@@ -96,6 +96,22 @@ TEST_F(Plan, OfATimedStudyKeepsEachCaseInOneShard) {
   EXPECT_NE(rows.find(",processor\n"), std::string::npos);
 }
 
+TEST_F(Plan, OfAReportMergesToTheBytesOfOneRunButForTimes) {
+  write("decay.yaml", decay);
+  const std::string words = "report decay.yaml --quick --no-cache --solver rk4 --solver heun ";
+  expect_code(0, words + "--out one");
+  expect_code(0, "plan " + words + "--shards 2 --out run", "in 2 shards");
+  EXPECT_NE(text("run/submit.sh").find("how=--exclusive\nrange 1 2\n"), std::string::npos)
+      << "the timed runs are one comparison, in a shard of its own";
+  for (const char* shard : {"0", "1"}) expect_code(0, std::string("shard run ") + shard);
+  expect_code(0, "merge run --out merged", "merged/index.html");
+  for (const char* file : {"convergence.csv", "orders.csv", "drift.csv"}) {
+    EXPECT_EQ(text(std::string("merged/") + file), text(std::string("one/") + file)) << file;
+    EXPECT_FALSE(text(std::string("one/") + file).empty()) << file;
+  }
+  EXPECT_NE(text("merged/precision.csv").find(",heun,"), std::string::npos);
+}
+
 TEST_F(Plan, StudiesOfMembersMergeToTheBytesOfOneRun) {
   write("decay.yaml", decay);
   const std::string words =
