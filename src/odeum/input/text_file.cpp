@@ -59,6 +59,8 @@ std::optional<std::string> text_of_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   std::string text;
+  std::error_code unknown;
+  if (const auto size = std::filesystem::file_size(path, unknown); !unknown) text.reserve(size);
   std::vector<char> block(1 << 16);
   do {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
