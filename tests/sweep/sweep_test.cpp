@@ -140,8 +140,9 @@ TEST(Sweep, AClosedFormGivesEachMemberItsError) {
     const Result result = run_over(solver, {axis_of("k=0.1..10:40"), axis_of("a=1,2,3")});
     double largest = 0;
     for (std::size_t member = 0; member < 120; ++member) {
-      const double k = 0.1 + 9.9 / 39 * static_cast<double>(member / 3),
-                   exact = static_cast<double>(member % 3 + 1) * std::exp(-2 * k);
+      const std::size_t row = member / 3, column = member % 3;
+      const double k = 0.1 + 9.9 / 39 * static_cast<double>(row),
+                   exact = static_cast<double>(column + 1) * std::exp(-2 * k);
       // Both formulas are rounded.
       EXPECT_NEAR(result.results[2 * member + 1], std::abs(result.results[2 * member] - exact),
                   1e-14)
