@@ -44,12 +44,7 @@ class Sweep {
       return std::pair(part * together, std::min(size, (part + 1) * together));
     };
     if (share.plan) {
-      const auto none = [](std::size_t) { return nan; };
-      const auto work = [&](std::size_t k) { run_part(ends_of(k).first, ends_of(k).second); };
-      if (plan_.study && plan_.study->timed)
-        share.plan->add(parts, none, {});
-      else
-        share.plan->add(parts, none, work);
+      foresee(parts, together);
       return std::move(result_);
     }
     const std::uint64_t begun = share.begin(parts);
@@ -80,6 +75,21 @@ class Sweep {
   }
 
  private:
+  /// Adds the parts to the plan. Of one that is timed some members stand for all.
+  void foresee(std::size_t parts, std::uint64_t together) {
+    study::PlannedTasks& planned = *plan_.kept.share.plan;
+    const auto none = [](std::size_t) { return nan; };
+    if (plan_.study && plan_.study->timed) return planned.add(parts, none, {});
+    const std::uint64_t some = std::max<std::uint64_t>(together / 4, 1);
+    const auto before = static_cast<std::ptrdiff_t>(planned.seconds.size());
+    planned.add(parts, none, [&](std::size_t k) {
+      run_part(k * together, std::min(k * together + some, plan_.members.size()));
+    });
+    std::for_each(planned.seconds.begin() + before, planned.seconds.end(), [&](double& each) {
+      each *= static_cast<double>(together) / static_cast<double>(some);
+    });
+  }
+
   std::string header() const {
     std::string text =
         fmt::format("schema,member,solver,{},status,detail", fmt::join(plan_.members.names(), ","));
