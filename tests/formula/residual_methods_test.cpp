@@ -97,6 +97,19 @@ TEST(ResidualMethods, HaveTheirOrderAtFixedSteps) {
   EXPECT_NEAR(order_of(c, "odeum/rodas4_residual", 2000), 4, 0.1);
 }
 
+// Its constraints have exponentials of y / 0.026: rounded states move a stage by more than Newton's
+// iteration leaves, which ended with newton_failed as soon as the second transistor conducted.
+TEST(ResidualMethods, EndAtRoundingOfSteepConstraints) {
+  const Case c = case_of("transistor_amplifier");
+  for (const auto& [solver, bound] : {std::pair{methods[0], 1e-8}, {methods[1], 1e-12}}) {
+    Request request;
+    request.mode = Mode::fixed;
+    request.steps = 2000;
+    request.stops = {c.stops.back()};
+    EXPECT_LT(error_of(c, end_of(c, solver, request)), bound) << solver;
+  }
+}
+
 // y'^3 + y' = t - y: its residual depends on time, and the ordinary problem of its derivative does
 // not. Without dR/dt Rosenbrock's method is of order 1 on it.
 TEST(ResidualMethods, TakeTheTimeFromTheResiduals) {

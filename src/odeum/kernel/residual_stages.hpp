@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// long: the stages, their matrices and their rounding share all members
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
 #include "odeum/kernel/residual_system.hpp"
@@ -33,6 +37,7 @@ class StageSystem<T, P> {
         rates_(n_),
         j_(n_ * n_),
         m_(n_ * n_),
+        terms_(n_),
         sum_(n_) {
     z.fill(argument_);
     r_.fill(argument_);
@@ -44,6 +49,8 @@ class StageSystem<T, P> {
     problem_.matrix(t, y.data(), rates_.data(), 0, j_.data());
     problem_.matrix(t, y.data(), rates_.data(), 1, m_.data());
     for (std::size_t i = 0; i < n_ * n_; ++i) m_[i] -= j_[i];
+    std::fill(terms_.begin(), terms_.end(), 0);
+    for (std::size_t i = 0; i < n_ * n_; ++i) terms_[i / n_] += std::abs(j_[i] * y[i % n_]);
   }
   /// For the step h, with J and M of the last linearise(); false: singular or not finite.
   bool factorise(double h) {
@@ -53,6 +60,7 @@ class StageSystem<T, P> {
       if (!systems_[k].factorise()) return false;
     }
     filter_ = mu(0).real() / h;
+    find_rounding();
     return true;
   }
 
@@ -61,7 +69,9 @@ class StageSystem<T, P> {
     for (std::size_t k = 0; k < count; ++k) into(k, z, w_[k]);
   }
 
-  /// One Newton iteration. Calls `measure(stage, correction of z_stage)` for every correction.
+  /// One Newton iteration. Calls `measure(stage, correction of z_stage)` for every correction. At
+  /// equal steps components that are rounding are 0 in it; to a tolerance they tell the
+  /// contraction.
   template <class Measure>
   void iterate(double t, double h, const State<P>& y, Measure&& measure) {
     for (std::size_t i = 0; i < stages; ++i) {
@@ -83,6 +93,7 @@ class StageSystem<T, P> {
         for (std::size_t k = 0; k < count; ++k) now += part(i, k, n, 1);
         argument_[n] = now - z[i][n];
         z[i][n] = now;
+        if (problem_.to_rounding() && std::abs(argument_[n]) <= rounding_[i][n]) argument_[n] = 0;
       }
       measure(i, argument_);
     }
@@ -114,6 +125,20 @@ class StageSystem<T, P> {
       for (std::size_t j = 0; j < stages; ++j) row[n] += transform_.ti[k][j] * x[j][n];
     }
   }
+  /// What rounding of y + Z makes of a correction at most: a steep constraint magnifies it.
+  void find_rounding() {
+    rounding_.fill(State<P>(n_));
+    for (std::size_t k = 0; k < count; ++k) {
+      double unit = 0;
+      for (const auto& factor : transform_.ti[k])
+        unit += std::numeric_limits<double>::epsilon() * std::abs(factor);
+      for (std::size_t n = 0; n < n_; ++n) sum_[n] = unit * terms_[n];
+      systems_[k].solve(sum_.data());
+      for (std::size_t i = 0; i < stages; ++i)
+        for (std::size_t n = 0; n < n_; ++n)
+          rounding_[i][n] += std::abs(transform_.t[k][i] * sum_[n]);
+    }
+  }
   /// What w_k, times a factor, gives to component n of stage i.
   double part(std::size_t i, std::size_t k, std::size_t n, Complex factor) const {
     return (transform_.t[k][i] * factor * w_[k][n]).real();
@@ -124,9 +149,9 @@ class StageSystem<T, P> {
   std::size_t n_;
   std::vector<linear::Lu<Complex>> systems_;
   State<P> argument_, rates_;
-  std::vector<double> j_, m_;
+  std::vector<double> j_, m_, terms_;  ///< terms: |J| |y|
   Row sum_;
-  std::array<State<P>, stages> r_;
+  std::array<State<P>, stages> r_, rounding_;
   std::array<Row, count> w_;
   double filter_ = 0;
 };

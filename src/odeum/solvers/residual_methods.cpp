@@ -22,8 +22,8 @@ class GuardedResiduals {
  public:
   static constexpr std::size_t dimension = dynamic;
 
-  GuardedResiduals(const ErasedContest& contest, Guard& guard)
-      : form_(*contest.implicit), ordinary_(contest.view), guard_(guard) {}
+  GuardedResiduals(const ErasedContest& contest, Guard& guard, Mode mode)
+      : form_(*contest.implicit), ordinary_(contest.view), guard_(guard), mode_(mode) {}
 
   std::size_t size() const { return form_.dimension; }
   void rhs(double t, const double* y, double* rates) const {
@@ -37,6 +37,8 @@ class GuardedResiduals {
     form_.matrix(t, y, rates, alpha, j);
   }
   bool tripped() const { return guard_.tripped(); }
+  /// Whether the kernels iterate as far as rounding allows.
+  bool to_rounding() const { return mode_ == Mode::fixed; }
 
  private:
   template <class Call>
@@ -48,6 +50,7 @@ class GuardedResiduals {
   const ImplicitForm& form_;
   const OdeView& ordinary_;
   Guard& guard_;
+  Mode mode_;
 };
 
 /// Backward differences at a fixed step, whose start is of residuals too.
@@ -90,8 +93,8 @@ Outcome solve_residuals(const ErasedContest& contest, const Request& request) {
         "needs rates with constant factors, M y' = f(t, y): here dR/dy' changes with the state, "
         "the time or the rates");
   Guard guard(contest.implicit->dimension, request.budget, &request.tolerance);
-  Outcome outcome =
-      run_method<M>(GuardedResiduals(contest, guard), contest.t0, *contest.y0, request);
+  const GuardedResiduals problem(contest, guard, request.mode);
+  Outcome outcome = run_method<M>(problem, contest.t0, *contest.y0, request);
   guard.conclude(request, outcome);
   return outcome;
 }
