@@ -8,6 +8,15 @@
 /// The table of speed goals: each row one comparison, measured on this machine.
 namespace odeum::bench {
 
+/// A goal for vectors of eight numbers, and one for narrower ones.
+constexpr double by_vectors([[maybe_unused]] double wide, [[maybe_unused]] double narrow) {
+#ifdef __AVX512F__
+  return wide;
+#else
+  return narrow;
+#endif
+}
+
 struct Row {
   std::string what;          ///< what is compared
   double goal = 0;           ///< NaN: shown for information

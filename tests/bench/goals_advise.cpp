@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <complex>
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -19,6 +20,7 @@
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/parallel.hpp"
 
 namespace odeum::bench {
 namespace {
@@ -49,7 +51,14 @@ double error_of(const Entrant& entrant, const Request& request, const judge::Jud
   return error;
 }
 
-/// Climbs the ladder of one solver up to the error. A run of ten times the best time is stopped.
+/// How long a run of the search may take, in seconds: so many times the best one. Enough to know
+/// what is done without a measurement, too; less where that takes hours.
+double most_seconds(double best_ns) {
+  if (!std::isfinite(best_ns)) return 0.05;
+  return std::clamp((best_ns < 1e6 ? 1e-8 : 3e-9) * best_ns, 2e-3, 0.5);
+}
+
+/// Climbs the ladder of one solver up to the error.
 void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge& judge,
            double error, double& best_ns, Answers& answers) {
   const double order = std::isnan(entrant.info.order) ? 2 : std::max(1.0, entrant.info.order);
@@ -67,7 +76,7 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
       set_tolerance(request, c, 1 / fineness);
     else
       request.steps = static_cast<std::uint64_t>(multiple * std::ceil(fineness / multiple));
-    request.budget.seconds = std::clamp(1e-8 * best_ns, 2e-3, std::isfinite(best_ns) ? 0.5 : 0.05);
+    request.budget.seconds = most_seconds(best_ns);
     const double start = study::thread_seconds();
     const double has = error_of(entrant, request, judge);
     const double ns = 1e9 * (study::thread_seconds() - start);
@@ -256,6 +265,25 @@ const Case* case_or_scene(const std::string& id) {
   return &known_case(id);
 }
 
+/// The questions about one case. Throws Interrupted.
+void ask(const std::string& id, std::vector<Regret>& all, std::size_t& unanswered) {
+  const Case* const c = case_or_scene(id);
+  if (c == nullptr) return;
+  for (const double error : errors) {
+    if (error <= c->truth.floor) continue;
+    Regret regret = regret_of(*c, error);
+    if (interrupted) throw Interrupted();
+    if (std::isnan(regret.advised)) {
+      ++unanswered;
+      continue;
+    }
+    fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
+               regret.question, regret.advised, regret.kept, regret.seconds, regret.text);
+    std::fflush(stdout);
+    all.push_back(std::move(regret));
+  }
+}
+
 }  // namespace
 
 std::vector<Row> advise_rows() {
@@ -268,22 +296,14 @@ std::vector<Row> advise_rows() {
   std::size_t unanswered = 0;
   std::vector<std::string> ids = known_ids();
   for (const cases::SceneText& scene : cases::all_scenes()) ids.emplace_back(scene.name);
+  // An interrupt ends the questions, and the table is that of those asked.
+  std::signal(SIGINT, [](int) { interrupted = true; });
   for (const std::string& id : ids) {
     if (!only.empty() && !any_glob_matches(only, id)) continue;
-    const Case* made = case_or_scene(id);
-    if (made == nullptr) continue;
-    const Case& c = *made;
-    for (const double error : errors) {
-      if (error <= c.truth.floor) continue;
-      Regret regret = regret_of(c, error);
-      if (std::isnan(regret.advised)) {
-        ++unanswered;
-        continue;
-      }
-      fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
-                 regret.question, regret.advised, regret.kept, regret.seconds, regret.text);
-      std::fflush(stdout);
-      all.push_back(std::move(regret));
+    try {
+      ask(id, all, unanswered);
+    } catch (const Interrupted&) {
+      break;
     }
   }
   if (all.empty()) return {};
@@ -299,7 +319,9 @@ std::vector<Row> advise_rows() {
                        static_cast<double>(all.size());
   std::vector<Row> rows{
       row_of(fmt::format("regret of advise, median of {} questions", all.size()), advised, 0.5,
-             1.05, fmt::format("{} more that nobody here answers", unanswered)),
+             1.05,
+             fmt::format("{} more that nobody here answers{}", unanswered,
+                         interrupted ? "; interrupted before all were asked" : "")),
       row_of("regret of advise, nine of ten", advised, 0.9, 1.2),
       row_of("regret of advise, the worst", advised, 1, 1.5, worst->question + ": " + worst->text),
       {.what = "share that keeps the error asked", .goal = 0.99, .measured = share, .unit = ""}};

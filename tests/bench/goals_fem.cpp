@@ -50,7 +50,7 @@ Row assembly_row(const fem::Levels& levels, std::size_t threads) {
                                            5, threads == 1);
   Row row =
       compare(fmt::format("assembly with its checks, {} thread(s) / streaming the matrix", threads),
-              2, t[1], t[0],
+              8, t[1], t[0],
               fmt::format("{} triangles, {:.0f} ns each", mesh.triangles.size(),
                           1e9 * t[0].min / static_cast<double>(mesh.triangles.size())));
   row.at_most = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/catalogue.hpp"
@@ -12,7 +13,7 @@ using tests::find_case;
 using tests::find_entrant;
 
 struct Made {
-  std::uint64_t evaluations, jacobians;
+  std::uint64_t evaluations, jacobians, steps;
   double error;
 };
 
@@ -29,7 +30,8 @@ Made run(const std::string& id, const std::string& solver, double tolerance) {
   double error = 0;
   for (std::size_t k = 0; k < exact.size(); ++k)
     error = std::fmax(error, std::abs(outcome.states.at(k) - exact[k]) / c.scale_of(k));
-  return {outcome.counters.rhs_evaluations, outcome.counters.jacobian_evaluations, error};
+  return {outcome.counters.rhs_evaluations, outcome.counters.jacobian_evaluations,
+          outcome.counters.steps, error};
 }
 
 // Its looks at the spectral radius, three evaluations each ten steps of sixty, change no step.
@@ -59,6 +61,37 @@ TEST(Switching, TakesTheImplicitPairWhereItIs) {
                 1.3 * static_cast<double>(stiff.evaluations) + 250);
       EXPECT_LT(both.jacobians, stiff.jacobians);
     }
+}
+
+// With less than 1.35 times the evaluations of the better of two fixed orders, at any tolerance.
+TEST(RadauOfVariableOrder, TakesTheOrderThatTheToleranceAsksFor) {
+  for (const char* id : {"hires", "robertson", "vdp_mu1000", "oregonator"})
+    for (const double tolerance : {1e-4, 1e-7, 1e-11}) {
+      SCOPED_TRACE(std::string(id) + " to " + std::to_string(tolerance));
+      const Made five = run(id, "radau_iia5", tolerance), nine = run(id, "radau_iia9", tolerance),
+                 any = run(id, "radau_iia_variable", tolerance);
+      EXPECT_LT(static_cast<double>(any.evaluations),
+                1.35 * static_cast<double>(std::min(five.evaluations, nine.evaluations)));
+      // The errors of the two differ by as much.
+      EXPECT_LT(any.error, 100 * std::max({five.error, nine.error, 1e-15}));
+      if (tolerance < 1e-10) {
+        EXPECT_LT(any.steps, five.steps / 3);
+      }
+    }
+}
+
+// From the first stop on the order is above 5, and the outputs are those of its own steps.
+TEST(RadauOfVariableOrder, HasItsAccuracyBetweenSteps) {
+  const Case& c = find_case("vdp_mu1000");
+  Request request = tests::adaptive_request(1e-11, c.stops);
+  const Outcome with_stops = find_entrant(c, "odeum/radau_iia_variable").solve(request);
+  ASSERT_EQ(with_stops.status, Status::ok) << with_stops.detail;
+  std::vector<double> exact(c.y0.size());
+  for (std::size_t k = 0; k < c.stops.size(); ++k) {
+    ASSERT_TRUE(c.truth.at(c.stops[k], exact.data()));
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      EXPECT_NEAR(with_stops.states[k * exact.size() + i], exact[i], 1e-9 * c.scale_of(i)) << k;
+  }
 }
 
 }  // namespace

@@ -90,6 +90,8 @@ class TextCase : CaseText {
     if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
     if (has("thresholds"))
       case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, thresholds());
+    else if (!problem_.scale.empty() && problem_.tolerance.relative == 0)
+      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, problem_.scale);
     StudySettings& settings = case_.settings;
     settings.no_fixed_steps = text("no_fixed_steps", "");
     take_number("steps_multiple", settings.steps_multiple);

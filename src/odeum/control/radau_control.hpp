@@ -30,8 +30,9 @@ class RadauTrial {
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     double error = 0;
-    if (stepper_.step(t, h, y, y_new, error) != Status::ok || !std::isfinite(error))
-      return {false, h / 4};
+    const bool solved = stepper_.step(t, h, y, y_new, error) == Status::ok && std::isfinite(error);
+    contraction_ = solved ? stepper_.contraction() : std::numeric_limits<double>::infinity();
+    if (!solved) return {false, h / 4};
     // Many Newton iterations limit the growth of the step.
     constexpr int most = RadauStepper<T, P>::max_iterations;
     const double effort = (1.0 + 2 * most) / (stepper_.iterations() + 2.0 * most);
@@ -44,6 +45,9 @@ class RadauTrial {
     stepper_.reject();
     return {false, std::min(decision.next_step, 0.9 * h)};
   }
+
+  /// Of Newton's iteration in the last step; 0: not known, infinite: it failed.
+  double contraction() const { return contraction_; }
 
   /// A step aside, since the collocation polynomial has order S only; that where it fails.
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
@@ -68,9 +72,10 @@ class RadauTrial {
   Tolerance tolerance_;
   RadauStepper<T, P> stepper_;
   PredictiveControl control_;
+  double contraction_ = 0;
 };
 
-/// Base of a Radau IIA method of 3 or 5 stages.
+/// Base of a Radau IIA method of an odd number of stages.
 template <const auto& T>
 struct RadauMethod : FullyImplicitMethod<T> {
   template <Ode P>

@@ -96,6 +96,8 @@ std::vector<Id> jacobian_roots(const std::vector<std::vector<Entry>>& jacobian) 
   return roots;
 }
 
+bool Structure::is_sparse() const { return states > 16 && 4 * entries <= states * states; }
+
 std::vector<std::string> describe(const Structure& s) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{}, {}, {}", s.linear ? "linear" : "nonlinear",
@@ -116,7 +118,7 @@ std::vector<std::string> describe(const Structure& s) {
   lines.push_back(
       fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal", s.entries,
                   s.states * s.states, s.lower, s.upper) +
-      (s.is_sparse() ? ": implicit methods solve with factors of a band, or sparse ones" : ""));
+      (s.is_sparse() ? ": implicit methods solve with the factors of a band or of its entries" : ""));
   if (s.with_implicit_part > 0)
     lines.push_back(
         fmt::format("split for additive methods: {} of {} equations have an implicit part",

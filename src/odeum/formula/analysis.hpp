@@ -21,7 +21,7 @@ struct Structure {
 
   /// Sparse factors pay: few unknowns are solved for faster by dense matrices made for their
   /// number.
-  bool is_sparse() const { return states >= 20 && 5 * entries <= states * states; }
+  bool is_sparse() const;
 };
 
 /// The derivatives of a problem and its structure.

@@ -4,10 +4,12 @@
 #include <array>
 #include <complex>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "odeum/kernel/stage_transform.hpp"
 #include "odeum/linear/complex_inverse.hpp"
+#include "odeum/linear/dense_system.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
 namespace odeum {
@@ -32,8 +34,8 @@ class StageSystem {
       : problem_(problem),
         sparse_(make_sparse_system(problem, pairs + has_real)),
         real_(problem, !sparse_),
-        complex_(pairs, linear::ComplexInverse<P::dimension>(sparse_ ? 0 : size_of(problem))),
         argument_(make_state(problem)) {
+    for (std::size_t k = 0; k < pairs && !sparse_; ++k) complex_.emplace_back(size_of(problem));
     for (auto* states : {&z, &f_}) states->fill(argument_);
     for (auto* states : {&w_re_, &w_im_}) states->fill(argument_);
     sum_re_ = sum_im_ = argument_;
@@ -149,7 +151,9 @@ class StageSystem {
   const StageTransform& transform_ = stage_transform<T>();
   std::unique_ptr<SparseSystem> sparse_;  // null: the two below
   DenseShiftedSolver<P> real_;
-  std::vector<linear::ComplexInverse<P::dimension>> complex_;
+  std::vector<std::conditional_t<P::dimension == dynamic, linear::ComplexSystem,
+                                 linear::ComplexInverse<P::dimension>>>
+      complex_;
   State<P> argument_, sum_re_, sum_im_;
   std::array<State<P>, stages> f_;
   std::array<State<P>, pairs + has_real> w_re_, w_im_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "odeum/linear/dense_system.hpp"
 #include "odeum/linear/small_inverse.hpp"
 #include "odeum/linear/sparse_system.hpp"
 #include "odeum/linear/square_matrix.hpp"
@@ -55,10 +56,14 @@ class DenseShiftedSolver final : public ShiftedSolver {
   const linear::Square<P::dimension>& jacobian() const { return j_; }
 
  private:
+  /// One that is not used has no size.
+  using DenseSolver = std::conditional_t<P::dimension == dynamic, linear::DenseSystem,
+                                         linear::DenseSolver<P::dimension>>;
+
   const P& problem_;
   std::size_t n_;
   linear::Square<P::dimension> j_;
-  linear::DenseSolver<P::dimension> solver_;
+  DenseSolver solver_;
 };
 
 /// The problem's own solver, or that of its sparse Jacobian; null: neither.

@@ -27,8 +27,9 @@ JacobianEntries differenced_entries(const Sparsity& pattern,
 std::vector<int> column_colours(const Sparsity& pattern);
 
 /// Solves with I - g J for a sparse J and several g, real or complex: by an LU factorisation of a
-/// band, after the reverse Cuthill-McKee ordering, where that is narrow, and Eigen's sparse LU
-/// otherwise. The pattern is analysed once.
+/// band, after the reverse Cuthill-McKee ordering, where that is narrow; of few unknowns by a list
+/// of eliminations, where that is shorter; and by Eigen's sparse LU otherwise. The pattern is
+/// analysed once.
 class SparseSystem {
  public:
   /// `shifts`: how many g, with factors of their own. The pattern must outlive the system. Throws

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Of sparse_system.cpp.
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "odeum/linear/banded_lu.hpp"
+#include "odeum/linear/ordering.hpp"
+#include "odeum/linear/pattern_lu.hpp"
+
+namespace odeum::linear {
+
+/// The factors of one I - g J.
+class Factors {
+ public:
+  virtual ~Factors() = default;
+  /// `values`: of the pattern's entries.
+  virtual bool factorise(const std::vector<double>& values, std::complex<double> g) = 0;
+  virtual void solve(double* re, double* im) = 0;
+};
+
+template <bool is_complex>
+class BandFactors final : public Factors {
+ public:
+  BandFactors(const Sparsity& pattern, const Band& band)
+      : n_(pattern.unknowns()),
+        order_(band.order),
+        lu_(n_, band.lower, band.upper),
+        x_re_(n_),
+        x_im_(is_complex ? n_ : 0) {
+    const auto place = [&](int row, int column) {
+      return lu_.place(static_cast<std::size_t>(band.number[row]),
+                       static_cast<std::size_t>(band.number[column]));
+    };
+    for (std::size_t i = 0; i < n_; ++i) {
+      diagonal_.push_back(place(static_cast<int>(i), static_cast<int>(i)));
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        places_.push_back(place(static_cast<int>(i), pattern.column[k]));
+    }
+  }
+  bool factorise(const std::vector<double>& values, std::complex<double> g) override {
+    lu_.clear();
+    double *const re = lu_.re(), *const im = lu_.im();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      re[places_[k]] = -g.real() * values[k];
+      if constexpr (is_complex) im[places_[k]] = -g.imag() * values[k];
+    }
+    for (const std::size_t at : diagonal_) re[at] += 1;
+    return lu_.factorise();
+  }
+  void solve(double* re, double* im) override {
+    for (std::size_t k = 0; k < n_; ++k) {
+      x_re_[k] = re[order_[k]];
+      if constexpr (is_complex) x_im_[k] = im[order_[k]];
+    }
+    lu_.solve(x_re_.data(), x_im_.data());
+    for (std::size_t k = 0; k < n_; ++k) {
+      re[order_[k]] = x_re_[k];
+      if constexpr (is_complex) im[order_[k]] = x_im_[k];
+    }
+  }
+
+ private:
+  std::size_t n_;
+  std::vector<int> order_;
+  BandedLu<is_complex> lu_;
+  std::vector<std::size_t> places_, diagonal_;
+  std::vector<double> x_re_, x_im_;
+};
+
+template <class Scalar>
+class SparseFactors final : public Factors {
+ public:
+  explicit SparseFactors(const Sparsity& pattern)
+      : matrix_(static_cast<Eigen::Index>(pattern.unknowns()),
+                static_cast<Eigen::Index>(pattern.unknowns())) {
+    std::vector<Eigen::Triplet<Scalar, int>> triplets;
+    const auto n = static_cast<int>(pattern.unknowns());
+    for (int i = 0; i < n; ++i) {
+      triplets.emplace_back(i, i, Scalar(1));
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        triplets.emplace_back(i, pattern.column[k], Scalar(1));
+    }
+    matrix_.setFromTriplets(triplets.begin(), triplets.end());
+    matrix_.makeCompressed();
+    const auto place = [&](int row, int column) {
+      const int* const rows = matrix_.innerIndexPtr();
+      const int *const first = rows + matrix_.outerIndexPtr()[column],
+                       *const last = rows + matrix_.outerIndexPtr()[column + 1];
+      return static_cast<std::size_t>(std::lower_bound(first, last, row) - rows);
+    };
+    for (int i = 0; i < n; ++i) {
+      diagonal_.push_back(place(i, i));
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        places_.push_back(place(i, pattern.column[k]));
+    }
+    lu_.analyzePattern(matrix_);
+  }
+  bool factorise(const std::vector<double>& values, std::complex<double> g) override {
+    Scalar* const entries = matrix_.valuePtr();
+    std::fill(entries, entries + matrix_.nonZeros(), Scalar(0));
+    for (std::size_t k = 0; k < values.size(); ++k) entries[places_[k]] = scaled(g, values[k]);
+    for (const std::size_t at : diagonal_) entries[at] += 1;
+    lu_.factorize(matrix_);
+    return lu_.info() == Eigen::Success;
+  }
+  void solve(double* re, double* im) override {
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> right(matrix_.rows());
+    for (Eigen::Index k = 0; k < matrix_.rows(); ++k) {
+      if constexpr (is_complex)
+        right[k] = {re[k], im[k]};
+      else
+        right[k] = re[k];
+    }
+    right = lu_.solve(right).eval();
+    for (Eigen::Index k = 0; k < matrix_.rows(); ++k) {
+      re[k] = std::real(right[k]);
+      if constexpr (is_complex) im[k] = std::imag(right[k]);
+    }
+  }
+
+ private:
+  static constexpr bool is_complex = !std::is_arithmetic_v<Scalar>;
+  static Scalar scaled(std::complex<double> g, double value) {
+    if constexpr (is_complex) return -g * value;
+    return -g.real() * value;
+  }
+  Eigen::SparseMatrix<Scalar, Eigen::ColMajor, int> matrix_;
+  Eigen::SparseLU<Eigen::SparseMatrix<Scalar, Eigen::ColMajor, int>, Eigen::COLAMDOrdering<int>>
+      lu_;
+  std::vector<std::size_t> places_, diagonal_;
+};
+
+/// Of few unknowns.
+template <class Scalar>
+class FewFactors final : public Factors {
+ public:
+  FewFactors(const Sparsity& pattern, const std::shared_ptr<const Elimination>& how)
+      : lu_(pattern, how), x_(is_complex ? pattern.unknowns() : 0) {}
+  bool factorise(const std::vector<double>& values, std::complex<double> g) override {
+    if constexpr (is_complex)
+      return lu_.factorise(values, g);
+    else
+      return lu_.factorise(values, g.real());
+  }
+  void solve(double* re, double* im) override {
+    if constexpr (is_complex) {
+      for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = {re[k], im[k]};
+      lu_.solve(x_.data());
+      for (std::size_t k = 0; k < x_.size(); ++k) re[k] = x_[k].real(), im[k] = x_[k].imag();
+    } else {
+      lu_.solve(re);
+    }
+  }
+
+ private:
+  static constexpr bool is_complex = !std::is_arithmetic_v<Scalar>;
+  PatternLu<Scalar> lu_;
+  std::vector<Scalar> x_;
+};
+
+}  // namespace odeum::linear
