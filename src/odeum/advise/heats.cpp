@@ -211,7 +211,11 @@ void Search::search_cheap(std::vector<Candidate>& candidates) {
   for (std::size_t k = 0; k < candidates.size(); ++k, progress.advance()) {
     if (late(0.5)) break;
     take(candidates[k], first(candidates[k]));
-    const Trial& trial = candidates[k].trials.back();
+    // An error need not fall with the setting, and the coarsest one costs the least.
+    if (candidates[k].trials.back().status == Status::ok && candidates[k].dropped.empty() &&
+        !candidates[k].trials.back().reaches(wishes_.error))
+      take(candidates[k], in_range(candidates[k], 1));
+    const Trial& trial = candidates[k].trials.front();
     order.emplace_back(std::isnan(trial.error)
                            ? infinity
                            : trial.ns * std::pow(std::max(trial.error, 1e-17) / wishes_.error,

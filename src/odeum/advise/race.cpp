@@ -17,7 +17,9 @@
 namespace odeum::advise {
 namespace {
 
-constexpr std::size_t most_finalists = 12;
+// A single run of less than that says little of its time, and many rounds cost nothing.
+constexpr double short_ns = 5e4;
+constexpr std::size_t most_finalists = 12, most_short_finalists = 60;
 constexpr double finalist_factor = 3, finalist_ns = 3e4, most_rounds = 25;
 
 bool selected(const SolverInfo& info, const Wishes& wishes) {
@@ -94,9 +96,10 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, boo
     }
     least = std::min(least, candidate.found->ns);
     least_error = std::min(least_error, 10 * candidate.found->error + 2 * floor);
-    const bool near = (within ? candidate.found->error <= least_error
-                              : candidate.found->ns <= finalist_factor * least + finalist_ns) &&
-                      racing++ < most_finalists;
+    const bool near =
+        (within ? candidate.found->error <= least_error
+                : candidate.found->ns <= finalist_factor * least + finalist_ns) &&
+        racing++ < (!within && least < short_ns ? most_short_finalists : most_finalists);
     const bool of_library = seen.insert(info.library).second,
                of_family = seen.insert("family " + info.family).second;
     if (near || of_library || of_family) chosen.push_back(k);

@@ -88,10 +88,9 @@ class TextCase : CaseText {
     case_.stops = stops();
     add_stops();
     if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
-    if (has("thresholds"))
-      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, thresholds());
-    else if (!problem_.scale.empty() && problem_.tolerance.relative == 0)
-      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, problem_.scale);
+    const std::vector<double> units = has("thresholds") ? thresholds() : problem_.scale;
+    if (!units.empty() && (has("thresholds") || problem_.tolerance.relative == 0))
+      case_.tolerance = Tolerance::of_thresholds(case_.tolerance.relative, units);
     StudySettings& settings = case_.settings;
     settings.no_fixed_steps = text("no_fixed_steps", "");
     take_number("steps_multiple", settings.steps_multiple);
@@ -105,8 +104,7 @@ class TextCase : CaseText {
   /// The problem's truth is to be known at the stops of the case and of timed studies.
   void add_stops() {
     std::vector<double>& stops = problem_.stops = case_.stops;
-    const std::vector<double> timed = numbers("timed_stops");
-    stops.insert(stops.end(), timed.begin(), timed.end());
+    for (const double timed : numbers("timed_stops")) stops.push_back(timed);
     std::sort(stops.begin(), stops.end());
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   }

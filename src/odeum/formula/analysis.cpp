@@ -115,10 +115,11 @@ std::vector<std::string> describe(const Structure& s) {
         "same order among the states, methods of second order fit too");
   else
     lines.emplace_back("first order");
-  lines.push_back(
-      fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal", s.entries,
-                  s.states * s.states, s.lower, s.upper) +
-      (s.is_sparse() ? ": implicit methods solve with the factors of a band or of its entries" : ""));
+  lines.push_back(fmt::format("Jacobian with {} of {} entries, {} below and {} above the diagonal",
+                              s.entries, s.states * s.states, s.lower, s.upper) +
+                  (s.is_sparse()
+                       ? ": implicit methods solve with the factors of a band or of its entries"
+                       : ""));
   if (s.with_implicit_part > 0)
     lines.push_back(
         fmt::format("split for additive methods: {} of {} equations have an implicit part",

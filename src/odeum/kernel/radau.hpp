@@ -12,10 +12,9 @@
 namespace odeum {
 
 /// Trial steps of a Radau IIA method with an odd number of stages, for an adaptive run (Solving
-/// ODEs II, IV.8): the guess from the collocation polynomial of the last step, simplified Newton
-/// iteration that stops as soon as convergence within its limit cannot be expected, Jacobian and
-/// factors kept while it converges fast, and an error estimate of order S filtered by the matrix of
-/// the real system.
+/// ODEs II, IV.8): the guess from the last step's collocation polynomial, simplified Newton
+/// iteration that stops as soon as convergence cannot be expected, Jacobian and factors kept while
+/// it converges fast, and an error estimate of order S filtered by the matrix of the real system.
 template <const auto& T, Ode P>
 class RadauStepper {
  public:

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "goals.hpp"
+#include "odeum/core/numbers.hpp"
+
+namespace odeum::bench {
+
+/// Of the advice for one question, a case and an error.
+struct Regret {
+  std::string question;
+  double advised = infinity;  ///< over the best; infinite without an answer
+  double kept = nan;          ///< error over that asked
+  double seconds = 0;         ///< that the advice took
+  bool stiff = false, scene = false;
+  double error = 0;  ///< asked
+  std::size_t states = 0;
+  std::map<std::string, double> others{};  ///< of each solver that has the error
+  std::string text{};
+};
+
+/// Of all of them, and beside it of what is done without a measurement. `unanswered`: questions
+/// that no solver has the error of.
+std::vector<Row> regret_rows(const std::vector<Regret>& all, std::size_t unanswered);
+
+}  // namespace odeum::bench
