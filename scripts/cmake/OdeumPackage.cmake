@@ -57,7 +57,8 @@ target_compile_options(odeum_integrators INTERFACE
 # The parts of kernels that are no templates and use Eigen, compiled by whoever uses them.
 set(odeum_eigen_files src/odeum/kernel/stage_transform.cpp src/odeum/linear/eigenvalues.cpp
                       src/odeum/linear/matrix_exponential.cpp src/odeum/linear/sparse_system.cpp
-                      src/odeum/linear/ordering.cpp src/odeum/linear/differenced_entries.cpp)
+                      src/odeum/linear/ordering.cpp src/odeum/linear/pattern_lu.cpp
+                      src/odeum/linear/differenced_entries.cpp)
 add_library(odeum_integrators_eigen INTERFACE)
 target_link_libraries(odeum_integrators_eigen INTERFACE odeum_integrators Eigen3::Eigen)
 foreach(file IN LISTS odeum_eigen_files)

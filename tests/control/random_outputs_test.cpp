@@ -30,7 +30,7 @@ constexpr std::array cases{
 bool interpolates(const SolverInfo& info) {
   const std::string id = info.id();
   return info.library == "odeum" || info.library == "cvode" ||
-         (info.library == "arkode" && info.family != "implicit_rk") ||
+         (info.library == "arkode" && info.family == "explicit_rk") ||
          id == "odeint/runge_kutta_dopri5" || id == "odeint/rosenbrock4" ||
          id.find("dense_out") != std::string::npos;
 }

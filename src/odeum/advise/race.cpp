@@ -19,7 +19,7 @@ namespace {
 
 // A single run of less than that says little of its time, and many rounds cost nothing.
 constexpr double short_ns = 5e4;
-constexpr std::size_t most_finalists = 12, most_short_finalists = 60;
+constexpr std::size_t most_finalists = 12, most_short_finalists = 40;
 constexpr double finalist_factor = 3, finalist_ns = 3e4, most_rounds = 25;
 
 bool selected(const SolverInfo& info, const Wishes& wishes) {

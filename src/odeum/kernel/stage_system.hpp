@@ -151,7 +151,7 @@ class StageSystem {
   const StageTransform& transform_ = stage_transform<T>();
   std::unique_ptr<SparseSystem> sparse_;  // null: the two below
   DenseShiftedSolver<P> real_;
-  std::vector<std::conditional_t<P::dimension == dynamic, linear::ComplexSystem,
+  std::vector<std::conditional_t<linear::BehindPointers<P>, linear::ComplexSystem,
                                  linear::ComplexInverse<P::dimension>>>
       complex_;
   State<P> argument_, sum_re_, sum_im_;

@@ -156,9 +156,9 @@ template <class Base, template <std::size_t> class Known, class Unknown>
 std::unique_ptr<Base> made(std::size_t n) {
   std::unique_ptr<Base> solver;
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    ((n == I + 1 ? void(solver = std::make_unique<Known<I + 1>>(n)) : void()), ...);
+    ((n == I + 2 ? void(solver = std::make_unique<Known<I + 2>>(n)) : void()), ...);
   }
-  (std::make_index_sequence<small_inverse_limit>{});
+  (std::make_index_sequence<small_inverse_limit - 1>{});
   if (!solver) solver = std::make_unique<Unknown>(n);
   return solver;
 }

@@ -4,9 +4,18 @@
 #include <cstddef>
 #include <memory>
 
+#include "odeum/problem/concepts.hpp"
+
 namespace odeum::linear {
 
-/// A dense matrix whose size is known at run time: of up to 16 unknowns by the code that is
+/// A problem whose functions are behind pointers (problem/shared.hpp): a part of the laboratory,
+/// which has what is compiled here, unlike a program that takes the headers alone.
+template <class P>
+concept BehindPointers = P::dimension == dynamic&& requires(const P& problem) {
+  problem.offers_jacobian();
+};
+
+/// A dense matrix whose size is known at run time: of 2 to 16 unknowns by the code that is
 /// compiled for their number, of more by their entries alone where many are zero. Interface of
 /// DenseLu.
 class DenseSystem {

@@ -57,7 +57,7 @@ class DenseShiftedSolver final : public ShiftedSolver {
 
  private:
   /// One that is not used has no size.
-  using DenseSolver = std::conditional_t<P::dimension == dynamic, linear::DenseSystem,
+  using DenseSolver = std::conditional_t<linear::BehindPointers<P>, linear::DenseSystem,
                                          linear::DenseSolver<P::dimension>>;
 
   const P& problem_;
