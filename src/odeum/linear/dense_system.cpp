@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/linear/dense_system.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
