@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -17,33 +16,24 @@ template <Ode P, class... Trials>
 class RadauOrderTrial {
  public:
   RadauOrderTrial(const P& problem, const Tolerance& tolerance)
-      : problem_(problem), tolerance_(tolerance) {}
+      : problem_(problem),
+        tolerance_(tolerance),
+        trial_(std::in_place_index<0>, problem, tolerance) {}
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     // The one before is left until now, since outputs within the last step are its own.
-    if (made_ != wanted_) take(std::index_sequence_for<Trials...>());
+    if (trial_.index() != wanted_) take(std::index_sequence_for<Trials...>());
     return std::visit(
-        [&](auto& trial) -> Decision {
-          if constexpr (std::is_same_v<decltype(trial), std::monostate&>) {
-            return {false, h};
-          } else {
-            const Decision decision = trial(t, h, y, y_new);
-            look(decision.accept, trial.contraction());
-            return decision;
-          }
+        [&](auto& trial) {
+          const Decision decision = trial(t, h, y, y_new);
+          look(decision.accept, trial.contraction());
+          return decision;
         },
         trial_);
   }
 
   Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
-    return std::visit(
-        [&](const auto& trial) {
-          if constexpr (std::is_same_v<decltype(trial), const std::monostate&>)
-            return Status::ok;
-          else
-            return trial.between(step, time, y);
-        },
-        trial_);
+    return std::visit([&](const auto& trial) { return trial.between(step, time, y); }, trial_);
   }
 
  private:
@@ -52,26 +42,25 @@ class RadauOrderTrial {
 
   template <std::size_t... I>
   void take(std::index_sequence<I...>) {
-    ((I == wanted_ ? void(trial_.template emplace<I + 1>(problem_, tolerance_)) : void()), ...);
-    made_ = wanted_;
+    ((I == wanted_ ? void(trial_.template emplace<I>(problem_, tolerance_)) : void()), ...);
     steps_ = failures_ = 0;
   }
 
   void look(bool accepted, double contraction) {
     failures_ = !accepted && contraction >= lower_above ? failures_ + 1 : 0;
     if (accepted) ++steps_;
-    if (made_ > 0 && (failures_ > 1 || (steps_ > kept && contraction > lower_above)))
-      wanted_ = made_ - 1;
-    else if (accepted && steps_ > kept && contraction < raise_below &&
-             made_ + 1 < sizeof...(Trials))
-      wanted_ = made_ + 1;
+    const std::size_t made = trial_.index();
+    if (made > 0 && (failures_ > 1 || (steps_ > kept && contraction > lower_above)))
+      wanted_ = made - 1;
+    else if (accepted && steps_ > kept && contraction < raise_below && made + 1 < sizeof...(Trials))
+      wanted_ = made + 1;
   }
 
   const P& problem_;
   Tolerance tolerance_;
-  std::variant<std::monostate, Trials...> trial_;
-  std::size_t made_ = sizeof...(Trials), wanted_ = 0;  ///< which of them
-  int steps_ = 0, failures_ = 0;                       ///< accepted by it; in a row
+  std::variant<Trials...> trial_;
+  std::size_t wanted_ = 0;        ///< which of them
+  int steps_ = 0, failures_ = 0;  ///< accepted by it; in a row
 };
 
 }  // namespace odeum
