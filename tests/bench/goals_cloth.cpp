@@ -40,11 +40,14 @@ double peak_instructions() {
   return static_cast<double>(chains) * rounds / interleave({spin}, 0.3)[0].min;
 }
 
-/// Arithmetic vector instructions of GridSprings::forces for one neighbour of a vector of
-/// particles, read off spring_grid.cpp: 3 differences, 3 for the squared length, 2 and the series
-/// for 1/sqrt, 3 for the elastic force, 2 for the damping, 6 for the force.
+/// Arithmetic vector instructions of GridSprings::forces for a vector of springs, read off
+/// spring_kernels_lanes.cpp: 3 differences, 3 for the squared length, 7 for 1/sqrt (5 in single
+/// precision), 3 for the elastic force, 4 for the damping, 6 for the force, 6 for its sums at both
+/// ends. A guess that is one of floats alone takes two conversions and a longer series.
 template <class Real>
-constexpr double instructions_a_neighbour = std::is_same_v<Real, double> ? 23 : 21;
+constexpr double instructions_a_spring = std::is_same_v<Real, double>
+                                             ? 32 + 3 * scene::guessed_as_float
+                                             : 30 + scene::guessed_as_float;
 
 /// One frame at 60 a second, at the largest steps that are stable.
 void add_frame_rows(std::vector<Row>& rows) {
@@ -115,7 +118,7 @@ std::vector<Row> cloth_kernel_rows() {
     const auto used = [&]<class Real>(const GridForces<Real>& forces, const Timing& time) {
       const double vectors = static_cast<double>(forces.layout.rows) *
                              std::ceil(static_cast<double>(n) / scene::Lanes<Real>::count);
-      return 100 * vectors * 16 * instructions_a_neighbour<Real> * times / time.min /
+      return 100 * vectors * 8 * instructions_a_spring<Real> * times / time.min /
              peak_instructions<Real>();
     };
     for (const auto& [name, share] :

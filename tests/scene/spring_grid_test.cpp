@@ -164,6 +164,56 @@ TEST(SpringGrid, NeverLooksAtItsMargins) {
   EXPECT_EQ(results[0], results[1]);  // to the bit
 }
 
+// Forces on the ends of springs are kept between rows, in space that grids of a thread share.
+TEST(SpringGrid, TheSameBitsFromRowsOneByOneAndAfterAWiderGrid) {
+  const auto forces = [](std::size_t rows, std::size_t columns, bool one_by_one) {
+    const Scene scene = make_scene({rows, columns, false});
+    const auto structure = find_grid(scene.particles, scene.springs);
+    const GridLayout layout(structure->rows, structure->columns);
+    const GridSprings<double> springs(layout, structure->kinds);
+    const std::vector<double> y = start_of(scene);
+    std::vector<double> q(3 * layout.size), v(q), force(q), result(y.size() / 2);
+    layout.scatter(y.data(), q.data());
+    layout.scatter(y.data() + y.size() / 2, v.data());
+    const std::size_t each = one_by_one ? 1 : rows;
+    for (std::size_t row = 0; row < rows; row += each)
+      springs.forces(q.data(), v.data(), force.data(), row, row + each);
+    layout.gather(force.data(), result.data());
+    return result;
+  };
+  const std::vector<double> whole = forces(9, 8, false);
+  EXPECT_EQ(forces(9, 8, true), whole);
+  forces(9, 16, false);  // whose lines are as long
+  EXPECT_EQ(forces(9, 8, false), whole);
+}
+
+// A force depends on lengths by their ratios alone, also where no float holds their squares.
+TEST(SpringGrid, PullsAlikeAtAnyLength) {
+  const auto forces = [](double metre) {
+    Scene scene = make_scene({6, 10, false});
+    for (Particle& particle : scene.particles)
+      for (double& coordinate : particle.position) coordinate *= metre;
+    for (Spring& spring : scene.springs) spring.rest_length *= metre;
+    GridStructure grid = *find_grid(scene.particles, scene.springs);
+    const GridLayout layout(grid.rows, grid.columns);
+    const GridSprings<double> springs(layout, grid.kinds);
+    const std::vector<double> y = start_of(scene);
+    std::vector<double> q(3 * layout.size), force(q), result(y.size() / 2);
+    layout.scatter(y.data(), q.data());
+    springs.forces(q.data(), nullptr, force.data(), 0, layout.rows);
+    layout.gather(force.data(), result.data());
+    for (double& x : result) x /= metre;
+    return result;
+  };
+  const std::vector<double> expected = forces(1);
+  for (const double metre : {0x1p-80, 0x1p-9, 0x1p9, 0x1p80}) {
+    const std::vector<double> found = forces(metre);
+    // Sums of sixteen springs of some 100 N: 1.1e-16 * 100 * 16.
+    for (std::size_t i = 0; i < found.size(); ++i)
+      EXPECT_NEAR(found[i], expected[i], 2e-13) << metre << ' ' << i;
+  }
+}
+
 TEST(SpringGrid, InSinglePrecisionAgreesToSinglePrecision) {
   const Scene scene = make_scene({12, 12, false});
   const auto structure = find_grid(scene.particles, scene.springs);
@@ -218,19 +268,30 @@ TEST(SpringGrid, ASpringOfNoLengthExertsNoForce) {
   for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(by_grid[i], by_edges[i], 1e-12) << i;
 }
 
-TEST(Lanes, InverseSquareRootIsRightToTwoRoundings) {
+template <class Real, bool moderate>
+double worst_inverse_sqrt(double exponents) {
   std::mt19937 random(2);
-  std::uniform_real_distribution<double> exponent(-300, 300);
+  std::uniform_real_distribution<double> exponent(-exponents, exponents);
   double worst = 0;
   for (int trial = 0; trial < 2000; ++trial) {
-    Vector<double> x{};
-    for (std::size_t i = 0; i < Lanes<double>::count; ++i) x[i] = std::pow(10, exponent(random));
-    const Vector<double> y = inverse_sqrt<double>(x);
-    for (std::size_t i = 0; i < Lanes<double>::count; ++i)
-      worst = std::max(worst, std::abs(y[i] * std::sqrt(x[i]) - 1));
+    Vector<Real> x{};
+    for (std::size_t i = 0; i < Lanes<Real>::count; ++i)
+      x[i] = static_cast<Real>(std::pow(10, exponent(random)));
+    const Vector<Real> y = inverse_sqrt<Real, moderate>(x);
+    for (std::size_t i = 0; i < Lanes<Real>::count; ++i)
+      worst = std::max(
+          worst, std::abs(static_cast<double>(y[i]) * std::sqrt(static_cast<double>(x[i])) - 1));
   }
-  EXPECT_LT(worst, 5e-16);  // two roundings of 1.1e-16, and two more of the check itself
+  return worst;
+}
+
+TEST(Lanes, InverseSquareRootIsRightToTwoRoundings) {
+  // Two roundings of 1.1e-16 or 6e-8, and two more of the check itself.
+  const double worst = worst_inverse_sqrt<double, false>(300);
+  EXPECT_LT(worst, 5e-16);
   EXPECT_GT(worst, 0);
+  EXPECT_LT((worst_inverse_sqrt<double, true>(37)), 5e-16);
+  EXPECT_LT((worst_inverse_sqrt<float, true>(37)), 1.3e-7);
 }
 
 }  // namespace

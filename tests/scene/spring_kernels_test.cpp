@@ -57,8 +57,21 @@ void expect_all_kernels_to_agree(double tolerance) {
                           .damping = Real(0.25),
                           .least = row == 0 ? Real(0) : std::numeric_limits<Real>::lowest(),
                           .mask = mask.data()});
-  const SpringRows<Real> springs{layout.rows, layout.columns,    layout.stride,     layout.size,
-                                 2,           neighbours.data(), neighbours.size(), true};
+  const std::size_t line = layout.stride + 32;
+  std::vector<Real> kept(12 * neighbours.size() * line);
+  const SpringRows<Real> springs{.rows = layout.rows,
+                                 .columns = layout.columns,
+                                 .stride = layout.stride,
+                                 .size = layout.size,
+                                 .margin = GridLayout::margin,
+                                 .neighbours = neighbours.data(),
+                                 .count = neighbours.size(),
+                                 .damped = true,
+                                 .moderate = true,
+                                 .kept = kept.data() + 16,
+                                 .line = line,
+                                 .scale = nullptr,
+                                 .add = nullptr};
   const auto& kernels = spring_kernels<Real>();
   ASSERT_FALSE(kernels.empty());
   const std::vector<Real> expected = results_of(*kernels.front(), layout, springs, q, v);

@@ -81,11 +81,7 @@ std::vector<double> GridCloth<Real>::gathered(const std::vector<Real>& state) co
 template <class Real>
 void GridCloth<Real>::acceleration(Real, const Real* q, const Real* v, Real* a) const {
   team_->run(layout().rows, [&](std::size_t begin, std::size_t end) {
-    const Real *const m = inverse_mass_.data(), *const g = gravity_.data();
-    for (std::size_t row = begin; row < end; ++row) {
-      springs_.forces(q, v, a, row, row + 1);
-      each(row, [=](std::size_t i) { a[i] = a[i] * m[i] + g[i]; });
-    }
+    springs_.forces(q, v, a, begin, end, inverse_mass_.data(), gravity_.data());
   });
 }
 

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/scene/springs/spring_grid.hpp"
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace odeum::scene {
 
-GridLayout::GridLayout(std::size_t rows_, std::size_t columns_) : rows(rows_), columns(columns_) {
-  // A row may be read and written in whole vectors, of 16 numbers at most, from any neighbour.
-  constexpr std::size_t widest = 16;
-  stride = margin + (columns + widest - 1) / widest * widest + margin;
-  size = (rows + 2 * margin) * stride + widest;
-}
+namespace {
+
+// Numbers of a row that are read and written, in whole vectors of 16 at most.
+constexpr std::size_t widest = 16;
+std::size_t in_vectors(std::size_t columns) { return (columns + widest - 1) / widest * widest; }
+
+}  // namespace
+
+// The margin right of a row is that left of the next, which a row's last vector may reach.
+GridLayout::GridLayout(std::size_t rows_, std::size_t columns_)
+    : rows(rows_),
+      columns(columns_),
+      stride(std::max(columns + margin, in_vectors(columns))),
+      size((rows + 2 * margin) * stride + margin + widest) {}
 
 template <class Real>
 void GridLayout::scatter(const double* particles, Real* arrays) const {
@@ -54,6 +64,10 @@ GridSprings<Real>::GridSprings(const GridLayout& layout, const std::vector<Sprin
     }
   for (const SpringKind& kind : kinds) {
     damped_ = damped_ || kind.damping != 0;
+    // Then the rounding of positions, at least L 1e-16, is more than what a bound of 1e-19 m under
+    // the length changes, and so is the rounding of k more than k L/l where l is beyond 1e19 m.
+    const double length = std::abs(kind.rest_length);
+    moderate_ = moderate_ && (length == 0 || (length > 1e-3 && length < 1e3));
     for (const int side : {1, -1}) {
       const int dr = side * kind.row_offset, dc = side * kind.column_offset;
       neighbours_.push_back(
@@ -69,6 +83,26 @@ GridSprings<Real>::GridSprings(const GridLayout& layout, const std::vector<Sprin
 }
 
 template <class Real>
+void GridSprings<Real>::forces(const Real* q, const Real* v, Real* force, std::size_t begin,
+                               std::size_t end, const Real* scale, const Real* add) const {
+  // Lines start where a vector register's address would, and zeros are between them.
+  constexpr std::size_t alignment = 64 / sizeof(Real);
+  SpringRows<Real> rows = view();
+  rows.damped = rows.damped && v;
+  rows.scale = scale;
+  rows.add = add;
+  rows.line = in_vectors(layout_.columns) + widest;
+  const std::size_t needed = 12 * kinds_.size() * rows.line + widest + alignment;
+  thread_local std::vector<Real> space;
+  thread_local std::size_t columns = 0;
+  if (columns != rows.columns || space.size() < needed) space.assign(needed, 0);
+  columns = rows.columns;
+  const auto place = reinterpret_cast<std::uintptr_t>(space.data() + widest) / sizeof(Real);
+  rows.kept = space.data() + widest + (alignment - place % alignment) % alignment;
+  kernels_->forces(rows, q, v ? v : q, force, begin, end);
+}
+
+template <class Real>
 SpringRows<Real> GridSprings<Real>::view() const {
   return {.rows = layout_.rows,
           .columns = layout_.columns,
@@ -77,7 +111,12 @@ SpringRows<Real> GridSprings<Real>::view() const {
           .margin = GridLayout::margin,
           .neighbours = neighbours_.data(),
           .count = neighbours_.size(),
-          .damped = damped_};
+          .damped = damped_,
+          .moderate = moderate_,
+          .kept = nullptr,
+          .line = 0,
+          .scale = nullptr,
+          .add = nullptr};
 }
 
 template class GridSprings<double>;

@@ -19,7 +19,8 @@ struct SpringKind {
 };
 
 /// Where a grid of rows x columns particles lies in memory: one array a component, row after row,
-/// with a margin of two rows and columns around it, so that no neighbour lies outside.
+/// with a margin of two rows and columns around it and between rows, so that no neighbour lies
+/// outside.
 struct GridLayout {
   static constexpr std::size_t margin = 2;
   std::size_t rows = 0, columns = 0;
@@ -52,10 +53,11 @@ struct GridLayout {
   void gather(const Real* arrays, double* particles) const;
 };
 
-/// Springs on a regular grid, computed by gathering: each particle sums up what all its neighbours
-/// do to it, eight (or sixteen) particles at once. Every spring is computed twice, and no result
-/// is scattered. In this form the arrays have GridLayout, three components one after the other
-/// (x, y, z; each layout().size numbers), whose margins may hold any finite numbers.
+/// Springs on a regular grid, of as many particles at once as a vector holds. The force of each
+/// spring is computed once, and kept for its other end; all else by gathering: each particle sums
+/// up what all its neighbours do to it, so that no result is scattered. In this form the arrays
+/// have GridLayout, three components one after the other (x, y, z; each layout().size numbers),
+/// whose margins may hold any finite numbers.
 template <class Real>
 class GridSprings {
  public:
@@ -68,12 +70,9 @@ class GridSprings {
   const std::vector<SpringKind>& kinds() const { return kinds_; }
 
   /// Force on each particle of rows [begin, end); q, v and force have 3 * layout().size numbers.
-  /// v may be null: without the dampers.
-  void forces(const Real* q, const Real* v, Real* force, std::size_t begin, std::size_t end) const {
-    SpringRows<Real> rows = view();
-    rows.damped = rows.damped && v;
-    kernels_->forces(rows, q, v ? v : q, force, begin, end);
-  }
+  /// v may be null: without the dampers. Where `scale` is not null, the force times it, plus `add`.
+  void forces(const Real* q, const Real* v, Real* force, std::size_t begin, std::size_t end,
+              const Real* scale = nullptr, const Real* add = nullptr) const;
   /// The part of the dampers alone, D v with a constant D that is the same in all components.
   void damping(const Real* v, Real* force, std::size_t begin, std::size_t end) const {
     kernels_->damping(view(), v, force, begin, end);
@@ -99,7 +98,7 @@ class GridSprings {
   std::vector<SpringKind> kinds_;
   std::vector<SpringNeighbour<Real>> neighbours_;
   std::vector<Real> masks_;  // of column offsets -2 ... 2
-  bool damped_ = false;
+  bool damped_ = false, moderate_ = true;
   const SpringKernels<Real>* kernels_ = spring_kernels<Real>().back();
 };
 

@@ -19,13 +19,20 @@ struct SpringNeighbour {
   const Real* mask;  ///< by column: 1 where the neighbour is on the grid
 };
 
-/// A grid and its springs (see GridLayout and GridSprings), at most 16 neighbours a particle.
+/// A grid and its springs (see GridLayout and GridSprings), at most 16 neighbours a particle, of
+/// which each is followed by that on the other side.
 template <class Real>
 struct SpringRows {
   std::size_t rows, columns, stride, size, margin;
   const SpringNeighbour<Real>* neighbours;
   std::size_t count;
   bool damped;
+  bool moderate;  ///< rest lengths are 0 or so far from the ends of float that its exponents do
+  // Of forces alone:
+  Real* kept;         ///< 12 lines for every two neighbours, zero beyond the grid's columns
+  std::size_t line;   ///< from line to line
+  const Real* scale;  ///< forces are multiplied by it where it is not null, then `add` is added
+  const Real* add;
 };
 
 /// One compilation of GridSprings' functions, which have the same arguments.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Compiled for speed and for wide vectors in every build type, and more than once where the build
 // is not tuned for one processor: each time into a namespace of its own, see CMakeLists.txt.
-#include <limits>
-
 #include "odeum/scene/springs/lanes.hpp"
 #include "odeum/scene/springs/spring_kernels.hpp"
 
@@ -41,59 +39,131 @@ template <class Real, class Visit>
   }
 }
 
-// With u the vector to a neighbour and l its length, the spring pulls with k (1 - L/l) u. A spring
-// of no length has no direction: the bound under l^2 makes it exert no force instead of NaN.
-template <bool damped, class Real>
-void gather_forces(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
-                   std::size_t begin, std::size_t end) {
+// Which springs the forces are of, chosen when the program is compiled.
+struct SpringForm {
+  bool damped, moderate;
+};
+
+// A spring whose end a is in the row at hand: its force on a goes to `kept`, by columns of a.
+template <class Real>
+struct StartingSpring {
+  SpringNeighbour<Real> to;
+  Real* kept;
+};
+
+// Where the forces of springs of a kind that start in a row are kept, three lines, until the row
+// of their ends b is done.
+template <class Real>
+Real* kept_lines(const SpringRows<Real>& springs, std::size_t kind, std::size_t row) {
+  const auto reach = static_cast<std::size_t>(springs.neighbours[2 * kind].row_offset);
+  const std::size_t rows = reach < 2 ? reach + 1 : 4;  // a power of two
+  return springs.kept + 3 * (4 * kind + (row & (rows - 1))) * springs.line;
+}
+
+// What springs do to their ends a in a row, which is kept for their ends b. With u the vector from
+// a to b and l its length, a spring pulls with k (1 - L/l) u. One of no length has no direction:
+// the bound under l^2 makes it exert no force instead of NaN.
+template <SpringForm form, class Real>
+void pull_ends_a(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
+                 std::size_t row, const StartingSpring<Real>* begin,
+                 const StartingSpring<Real>* end) {
   using V = Vector<Real>;
-  const std::size_t n = springs.size;
-  constexpr Real shortest = std::numeric_limits<Real>::min();
-  gather(
-      springs, begin, end,
-      [&](std::size_t i, std::size_t c, const SpringNeighbour<Real>* near,
-          const SpringNeighbour<Real>* end_near) {
-        const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
-        V fx{}, fy{}, fz{};
-        [[maybe_unused]] V damping{};
-        for (; near != end_near; ++near) {
-          const Real* const qj = q + i + near->offset;
-          [[maybe_unused]] const Real* const vj = v + i + near->offset;
-          const V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
-          const V inverse_length = inverse_sqrt<Real>(ux * ux + (uy * uy + (uz * uz + shortest)));
-          const V mask = load(near->mask + c);
-          const V elastic =
-              larger<Real>(near->stiffness - near->stiffness_length * inverse_length, near->least) *
-              mask;
-          fx += elastic * ux;
-          fy += elastic * uy;
-          fz += elastic * uz;
-          if constexpr (damped) {
-            const V d = near->damping * mask;
-            damping += d;
-            fx += d * load(vj);
-            fy += d * load(vj + n);
-            fz += d * load(vj + 2 * n);
-          }
-        }
-        if constexpr (damped) {
-          fx -= damping * load(v + i);
-          fy -= damping * load(v + n + i);
-          fz -= damping * load(v + 2 * n + i);
-        }
-        store<Real>(force + i, fx);
-        store<Real>(force + n + i, fy);
-        store<Real>(force + 2 * n + i, fz);
-      });
+  const std::size_t n = springs.size, line = springs.line;
+  for (std::size_t c = 0; c < springs.columns; c += Lanes<Real>::count) {
+    const std::size_t i = place(springs, row) + c;
+    const V x = load(q + i), y = load(q + n + i), z = load(q + 2 * n + i);
+    [[maybe_unused]] V vx, vy, vz;
+    if constexpr (form.damped) vx = load(v + i), vy = load(v + n + i), vz = load(v + 2 * n + i);
+    V fx{}, fy{}, fz{};
+    for (const StartingSpring<Real>* spring = begin; spring != end; ++spring) {
+      const SpringNeighbour<Real>& to = spring->to;
+      const Real* const qj = q + i + to.offset;
+      const V ux = load(qj) - x, uy = load(qj + n) - y, uz = load(qj + 2 * n) - z;
+      const V inverse_length = inverse_sqrt<Real, form.moderate>(
+          ux * ux + (uy * uy + (uz * uz + least_square<Real, form.moderate>)));
+      const V mask = load(to.mask + c);
+      const V elastic =
+          larger<Real>(to.stiffness - to.stiffness_length * inverse_length, to.least) * mask;
+      V px = elastic * ux, py = elastic * uy, pz = elastic * uz;
+      if constexpr (form.damped) {
+        const Real* const vj = v + i + to.offset;
+        const V d = to.damping * mask;
+        px += d * (load(vj) - vx);
+        py += d * (load(vj + n) - vy);
+        pz += d * (load(vj + 2 * n) - vz);
+      }
+      fx += px, fy += py, fz += pz;
+      store<Real>(spring->kept + c, px);
+      store<Real>(spring->kept + line + c, py);
+      store<Real>(spring->kept + 2 * line + c, pz);
+    }
+    if (!force) continue;
+    store<Real>(force + i, fx);
+    store<Real>(force + n + i, fy);
+    store<Real>(force + 2 * n + i, fz);
+  }
+}
+
+// Subtracts from a row's forces what was kept for the ends b there; with `scale`, what remains is
+// multiplied by it, and `add` is added.
+template <class Real>
+void pull_ends_b(const SpringRows<Real>& springs, Real* force, std::size_t row,
+                 const Real* const* begin, const Real* const* end) {
+  using V = Vector<Real>;
+  const std::size_t n = springs.size, line = springs.line;
+  for (std::size_t c = 0; c < springs.columns; c += Lanes<Real>::count) {
+    const std::size_t i = place(springs, row) + c;
+    V f[3] = {load(force + i), load(force + n + i), load(force + 2 * n + i)};
+    for (const Real* const* kept = begin; kept != end; ++kept)
+      for (std::size_t d = 0; d < 3; ++d) f[d] -= load(*kept + d * line + c);
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (springs.scale)
+        f[d] = f[d] * load(springs.scale + d * n + i) + load(springs.add + d * n + i);
+      store<Real>(force + d * n + i, f[d]);
+    }
+  }
+}
+
+// Every spring is computed once, at its end a, row after row. Of the rows before `begin` those that
+// reach beyond it are computed anew, without their own sums: the bits do not depend on where a
+// range of rows begins.
+template <SpringForm form, class Real>
+void row_forces(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
+                std::size_t begin, std::size_t end) {
+  const std::size_t kinds = springs.count / 2;
+  for (std::size_t r = begin < 2 ? 0 : begin - 2; r < end; ++r) {
+    StartingSpring<Real> starting[8];
+    const Real* kept[8];
+    std::size_t starts = 0, ends = 0;
+    for (std::size_t k = 0; k < kinds; ++k) {
+      const SpringNeighbour<Real>& to = springs.neighbours[2 * k];
+      const auto reach = static_cast<std::size_t>(to.row_offset);
+      if (r + reach < springs.rows && r + reach >= begin)
+        starting[starts++] = {to, kept_lines(springs, k, r)};
+      const std::ptrdiff_t columns =
+          to.offset - to.row_offset * static_cast<std::ptrdiff_t>(springs.stride);
+      if (r >= reach) kept[ends++] = kept_lines(springs, k, r - reach) - columns;
+    }
+    pull_ends_a<form>(springs, q, v, r < begin ? nullptr : force, r, starting, starting + starts);
+    if (r >= begin) pull_ends_b(springs, force, r, kept, kept + ends);
+  }
+}
+
+template <bool damped, class Real>
+void forces_of(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
+               std::size_t begin, std::size_t end) {
+  if constexpr (guessed_as_float)
+    if (springs.moderate) return row_forces<{damped, true}>(springs, q, v, force, begin, end);
+  row_forces<{damped, false}>(springs, q, v, force, begin, end);
 }
 
 template <class Real>
 void forces(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
             std::size_t begin, std::size_t end) {
   if (springs.damped)
-    gather_forces<true>(springs, q, v, force, begin, end);
+    forces_of<true>(springs, q, v, force, begin, end);
   else
-    gather_forces<false>(springs, q, v, force, begin, end);
+    forces_of<false>(springs, q, v, force, begin, end);
 }
 
 template <class Real>
@@ -127,7 +197,7 @@ struct Stiffness {
 
   [[gnu::always_inline]] Stiffness(Vector<Real> ux, Vector<Real> uy, Vector<Real> uz,
                                    Real stiffness, Real stiffness_length, Real least) {
-    constexpr Real shortest = std::numeric_limits<Real>::min();
+    constexpr Real shortest = least_square<Real, false>;
     const Vector<Real> squared = ux * ux + (uy * uy + (uz * uz + shortest));
     const Vector<Real> inverse_length = inverse_sqrt<Real>(squared);
     nx = ux * inverse_length, ny = uy * inverse_length, nz = uz * inverse_length;
