@@ -45,9 +45,8 @@ double peak_instructions() {
 /// precision), 3 for the elastic force, 4 for the damping, 6 for the force, 6 for its sums at both
 /// ends. A guess that is one of floats alone takes two conversions and a longer series.
 template <class Real>
-constexpr double instructions_a_spring = std::is_same_v<Real, double>
-                                             ? 32 + 3 * scene::guessed_as_float
-                                             : 30 + scene::guessed_as_float;
+constexpr double instructions_a_spring =
+    std::is_same_v<Real, double> ? 32 + 3 * scene::guessed_as_float : 30 + scene::guessed_as_float;
 
 /// One frame at 60 a second, at the largest steps that are stable.
 void add_frame_rows(std::vector<Row>& rows) {
