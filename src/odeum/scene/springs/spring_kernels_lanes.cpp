@@ -153,8 +153,9 @@ template <bool damped, class Real>
 void forces_of(const SpringRows<Real>& springs, const Real* q, const Real* v, Real* force,
                std::size_t begin, std::size_t end) {
   if constexpr (guessed_as_float)
-    if (springs.moderate) return row_forces<{damped, true}>(springs, q, v, force, begin, end);
-  row_forces<{damped, false}>(springs, q, v, force, begin, end);
+    if (springs.moderate)
+      return row_forces<SpringForm{damped, true}>(springs, q, v, force, begin, end);
+  row_forces<SpringForm{damped, false}>(springs, q, v, force, begin, end);
 }
 
 template <class Real>
