@@ -59,6 +59,30 @@ TEST(PageSolutions, OfALargeProblemTheTruthIsDrawnWhereItIsKnown) {
   EXPECT_EQ(drawn[1], c.y0.size() / 2 + drawn[0]);
 }
 
+// The run for it took minutes, and was thrown away.
+TEST(PageSolutions, ATruthOfFewDigitsChecksNoCurve) {
+  Case c = study::find_case("kepler_e09");
+  const auto at = c.truth.at;
+  c.truth.at = [at, &c](double t, double* y) { return t == c.stops.front() && at(t, y); };
+  const OdeView inner = c.problem.view;
+  static OdeView plain;
+  static int evaluations;
+  plain = inner;
+  evaluations = 0;
+  c.problem.view.problem = &plain;
+  c.problem.view.rhs = [](const void* problem, double t, const double* y, double* f) {
+    ++evaluations;
+    const OdeView& view = *static_cast<const OdeView*>(problem);
+    return view.rhs(view.problem, t, y, f);
+  };
+  c.truth.floor = 1e-4;
+  EXPECT_FALSE(exact_curve(c, {0.25, 2}).everywhere);
+  EXPECT_EQ(evaluations, 0);
+  c.truth.floor = 1e-10;
+  EXPECT_TRUE(exact_curve(c, {0.25, 2}).everywhere);
+  EXPECT_GT(evaluations, 0);
+}
+
 TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
   const Case& c = study::find_case("damped_oscillator_underdamped");
   const DrawnRun run = run_of(c, "odeum/explicit_euler", 80), finer = run_of(c, "odeum/rk4", 80);

@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::size_t most_solves = 10;
 constexpr double half_a_decade = 0.5;
-/// A run of this time is dear: not every candidate has its turn, and the answer may take longer.
-constexpr double dear_ns = 2e6, dear_seconds = 60;
+/// A run of this time is dear: not every candidate has its turn, and the answer may take longer, up
+/// to thirty of the runs that are foreseen to be the best.
+constexpr double dear_ns = 2e6, dear_seconds = 60, dear_runs = 30, most_seconds = 600;
 /// A candidate foreseen to cost so many times the least is left where its library has an answer.
 constexpr double far_behind = 4;
 
@@ -148,7 +149,10 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     }
   }
   dear_ = true;
-  if (wishes_.seconds == 0) seconds_ = dear_seconds;
+  if (wishes_.seconds == 0)
+    seconds_ = wishes_.time_ns > 0
+                   ? dear_seconds
+                   : std::clamp(1e-9 * dear_runs * least, dear_seconds, most_seconds);
   const double known = far_behind * least;
   for (const auto& [kind, members] : kinds)
     for (Candidate* member : members)

@@ -199,7 +199,8 @@ void add_advise(CLI::App& app, int& result) {
       ->allow_extra_args(false);
   add_option(*command, "--solver GLOB...", options->wishes.solvers, "solvers, with * and ?");
   add_option(*command, "--seconds S", options->wishes.seconds,
-             "for the answer, the truth included; default: 20, and 60 where a run takes over 2 ms");
+             "for the answer, the truth included; default: 20, and 60 where a run takes over 2 ms, "
+             "up to 600 for thirty of the best runs");
   add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_flag("--code", options->code,

@@ -20,12 +20,25 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint64_t outputs = 100;
 constexpr int fine = 1000;     // levels over the range of a component
 constexpr int unknown = 9999;  // of a logarithm
+/// How far a computed curve may lie from the truth at the stops, over the largest component there.
+constexpr double most_apart = 1e-6;
 
 int logarithm(double error) {
   if (std::isnan(error)) return unknown;
   if (!(error > 1e-20)) return -2000;
   if (!(error < 1e30)) return 3000;
   return static_cast<int>(std::lround(100 * std::log10(error)));
+}
+
+/// Of the measured components at the stops.
+double largest_of(const Case& c) {
+  double largest = 0;
+  std::vector<double> y(c.y0.size());
+  for (const double stop : c.stops)
+    if (c.truth.at(stop, y.data()))
+      for (const std::size_t i : judge::measured_components(c))
+        largest = std::fmax(largest, std::abs(y[i]) / c.scale_of(i));
+  return largest;
 }
 
 // A run through the times by the extrapolation method of the computed references.
@@ -39,6 +52,7 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
   truth::System system;
   system.states = n;
   system.t0 = c.t0;
+  system.work = 10 * static_cast<double>(n);
   system.y0.assign(c.y0.begin(), c.y0.end());
   std::vector<double> y(n), f(n);
   system.rhs = [&](truth::Real t, const truth::Real* state, truth::Real* slope) {
@@ -46,30 +60,30 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
     c.problem.view.rhs(c.problem.view.problem, static_cast<double>(t), y.data(), f.data());
     std::copy_n(f.begin(), n, slope);
   };
-  // The right-hand side is rounded to double.
+  // The right-hand side is rounded to double; more digits than those of the truth are not seen.
+  const double scale = largest_of(c),
+               tolerance = std::clamp(0.01 * c.truth.floor / scale, 1e-13, 1e-10);
   const truth::Run run = truth::extrapolation_run(system, {all.begin(), all.end()},
-                                                  {.tolerance = 1e-13L, .budget = 2e9});
+                                                  {.tolerance = tolerance, .budget = 1e9});
   ExactCurve curve{
       .times = {}, .states = {}, .source = "extrapolation in extended precision", .size = n};
   const auto measured = judge::measured_components(c);
-  double apart = 0, scale = 0;
+  double apart = 0;
   bool checked = false;
   for (std::size_t k = 0; k < run.states.size(); ++k) {
     if (std::binary_search(c.stops.begin(), c.stops.end(), all[k]) &&
         c.truth.at(all[k], y.data())) {
       checked = true;
-      for (const std::size_t i : measured) {
+      for (const std::size_t i : measured)
         apart = std::fmax(apart,
                           std::abs(static_cast<double>(run.states[k][i]) - y[i]) / c.scale_of(i));
-        scale = std::fmax(scale, std::abs(y[i]) / c.scale_of(i));
-      }
     }
     curve.times.push_back(all[k]);
     for (const truth::Real value : run.states[k])
       curve.states.push_back(static_cast<double>(value));
   }
   curve.floor = apart + c.truth.floor;
-  curve.everywhere = checked && run.end.empty() && apart <= 1e-6 * scale;
+  curve.everywhere = checked && run.end.empty() && apart <= most_apart * scale;
   return curve;
 }
 
@@ -138,7 +152,8 @@ ExactCurve exact_curve(const Case& c, std::vector<double> times) {
     known.states.insert(known.states.end(), y.begin(), y.end());
   }
   if (known.everywhere || times.empty()) return known;
-  if (c.y0.size() <= dense_dimension_limit)
+  // A truth of fewer digits can't check the curve.
+  if (c.y0.size() <= dense_dimension_limit && c.truth.floor <= most_apart * largest_of(c))
     if (ExactCurve computed = computed_curve(c, times); computed.everywhere) return computed;
   return known;
 }
