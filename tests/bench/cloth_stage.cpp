@@ -8,7 +8,7 @@
 #include "odeum/cases/square_cloth.hpp"
 #include "odeum/cases/stage.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/studies/material/material.hpp"
+#include "odeum/studies/scene_stage.hpp"
 
 namespace odeum::bench {
 

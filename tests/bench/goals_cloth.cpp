@@ -12,7 +12,7 @@
 #include "odeum/cases/square_cloth.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/springs/lanes.hpp"
-#include "odeum/studies/material/cloth_lanes.hpp"
+#include "odeum/studies/cost/cloth_lanes.hpp"
 
 namespace odeum::bench {
 namespace {

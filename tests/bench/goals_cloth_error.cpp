@@ -9,7 +9,7 @@
 
 #include "cloth_stage.hpp"
 #include "goals.hpp"
-#include "odeum/studies/material/cloth_lanes.hpp"
+#include "odeum/studies/cost/cloth_lanes.hpp"
 
 namespace odeum::bench {
 namespace {

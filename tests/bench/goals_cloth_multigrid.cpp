@@ -12,7 +12,7 @@
 #include "odeum/methods/imex_verlet.hpp"
 #include "odeum/scene/springs/grid_cloth.hpp"
 #include "odeum/scene/springs/grid_matrix.hpp"
-#include "odeum/studies/material/cloth_lanes.hpp"
+#include "odeum/studies/cost/cloth_lanes.hpp"
 
 namespace odeum::bench {
 namespace {

@@ -68,7 +68,7 @@ TEST(Words, RunsAndStudiesPrintTheirRowsAsJson) {
   EXPECT_NEAR(study["orders.csv"][0]["measured_order"], 4, 0.2);
   EXPECT_GT(study.at("convergence.csv").size(), 3U);
   for (const char* name : {"precision", "stability", "limits", "drift", "reduction", "material",
-                           "mesh", "proof", "elements", "evolution"})
+                           "cloth", "cost", "mesh", "proof", "elements", "evolution"})
     EXPECT_TRUE(holds(shell("odeum " + std::string(name) + " --help").output, "--format")) << name;
   EXPECT_EQ(shell("odeum run spinning_pair --format json").code, 2);
 }

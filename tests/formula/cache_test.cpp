@@ -110,7 +110,11 @@ TEST_F(Cache, WhatAKilledRunLeftGoesAndWhatIsInUseStays) {
     fs::create_directories(fs::path(folder) / "resources");
     fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::hours(48));
   }
-  run();
+  run();  // only reads
+  EXPECT_TRUE(fs::exists(left));
+  tests::write_text(folder_.path() / "b.yaml",
+                    "states: {y: 1}\nequations: {y: y*cos(t)}\ntime: {end: 2}\n");
+  run("", "b");
   EXPECT_TRUE(fs::exists(used));
   EXPECT_FALSE(fs::exists(left));
 }

@@ -109,7 +109,7 @@ double achieved(const std::string& solver) {
 
 double chain_stiffness(double rate, std::uint64_t sweeps) {
   for (const MaterialRow& row :
-       measure_responses({.solvers = {"bullet/soft_body_links"}}, Runner(2)).material)
+       measure_material({.solvers = {"bullet/soft_body_links"}}, Runner(2)).rows)
     if (row.scene == "hanging_chain" && row.sweeps == sweeps &&
         std::abs(row.step * rate - 1) < 1e-9)
       return row.static_stiffness_ratio;

@@ -114,57 +114,5 @@ TEST(CommonUse, IsThatOfOneExplicitRungeKuttaMethodOfALibrary) {
   EXPECT_GE(engines, 4) << "own ones, those of a physics engine besides";
 }
 
-TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {
-  const auto rows =
-      measure_long_runs({.solvers = {"odeum/velocity_verlet", "odeum/rk4"}}, Runner(2)).long_run;
-  double verlet = 0, rk4 = 0, linear = 0, drape = 0, energy = 0, exact = 0;
-  for (const LongRunRow& row : rows) {
-    EXPECT_EQ(row.status, "ok") << row.detail;
-    if (row.quantity == "linear_momentum") linear = std::max(linear, row.value);
-    if (row.quantity == "angular_momentum")
-      (row.solver == "rk4" ? rk4 : verlet) =
-          std::max(row.solver == "rk4" ? rk4 : verlet, row.value);
-    if (row.solver != "velocity_verlet" || row.setting > 0.01 || row.time != 10) continue;
-    if (row.quantity == "drape") drape = row.value;
-    if (row.quantity == "energy") energy = row.value, exact = row.reference;
-  }
-  // 2,400 steps of sums over 121 particles, each rounded by 1e-16.
-  EXPECT_LT(linear, 1e-12);
-  EXPECT_LT(verlet, 1e-12);
-  EXPECT_GT(rk4, 1e-6) << "or the quantity would see nothing";
-  // At rest by then: the remaining motion has an effect of second order.
-  EXPECT_GT(drape, 0);
-  EXPECT_LT(drape, 1e-3);
-  EXPECT_NEAR(energy, exact, 1e-3);
-}
-
-TEST(ClothSpeed, TimesEverySizeInBothPrecisions) {
-  const auto rows = measure_cloth_cost({5, 11}, 1e-3);
-  ASSERT_EQ(rows.size(), 4U);
-  for (const ClothCostRow& row : rows) {
-    EXPECT_GT(row.wall_ns_min, 0);
-    EXPECT_GE(row.wall_ns_median, row.wall_ns_min);
-    EXPECT_GE(row.repetitions, 3U);
-  }
-  EXPECT_EQ(rows[0].precision, "f64");
-  EXPECT_EQ(rows[3].precision, "f32");
-}
-
-TEST(ClothSpeed, ExplicitEnginesAreStableAtTheirSteps) {
-  const auto rows = measure_implicit_wins(11, {10, 1e4}, {1.0 / 120, 1.0 / 30}, 1e-3);
-  ASSERT_EQ(rows.size(), 2U * 4);
-  for (const ImplicitWinsRow& row : rows) {
-    EXPECT_EQ(row.status, "ok") << row.engine << row.stiffness << row.detail;
-    EXPECT_GT(row.wall_ns_min, 0);
-    // Order 2 at a large but stable step; beyond it errors have no bound.
-    if (row.engine != "implicit_f64") {
-      EXPECT_LT(row.rk4_distance, 0.02) << row.engine << row.stiffness;
-    }
-    EXPECT_LT(row.rk4_left, 1e-3);
-  }
-  EXPECT_GT(rows[3].rk4_distance, rows[2].rk4_distance)
-      << "implicit, order 1, at four times the step";
-}
-
 }  // namespace
 }  // namespace odeum::study

@@ -24,6 +24,7 @@ Options little_of(const std::string& name) {
   if (name == "stability") options.cases = {}, options.own = {{"grid", "8"}};
   if (name == "precision") options.own = {{"seconds", "0.01"}};
   if (name == "mesh") options.own = {{"most", "6"}};
+  if (name == "cost") options.solvers = {}, options.own = {{"most", "11"}};
   if (name == "elements" || name == "evolution") options.own = {{"most", "16"}};
   return options;
 }

@@ -266,8 +266,9 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
   if (folder) {
     trajectories::RunTexts texts{.title = scene.name, .lead = {}, .facts = {}};
     for (const std::string& line : model) texts.facts.emplace_back("", line);
-    remark_on_page(trajectories::write_scene_page(*folder, scene, *whole, runs, texts));
-    print("files      {}\n", (folder->path() / "index.html").string());
+    const bool page = trajectories::write_scene_page(*folder, scene, *whole, runs, texts);
+    remark_on_page(page);
+    print("files      {}\n", (page ? folder->path() / "index.html" : folder->path()).string());
   }
   // After the files, since it may take longer than the runs.
   if (options.truth) any_ok = print_errors(runs, scene, source_text) && any_ok;

@@ -87,7 +87,6 @@ std::string cache_folder() {
       status.st_uid != ::geteuid() || (status.st_mode & 022U) != 0)
     return "";
   if ((status.st_mode & 077U) != 0 && ::chmod(folder.c_str(), 0700) != 0) return "";
-  [[maybe_unused]] static const bool swept = sweep(folder);
   return folder.string();
 }
 
@@ -98,6 +97,9 @@ std::string unfinished_in(const fs::path& folder) {
 void keep_text(const std::string& name, const std::string& text) {
   const std::string folder = cache_folder();
   if (folder.empty()) return;
+  // Here and not in cache_folder(): a run that only reads would wait for the list of thousands of
+  // files.
+  [[maybe_unused]] static const bool swept = sweep(folder);
   std::string part = unfinished_in(folder);
   const int file = ::mkstemp(part.data());
   if (file < 0) return;

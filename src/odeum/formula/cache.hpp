@@ -8,8 +8,7 @@ namespace odeum::formula {
 
 /// The folder in which the program keeps what it computed: $XDG_CACHE_HOME/odeum, else
 /// $HOME/.cache/odeum, made for its owner alone. Empty where there is none that can be used: not
-/// one of another user, nor one in which others may write. Entries that a killed run left
-/// unfinished are removed.
+/// one of another user, nor one in which others may write.
 std::string cache_folder();
 /// 32 hexadecimal digits that identify a text.
 std::string content_key(const std::string& text);
@@ -18,8 +17,8 @@ std::string content_key(const std::string& text);
 /// so that a later one can tell whether it is still at work.
 std::string unfinished_in(const std::filesystem::path& folder);
 
-/// Keeps a text in the cache folder, sealed with a hash of name and text. Nothing happens where
-/// there is no folder or it cannot be written.
+/// Keeps a text in the cache folder, sealed with a hash of name and text, and removes what killed
+/// runs left unfinished there. Nothing happens where there is no folder or it cannot be written.
 void keep_text(const std::string& name, const std::string& text);
 /// What is kept under a name; nothing where that is absent or not as it was written.
 std::optional<std::string> kept_text(const std::string& name);

@@ -7,10 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "odeum/cases/stage.hpp"
-#include "odeum/core/glob.hpp"
-#include "odeum/scene/problem/scene_problem.hpp"
-
 namespace odeum::study {
 namespace {
 
@@ -192,19 +188,6 @@ void measure_swing(const Specimen& specimen, const SceneStage& stage, const Entr
 
 }  // namespace
 
-SceneStage::SceneStage(const scene::Scene& scene)
-    : y0(std::make_shared<std::vector<double>>(scene::start_of(scene))) {
-  Contest<scene::SceneProblem> contest;
-  contest.problem = std::make_shared<const scene::SceneProblem>(scene);
-  contest.y0 = y0;
-  contest.scene = std::make_shared<const scene::Scene>(scene);
-  entrants = cases::enroll(erase(contest));
-}
-
-bool is_compared(const SolverInfo& info, const Options& options) {
-  return info.common_use == CommonUse::engine && any_glob_matches(options.solvers, info.id());
-}
-
 MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
                              const Entrant& entrant, double step, const Iterations& iterations) {
   auto row = named_row<MaterialRow>(entrant.info);
@@ -222,7 +205,7 @@ MaterialRow measure_response(const Specimen& specimen, const SceneStage& stage,
   return row;
 }
 
-MaterialResult measure_responses(const Options& options, const Runner& runner) {
+MaterialResult measure_material(const Options& options, const Runner& runner) {
   constexpr double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960};
   constexpr std::uint64_t counts[] = {1, 2, 4, 8, 16, 32};
   struct Task {
@@ -257,23 +240,10 @@ MaterialResult measure_responses(const Options& options, const Runner& runner) {
         task.specimen.scene());  // one per task, since its initial state is changed
     MaterialResult result;
     for (const double step : steps)
-      result.material.push_back(measure_response(
+      result.rows.push_back(measure_response(
           task.specimen, stage, find_solver(stage.entrants, task.id), step, task.iterations));
     return result;
   });
-}
-
-MaterialResult measure_material(const Options& options, const Runner& runner) {
-  MaterialResult result = measure_responses(options, runner);
-  record::append(result, measure_error_parts(options, runner));
-  record::append(result, measure_long_runs(options, runner));
-  // Own engines are not enrolled as solvers, so that a choice of solvers excludes them.
-  if (options.solvers.empty()) {
-    result.cost = measure_cloth_cost({11, 32, 64, 128, 256, 512}, 0.1);
-    result.implicit_wins = measure_implicit_wins(timed_cloth_side, {10, 100, 1e3, 1e4, 1e5, 1e6},
-                                                 {1.0 / 240, 1.0 / 120, 1.0 / 60, 1.0 / 30}, 0.03);
-  }
-  return result;
 }
 
 }  // namespace odeum::study

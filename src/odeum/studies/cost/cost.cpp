@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/studies/cost/cost.hpp"
+
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -6,8 +8,8 @@
 #include "odeum/cases/square_cloth.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
-#include "odeum/studies/material/cloth_lanes.hpp"
-#include "odeum/studies/material/material.hpp"
+#include "odeum/studies/cost/cloth_lanes.hpp"
+#include "odeum/studies/scene_stage.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/studies/material/cloth_lanes.hpp"
+#include "odeum/studies/cost/cloth_lanes.hpp"
 
 #include "odeum/methods/imex_verlet.hpp"
 #include "odeum/methods/predicted_implicit_euler.hpp"

@@ -9,7 +9,7 @@
 #include "odeum/core/glob.hpp"
 #include "odeum/scene/model/momentum.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
-#include "odeum/studies/material/material.hpp"
+#include "odeum/studies/cloth/cloth.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::study {
@@ -186,7 +186,7 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
 
 }  // namespace
 
-MaterialResult measure_long_runs(const Options& options, const Runner& runner) {
+ClothResult measure_long_runs(const Options& options, const Runner& runner) {
   Stage stages[] = {{"hanging", cases::square_cloth(side, 10)}, {"free", free_cloth()}};
   for (Stage& stage : stages)
     for (int k = 1; k * between <= horizon; ++k) stage.times.push_back(k * between);
@@ -212,7 +212,7 @@ MaterialResult measure_long_runs(const Options& options, const Runner& runner) {
     return fmt::format("{} {} {}", task.stage->name, task.entrant->info.id(), task.setting);
   };
   return runner.run("long runs", tasks, key, [](const Task& task) {
-    MaterialResult result;
+    ClothResult result;
     result.long_run = run(*task.stage, *task.entrant, task.mode, task.setting);
     return result;
   });

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "odeum/studies/material/material.hpp"
+#include "odeum/studies/cloth/cloth.hpp"
 
 namespace odeum::study {
 namespace {
@@ -22,13 +22,6 @@ std::vector<double> extrapolate(const std::vector<double>& coarse, const std::ve
 }
 
 }  // namespace
-
-double rms_distance(const std::vector<double>& a, const std::vector<double>& b,
-                    std::size_t particles) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3 * particles; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum / static_cast<double>(particles));
-}
 
 std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& run,
                                        const std::vector<double>& truth) {
@@ -74,7 +67,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
   return rows;
 }
 
-MaterialResult measure_error_parts(const Options& options, const Runner& runner) {
+ClothResult measure_error_parts(const Options& options, const Runner& runner) {
   const Case& cloth = find_case("cloth11_two_way");
   const std::size_t n = cloth.y0.size(), positions = n / 2;
   SplitPlan plan;
@@ -117,7 +110,7 @@ MaterialResult measure_error_parts(const Options& options, const Runner& runner)
       outcome.states.resize(positions);
       return {std::move(outcome.states), {}};
     };
-    MaterialResult result;
+    ClothResult result;
     if (task.entrant->unfit.empty())
       result.errors = split_error(task.plan, run, truth);
     else

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "odeum/record/rows.hpp"
+#include "odeum/studies/stopwatch.hpp"
+#include "odeum/studies/study.hpp"
+
+namespace odeum::study {
+
+/// What a step of a cloth costs a particle: a line of cloth_cost.csv.
+struct ClothCostRow {
+  std::uint64_t side = 0;                          ///< particles along an edge of the square
+  std::string precision;                           ///< f64, f32
+  double wall_ns_min = nan, wall_ns_median = nan;  ///< a particle and step
+  std::uint64_t repetitions = 0;
+  Conditions conditions;
+
+  static constexpr const char* file = "cloth_cost.csv";
+  static constexpr const char* shown = "side precision wall_ns_min:.1f wall_ns_median:.1f";
+  static constexpr bool keeps_earlier = true;
+  static void each(auto& row, auto&& visit) {
+    visit("side", row.side), visit("precision", row.precision);
+    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
+    visit("repetitions", row.repetitions), visit("drift", row.conditions.drift);
+    visit("processor_share", row.conditions.processor_share);
+    visit("measured", row.conditions.measured);
+  }
+};
+
+/// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
+struct ImplicitWinsRow {
+  double stiffness = nan;  ///< N/m
+  double frame = nan;      ///< s; of explicit engines NaN, they step as they can
+  std::string engine;      ///< verlet_f32, imex_f32, implicit_f64
+  std::string status, detail;
+  double step = nan;                               ///< s
+  double wall_ns_min = nan, wall_ns_median = nan;  ///< a simulated second
+  std::uint64_t repetitions = 0;
+  /// RMS distance of particles from a run of RK4 in f64 (m), and of that from one at twice its
+  /// step. No independent truth exists at this size.
+  double rk4_distance = nan, rk4_left = nan;
+  Conditions conditions;
+
+  static constexpr const char* file = "implicit_wins.csv";
+  static constexpr const char* shown =
+      "stiffness frame:.3g engine step:.3g wall_ns_min:.3g rk4_distance:.2g status";
+  static constexpr int schema = 2;
+  static constexpr bool keeps_earlier = true;
+  static void each(auto& row, auto&& visit) {
+    visit("stiffness", row.stiffness), visit("frame", row.frame), visit("engine", row.engine);
+    visit("status", row.status), visit("step", row.step), visit("wall_ns_min", row.wall_ns_min);
+    visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
+    visit("rk4_distance", row.rk4_distance), visit("rk4_left", row.rk4_left);
+    visit("drift", row.conditions.drift), visit("processor_share", row.conditions.processor_share);
+    visit("measured", row.conditions.measured), visit("detail", row.detail);
+  }
+};
+
+struct CostResult {
+  std::vector<ClothCostRow> cost;
+  std::vector<ImplicitWinsRow> implicit_wins;
+  static auto lists(auto& result) { return std::tie(result.cost, result.implicit_wins); }
+};
+
+/// Particles along an edge of the cloth on which explicit and implicit steps are timed.
+inline constexpr std::size_t timed_cloth_side = 32;
+/// How long that runs (s, a whole number of every frame), to what its linear systems are solved,
+/// and its explicit steps over the largest stable one.
+inline constexpr double timed_cloth_time = 8.0 / 30, timed_cloth_residual = 1e-2,
+                        timed_cloth_margin = 0.9;
+
+/// Own engines, timed alternately on one processor.
+std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sides,
+                                             double seconds_each);
+std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
+                                                   const std::vector<double>& stiffnesses,
+                                                   const std::vector<double>& frames,
+                                                   double seconds_each);
+
+}  // namespace odeum::study
