@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "odeum/linear/complex_inverse.hpp"
+#include "odeum/linear/complex_lu.hpp"
 #include "odeum/linear/pattern_lu.hpp"
 #include "odeum/linear/small_inverse.hpp"
 
@@ -149,7 +150,7 @@ class ComplexOfItsEntries final : public ComplexSystem::Solver {
   std::size_t n_;
   Entries<std::complex<double>> entries_;
   std::vector<std::complex<double>> x_;
-  std::optional<ComplexInverse<dynamic>> dense_;
+  std::optional<ComplexLu> dense_;
   ListedLu<std::complex<double>>* listed_ = nullptr;
 };
 
