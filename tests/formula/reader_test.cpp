@@ -202,6 +202,19 @@ TEST(ProblemReader, TimesAndIndices) {
                "below 1 or above 3");
 }
 
+// Differences of neighbours on a fine mesh: the rounding of states near 1 is amplified by 1e8.
+TEST(ProblemReader, TheRoundingOfAClosedFormOnAFineMeshIsNoFault) {
+  const auto heat = [](const std::string& rate) {
+    return "parameters: {n: 20000}\nstates: {u[1..n]: sin(pi*i/(n + 1))}\n"
+           "equations: {u[1..n]: 0.1*(n + 1)^2*(u[i-1] - 2*u[i] + u[i+1])}\n"
+           "boundaries: {u[0]: 0, u[n+1]: 0}\ntime: {end: 2}\n"
+           "exact: {u[1..n]: sin(pi*i/(n + 1))*exp(-" +
+           rate + "*0.1*(n + 1)^2*sin(pi/(2*(n + 1)))^2*t)}\n";
+  };
+  EXPECT_EQ(fault_of(heat("4")), "");
+  expect_fault(heat("4.0001"), "6:18: exact: u[", "does not fulfil");
+}
+
 TEST(ProblemReader, ClosedFormsAndInvariantsAreChecked) {
   const std::string decay = "states: {x: 1}\nequations: {x: -2*x}\ntime: {end: 1}\n";
   EXPECT_EQ(fault_of(decay + "exact: {x: exp(-2*t)}\n"), "");

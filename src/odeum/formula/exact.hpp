@@ -39,9 +39,12 @@ class Exact {
   const long double* state() const { return y_.data(); }
 
  private:
+  void amplify(long double t);
+
   std::size_t n_;
   Evaluator<long double> solution_, equations_;  ///< solution: state, its derivative, the start
-  std::vector<long double> y_, f_, moved_, f_moved_;
+  std::vector<long double> y_, f_;
+  std::vector<long double> rounding_;  ///< of the equations, by amplify
 };
 
 }  // namespace odeum::formula
