@@ -50,7 +50,7 @@ add_library(odeum_integrators INTERFACE)
 target_include_directories(odeum_integrators INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 target_compile_features(odeum_integrators INTERFACE cxx_std_20)
-# See the top of CMakeLists.txt: this compiler spoils constant vectors with AVX-512.
+# See OdeumOptions.cmake: this compiler spoils constant vectors with AVX-512.
 target_compile_options(odeum_integrators INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-fno-tree-slp-vectorize>)
 

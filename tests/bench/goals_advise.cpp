@@ -121,7 +121,7 @@ std::vector<double> times_of(const std::vector<Found>& runs) {
 bool is_stiff(const Case& c) {
   constexpr double many = 1000;
   double fastest = 0;
-  for (const std::complex<double>& z : report::spectrum_of(c).eigenvalues)
+  for (const std::complex<double>& z : cases::spectrum_of(c).eigenvalues)
     if (-z.real() > std::abs(z.imag())) fastest = std::max(fastest, -z.real());
   return fastest * (c.stops.back() - c.t0) > many;
 }

@@ -15,7 +15,7 @@ TEST(ComputedTruth, IsExact) {
   const double e = 0.3;
   const Case c = find_case("kepler_e06").with_values({e});
   const std::vector<double> times{0.5, 2, 7, 11};
-  const Truth truth = cases::truth_at(c, times);
+  const Truth truth = truth::truth_at(c, times);
   EXPECT_LT(truth.floor, 1e-15);
   for (const double t : times) {
     double anomaly = t;
@@ -49,7 +49,7 @@ TEST(CaseParameters, TheTruthFollows) {
       ASSERT_EQ(outcome.status, Status::ok) << c.id << " " << c.parameters[p].name;
       std::vector<double> exact(other.y0.size());
       Truth truth = other.truth;
-      if (!truth.at(end, exact.data())) truth = cases::truth_at(other, {end});
+      if (!truth.at(end, exact.data())) truth = truth::truth_at(other, {end});
       if (!truth.at(end, exact.data())) continue;
       ++confirmed;
       for (std::size_t i = 0; i < exact.size(); ++i)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <regex>
 
+#include "odeum/cases/text_case.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum {
@@ -73,6 +74,17 @@ constexpr auto linear = [](const OdeView& p) { return p.linear_matrix != nullptr
 constexpr auto with_taylor_series = [](const OdeView& p) { return p.taylor != nullptr; };
 constexpr auto with_jacobian = [](const OdeView& p) { return p.jacobian != nullptr; };
 constexpr auto of_second_order = [](const OdeView& p) { return p.second_order(); };
+
+// A case is looked for in the texts that have its id in their words, which others are not read for.
+TEST(Catalogue, EveryCaseOfATextIsFoundByTheWordsOfThatText) {
+  for (const cases::BuiltInText& text : cases::built_in_texts())
+    for (const Statement& statement : cases::text_statements(text)) {
+      EXPECT_TRUE(text.may_state(statement.id)) << statement.id;
+      EXPECT_EQ(cases::built_in_text_of(statement.id), &text) << statement.id;
+      EXPECT_TRUE(knows_case(statement.id)) << statement.id;
+    }
+  EXPECT_FALSE(knows_case("kepler"));
+}
 
 TEST(LinearCase, MatrixIsThatOfTheRightHandSide) {
   each_case(linear, [](const Case& c) {

@@ -99,7 +99,7 @@ int lorenz(void*, double, const double* y, double* f) {
 
 truth::Reference reference(const foreign::ProblemCallbacks& problem) {
   std::string why;
-  auto found = foreign::reference_of(problem, why);
+  auto found = truth::reference_of(problem, why);
   if (!found) throw std::runtime_error(why);
   return *found;
 }
@@ -177,9 +177,9 @@ TEST(ForeignReference, SaysFromWhereOnNothingIsKnown) {
 
 TEST(ForeignReference, CodeThatEndsItsProcessHasNone) {
   std::string why;
-  EXPECT_FALSE(foreign::reference_of(given(aborts, 5), why));
+  EXPECT_FALSE(truth::reference_of(given(aborts, 5), why));
   EXPECT_NE(why.find("crashed: Aborted"), std::string::npos) << why;
-  EXPECT_FALSE(foreign::reference_of(given(oscillator, 5, std::vector<double>(1001, 1)), why));
+  EXPECT_FALSE(truth::reference_of(given(oscillator, 5, std::vector<double>(1001, 1)), why));
   EXPECT_NE(why.find("up to 1000 unknowns"), std::string::npos) << why;
 }
 

@@ -216,8 +216,8 @@ TEST_F(RunCommand, NamesNoPageWhereNoneIsWritten) {
   const auto alone = folder_.path() / "alone";
   std::filesystem::create_directories(alone / "bin");
   std::filesystem::copy_file(ODEUM_BINARY, alone / "bin/odeum");
-  for (const std::string arguments :
-       {"run kepler_e06 --solver rk4 --step 0.1", "poisson square:4"}) {
+  for (const std::string arguments : {"run kepler_e06 --solver rk4 --step 0.1", "poisson square:4",
+                                      "classify 'u_xx + y*u_yy = 0'"}) {
     const Result result =
         shell((alone / "bin/odeum ").string() + arguments + " --out " + (alone / "out").string());
     EXPECT_EQ(result.code, 0) << result.output;

@@ -119,7 +119,7 @@ double chain_stiffness(double rate, std::uint64_t sweeps) {
 /// The step to which velocity Verlet is stable: 2 over the largest frequency.
 double verlet_step(const std::string& case_id) {
   double fastest = 0;
-  for (const auto& z : report::spectrum_of(find_case(case_id)).eigenvalues)
+  for (const auto& z : cases::spectrum_of(find_case(case_id)).eigenvalues)
     fastest = std::max(fastest, std::abs(z));
   return 2 / fastest;
 }

@@ -36,7 +36,7 @@ TEST(Spectrum, IsThatOfTheStiffChain) {
   const double root = std::sqrt(20001.0 * 20001 - 4e4);
   const double fast = std::sqrt((20001 + root) / 2), slow = std::sqrt(1e4) / fast;
   std::vector<double> frequencies;
-  for (const auto& z : report::outermost_eigenvalues(c, 0, c.y0)) {
+  for (const auto& z : cases::outermost_eigenvalues(c, 0, c.y0)) {
     EXPECT_NEAR(z.real(), 0, 1e-10);
     frequencies.push_back(z.imag());
   }

@@ -48,7 +48,7 @@ Spectrum spectrum_at(const Case& c, double t, const Vector& y, const Vector& siz
       difference_jacobian(shared(c), t, y.data(), matrix.data());
     if (is_finite(matrix.data(), matrix.size())) pairs = eigenpairs(matrix, n);
   } else {
-    for (const std::complex<double>& value : report::outermost_eigenvalues(c, t, y))
+    for (const std::complex<double>& value : cases::outermost_eigenvalues(c, t, y))
       pairs.push_back({value, {}});
   }
   for (const auto& [value, vector] : pairs) {

@@ -27,6 +27,14 @@ const std::vector<BuiltInText>& built_in_texts() {
   return all;
 }
 
+const BuiltInText* built_in_text_of(const std::string& id) {
+  for (const BuiltInText& text : built_in_texts())
+    if (text.may_state(id))
+      for (const Statement& statement : text_statements(text))
+        if (statement.id == id) return &text;
+  return nullptr;
+}
+
 const std::vector<SceneText>& all_scenes() {
   static const std::vector<SceneText> all{
 #include "lists/scenes.inc"

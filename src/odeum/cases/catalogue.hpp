@@ -24,6 +24,8 @@ Case case_of(const Statement& statement);
 /// The ids of every case: the project's in the order of the files in cases/, those of plug-ins, and
 /// those that a user gave to this run. Nothing is made.
 std::vector<std::string> known_ids();
+/// Whether there is a case of that id. Other texts than those that may state it are not read.
+bool knows_case(const std::string& id);
 /// The case of that id, made once: it stays where it is until the program ends. Thread-safe. Throws
 /// std::out_of_range where there is none.
 const Case& known_case(const std::string& id);

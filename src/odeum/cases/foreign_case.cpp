@@ -49,10 +49,10 @@ bool set_truth(Case& c, const std::shared_ptr<const Held>& held, std::string& wo
   std::string why;
   std::optional<truth::Reference> reference =
       truth::kept_or_computed("foreign, sampled " + given.content, c.y0.size(), c.stops, c.scale,
-                              [&] { return foreign::reference_of(given, why); });
+                              [&] { return truth::reference_of(given, why); });
   if (reference && !reference->times.empty()) {
     const std::string assumed = fmt::format("; assuming that nothing in it is shorter than {:.2g}",
-                                            foreign::shortest_seen * (c.stops.back() - c.t0));
+                                            truth::shortest_seen * (c.stops.back() - c.t0));
     const TextTruth known = truth_from(std::move(*reference), c.stops, c.scale, given.source);
     c.truth = known.truth;
     c.truth.source += assumed;

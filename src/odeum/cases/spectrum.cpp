@@ -8,7 +8,7 @@
 #include "odeum/linear/dense_limit.hpp"
 #include "odeum/linear/eigenvalues.hpp"
 
-namespace odeum::report {
+namespace odeum::cases {
 namespace {
 
 using Vector = std::vector<double>;
@@ -95,19 +95,19 @@ Vector arnoldi(const Case& c, const Moment& at, std::size_t most, std::size_t& s
   return part;
 }
 
-using Values = std::vector<std::complex<double>>;
+using Eigenvalues = std::vector<std::complex<double>>;
 
 /// Those of Arnoldi's matrix that its leading part has too, to a hundredth, and the largest: others
 /// are no eigenvalues yet.
-Values settled(const Vector& matrix, std::size_t size) {
+Eigenvalues settled(const Vector& matrix, std::size_t size) {
   const std::size_t part = size * 3 / 4;
   Vector leading(part * part);
   for (std::size_t i = 0; i < part; ++i)
     for (std::size_t j = 0; j < part; ++j) leading[i * part + j] = matrix[i * size + j];
-  const Values before = eigenvalues(leading, part), now = eigenvalues(matrix, size);
+  const Eigenvalues before = eigenvalues(leading, part), now = eigenvalues(matrix, size);
   double size_of_largest = 0;
   for (const auto& z : now) size_of_largest = std::max(size_of_largest, std::abs(z));
-  Values found;
+  Eigenvalues found;
   for (const auto& z : now)
     if (std::abs(z) == size_of_largest ||
         std::any_of(before.begin(), before.end(),
@@ -117,7 +117,7 @@ Values settled(const Vector& matrix, std::size_t size) {
 }
 
 /// In the upper half plane; empty where the Jacobian is not finite.
-Values eigenvalues_at(const Case& c, const Moment& at) {
+Eigenvalues eigenvalues_at(const Case& c, const Moment& at) {
   constexpr std::size_t products = 96;
   std::size_t n = c.y0.size();
   const bool dense = n <= dense_dimension_limit;
@@ -126,7 +126,7 @@ Values eigenvalues_at(const Case& c, const Moment& at) {
     return {};
   // Where the iteration ended before, its matrix has all that the start has a part along.
   const bool whole = dense || n < products;
-  Values upper;
+  Eigenvalues upper;
   for (const std::complex<double>& z : whole ? eigenvalues(matrix, n) : settled(matrix, n))
     if (z.imag() >= 0) upper.push_back(z);
   return upper;
@@ -156,4 +156,4 @@ Spectrum spectrum_of(const Case& c) {
   return largest(end.eigenvalues) > 1.001 * largest(start.eigenvalues) ? end : start;
 }
 
-}  // namespace odeum::report
+}  // namespace odeum::cases

@@ -5,7 +5,7 @@
 
 #include "odeum/solvers/case.hpp"
 
-namespace odeum::report {
+namespace odeum::cases {
 
 /// Eigenvalues of a case's Jacobian at its start or at its horizon, where the truth knows that
 /// state: at that of the two where the largest is larger, since a stiff problem may begin with
@@ -23,4 +23,4 @@ Spectrum spectrum_of(const Case& c);
 std::vector<std::complex<double>> outermost_eigenvalues(const Case& c, double t,
                                                         const std::vector<double>& y);
 
-}  // namespace odeum::report
+}  // namespace odeum::cases

@@ -13,8 +13,15 @@ namespace odeum::cases {
 /// A file of cases/ that is a text, built in.
 struct BuiltInText {
   std::string stem, text;
+
+  /// False where it has no case of that id, without reading it: it would have its words.
+  bool may_state(const std::string& id) const {
+    return stem == id || text.find(id) != std::string::npos;
+  }
 };
 const std::vector<BuiltInText>& built_in_texts();
+/// The one that states the case of that id; null where none does.
+const BuiltInText* built_in_text_of(const std::string& id);
 
 /// The cases that a problem file states: those below its `cases`, or one of the name `id`. Each has
 /// its closed form, its reference, or a computed one for truth (kept in the cache folder by

@@ -31,14 +31,11 @@ class BuiltInCaseText : public CaseText {
 }  // namespace
 
 std::string with_proof(const Case& c) {
-  for (const BuiltInText& text : built_in_texts())
-    for (const Statement& statement : text_statements(text)) {
-      if (statement.id != c.id) continue;
-      const formula::Overrides set = BuiltInCaseText(text, c.id, {}).changed(c);
-      const std::string proof = BuiltInCaseText(text, c.id, set).proof(c);
-      return c.truth.source + (proof.empty() ? "" : "; ") + proof;
-    }
-  return c.truth.source;
+  const BuiltInText* const text = built_in_text_of(c.id);
+  if (!text) return c.truth.source;
+  const formula::Overrides set = BuiltInCaseText(*text, c.id, {}).changed(c);
+  const std::string proof = BuiltInCaseText(*text, c.id, set).proof(c);
+  return c.truth.source + (proof.empty() ? "" : "; ") + proof;
 }
 
 }  // namespace odeum::cases

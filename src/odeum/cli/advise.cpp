@@ -109,7 +109,7 @@ Box box_of(const Case& c, const std::vector<std::string>& texts) {
 void know_truth(Case& c) {
   std::vector<double> state(c.y0.size());
   if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
-    c.truth = cases::truth_at(c, c.stops);
+    c.truth = truth::truth_at(c, c.stops);
 }
 
 std::string commented(const std::string& lines) {

@@ -170,7 +170,7 @@ record::Records changes_of(const fem::PdeMap& map) {
   return table;
 }
 
-void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
+bool write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
                 const std::string& equation, const std::string& second) {
   const fem::PdeRegion& r = map.region;
   trajectories::RunTexts texts{
@@ -194,7 +194,7 @@ void write_page(const record::OutputFolder& folder, const fem::PdeMap& map,
   json["second"] = second;
   json["region"] = {r.x0, r.x1, r.y0, r.y1};
   page.fact("runs", json);
-  page.write({.command_line = "odeum classify " + equation});
+  return page.write({.command_line = "odeum classify " + equation});
 }
 
 void classify(const ClassifyOptions& given) {
@@ -229,8 +229,9 @@ void classify(const ClassifyOptions& given) {
                                 : fmt::format("({}) u_xx + ({}) u_xy + ({}) u_yy", given.pde[0],
                                               given.pde[1], given.pde[2]);
   folder.write("classify.csv", csv_of(map, pde.second()));
-  write_page(folder, map, title, pde.second());
-  remark("index.html, classify.csv are in {}", given.out);
+  const bool page = write_page(folder, map, title, pde.second());
+  remark_on_page(page);
+  remark("{}classify.csv {} in {}", page ? "index.html, " : "", page ? "are" : "is", given.out);
 }
 
 }  // namespace

@@ -68,9 +68,8 @@ std::string stem_of(const std::string& path) {
 
 /// The id; with `otherwise` where a case has it, and a number where one of a file before has that.
 std::string unused_id(const std::string& id, const std::string& otherwise) {
-  const std::vector<std::string> known = known_ids();
   std::string unused = id;
-  for (int number = 1; std::find(known.begin(), known.end(), unused) != known.end(); ++number)
+  for (int number = 1; knows_case(unused); ++number)
     unused = id + otherwise + (number == 1 ? "" : std::to_string(number));
   return unused;
 }
@@ -142,11 +141,8 @@ std::string struct_of(const std::string& what, const ProblemOptions& options, co
       keep_chosen(what, options.chosen, statements);
       return cases::struct_of_text(what, text, statements.front().id, set, series);
     }
-    for (const cases::BuiltInText& text : cases::built_in_texts())
-      for (const Statement& statement : cases::text_statements(text))
-        if (statement.id == c.id)
-          return cases::struct_of_text("cases/" + text.stem + ".yaml", text.text, c.id, set,
-                                       series);
+    if (const cases::BuiltInText* const text = cases::built_in_text_of(c.id))
+      return cases::struct_of_text("cases/" + text->stem + ".yaml", text->text, c.id, set, series);
   } catch (const std::exception& error) {
     throw UsageError("--code: {}", error.what());
   }
@@ -157,8 +153,7 @@ std::optional<SceneSource> find_scene(const std::string& what) {
   std::error_code ignored;
   const SceneSource file{what, std::nullopt};
   if (has_yaml_name(what)) return file;
-  for (const std::string& id : known_ids())
-    if (id == what) return std::nullopt;
+  if (knows_case(what)) return std::nullopt;
   for (const cases::SceneText& scene : cases::all_scenes())
     if (scene.name == what) return SceneSource{what, std::string(scene.text)};
   if (std::filesystem::exists(what, ignored)) return file;

@@ -82,7 +82,7 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   if (c.end() > c.stops.back() &&
       std::all_of(times.begin(), times.upper_bound(c.stops.back()), known))
     return c.truth;
-  return cases::truth_at(c, {times.begin(), times.end()});
+  return truth::truth_at(c, {times.begin(), times.end()});
 }
 
 std::string describe(const Case& c, const CaseRun& run) {

@@ -39,7 +39,7 @@ Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryI
     const Case& c = *each;
     double scale = 0;
     for (const double value : c.y0) scale = std::max(scale, std::abs(value));
-    Spectrum spectrum = spectrum_of(c);
+    cases::Spectrum spectrum = cases::spectrum_of(c);
     const auto linear = cases::linear_form(c);
     facts.cases.push_back({.id = c.id,
                            .title = c.title,

@@ -44,7 +44,7 @@ SpectrumAlong spectrum_along(const Case& c, double time) {
   const double undamped = small ? 1e-9 : 1e-3;
   const auto visit = [&](double t, const double* y) {
     for (std::size_t i = 0; i < n; ++i) along.sizes[i] = std::max(along.sizes[i], std::abs(y[i]));
-    for (std::complex<double> z : report::outermost_eigenvalues(c, t, {y, y + n})) {
+    for (std::complex<double> z : cases::outermost_eigenvalues(c, t, {y, y + n})) {
       if (std::abs(z) > std::abs(along.largest)) along.largest = z;
       // Rounding may put an imaginary one to the right.
       if (z.real() > undamped * std::abs(z)) {

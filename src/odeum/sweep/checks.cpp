@@ -27,7 +27,7 @@ double error_of(const Plan& plan, std::uint64_t member) {
     Case c = plan.base->with_values(parameters_of(plan, member));
     const double end = plan.request.stops.back();
     std::vector<double> state(c.y0.size());
-    if (!c.truth.at || !c.truth.at(end, state.data())) c.truth = cases::truth_at(c, {end});
+    if (!c.truth.at || !c.truth.at(end, state.data())) c.truth = truth::truth_at(c, {end});
     const Entrant* const entrant = c.entrants.find(plan.solver);
     if (!entrant || !entrant->solve) return nan;
     Request request = plan.request;

@@ -26,7 +26,7 @@ std::vector<Quantity> measured(const std::vector<std::string>& names) {
 
 void know_truth(Case& c, const std::vector<double>& stops) {
   std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(stops.back(), state.data())) c.truth = cases::truth_at(c, stops);
+  if (!c.truth.at || !c.truth.at(stops.back(), state.data())) c.truth = truth::truth_at(c, stops);
 }
 
 /// The solver on the case; null where it does not fit, which the row then says.

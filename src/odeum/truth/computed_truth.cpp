@@ -8,13 +8,11 @@
 
 #include "odeum/truth/system.hpp"
 
-namespace odeum::cases {
+namespace odeum::truth {
 namespace {
 
-using truth::Real;
-
-truth::System system_of(const Case& c) {
-  truth::System system;
+System system_of(const Case& c) {
+  System system;
   system.states = c.y0.size();
   system.t0 = c.t0;
   system.y0 = c.extended->y0;
@@ -40,7 +38,7 @@ std::string content_of(const Case& c) {
   std::string content = fmt::format("truth between the stops of {}", c.id);
   for (const Parameter& parameter : c.parameters)
     content += fmt::format(" {}={}", parameter.name, parameter.value);
-  truth::State y = c.extended->y0, f(y.size());
+  State y = c.extended->y0, f(y.size());
   for (int k = 0; k < 4; ++k) {
     const Real t = c.t0 + (c.stops.back() - c.t0) * k / 4;
     c.extended->f(t, y.data(), f.data());
@@ -61,16 +59,16 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   const bool known = std::all_of(times.begin(), times.end(),
                                  [&](double t) { return c.truth.at(t, state.data()); });
   if (known || !c.extended) return c.truth;
-  const truth::Reference reference = *truth::kept_or_computed(
-      content_of(c), state.size(), times, c.scale,
-      [&] { return truth::compute_reference(system_of(c), times, c.scale); });
+  const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.scale, [&] {
+    return compute_reference(system_of(c), times, c.scale);
+  });
 
   const auto states = std::make_shared<std::map<double, std::vector<double>>>();
   Truth truth = c.truth;
   Real floor = 0, largest = 0;
   for (std::size_t k = 0; k < reference.times.size(); ++k) {
     if (!std::binary_search(times.begin(), times.end(), reference.times[k])) continue;
-    const truth::State& y = reference.states[k];
+    const State& y = reference.states[k];
     (*states)[reference.times[k]].assign(y.begin(), y.end());
     floor = std::max<Real>(floor, reference.floors[k]);
     for (std::size_t i = 0; i < y.size(); ++i)
@@ -95,4 +93,4 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   return truth;
 }
 
-}  // namespace odeum::cases
+}  // namespace odeum::truth

@@ -4,7 +4,7 @@
 
 #include "odeum/solvers/case.hpp"
 
-namespace odeum::cases {
+namespace odeum::truth {
 
 /// The truth of a case at the given times (ascending, after t0): its own where that is known, else
 /// a reference computed in extended precision (truth/system.hpp), as far as one is found. `source`
@@ -12,4 +12,4 @@ namespace odeum::cases {
 /// extended precision it is the case's own.
 Truth truth_at(const Case& c, const std::vector<double>& times);
 
-}  // namespace odeum::cases
+}  // namespace odeum::truth

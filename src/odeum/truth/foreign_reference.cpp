@@ -10,10 +10,8 @@
 #include "odeum/problem/shared.hpp"
 #include "odeum/truth/samples.hpp"
 
-namespace odeum::foreign {
+namespace odeum::truth {
 namespace {
-
-using truth::Real;
 
 constexpr std::size_t most_unknowns = 1000;
 constexpr double most_seconds = 60;
@@ -49,7 +47,7 @@ class Widened {
 
 }  // namespace
 
-std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std::string& why) {
+std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why) {
   const odeum_problem& p = given.functions;
   const std::size_t n = p.dimension;
   if (n > most_unknowns) {
@@ -57,29 +55,26 @@ std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std:
     return std::nullopt;
   }
   const std::vector<double> stops(p.stops, p.stops + p.stop_count);
-  const Problem problem(p);
+  const foreign::Problem problem(p);
   const auto widened = std::make_shared<Widened>(view_of(problem));
-  truth::System system;
+  System system;
   system.states = n;
   system.t0 = p.t0;
   system.y0.assign(p.y0, p.y0 + n);
   system.rhs = [widened](Real t, const Real* y, Real* f) { widened->rhs(t, y, f); };
   if (n <= Widened::dense)
     system.jacobian = [widened](Real t, const Real* y, Real* j) { widened->jacobian(t, y, j); };
-  system.insight = [&system](truth::Real span) {
-    return truth::sampled_insight(system, shortest_seen * span);
-  };
+  system.insight = [&system](Real span) { return sampled_insight(system, shortest_seen * span); };
   system.rounding = 0x1p-53L;
   // Of a call of foreign code; what it really takes is not known.
   system.work = 200 + 20 * static_cast<double>(n);
   const std::size_t room = (stops.size() + 100) * (n + 3) * 32 + 4096;
   const auto [ended, text] = isolated::text_isolated(
-      [&] { return truth::to_text(truth::compute_reference(system, stops, given.scale)); }, room,
-      most_seconds);
-  std::optional<truth::Reference> reference;
-  if (ended) reference = truth::from_text(text, n);
+      [&] { return to_text(compute_reference(system, stops, given.scale)); }, room, most_seconds);
+  std::optional<Reference> reference;
+  if (ended) reference = from_text(text, n);
   if (!reference) why = ended ? "the reference could not be read" : text;
   return reference;
 }
 
-}  // namespace odeum::foreign
+}  // namespace odeum::truth

@@ -7,16 +7,16 @@
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/truth/system.hpp"
 
-namespace odeum::foreign {
+namespace odeum::truth {
 
 /// A solution that changes and is the same again within less than this part of the horizon may be
 /// passed over: the right-hand side is sampled at such distances (truth/samples.hpp).
 inline constexpr double shortest_seen = 1e-4;
 
-/// The reference of a problem without an exact solution (truth::compute_reference): steps in
+/// The reference of a problem without an exact solution (compute_reference): steps in
 /// extended precision over a right-hand side whose rounding is that of double, in a process of its
 /// own. Nothing, and `why`, where the problem is too large, or its code fails or takes longer than
 /// a minute.
-std::optional<truth::Reference> reference_of(const ProblemCallbacks& given, std::string& why);
+std::optional<Reference> reference_of(const foreign::ProblemCallbacks& given, std::string& why);
 
-}  // namespace odeum::foreign
+}  // namespace odeum::truth
