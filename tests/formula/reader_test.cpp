@@ -212,7 +212,7 @@ TEST(ProblemReader, TheRoundingOfAClosedFormOnAFineMeshIsNoFault) {
            rate + "*0.1*(n + 1)^2*sin(pi/(2*(n + 1)))^2*t)}\n";
   };
   EXPECT_EQ(fault_of(heat("4")), "");
-  expect_fault(heat("4.0001"), "6:18: exact: u[", "does not fulfil");
+  expect_fault(heat("4.0001"), "6:22: exact: u[", "does not fulfil");
 }
 
 TEST(ProblemReader, ClosedFormsAndInvariantsAreChecked) {

@@ -49,16 +49,20 @@ void Exact::define(const std::vector<long double>& definitions) {
 }
 
 /// The equations may amplify the rounding of y, as differences of neighbours on a fine mesh do,
-/// which are 0 where all states are moved alike.
+/// which are 0 where all states are moved alike. A state that is nearly 0 has the rounding of
+/// larger numbers, as the sine of pi has.
 void Exact::amplify(long double t) {
   constexpr int draws = 4;
-  constexpr long double by = 1e-14L, of_rounding = 1e-3L;
+  constexpr long double by = 1e-14L, of_largest = 0.01L, of_rounding = 0.01L;
   std::mt19937 random(1);
   std::vector<long double> moved(n_), f(n_);
+  long double largest = 0;
+  for (std::size_t k = 0; k < n_; ++k) largest = std::max(largest, std::abs(y_[k]));
   std::fill(rounding_.begin(), rounding_.end(), 0);
   for (int draw = 0; draw < draws; ++draw) {
     for (std::size_t k = 0; k < n_; ++k)
-      moved[k] = y_[k] * (1 + by * (2 * (static_cast<long double>(random()) * 0x1p-32L) - 1));
+      moved[k] = y_[k] + by * (std::abs(y_[k]) + of_largest * largest) *
+                             (2 * (static_cast<long double>(random()) * 0x1p-32L) - 1);
     equations_(t, moved.data(), f.data());
     for (std::size_t k = 0; k < n_; ++k) rounding_[k] += of_rounding * std::abs(f[k] - f_[k]);
   }
