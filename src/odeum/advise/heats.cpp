@@ -149,10 +149,11 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     }
   }
   dear_ = true;
-  if (wishes_.seconds == 0)
-    seconds_ = wishes_.time_ns > 0
-                   ? dear_seconds
-                   : std::clamp(1e-9 * dear_runs * least, dear_seconds, most_seconds);
+  if (wishes_.seconds == 0) {
+    const bool foreseen = wishes_.time_ns == 0 && std::isfinite(least);  // a time, by a run
+    seconds_ =
+        foreseen ? std::clamp(1e-9 * dear_runs * least, dear_seconds, most_seconds) : dear_seconds;
+  }
   const double known = far_behind * least;
   for (const auto& [kind, members] : kinds)
     for (Candidate* member : members)

@@ -40,8 +40,7 @@ Exact::Exact(Problem& problem)
       solution_(problem.graph, roots_of(problem)),
       equations_(problem.graph, problem.equations),
       y_(3 * n_),
-      f_(n_),
-      rounding_(n_) {}
+      f_(n_) {}
 
 void Exact::define(const std::vector<long double>& definitions) {
   solution_.define(definitions);
@@ -51,27 +50,27 @@ void Exact::define(const std::vector<long double>& definitions) {
 /// The equations may amplify the rounding of y, as differences of neighbours on a fine mesh do,
 /// which are 0 where all states are moved alike. A state that is nearly 0 has the rounding of
 /// larger numbers, as the sine of pi has.
-void Exact::amplify(long double t) {
+std::vector<long double> Exact::rounding_at(long double t) const {
   constexpr int draws = 4;
   constexpr long double by = 1e-14L, of_largest = 0.01L, of_rounding = 0.01L;
   std::mt19937 random(1);
-  std::vector<long double> moved(n_), f(n_);
+  std::vector<long double> moved(n_), f(n_), rounding(n_);
   long double largest = 0;
   for (std::size_t k = 0; k < n_; ++k) largest = std::max(largest, std::abs(y_[k]));
-  std::fill(rounding_.begin(), rounding_.end(), 0);
   for (int draw = 0; draw < draws; ++draw) {
     for (std::size_t k = 0; k < n_; ++k)
       moved[k] = y_[k] + by * (std::abs(y_[k]) + of_largest * largest) *
                              (2 * (static_cast<long double>(random()) * 0x1p-32L) - 1);
     equations_(t, moved.data(), f.data());
-    for (std::size_t k = 0; k < n_; ++k) rounding_[k] += of_rounding * std::abs(f[k] - f_[k]);
+    for (std::size_t k = 0; k < n_; ++k) rounding[k] += of_rounding * std::abs(f[k] - f_[k]);
   }
+  return rounding;
 }
 
 std::optional<Exact::Flaw> Exact::flaw_at(long double t, long double t0, long double end) {
   solution_(t, nullptr, y_.data());
   equations_(t, y_.data(), f_.data());
-  bool moved = false;
+  std::vector<long double> rounding;  // made where it is asked for
   for (std::size_t k = 0; k < n_; ++k) {
     const long double slope = y_[n_ + k], start = y_[2 * n_ + k];
     if (t == t0 &&
@@ -81,9 +80,8 @@ std::optional<Exact::Flaw> Exact::flaw_at(long double t, long double t0, long do
     const long double allowed =
         agreement * (std::abs(slope) + std::abs(f_[k]) + std::abs(y_[k]) / (end - t0));
     if (apart <= allowed) continue;
-    if (!moved) amplify(t);
-    moved = true;
-    if (!(apart <= allowed + rounding_[k])) return Flaw{k, false, slope, f_[k]};
+    if (rounding.empty()) rounding = rounding_at(t);
+    if (!(apart <= allowed + rounding[k])) return Flaw{k, false, slope, f_[k]};
   }
   return std::nullopt;
 }

@@ -39,12 +39,12 @@ class Exact {
   const long double* state() const { return y_.data(); }
 
  private:
-  void amplify(long double t);
+  /// Of the equations at the state of the last flaw_at.
+  std::vector<long double> rounding_at(long double t) const;
 
   std::size_t n_;
   Evaluator<long double> solution_, equations_;  ///< solution: state, its derivative, the start
   std::vector<long double> y_, f_;
-  std::vector<long double> rounding_;  ///< of the equations, by amplify
 };
 
 }  // namespace odeum::formula

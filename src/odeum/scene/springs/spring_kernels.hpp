@@ -27,7 +27,7 @@ struct SpringRows {
   const SpringNeighbour<Real>* neighbours;
   std::size_t count;
   bool damped;
-  bool moderate;  ///< rest lengths are 0 or so far from the ends of float that its exponents do
+  bool moderate;  ///< rest lengths are 0, or the exponents of float suffice for their squares
   // Of forces alone:
   Real* kept;         ///< 12 lines for every two neighbours, zero beyond the grid's columns
   std::size_t line;   ///< from line to line
