@@ -90,6 +90,33 @@ TEST(Amplification, IsUnknownWhereTheRunsMissTheTruth) {
   EXPECT_EQ(judged.reason, found.unknown);
 }
 
+/// A rotation of 12,000 radians.
+struct FastRotation {
+  static constexpr std::size_t dimension = 2;
+  void rhs(double, const double* y, double* f) const { f[0] = 4000 * y[1], f[1] = -4000 * y[0]; }
+};
+
+// The explicit runs take more than 20,000 evaluations, the implicit ones more than a million.
+TEST(Amplification, OfFastOscillationsIsMeasuredExplicitly) {
+  Case c = saddle_to(3);
+  Contest<FastRotation> contest;
+  contest.problem = std::make_shared<const FastRotation>();
+  c.y0 = {1, 0};
+  contest.y0 = std::make_shared<const std::vector<double>>(c.y0);
+  c.truth.at = [](double t, double* y) {
+    y[0] = std::cos(4000 * t), y[1] = -std::sin(4000 * t);
+    return true;
+  };
+  c.problem = erase(contest);
+  const judge::Amplification found = judge::measure_amplification(c, c.stops);
+  ASSERT_EQ(found.unknown, "");
+  for (const double at : found.at_stops) {
+    // The rows of Phi have norm 1, the units are 1 + |y_i|.
+    EXPECT_GE(at, std::sqrt(2));
+    EXPECT_LE(at, 2 * std::sqrt(2));
+  }
+}
+
 // Of 726 unknowns random directions are followed: a cloth that swings neither damps errors much nor
 // lets them explode within 2 s.
 TEST(Amplification, OfManyUnknownsIsTakenFromRandomDirections) {

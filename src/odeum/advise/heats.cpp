@@ -196,8 +196,10 @@ void Search::each_worth(std::vector<Candidate>& candidates,
 void Search::all(std::vector<Candidate>& candidates) {
   order_by_rank(candidates);
   if (heats(candidates)) {
-    cap_seconds_ = 0.1 * seconds_;
     each_worth(candidates, [&](Candidate& candidate) {
+      // The first stop may foresee far too little of a low order: the next one has its turn soon.
+      constexpr double beyond_foreseen = 1e-8;  // seconds, ten times the nanoseconds
+      cap_seconds_ = std::min(0.1 * seconds_, beyond_foreseen * candidate.foreseen);
       take(candidate, first(candidate));
       search(candidate, most_solves, half_a_decade);
     });

@@ -71,17 +71,38 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
   throw std::logic_error("no method " + std::string(method));
 }
 
+/// Of the explicit method to the end, where its run ended over budget; the implicit method's budget
+/// otherwise, and where they are more than that.
+std::uint64_t foreseen_evaluations(const Outcome& ended, const std::vector<double>& evaluated,
+                                   double start, double end) {
+  if (ended.status != Status::over_budget) return implicit_budget;
+  const double reached = *std::max_element(evaluated.begin(), evaluated.end()) - start;
+  const double all = static_cast<double>(explicit_budget) * (end - start) / reached;
+  return all < static_cast<double>(implicit_budget) ? static_cast<std::uint64_t>(all)
+                                                    : implicit_budget;
+}
+
 }  // namespace
 
 Flow::Flow(const Case& c, double end, const char* explicit_method, const Tolerance& tolerance)
     : case_(c), method_(explicit_method), tolerance_(tolerance) {
-  Outcome outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, explicit_budget, &evaluated_);
+  const auto attempt = [&](const char* method, std::uint64_t budget) {
+    method_ = method;
+    evaluated_.clear();
+    return run(method, tolerance, c, c.t0, c.y0, {end}, budget, &evaluated_);
+  };
+  Outcome outcome = attempt(explicit_method, explicit_budget);
   // The implicit method solves with full matrices of few unknowns, or with sparse ones.
   const bool implicit = c.y0.size() <= dense_dimension_limit || c.problem.view.sparsity;
   if (outcome.status != Status::ok && implicit) {
-    method_ = "radau_iia5";
-    evaluated_.clear();
-    outcome = run(method_, tolerance, c, c.t0, c.y0, {end}, implicit_budget, &evaluated_);
+    // Fast oscillations need as many evaluations of either method, and the implicit one solves
+    // systems besides.
+    const std::uint64_t foreseen = foreseen_evaluations(outcome, evaluated_, c.t0, end);
+    outcome = attempt("radau_iia5", foreseen);
+    if (outcome.status != Status::ok && foreseen < implicit_budget) {
+      outcome = attempt(explicit_method, implicit_budget);
+      if (outcome.status != Status::ok) outcome = attempt("radau_iia5", implicit_budget);
+    }
   }
   if (outcome.status != Status::ok)
     throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance.relative,
