@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "odeum/advise/race.hpp"
@@ -57,35 +58,68 @@ double most_seconds(double best_ns) {
   return std::clamp((best_ns < 1e6 ? 1e-8 : 3e-9) * best_ns, 2e-3, 0.5);
 }
 
+/// The rungs of the ladder of one solver, coarsest first; 0: beyond the last.
+class Ladder {
+ public:
+  Ladder(const Case& c, const Entrant& entrant, Mode mode, double best_ns) : c_(c), mode_(mode) {
+    const double order = std::isnan(entrant.info.order) ? 2 : std::max(1.0, entrant.info.order);
+    ratio_ = std::pow(10, 1 / (mode == Mode::adaptive ? ladder : ladder * order / 4));
+    // Where nobody may have the error, runs that fail early could go on to the finest steps for
+    // hours.
+    finest_ = mode == Mode::adaptive ? 1.1e14 : std::isfinite(best_ns) ? 1e8 : 1e5;
+  }
+  /// Nothing beyond the last rung.
+  std::optional<Request> request(int rung) const {
+    const double coarsest =
+        mode_ == Mode::adaptive ? 10 : static_cast<double>(c_.settings.coarsest_steps);
+    const double fineness = coarsest * std::pow(ratio_, rung);
+    if (!(fineness < finest_)) return {};
+    Request request;
+    request.mode = mode_;
+    request.stops = c_.stops;
+    const auto multiple = static_cast<double>(c_.settings.steps_multiple);
+    if (mode_ == Mode::adaptive)
+      set_tolerance(request, c_, 1 / fineness);
+    else
+      request.steps = static_cast<std::uint64_t>(multiple * std::ceil(fineness / multiple));
+    return request;
+  }
+
+ private:
+  const Case& c_;
+  Mode mode_;
+  double ratio_, finest_;
+};
+
 /// Climbs the ladder of one solver up to the error.
 void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge& judge,
            double error, double& best_ns, Answers& answers) {
-  const double order = std::isnan(entrant.info.order) ? 2 : std::max(1.0, entrant.info.order);
-  const double ratio = std::pow(10, 1 / (mode == Mode::adaptive ? ladder : ladder * order / 4));
-  const auto multiple = static_cast<double>(c.settings.steps_multiple);
-  double fineness = mode == Mode::adaptive ? 10 : static_cast<double>(c.settings.coarsest_steps);
-  // Where nobody may have the error, runs that fail early could go on to the finest steps for
-  // hours.
-  const double finest = mode == Mode::adaptive ? 1.1e14 : std::isfinite(best_ns) ? 1e8 : 1e5;
-  for (; fineness < finest; fineness *= ratio) {
-    Request request;
-    request.mode = mode;
-    request.stops = c.stops;
-    if (mode == Mode::adaptive)
-      set_tolerance(request, c, 1 / fineness);
-    else
-      request.steps = static_cast<std::uint64_t>(multiple * std::ceil(fineness / multiple));
-    request.budget.seconds = most_seconds(best_ns);
+  const Ladder rungs(c, entrant, mode, best_ns);
+  // The error has been reached; else the run took too long, or there is no such rung.
+  bool ended = false;
+  const auto reaches = [&](int rung) {
+    std::optional<Request> request = rungs.request(rung);
+    ended = !request;
+    if (ended) return false;
+    request->budget.seconds = most_seconds(best_ns);
     const double start = study::thread_seconds();
-    const double has = error_of(entrant, request, judge);
+    const double has = error_of(entrant, *request, judge);
     const double ns = 1e9 * (study::thread_seconds() - start);
     if (has <= error) {
       if (!entrant.info.id().ends_with("exponential_propagator")) best_ns = std::min(best_ns, ns);
-      answers.insert_or_assign(key_of(entrant, mode), Found{&entrant, request, ns});
-      return;
+      answers.insert_or_assign(key_of(entrant, mode), Found{&entrant, *request, ns});
+      return true;
     }
-    if (ns > 1e9 * request.budget.seconds) return;
-  }
+    ended = ns > 1e9 * request->budget.seconds;
+    return false;
+  };
+  // Dear runs: a decade at a time, and then the rungs between.
+  constexpr double dear_ns = 1e7;
+  const int stride = best_ns > dear_ns && std::isfinite(best_ns) ? 4 : 1;
+  int rung = 0;
+  while (!reaches(rung) && !ended) rung += stride;
+  for (int between = std::max(0, rung - stride + 1); between < rung; ++between)
+    if (reaches(between) || ended) return;
 }
 
 /// `best_ns`: a time that is known to be enough, or infinite; it bounds the runs, no more.
@@ -220,10 +254,17 @@ std::vector<Row> advise_rows() {
   std::size_t unanswered = 0;
   std::vector<std::string> ids = known_ids();
   for (const cases::SceneText& scene : cases::all_scenes()) ids.emplace_back(scene.name);
+  // In the order of the globs.
+  if (!only.empty()) {
+    std::vector<std::string> chosen;
+    for (const std::string& glob : only)
+      for (const std::string& id : ids)
+        if (any_glob_matches({glob}, id)) chosen.push_back(id);
+    ids = std::move(chosen);
+  }
   // An interrupt ends the questions, and the table is that of those asked.
   std::signal(SIGINT, [](int) { interrupted = true; });
   for (const std::string& id : ids) {
-    if (!only.empty() && !any_glob_matches(only, id)) continue;
     try {
       ask(id, all, unanswered);
     } catch (const Interrupted&) {
