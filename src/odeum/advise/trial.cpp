@@ -80,7 +80,7 @@ Request Search::request_for(const Stage& stage, const Candidate& candidate, doub
   // Budgets are of wall time, which other programs stretch.
   request.budget.seconds = std::isfinite(best_ns_)
                                ? crowding() * std::max(2e-3, patience_ * 1e-9 * best_ns_)
-                               : std::min(remains, cap_seconds_);
+                               : std::min(remains, crowding() * cap_seconds_);
   return request;
 }
 
