@@ -51,11 +51,15 @@ double error_of(const Entrant& entrant, const Request& request, const judge::Jud
   return error;
 }
 
+/// A run of the search is dear; then a question takes minutes, and a case is asked one.
+constexpr double dear_ns = 1e7, very_dear_ns = 1e8;
+
 /// How long a run of the search may take, in seconds: so many times the best one. Enough to know
 /// what is done without a measurement, too; less where that takes hours.
 double most_seconds(double best_ns) {
   if (!std::isfinite(best_ns)) return 0.05;
-  return std::clamp((best_ns < 1e6 ? 1e-8 : 3e-9) * best_ns, 2e-3, 0.5);
+  const double times = best_ns < 1e6 ? 10 : best_ns < dear_ns ? 3 : 1.5;
+  return std::max(2e-3, 1e-9 * times * best_ns);
 }
 
 /// The rungs of the ladder of one solver, coarsest first; 0: beyond the last.
@@ -114,7 +118,6 @@ void climb(const Case& c, const Entrant& entrant, Mode mode, const judge::Judge&
     return false;
   };
   // Dear runs: a decade at a time, and then the rungs between.
-  constexpr double dear_ns = 1e7;
   const int stride = best_ns > dear_ns && std::isfinite(best_ns) ? 4 : 1;
   int rung = 0;
   while (!reaches(rung) && !ended) rung += stride;
@@ -190,7 +193,7 @@ Regret regret_of(const Case& c, double error) {
         error_of(*winner.entrant, winner.found->request(), judge::Judge(c, c.stops)) / error;
   }
   const std::vector<double> least = times_of(timed);
-  const double best = *std::min_element(least.begin(), least.end());
+  const double best = regret.best_ns = *std::min_element(least.begin(), least.end());
   for (const auto& [id, found] : answers) regret.others[id] = found.ns / order.front().first;
   for (std::size_t k = 0; k < std::min(order.size(), most_timed); ++k)
     regret.others[order[k].second] = least[k] / best;
@@ -238,7 +241,9 @@ void ask(const std::string& id, std::vector<Regret>& all, std::size_t& unanswere
     fmt::print("  {:<40} {:>8.3f} of the best, {:.2f} of the error, {:.0f} s  {}\n",
                regret.question, regret.advised, regret.kept, regret.seconds, regret.text);
     std::fflush(stdout);
+    const bool last = regret.best_ns > very_dear_ns;
     all.push_back(std::move(regret));
+    if (last) break;
   }
 }
 

@@ -16,6 +16,7 @@ struct Regret {
   double advised = infinity;  ///< over the best; infinite without an answer
   double kept = nan;          ///< error over that asked
   double seconds = 0;         ///< that the advice took
+  double best_ns = nan;       ///< time of the best run
   bool stiff = false, scene = false;
   double error = 0;  ///< asked
   std::size_t states = 0;
