@@ -21,6 +21,9 @@ constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
 /// Of dense matrices in one run: a second or two, foreseen from a run of half as many steps.
 constexpr double most_multiplications = 1e9;
+/// Of one run of a large system: a limit takes up to thirty runs, and an engine that looks for
+/// contacts may take milliseconds a step without any evaluation.
+constexpr double most_seconds = 5;
 
 /// A case and the window over which it is run, with the size of its solution and the spectrum along
 /// it.
@@ -109,12 +112,14 @@ std::optional<Failure> failure_of(const StiffWindow& window, const Entrant& entr
   const std::size_t n = window.sizes.size();
   request.budget.evaluations = n > dense_dimension_limit ? window.c.settings.evaluation_budget
                                                          : (256 + 12 * n) * steps + 1'000;
+  if (n > dense_dimension_limit) request.budget.seconds = most_seconds;
   if (const std::string excess = costs.foreseen.excess(request); !excess.empty())
     return Failure{to_string(Status::over_budget), excess};
+  const double start = thread_seconds();
   const Outcome outcome = entrant.solve(request);
   const auto jacobians = static_cast<double>(outcome.counters.jacobian_evaluations);
   if (n > dense_dimension_limit)
-    costs.foreseen.add(request, outcome.counters.work);
+    costs.foreseen.add(request, outcome.counters.work, 1e9 * (thread_seconds() - start));
   else if (outcome.status == Status::ok)
     costs.multiplications_a_step =
         jacobians * std::pow(static_cast<double>(n), 3) / static_cast<double>(steps);
