@@ -5,7 +5,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -38,7 +38,7 @@ Case make_case(const Values& values) {
     y[0] = start * t < 1 ? start / (1 - start * t) : std::numeric_limits<double>::infinity();
     return true;
   };
-  set_stage(c, BlowUp{});
+  set_problem(c, BlowUp{});
   return c;
 }
 

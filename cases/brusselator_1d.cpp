@@ -4,7 +4,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "problems/two_species.hpp"
 
 namespace odeum::cases {
@@ -34,7 +34,7 @@ Case make_brusselator_1d() {
   c.settings.finest_steps = 1280;
   c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth("brusselator_1d", 2e-15);
-  set_stage(c, brusselator_1d_problem(500));
+  set_problem(c, brusselator_1d_problem(500));
   return c;
 }
 

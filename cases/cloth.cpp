@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/square_cloth.hpp"
-#include "odeum/cases/stage.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 
 namespace odeum::cases {
@@ -53,7 +53,7 @@ Case make_variant(const Variant& variant) {
     extended.floor = 1e-20;  // the digits of the file
     c.extended = std::make_shared<const ExtendedProblem>(std::move(extended));
   }
-  set_stage(c, scene::SceneProblem(*scene), scene);
+  set_problem(c, scene::SceneProblem(*scene), scene);
   return c;
 }
 

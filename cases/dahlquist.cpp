@@ -6,7 +6,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/scene/model/scene.hpp"
 
 namespace odeum::cases {
@@ -104,7 +104,7 @@ Case real_case_of(double lambda) {
   Case c = describe(equation.c_str(), lambda, false);
   c.y0 = {1};
   c.components = {"y"};
-  set_stage(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
+  set_problem(c, DahlquistReal{lambda}, std::make_shared<scene::Scene>(as_scene(lambda, false)));
   return c;
 }
 
@@ -119,8 +119,8 @@ Case complex_case_of(std::complex<double> lambda) {
   Case c = describe(equation.c_str(), lambda, true);
   c.y0 = {1, 0};
   c.components = {"re", "im"};
-  set_stage(c, DahlquistComplex{lambda.real(), lambda.imag()},
-            std::make_shared<scene::Scene>(as_scene(lambda, true)));
+  set_problem(c, DahlquistComplex{lambda.real(), lambda.imag()},
+              std::make_shared<scene::Scene>(as_scene(lambda, true)));
   return c;
 }
 

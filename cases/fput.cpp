@@ -5,7 +5,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -73,7 +73,7 @@ Case make_case(const std::string& id, const Values& values) {
   c.settings.finest_steps = 2560;
   c.settings.evaluation_budget = 20'000;
   c.truth = reference_truth(id, 3.5e-16);
-  set_stage(c, Chain{.alpha = values[0], .beta = values[1]});
+  set_problem(c, Chain{.alpha = values[0], .beta = values[1]});
   return c;
 }
 

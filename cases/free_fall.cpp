@@ -3,7 +3,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/scene/model/scene.hpp"
 
 namespace odeum::cases {
@@ -77,7 +77,7 @@ Case make_case(const Values& values) {
   scene->particles = {{.position = {x0, 0, 0}, .velocity = {v0, 0, 0}, .mass = 1}};
   scene->gravity = {fall.g, 0, 0};
   scene->select = {0, 3};
-  set_stage(c, fall, scene);
+  set_problem(c, fall, scene);
   return c;
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -97,7 +97,7 @@ Case make_heat_2d() {
     exact_state(t, y);
     return true;
   };
-  set_stage(c, Heat2d());
+  set_problem(c, Heat2d());
   return c;
 }
 

@@ -5,7 +5,7 @@
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -110,7 +110,7 @@ Case make_case(const Values& values) {
   };
   c.truth.floor = 1e-14;  // rounding of numbers of size 1 with omega t up to 30
   c.truth.source = "closed form: normal modes in x1 and x2";
-  set_stage(c, p);
+  set_problem(c, p);
   return c;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "problems/two_species.hpp"
 
 namespace odeum::cases {
@@ -62,7 +62,7 @@ Case make_medakzo() {
   c.settings.finest_steps = 5120;
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("medakzo", 5e-15);
-  set_stage(c, TwoSpecies<MedAkzoCells>(MedAkzoCells()));
+  set_problem(c, TwoSpecies<MedAkzoCells>(MedAkzoCells()));
   return c;
 }
 

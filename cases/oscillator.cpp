@@ -9,7 +9,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/problem/damped_oscillator.hpp"
 #include "odeum/scene/model/scene.hpp"
 
@@ -61,9 +61,9 @@ Case make_unit(const UnitVariant& variant) {
                            if (values == Values{variant.damping, 1, 0.5})
                              c.truth = reference_truth(variant.reference, variant.floor);
                            if (numbers.d > 0)
-                             set_stage(c, Oscillator<true, UnitNumbers>{numbers});
+                             set_problem(c, Oscillator<true, UnitNumbers>{numbers});
                            else
-                             set_stage(c, Oscillator<false, UnitNumbers>{numbers});
+                             set_problem(c, Oscillator<false, UnitNumbers>{numbers});
                            return c;
                          });
 }
@@ -107,9 +107,9 @@ Case make_mass_on_spring(const Variant& variant, const Values& values) {
   const double reach = std::hypot(y0 - n.rest, v0 * std::sqrt(n.m / n.k));
   const auto scene = std::make_shared<scene::Scene>(as_scene(n, y0, v0, 2 * std::max(reach, 1e-3)));
   if (n.d > 0)
-    set_stage(c, Oscillator<true, OscillatorNumbers>{n}, scene);
+    set_problem(c, Oscillator<true, OscillatorNumbers>{n}, scene);
   else
-    set_stage(c, Oscillator<false, OscillatorNumbers>{n}, scene);
+    set_problem(c, Oscillator<false, OscillatorNumbers>{n}, scene);
   return c;
 }
 

@@ -2,7 +2,7 @@
 #include "problems/pleiades.hpp"
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -26,7 +26,7 @@ Case make_pleiades() {
                        sum += Pleiades::mass(i) * (y[i] * y[21 + i] - y[7 + i] * y[14 + i]);
                      return sum;
                    }}};
-  set_stage(c, Pleiades{});
+  set_problem(c, Pleiades{});
   return c;
 }
 

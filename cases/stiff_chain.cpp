@@ -2,7 +2,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -47,7 +47,7 @@ Case make_case(const Values& values) {
   c.settings.finest_steps = 12800;
   c.settings.evaluation_budget = 30'000;
   c.truth = reference_truth("stiff_chain2_k1e4", 1.1e-14);
-  set_stage(c, StiffChain{values[0], values[1]});
+  set_problem(c, StiffChain{values[0], values[1]});
   return c;
 }
 

@@ -44,7 +44,7 @@ class Run {
     solver_.reset(SUNLinSol_Dense(y_vector_.get(), matrix_.get(), context_));
     memory_ = IDACreate(context_);
     if (!memory_ || !solver_) throw Failure{IDA_MEM_FAIL, "creating the integrator"};
-    check(IDASetErrHandlerFn(memory_, hear, this), "setting the error handler");
+    check(IDASetErrHandlerFn(memory_, on_message, this), "setting the error handler");
     check(IDASetUserData(memory_, this), "setting the user data");
     check(IDAInit(memory_, residual, t_, y_vector_.get(), rates_vector_.get()), "IDAInit");
     set_tolerances();
@@ -123,7 +123,7 @@ class Run {
     return 0;
   }
 
-  static void hear(int code, const char*, const char*, char* message, void* data) {
+  static void on_message(int code, const char*, const char*, char* message, void* data) {
     if (code < 0) static_cast<Run*>(data)->message_ = message;
   }
 

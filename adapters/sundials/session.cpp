@@ -45,7 +45,7 @@ Session::~Session() {
 void Session::adopt(void* integrator) {
   if (!integrator) throw Failure{CV_MEM_FAIL, "creating the integrator"};
   integrator_ = integrator;
-  check(module_.set_error_handler(integrator_, hear, this), "setting the error handler");
+  check(module_.set_error_handler(integrator_, on_message, this), "setting the error handler");
   check(module_.set_user_data(integrator_, this), "setting the user data");
 }
 
@@ -68,7 +68,7 @@ int Session::explicit_part(double t, N_Vector y, N_Vector f, void* data) {
   return -session.problem_.explicit_part(t, NV_DATA_S(y), NV_DATA_S(f));
 }
 
-void Session::hear(int code, const char*, const char*, char* message, void* data) {
+void Session::on_message(int code, const char*, const char*, char* message, void* data) {
   auto& session = *static_cast<Session*>(data);
   if (code < 0) session.message_ = message;
   if (code == CV_WARNING) ++session.warnings_;

@@ -66,7 +66,8 @@ class Session {
   /// It would go on; a least step, the library's own cure, is one number for the whole run, and
   /// with a horizon of 1e11 that number forbids the steps which the start of a stiff problem needs.
   bool stuck() const { return warnings_ >= 10; }
-  static void hear(int code, const char* module, const char* function, char* message, void* data);
+  static void on_message(int code, const char* module, const char* function, char* message,
+                         void* data);
   void run_fixed(Outcome& outcome);
   void run_adaptive(Outcome& outcome);
   void step_to(double stop, double end, Outcome& outcome);

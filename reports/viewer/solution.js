@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run's solution over time beside the exact one, in the state plane, its error and its energy
-// (report/solutions.hpp). Values are rounded to a thousandth of the range, logarithms to a
+// (trajectories/solutions.hpp). Values are rounded to a thousandth of the range, logarithms to a
 // hundredth.
 'use strict';
 (() => {

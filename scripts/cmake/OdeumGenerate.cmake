@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes of the names of files and folders what the build has of them: lists of methods, cases, studies and libraries,
-# units that compile methods, and texts that are compiled in. Globs use CONFIGURE_DEPENDS: the next build picks up a
+# Generates from the names of files and folders the lists of methods, cases, studies and libraries, the units that
+# compile methods, and the texts that are compiled in. Globs use CONFIGURE_DEPENDS: the next build picks up a
 # new file. A file is written only when its text changes, so an unrelated re-configure rebuilds nothing.
 
 set(ODEUM_GENERATED ${PROJECT_BINARY_DIR}/generated)

@@ -5,7 +5,7 @@
 
 #include "fmi_stage.hpp"
 #include "odeum/advise/race.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::fmi_tests {
 namespace {
@@ -177,7 +177,7 @@ TEST_P(Fmus, RunsAreCountedAndBudgetedAsThoseOfCompiledProblems) {
   const Case model = made();
   Case native;
   native.y0 = model.y0, native.stops = model.stops;
-  cases::set_stage(native, VanDerPol{});
+  cases::set_problem(native, VanDerPol{});
   Request request{.mode = Mode::adaptive, .tolerance = 1e-6, .stops = model.stops};
   request.budget.evaluations = 800;
   int compared = 0, spent = 0;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "odeum/advise/why.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/formula/text_ode.hpp"
 
 /// Runs that fail or crawl for causes that are known by how they were made.

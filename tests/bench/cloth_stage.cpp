@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/square_cloth.hpp"
-#include "odeum/cases/stage.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/studies/scene_stage.hpp"
 
@@ -66,12 +66,12 @@ ClothStage::ClothStage(std::size_t n, double stiffness, Forces forces)
   case_.id = "bench";
   case_.y0 = scene::start_of(*scene_);
   if (forces == Forces::grid) {
-    cases::set_stage(case_, scene::SceneProblem(*scene_), scene_);
+    cases::set_problem(case_, scene::SceneProblem(*scene_), scene_);
     return;
   }
   PlainProblem problem{std::make_shared<PlainCloth>(*scene_), {}, scene_->gravity};
   for (const auto& p : scene_->particles) problem.inverse_mass.push_back(p.fixed ? 0 : 1 / p.mass);
-  cases::set_stage(case_, problem);
+  cases::set_problem(case_, problem);
 }
 
 const Entrant& ClothStage::solver(const std::string& id) const {

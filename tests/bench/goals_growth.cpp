@@ -11,8 +11,8 @@
 
 #include "goals.hpp"
 #include "grid_forces.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/square_cloth.hpp"
-#include "odeum/cases/stage.hpp"
 
 namespace odeum::bench {
 namespace {
@@ -110,7 +110,7 @@ std::vector<Sized> steps_of(const std::string& id, const std::vector<Heat>& prob
     const std::size_t n = problem.size();
     Case c;
     c.y0.assign(n, 1.0);
-    cases::set_stage(c, problem);
+    cases::set_problem(c, problem);
     const Entrant* const solver = c.entrants.find(id);
     const std::uint64_t steps = std::max<std::uint64_t>(1, 200'000 / n);
     const auto run = [&](std::uint64_t count) {

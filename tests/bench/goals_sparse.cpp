@@ -14,7 +14,7 @@
 
 #include "goals.hpp"
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "problems/two_species.hpp"
 
 namespace odeum::bench {
@@ -27,7 +27,7 @@ Case reaction(std::size_t cells) {
   Case c;
   c.y0 = cases::brusselator_1d_start(cells);
   c.stops = {end};
-  cases::set_stage(c, cases::brusselator_1d_problem(cells));
+  cases::set_problem(c, cases::brusselator_1d_problem(cells));
   return c;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/judge/errors.hpp"
 #include "problems/hires.hpp"
 #include "support/catalogue.hpp"
@@ -91,7 +91,7 @@ struct RightHandSideOnly {
 TEST(Agreement, ImplicitPeersTakeTheJacobianThatACaseHas) {
   const Case& exact = find_case("hires");
   Case differenced = exact;
-  cases::set_stage(differenced, RightHandSideOnly());
+  cases::set_problem(differenced, RightHandSideOnly());
   const auto evaluations = [](const Case& c, const std::string& id) -> std::uint64_t {
     for (const Entrant& entrant : c.entrants) {
       if (entrant.info.id() != id) continue;

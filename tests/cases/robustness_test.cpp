@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "support/catalogue.hpp"
 
 namespace odeum::tests {

@@ -28,7 +28,7 @@ class Kept : public testing::Test {
                                 arguments + " --out '" + (folder_.path() / "out").string() + "'");
     EXPECT_EQ(result.code, 0) << result.output;
     std::smatch found;
-    const std::regex sentence("([0-9]+) of ([0-9]+) results are those of earlier runs");
+    const std::regex sentence("reused ([0-9]+) of ([0-9]+) results from");
     if (!std::regex_search(result.output, found, sentence)) return {};
     return {std::stoul(found[1]), std::stoul(found[2])};
   }

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/tolerance.hpp"
 #include "odeum/kernel/scaled_norm.hpp"
 #include "support/catalogue.hpp"
@@ -49,7 +49,7 @@ Case small_oscillator() {
   c.id = "small_oscillator";
   c.y0 = {small, 1, 0, 0};
   c.stops = {5, 6 * std::numbers::pi};
-  cases::set_stage(c, SmallOscillator{});
+  cases::set_problem(c, SmallOscillator{});
   return c;
 }
 

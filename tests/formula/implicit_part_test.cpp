@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/case_section.hpp"
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/input/yaml_tree.hpp"
 

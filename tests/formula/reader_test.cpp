@@ -189,7 +189,7 @@ TEST(ProblemReader, TimesAndIndices) {
   const std::string chain = "states: {u[1..3]: 1}\ntime: {end: 1}\nequations: {u[1..3]: ";
   expect_fault(chain + "u[i+1]}\n",
                "3:22: ", "got u[4], expected 1 to 3, or a value for it in boundaries");
-  expect_fault(chain + "u[i/2]}\n", "3:22: ", "no whole number");
+  expect_fault(chain + "u[i/2]}\n", "3:22: ", "must be a whole number");
   expect_fault(chain + "u}\n", "3:22: ", "no index");
   expect_fault("states: {u[1..3]: 1}\ntime: {end: 1}\nequations: {u[1..2]: 1}\n",
                "1:10: ", "none for u[3]");

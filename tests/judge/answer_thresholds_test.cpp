@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/judge/answer.hpp"
 #include "support/catalogue.hpp"
 
@@ -90,7 +90,7 @@ TEST(Answer, OnE5IsJudgedByTheAbsoluteToleranceAsked) {
     y[1] = y[2] = 8.86123352129108e-23;
     return true;
   };
-  cases::set_stage(c, E5{});
+  cases::set_problem(c, E5{});
   const judge::Judge judge(c, c.stops);
   for (const Entrant& entrant : c.entrants) {
     const std::string id = entrant.info.id();

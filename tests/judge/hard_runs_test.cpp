@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "odeum/cases/scene_case.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/answer.hpp"
 #include "odeum/scene/read/reader.hpp"

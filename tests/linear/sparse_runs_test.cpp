@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/linear/sparse_system.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
@@ -90,7 +90,7 @@ Case stage_of() {
   c.y0.assign(Diffusion::n, 0.0);
   for (int i = 0; i < Diffusion::n; ++i) c.y0[i] = std::sin(3.0 * (i + 1) / (Diffusion::n + 1));
   c.stops = {0.05};
-  cases::set_stage(c, P{});
+  cases::set_problem(c, P{});
   return c;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "odeum/api/integrate.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/linear/sparse_system.hpp"
 #include "odeum/methods/bdf_variable.hpp"
@@ -137,7 +137,7 @@ Case reactions(double unit, double second = 1) {
   Case c;
   c.y0 = {unit, 0, 0};
   c.stops = {40};
-  cases::set_stage(c, Reactions<WithJ>{unit, second});
+  cases::set_problem(c, Reactions<WithJ>{unit, second});
   return c;
 }
 const Entrant* entrant_of(const Case& c, const std::string& id) {

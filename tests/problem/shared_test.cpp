@@ -8,7 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/guarded.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 
@@ -123,7 +123,7 @@ std::string unfit(P problem, const std::string& id) {
   Case c;
   c.y0 = {1, 1};
   c.stops = {1};
-  cases::set_stage(c, problem);
+  cases::set_problem(c, problem);
   for (const Entrant& entrant : c.entrants)
     if (entrant.info.id() == id) return entrant.unfit;
   return "no such solver";
@@ -141,7 +141,7 @@ TEST(Shared, ATimedRunIsTheSameRunUnwatched) {
   Case c;
   c.y0 = {1, 0};
   c.stops = {1, 2};
-  cases::set_stage(c, Forced{});
+  cases::set_problem(c, Forced{});
   int ran = 0;
   for (const Entrant& entrant : c.entrants) {
     if (!entrant.unfit.empty() || !entrant.info.fixed) continue;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -97,6 +99,57 @@ TEST(Documents, FilesThatAreNamedExist) {
     }
   }
   EXPECT_GE(paths, 20U) << "the documents were not read";
+}
+
+/// What begins a comment, by the ending of a file; a document is read as a whole.
+const std::map<std::string, std::string> comment_marks{
+    {".hpp", "// "}, {".cpp", "// "},  {".h", "// "},   {".c", "// "},
+    {".js", "// "},  {".mjs", "// "},  {".py", "# "},   {".sh", "# "},
+    {".txt", "# "},  {".cmake", "# "}, {".yaml", "# "}, {".md", ""}};
+
+/// The comments of a file; nothing where it may have none.
+std::string comments_of(const fs::path& file) {
+  const auto mark = comment_marks.find(file.extension().string());
+  if (mark == comment_marks.end()) return "";
+  std::istringstream in(text_of(file));
+  std::string comments;
+  for (std::string line; std::getline(in, line);)
+    if (const std::size_t at = line.find(mark->second); at != std::string::npos)
+      comments += line.substr(at) + '\n';
+  return comments;
+}
+
+/// Whether a comment of a file in `folder` may name it so: from the root, or from a folder whose
+/// files are often named.
+bool is_in_tree(const fs::path& path, const fs::path& folder) {
+  for (const fs::path& from : {root, folder, root / "src/odeum", root / "adapters",
+                               root / "reports", root / "tests", root / "src"})
+    if (fs::exists(from / path)) return true;
+  return false;
+}
+
+// Six comments named files that had been moved.
+TEST(Documents, FilesInCommentsExist) {
+  static const std::regex path(
+      "(?:^|[^\\w/.<>$}*-])((?:[\\w-]+/"
+      ")+[\\w-]+\\.(?:hpp|cpp|h|cmake|yaml|md|m?js|py|sh|css))(?![\\w/])");
+  const std::set<std::string> elsewhere{"odeum/plugin.h",
+                                        "build/portable/CPackConfig.cmake",  // made by the build
+                                        "arkode/arkode_butcher.h"};          // a header of SUNDIALS
+  std::size_t paths = 0;
+  for (const char* top : {"src", "adapters", "cases", "tests", "reports", "scripts"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() ||
+          entry.path().string().starts_with((root / "reports/out").string()))
+        continue;
+      for (const std::string& each : all_matches(comments_of(entry.path()), path)) {
+        if (each.starts_with("reports/out") || elsewhere.contains(each)) continue;
+        ++paths;
+        EXPECT_TRUE(is_in_tree(each, entry.path().parent_path()))
+            << entry.path() << " names " << each;
+      }
+    }
+  EXPECT_GE(paths, 100U) << "the comments were not read";
 }
 
 // All that was measured stands between the two comments of a table, which scripts/bench writes.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/judge/amplification.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 #include "odeum/studies/convergence/settings.hpp"
@@ -42,7 +42,7 @@ Case growth(const P& problem) {
     y[0] = 1 / (1 + 9 * std::exp(-t));
     return true;
   };
-  cases::set_stage(c, problem);
+  cases::set_problem(c, problem);
   return c;
 }
 

@@ -142,7 +142,7 @@ const checks = {
     hold(rows.has('x') && !rows.has('y'), 'columns');
   },
   async 'a file without data is an error, and waits for nothing'() {
-    // Scripts of a page that load at once; `data/late.js` hands over its data.
+    // Scripts of a page that load at once; late.js hands over its data.
     const load = page('load');
     context.document = { createElement: () => ({ addEventListener(name, work) { this[name] = work; }, setAttribute(name, value) { this[name] = value; }, append() {} }),
       head: { append: (script) => { if (script.src === 'data/late.js') send('late', [7]); setTimeout(script.src === 'data/absent.js' ? script.error : script.load); } } };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
 

@@ -15,7 +15,7 @@ namespace odeum::cases {
 
 CaseText::CaseText(const std::string& file, const std::string& text, const std::string& id,
                    const formula::Overrides& set)
-    : CaseKeys(file, text), id_(id) {
+    : CaseSection(file, text), id_(id) {
   enter(id);
   values_ = own_values(file, text);
   problem_ = formula::read_problem(file, text, values_);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/case_section.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/problem/ode_view.hpp"
 
@@ -15,7 +15,7 @@ namespace odeum::cases {
 
 /// One case of a problem file while it is read: its keys, the problem with the case's parameters,
 /// and numbers that are given as expressions of these.
-class CaseText : protected formula::CaseKeys {
+class CaseText : protected formula::CaseSection {
  protected:
   /// `set` replaces parameters that the case offers; throws std::invalid_argument for another one.
   CaseText(const std::string& file, const std::string& text, const std::string& id,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -89,7 +89,7 @@ struct Wave {
 
 }  // namespace
 
-void set_heat_stage(Case& c, System system) { set_stage(c, Heat{std::move(system)}); }
-void set_wave_stage(Case& c, System system) { set_stage(c, Wave(std::move(system))); }
+void set_heat_stage(Case& c, System system) { set_problem(c, Heat{std::move(system)}); }
+void set_wave_stage(Case& c, System system) { set_problem(c, Wave(std::move(system))); }
 
 }  // namespace odeum::cases

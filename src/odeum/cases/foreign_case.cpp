@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_truth.hpp"
 #include "odeum/isolated/isolated_process.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/truth/scene_system.hpp"
 

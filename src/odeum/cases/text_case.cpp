@@ -13,7 +13,7 @@
 #include "odeum/cases/printed_list.hpp"
 #include "odeum/cases/proposed_scale.hpp"
 #include "odeum/cases/reference.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_family.hpp"
@@ -225,7 +225,7 @@ class TextCase : CaseText {
     const std::vector<std::string> names = texts("invariants");
     for (const std::string& name : names)
       if (std::none_of(problem_.invariants.begin(), problem_.invariants.end(),
-                       [&](const formula::Kept& kept) { return kept.name == name; }))
+                       [&](const formula::Invariant& invariant) { return invariant.name == name; }))
         fail(find("invariants")->place, "invariants: no invariant; got {}", shown(name));
     std::erase_if(case_.invariants, [&](const Invariant& invariant) {
       return std::find(names.begin(), names.end(), invariant.name) == names.end();
@@ -259,7 +259,7 @@ File user_file(const std::string& file, const std::string& text) {
 
 std::vector<Statement> statements_of(File file, const std::string& id,
                                      const formula::Overrides& set) {
-  formula::CaseKeys keys(file.name, file.text);
+  formula::CaseSection keys(file.name, file.text);
   std::vector<std::string> ids = keys.ids();
   if (ids.empty()) ids = {id};
   std::vector<Statement> all;

@@ -55,18 +55,18 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
 }
 
 void add_invariants(const formula::Problem& problem, Case& c) {
-  for (const formula::Kept& kept : problem.invariants) {
+  for (const formula::Invariant& invariant : problem.invariants) {
     const auto value = std::make_shared<const formula::Evaluator<double>>(
-        problem.graph, std::vector<formula::Id>{kept.value});
+        problem.graph, std::vector<formula::Id>{invariant.value});
     const auto function = [value](const double* state) {
       double result = 0;
       (*value)(0, state, &result);
       return result;
     };
-    if (!c.energy && (kept.name == "energy" || kept.name == "H"))
+    if (!c.energy && (invariant.name == "energy" || invariant.name == "H"))
       c.energy = function;
     else
-      c.invariants.push_back({kept.name, function});
+      c.invariants.push_back({invariant.name, function});
   }
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "odeum/cases/case_text.hpp"
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/formula/lane_code.hpp"
 
 namespace odeum::cases {
@@ -34,9 +34,9 @@ class TextFamily : CaseText {
         y0_(std::make_shared<std::vector<double>>(problem_.states.size())),
         ode_(std::make_shared<formula::TextOde>(
             formula::read_problem(file, text, values_, formula::Parameters::names))) {
-    for (const formula::Kept& kept : ode_->problem().invariants)
-      if (!energy_ && (kept.name == "energy" || kept.name == "H"))
-        energy_.emplace(ode_->problem().graph, std::vector<formula::Id>{kept.value});
+    for (const formula::Invariant& invariant : ode_->problem().invariants)
+      if (!energy_ && (invariant.name == "energy" || invariant.name == "H"))
+        energy_.emplace(ode_->problem().graph, std::vector<formula::Id>{invariant.value});
   }
 
   bool place(const std::vector<double>& values) {

@@ -106,11 +106,11 @@ void remark_on(const record::Store* store) {
   if (!store->problem().empty())
     remark("results are not kept: " + store->problem());
   else if (store->taken() > 0)
-    remark("{} of {} results are those of earlier runs, from {}; --no-cache measures",
-           store->taken(), store->taken() + store->added(), store->folder().string());
+    remark("reused {} of {} results from {}; --no-cache measures all again", store->taken(),
+           store->taken() + store->added(), store->folder().string());
 }
 
-std::string what_continues(const record::Store* store) {
+std::string resume_hint(const record::Store* store) {
   return store && store->problem().empty() ? "the same command continues" : "no file was written";
 }
 

@@ -27,6 +27,6 @@ std::unique_ptr<record::Store> open_store(const StudyOptions& options);
 void remark_on(const record::Store* store);
 
 /// What an interrupted run leaves.
-std::string what_continues(const record::Store* store);
+std::string resume_hint(const record::Store* store);
 
 }  // namespace odeum::cli

@@ -30,9 +30,9 @@ struct Options : StudyOptions {
 };
 
 /// The ids that globs of a study and globs of the user both match; `own` where none are given.
-std::vector<std::string> both(const std::vector<std::string>& own,
-                              const std::vector<std::string>& given,
-                              const std::vector<std::string>& ids) {
+std::vector<std::string> intersection(const std::vector<std::string>& own,
+                                      const std::vector<std::string>& given,
+                                      const std::vector<std::string>& ids) {
   if (given.empty()) return own;
   std::vector<std::string> left;
   for (const std::string& id : ids)
@@ -41,15 +41,16 @@ std::vector<std::string> both(const std::vector<std::string>& own,
 }
 
 /// What is left of the runs of a study by --case and --solver.
-std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Options& options,
-                                     bool takes_cases) {
+std::vector<study::Options> restricted_to(std::vector<study::Options> runs, const Options& options,
+                                          bool takes_cases) {
   const std::vector<std::string> cases = known_ids();
   std::vector<std::string> solvers;
   for (const Solver& solver : all_solvers()) solvers.push_back(solver.info.id());
   std::vector<study::Options> left;
   for (study::Options& run : runs) {
-    run.cases = both(run.cases, takes_cases ? options.cases : std::vector<std::string>(), cases);
-    run.solvers = both(run.solvers, options.solvers, solvers);
+    run.cases =
+        intersection(run.cases, takes_cases ? options.cases : std::vector<std::string>(), cases);
+    run.solvers = intersection(run.solvers, options.solvers, solvers);
     const bool empty = (run.cases.empty() && takes_cases && !options.cases.empty()) ||
                        (run.solvers.empty() && !options.solvers.empty());
     if (!empty) left.push_back(std::move(run));
@@ -61,8 +62,8 @@ std::vector<study::Options> narrowed(std::vector<study::Options> runs, const Opt
 std::vector<study::Options> runs_of(const study::Study& study, const Options& options) {
   const bool takes_cases = !study.declaration().cases_help.empty();
   if (options.given.empty())
-    return narrowed(study.report_runs(options.quick), options,
-                    takes_cases && study.declaration().on_cases);
+    return restricted_to(study.report_runs(options.quick), options,
+                         takes_cases && study.declaration().on_cases);
   if (!takes_cases) return {};
   study::Options run{.cases = options.given, .solvers = options.solvers};
   // A study without quick runs has one result, which the command of that study may have kept.
@@ -111,7 +112,7 @@ void run(const Options& options) {
   try {
     run_studies(studies, options, out, store.get());
   } catch (const Interrupted&) {
-    throw Stopped(what_continues(store.get()));
+    throw Stopped(resume_hint(store.get()));
   }
   require_kept(store.get());
   if (!out) return;

@@ -23,11 +23,11 @@ void add_step_and_tolerances(CLI::App& command, RunSettings& settings) {
                              "absolute ones in proportion")
                          ->type_name("R")
                          ->excludes(step);
-  struct Given {
+  struct Arguments {
     double relative = 0;
     std::vector<std::string> absolute;
   };
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<Arguments>();
   CLI::Option* rtol =
       add_option(command, "--rtol R", given->relative, "relative tolerance, with --atol")
           ->excludes(step)

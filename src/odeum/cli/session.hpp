@@ -45,7 +45,7 @@ class Stopped : public std::runtime_error {
 void print(const std::string& text);
 /// Prints a remark for people to stderr.
 void remark(const std::string& text);
-/// That a folder has data and no page, where `written` is false (report::Report::write).
+/// Unless `written` (report::Report::write), warns that the folder holds data without a page.
 void remark_on_page(bool written);
 template <class First, class... More>
 void print(fmt::format_string<First, More...> format, First&& first, More&&... more) {

@@ -67,7 +67,7 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
     study.measure(options,
                   study::Runner(common.jobs_or_cores(), result_cache_of(store.get(), options)));
   } catch (const Interrupted&) {
-    throw Stopped(what_continues(store.get()));
+    throw Stopped(resume_hint(store.get()));
   }
   require_kept(store.get());
   if (!out) return;
@@ -90,15 +90,19 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
 
 /// Takes the globs that match problems of the study `elements` and no case out of `globs`.
 std::vector<std::string> take_elements(std::vector<std::string>& globs) {
-  // Model problems have meshes: they are made where there may be one among the globs.
-  if (globs.empty()) return {};
   const std::vector<std::string> cases = known_ids();
+  const auto is_of_cases = [&](const std::string& glob) {
+    return glob.starts_with('!') || std::any_of(cases.begin(), cases.end(), [&](const auto& id) {
+             return glob_matches(glob, id);
+           });
+  };
+  // Model problems have meshes: they are made only where a glob may mean one.
+  if (std::all_of(globs.begin(), globs.end(), is_of_cases)) return {};
   const auto models = study::model_problems();
   const auto first_taken = std::stable_partition(globs.begin(), globs.end(), [&](const auto& glob) {
-    const auto matches = [&](const std::string& id) { return glob_matches(glob, id); };
-    return glob.starts_with('!') || std::any_of(cases.begin(), cases.end(), matches) ||
-           std::none_of(models.begin(), models.end(),
-                        [&](const study::ModelProblem& model) { return matches(model.id); });
+    return is_of_cases(glob) || std::none_of(models.begin(), models.end(), [&](const auto& model) {
+             return glob_matches(glob, model.id);
+           });
   });
   std::vector<std::string> taken(first_taken, globs.end());
   globs.erase(first_taken, globs.end());
@@ -127,12 +131,12 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
 }  // namespace
 
 void add_study(CLI::App& app, study::Study& study) {
-  struct Given {
+  struct Arguments {
     StudyOptions common;
     study::Options study;
     ProblemOptions problems;
   };
-  const auto given = std::make_shared<Given>();
+  const auto given = std::make_shared<Arguments>();
   const study::Declaration& declaration = study.declaration();
   CLI::App* command = app.add_subcommand(declaration.name, declaration.help);
   if (!declaration.cases_help.empty()) {

@@ -9,7 +9,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "odeum/fem/mesh_words.hpp"
+#include "odeum/fem/token_reader.hpp"
 #include "odeum/input/text_file.hpp"
 
 namespace odeum::fem {
@@ -25,16 +25,16 @@ const char* element_name(int type) {
 
 class Reader {
  public:
-  Reader(const std::string& file, const std::string& text) : words_(file, text) {}
+  Reader(const std::string& file, const std::string& text) : tokens_(file, text) {}
 
   GmshMesh read() {
     bool begun = false;
-    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+    for (std::string_view word = tokens_.next(); !word.empty(); word = tokens_.next()) {
       const std::string section(word);
       if (!section.starts_with('$') || section.starts_with("$End"))
-        words_.refuse("the file", word, "$ and the name of a section");
+        tokens_.refuse("the file", word, "$ and the name of a section");
       if (!begun && section != "$MeshFormat" && section != "$Comments")
-        words_.refuse("the file", word, "$MeshFormat: a mesh of Gmsh");
+        tokens_.refuse("the file", word, "$MeshFormat: a mesh of Gmsh");
       begun = begun || section == "$MeshFormat";
       static const std::map<std::string, void (Reader::*)()> readers = {
           {"$MeshFormat", &Reader::read_format},
@@ -46,53 +46,53 @@ class Reader {
       if (const auto reader = readers.find(section); reader == readers.end())
         skip(end);
       else
-        (this->*reader->second)(), words_.expect(end);
+        (this->*reader->second)(), tokens_.expect(end);
     }
-    if (!begun) words_.refuse("the file", "", "$MeshFormat: a mesh of Gmsh");
+    if (!begun) tokens_.refuse("the file", "", "$MeshFormat: a mesh of Gmsh");
     finish();
     return std::move(result_);
   }
 
  private:
   void skip(const std::string& end) {
-    const Place begin = words_.place();
-    for (std::string_view word = words_.next(); word != end; word = words_.next())
+    const Place begin = tokens_.place();
+    for (std::string_view word = tokens_.next(); word != end; word = tokens_.next())
       if (word.empty())
-        words_.fail(begin, fmt::format("the section does not end; expected {}", shown(end)));
+        tokens_.fail(begin, fmt::format("the section does not end; expected {}", shown(end)));
   }
 
   void read_format() {
-    const std::string_view version = words_.next();
+    const std::string_view version = tokens_.next();
     if (version != "4.1")
-      words_.refuse("the version", version, "4.1 (Gmsh writes it with -format msh41)");
-    if (const std::string_view kind = words_.next(); kind != "0")
-      words_.refuse("the kind of file", kind, "0, ASCII (Gmsh: without -bin)");
-    words_.count("the size of a number");
+      tokens_.refuse("the version", version, "4.1 (Gmsh writes it with -format msh41)");
+    if (const std::string_view kind = tokens_.next(); kind != "0")
+      tokens_.refuse("the kind of file", kind, "0, ASCII (Gmsh: without -bin)");
+    tokens_.count("the size of a number");
   }
 
   void read_names() {
-    const std::size_t count = words_.count("the number of names");
+    const std::size_t count = tokens_.count("the number of names");
     for (std::size_t i = 0; i < count; ++i) {
-      const int dimension = words_.integer("a dimension"), tag = words_.integer("a tag");
-      names_[{dimension, tag}] = words_.quoted("a physical name");
+      const int dimension = tokens_.integer("a dimension"), tag = tokens_.integer("a tag");
+      names_[{dimension, tag}] = tokens_.quoted("a physical name");
     }
   }
 
   void read_entities() {
     std::size_t counts[4];
-    for (std::size_t& count : counts) count = words_.count("the number of entities");
+    for (std::size_t& count : counts) count = tokens_.count("the number of entities");
     for (int dimension = 0; dimension < 4; ++dimension)
       for (std::size_t i = 0; i < counts[dimension]; ++i) {
-        const int tag = words_.integer("the tag of an entity");
-        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) words_.real("a coordinate");
-        const std::size_t physical = words_.count("the number of physical groups");
+        const int tag = tokens_.integer("the tag of an entity");
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) tokens_.real("a coordinate");
+        const std::size_t physical = tokens_.count("the number of physical groups");
         for (std::size_t k = 0; k < physical; ++k) {
-          const int group = words_.integer("a physical group");
+          const int group = tokens_.integer("a physical group");
           if (dimension == 1) groups_[tag].push_back(group);
         }
         if (dimension == 0) continue;
-        const std::size_t bounding = words_.count("the number of bounding entities");
-        for (std::size_t k = 0; k < bounding; ++k) words_.integer("a bounding entity");
+        const std::size_t bounding = tokens_.count("the number of bounding entities");
+        for (std::size_t k = 0; k < bounding; ++k) tokens_.integer("a bounding entity");
       }
   }
 
@@ -100,70 +100,71 @@ class Reader {
   /// errors call that count.
   template <class All, class ReadBlock>
   void read_blocks(const char* number, const All& all, ReadBlock&& read_block) {
-    const std::size_t blocks = words_.count("the number of blocks");
-    const std::size_t count = words_.count(number);
-    const Place counted = words_.place();
-    words_.count("the least tag"), words_.count("the greatest tag");
+    const std::size_t blocks = tokens_.count("the number of blocks");
+    const std::size_t count = tokens_.count(number);
+    const Place counted = tokens_.place();
+    tokens_.count("the least tag"), tokens_.count("the greatest tag");
     for (std::size_t block = 0; block < blocks; ++block) read_block();
     if (all.size() != count)
-      words_.fail(counted, fmt::format("{}: got {}, but {} follow", number, count, all.size()));
+      tokens_.fail(counted, fmt::format("{}: got {}, but {} follow", number, count, all.size()));
   }
 
   void read_nodes() {
-    if (!nodes_.empty()) words_.refuse("the file", "$Nodes twice", "one section of nodes");
+    if (!nodes_.empty()) tokens_.refuse("the file", "$Nodes twice", "one section of nodes");
     read_blocks("the number of nodes", nodes_, [this] {
-      const int dimension = words_.integer("the dimension of an entity");
-      words_.integer("the tag of an entity");
-      const bool parametric = words_.count("whether there are parameters") != 0;
-      const std::size_t here = words_.count("the number of nodes");
+      const int dimension = tokens_.integer("the dimension of an entity");
+      tokens_.integer("the tag of an entity");
+      const bool parametric = tokens_.count("whether there are parameters") != 0;
+      const std::size_t here = tokens_.count("the number of nodes");
       std::vector<std::size_t> tags;
       for (std::size_t i = 0; i < here; ++i) {
-        tags.push_back(words_.count("the tag of a node"));
+        tags.push_back(tokens_.count("the tag of a node"));
         if (!nodes_.emplace(tags.back(), nodes_.size()).second)
-          words_.fail(words_.place(), fmt::format("node {} is there twice", tags.back()));
+          tokens_.fail(tokens_.place(), fmt::format("node {} is there twice", tags.back()));
       }
       for (const std::size_t tag : tags) {
-        const double x = words_.real("a coordinate");
-        node_places_.push_back(words_.place());
-        const double y = words_.real("a coordinate");
+        const double x = tokens_.real("a coordinate");
+        node_places_.push_back(tokens_.place());
+        const double y = tokens_.real("a coordinate");
         result_.mesh.nodes.push_back({x, y});
-        heights_.push_back(words_.real("a coordinate"));
+        heights_.push_back(tokens_.real("a coordinate"));
         for (int k = 0; parametric && k < std::clamp(dimension, 0, 3); ++k)
-          words_.real("a parameter");
+          tokens_.real("a parameter");
         tags_.nodes.push_back(tag);
       }
     });
   }
 
   std::size_t node() {
-    const std::size_t tag = words_.count("a node");
+    const std::size_t tag = tokens_.count("a node");
     const auto found = nodes_.find(tag);
     if (found == nodes_.end())
-      words_.fail(words_.place(),
-                  fmt::format("element refers to node {}, which the file does not define ({} nodes "
-                              "read)",
-                              tag, nodes_.size()));
+      tokens_.fail(
+          tokens_.place(),
+          fmt::format("element refers to node {}, which the file does not define ({} nodes "
+                      "read)",
+                      tag, nodes_.size()));
     return found->second;
   }
 
   void read_elements() {
     read_blocks("the number of elements", elements_, [this] {
-      words_.integer("the dimension of an entity");
-      const int entity = words_.integer("the tag of an entity");
-      const int type = words_.integer("the type of elements");
+      tokens_.integer("the dimension of an entity");
+      const int entity = tokens_.integer("the tag of an entity");
+      const int type = tokens_.integer("the type of elements");
       if (type != 1 && type != 2 && type != 15)
-        words_.refuse("the type of elements", fmt::format("{}, {}", type, element_name(type)),
-                      "15, 1 or 2: points, lines, triangles of three nodes");
-      const std::size_t here = words_.count("the number of elements");
+        tokens_.refuse("the type of elements", fmt::format("{}, {}", type, element_name(type)),
+                       "15, 1 or 2: points, lines, triangles of three nodes");
+      const std::size_t here = tokens_.count("the number of elements");
       for (std::size_t i = 0; i < here; ++i) read_element(type, entity);
     });
   }
 
   void read_element(int type, int entity) {
-    const std::size_t tag = words_.count("the tag of an element");
-    const Place place = words_.place();
+    const std::size_t tag = tokens_.count("the tag of an element");
+    const Place place = tokens_.place();
     if (!elements_.insert(tag).second)
-      words_.fail(place, fmt::format("element {} is there twice", tag));
+      tokens_.fail(place, fmt::format("element {} is there twice", tag));
     if (type == 15) {
       node();
     } else if (type == 1) {
@@ -189,10 +190,10 @@ class Reader {
     for (std::size_t i = 0; i < heights_.size(); ++i)
       // What a rotation of the plane by rounding would give.
       if (std::abs(heights_[i] - heights_[0]) > 1e-12 * extent)
-        words_.fail(node_places_[i],
-                    fmt::format("node {} has z = {}, the first one {}: the mesh is "
-                                "in no plane of constant z",
-                                tags_.nodes[i], heights_[i], heights_[0]));
+        tokens_.fail(node_places_[i],
+                     fmt::format("node {} has z = {}, the first one {}: the mesh is "
+                                 "in no plane of constant z",
+                                 tags_.nodes[i], heights_[i], heights_[0]));
     bool clockwise = true;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       clockwise = clockwise && doubled_area(mesh, t) < 0;
@@ -201,10 +202,10 @@ class Reader {
     try {
       check(mesh, tags_);
     } catch (const MeshError& error) {
-      words_.fail(error.of() == MeshError::Of::node       ? node_places_[error.number()]
-                  : error.of() == MeshError::Of::triangle ? triangle_places_[error.number()]
-                                                          : words_.place(),
-                  error.what());
+      tokens_.fail(error.of() == MeshError::Of::node       ? node_places_[error.number()]
+                   : error.of() == MeshError::Of::triangle ? triangle_places_[error.number()]
+                                                           : tokens_.place(),
+                   error.what());
     }
     std::sort(result_.groups.begin(), result_.groups.end());
     result_.groups.erase(std::unique(result_.groups.begin(), result_.groups.end()),
@@ -213,7 +214,7 @@ class Reader {
               [](const auto& l, const auto& r) { return l.nodes < r.nodes; });
   }
 
-  Words words_;
+  TokenReader tokens_;
   GmshMesh result_;
   MeshTags tags_;
   std::map<std::pair<int, int>, std::string> names_;  // by dimension and tag

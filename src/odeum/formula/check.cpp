@@ -36,14 +36,14 @@ Change change_of(Problem& problem, Id value, Real t, const Real* y) {
 }  // namespace
 
 void require_invariants(Problem& problem, long double t, const long double* y) {
-  for (const Kept& kept : problem.invariants) {
-    const Change change = change_of(problem, kept.value, t, y);
+  for (const Invariant& invariant : problem.invariants) {
+    const Change change = change_of(problem, invariant.value, t, y);
     if (std::abs(change.rate) <= agreement * change.size) continue;
     throw InputError(
-        problem.file, kept.place,
+        problem.file, invariant.place,
         fmt::format("invariants: {}: changes along the equations at t = {:.6Lg}; got the "
                     "rate {:.3Lg}, expected 0",
-                    kept.name, t, change.rate));
+                    invariant.name, t, change.rate));
   }
 }
 

@@ -259,7 +259,7 @@ class Parser : Cursor {
     const long double value = graph_[id].value;
     if (!graph_.is_number(id) || value != std::floor(value))
       fail(where,
-           "an index that is no whole number; got {}, expected whole numbers, i and parameters",
+           "an index must be a whole number; got {}; it may use whole numbers, i and parameters",
            shown(text_.substr(where, at_ - where)));
     if (value >= static_cast<long double>(array.first) &&
         value <= static_cast<long double>(array.last()))

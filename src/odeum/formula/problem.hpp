@@ -12,7 +12,7 @@
 namespace odeum::formula {
 
 /// A quantity that the exact solution keeps.
-struct Kept {
+struct Invariant {
   std::string name;
   Id value = no_node;
   Place place;
@@ -35,7 +35,7 @@ struct Problem {
   std::vector<double> stops;  ///< where errors are measured; the last is the end
   std::vector<Id> exact;      ///< by state, in t; empty: not known
   std::vector<Place> exact_places;
-  std::vector<Kept> invariants;
+  std::vector<Invariant> invariants;
   std::vector<double> scale;  ///< by state; empty: 1
   Tolerance tolerance = 0;    ///< that runs are asked for; a relative one of 0: none given
   /// The equations as text, for people: `x' = ...`, in the order of the file.

@@ -11,7 +11,7 @@
 namespace odeum::formula {
 namespace {
 
-// `case` and `cases` are read by CaseKeys.
+// `case` and `cases` are read by CaseSection.
 constexpr std::string_view known_keys[] = {
     "name",      "parameters", "definitions", "states", "equations", "boundaries",
     "time",      "exact",      "invariants",  "scale",  "tolerance", "mass",

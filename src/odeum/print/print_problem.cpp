@@ -36,7 +36,7 @@ class ProblemPrinter {
     if (offers.series && analysis_.series)
       print_series(out_, "void taylor(double t, const double* y, int order, double* c) const {",
                    problem_, *analysis_.series);
-    for (const Kept& kept : problem_.invariants) print_invariant(kept);
+    for (const Invariant& invariant : problem_.invariants) print_invariant(invariant);
     out_.line("}};");
     return std::move(out_.text);
   }
@@ -57,7 +57,7 @@ class ProblemPrinter {
     need(jacobian_roots(analysis_.implicit_jacobian));
     if (offers.series && analysis_.series)
       for (const SeriesPlan::Step& step : analysis_.series->steps) needed.insert(step.id);
-    for (const Kept& kept : problem_.invariants) need({kept.value});
+    for (const Invariant& invariant : problem_.invariants) need({invariant.value});
     for (std::size_t k = definitions.size(); k-- > 0;)
       if (needed.contains(definitions[k].id))
         needed.insert(definitions[k].of.begin(), definitions[k].of.end());
@@ -124,11 +124,11 @@ class ProblemPrinter {
       out_.line("  void linear_matrix(double* a) const {{ jacobian(0, nullptr, a); }}");
   }
 
-  void print_invariant(const Kept& kept) {
+  void print_invariant(const Invariant& invariant) {
     out_.line("  double {}(const double* y) const {{",
-              is_energy(kept.name) ? "energy" : "kept_" + kept.name);
-    print_nodes(out_, {}, {kept.value}, in_double);
-    out_.line("  return {};\n  }}", out_.name(kept.value, in_double));
+              is_energy(invariant.name) ? "energy" : "kept_" + invariant.name);
+    print_nodes(out_, {}, {invariant.value}, in_double);
+    out_.line("  return {};\n  }}", out_.name(invariant.value, in_double));
   }
 
   const Problem& problem_;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "odeum/formula/analysis.hpp"
-#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/case_section.hpp"
 
 /// Prints problem files that are built-in cases as C++, when Odeum is built.
 namespace odeum::print {

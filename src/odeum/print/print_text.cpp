@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/case_section.hpp"
 #include "odeum/print/print_problem.hpp"
 
 namespace odeum::print {
@@ -30,21 +30,21 @@ Printed print_text(const std::string& file, const std::string& text) {
     fields += fmt::format("{}.{} = values[{}]", count ? ", " : "", each.name, count);
     ++count;
   }
-  for (const formula::Kept& kept : problem.invariants)
-    if (!is_energy(kept.name))
+  for (const formula::Invariant& invariant : problem.invariants)
+    if (!is_energy(invariant.name))
       invariants += fmt::format(
           "            c.invariants.push_back({{\"{0}\", [problem](const double* y) {{ return "
           "problem.kept_{0}(y); }}}});\n",
-          kept.name);
+          invariant.name);
   return {print_problem(stem, problem, formula::analyse(problem),
-                        formula::CaseKeys(file, text).offers()),
+                        formula::CaseSection(file, text).offers()),
           fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
                       "#include \"odeum/cases/printed_text.hpp\"\n"
-                      "#include \"odeum/cases/stage.hpp\"\n\nnamespace odeum::cases {{\n"
+                      "#include \"odeum/cases/set_problem.hpp\"\n\nnamespace odeum::cases {{\n"
                       "PrintedText printed_{0}() {{\n"
                       "  return {{{{{1}}}, []([[maybe_unused]] const double* values, Case& c) {{\n"
                       "            const {2} problem{{{3}}};\n"
-                      "            set_stage(c, problem);\n{4}          }}}};\n}}\n}}\n",
+                      "            set_problem(c, problem);\n{4}          }}}};\n}}\n}}\n",
                       stem, names, type_name(stem), fields, invariants)};
 }
 

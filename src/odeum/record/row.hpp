@@ -70,7 +70,7 @@ class FieldSource {
  public:
   virtual ~FieldSource() = default;
   virtual std::string next(const std::string& column) = 0;
-  virtual bool keeps_unlisted() const = 0;
+  virtual bool stores_all_fields() const = 0;
 };
 /// A field is not a value of its member.
 class BadField : public std::exception {
@@ -171,7 +171,7 @@ struct Reader {
   void operator()(const char*, const ComputedColumn<T>&) const {}
   template <class T>
   void operator()(const char* column, const StoredOnly<T>& kept) const {
-    if (!source.keeps_unlisted()) return;
+    if (!source.stores_all_fields()) return;
     std::size_t count = 0;
     (*this)(column, count);
     kept.values.clear();

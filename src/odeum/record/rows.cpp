@@ -32,7 +32,7 @@ class CsvSource : public FieldSource {
   std::string next(const std::string& column) override {
     return text_of_field(row_[columns_.at(column)]);
   }
-  bool keeps_unlisted() const override { return false; }
+  bool stores_all_fields() const override { return false; }
 
  private:
   bool read_row();

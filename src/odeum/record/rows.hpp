@@ -44,7 +44,7 @@ class RecordSource : public FieldSource {
  public:
   explicit RecordSource(std::string_view text) : rest_(text) {}
   std::string next(const std::string& column) override;
-  bool keeps_unlisted() const override { return true; }
+  bool stores_all_fields() const override { return true; }
 
  private:
   std::string_view rest_;

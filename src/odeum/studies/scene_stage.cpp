@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 

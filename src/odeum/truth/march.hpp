@@ -109,9 +109,10 @@ inline Real step_factor(Real error, int order) {
   return 0.9 * std::pow(bounded, -1.0 / order);
 }
 
-/// After a peak, as of a relaxation's speed, an error of its size would be one of all digits of
-/// what follows: it is forgotten after some thousand steps, which are more than a period of an
-/// oscillation takes. Methods that know the noise of f are not asked for less than that.
+/// Errors are measured against a running maximum that decays by this factor a step. Without decay a
+/// large early peak, as of a relaxation's speed, would hide the loss of all digits later. A maximum
+/// lasts for some thousand steps, more than a period of an oscillation takes. Methods that know the
+/// noise of f are not asked for errors below that noise.
 constexpr Real short_memory = 0.999L;
 
 /// The end of the part of a step from y up to which its conditions hold, just beyond it, and the

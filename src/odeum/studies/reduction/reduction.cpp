@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 #include "odeum/core/glob.hpp"
 
 namespace odeum::study {

@@ -13,9 +13,9 @@
 namespace odeum::fem {
 
 /// The words of a text, with their places.
-class Words {
+class TokenReader {
  public:
-  Words(const std::string& file, std::string_view text) : file_(file), text_(text) {}
+  TokenReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
 
   /// The next word; empty at the end.
   std::string_view next() {

@@ -15,12 +15,12 @@ struct Offers {
 
 /// What a problem file says of its cases: for each the keys below its id in `cases`, and those
 /// below `case`, which all share. CONTRIBUTING.md lists the keys.
-class CaseKeys : protected reading::Source {
+class CaseSection : protected reading::Source {
  public:
   using Item = reading::Item;
 
   /// Throws InputError with the place of an unknown key, and of an id that is no name.
-  CaseKeys(const std::string& file, const std::string& text);
+  CaseSection(const std::string& file, const std::string& text);
 
   std::string name() const;              ///< of the problem; empty: none
   std::vector<std::string> ids() const;  ///< empty: the file has no `cases`

@@ -40,7 +40,7 @@ ExtendedProblem in_extended_precision(std::shared_ptr<const P> problem,
 
 /// Sets the problem of case `c`, and its scene for physics engines where it has one.
 template <Ode P>
-void set_stage(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = nullptr) {
+void set_problem(Case& c, P problem, std::shared_ptr<const scene::Scene> scene = nullptr) {
   Contest<P> contest;
   contest.problem = std::make_shared<const P>(std::move(problem));
   contest.t0 = c.t0;

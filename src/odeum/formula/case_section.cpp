@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/formula/case_keys.hpp"
+#include "odeum/formula/case_section.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,7 @@ std::string serialised(const YamlNode& node, bool keys = false) {
 
 }  // namespace
 
-CaseKeys::CaseKeys(const std::string& file, const std::string& text) : Source(file, text) {
+CaseSection::CaseSection(const std::string& file, const std::string& text) : Source(file, text) {
   const std::vector<Item> all = items(root(), "");
   std::vector<std::string_view> known(std::begin(known_keys), std::end(known_keys));
   known.emplace_back("offers");  // for all cases alike
@@ -47,31 +47,31 @@ CaseKeys::CaseKeys(const std::string& file, const std::string& text) : Source(fi
   }
 }
 
-std::string CaseKeys::name() const { return name_; }
+std::string CaseSection::name() const { return name_; }
 
-std::vector<std::string> CaseKeys::ids() const {
+std::vector<std::string> CaseSection::ids() const {
   std::vector<std::string> ids;
   for (const Item& item : cases_) ids.push_back(item.key);
   return ids;
 }
 
-void CaseKeys::enter(const std::string& id) {
+void CaseSection::enter(const std::string& id) {
   const Item* const item = entry_of(cases_, id);
   own_ = item ? items(*item->value, id) : std::vector<Item>{};
 }
 
-const YamlNode* CaseKeys::find(std::string_view key) const {
+const YamlNode* CaseSection::find(std::string_view key) const {
   for (const auto* list : {&own_, &common_})
     if (const Item* const item = entry_of(*list, key)) return item->value;
   return nullptr;
 }
 
-std::vector<CaseKeys::Item> CaseKeys::mapping(const std::string& key) const {
+std::vector<CaseSection::Item> CaseSection::mapping(const std::string& key) const {
   const YamlNode* const value = find(key);
   return value ? items(*value, key) : std::vector<Item>{};
 }
 
-std::vector<const YamlNode*> CaseKeys::entries(const YamlNode* value) {
+std::vector<const YamlNode*> CaseSection::entries(const YamlNode* value) {
   if (!value) return {};
   if (value->kind != YamlNode::Kind::sequence) return {value};
   std::vector<const YamlNode*> all;
@@ -79,22 +79,22 @@ std::vector<const YamlNode*> CaseKeys::entries(const YamlNode* value) {
   return all;
 }
 
-std::vector<std::string> CaseKeys::texts_of(const YamlNode* value, std::string_view key) const {
+std::vector<std::string> CaseSection::texts_of(const YamlNode* value, std::string_view key) const {
   std::vector<std::string> all;
   for (const YamlNode* each : entries(value)) all.push_back(scalar(*each, std::string(key)));
   return all;
 }
 
-std::vector<std::string> CaseKeys::texts(std::string_view key) const {
+std::vector<std::string> CaseSection::texts(std::string_view key) const {
   return texts_of(find(key), key);
 }
 
-std::string CaseKeys::text(std::string_view key, const std::string& otherwise) const {
+std::string CaseSection::text(std::string_view key, const std::string& otherwise) const {
   const YamlNode* const value = find(key);
   return value ? scalar(*value, std::string(key)) : otherwise;
 }
 
-std::vector<std::string> CaseKeys::tags() const {
+std::vector<std::string> CaseSection::tags() const {
   std::vector<std::string> all;
   for (const auto* list : {&common_, &own_})
     if (const Item* const given = entry_of(*list, "tags"))
@@ -102,7 +102,7 @@ std::vector<std::string> CaseKeys::tags() const {
   return all;
 }
 
-Offers CaseKeys::offers() const {
+Offers CaseSection::offers() const {
   const Item* const given = entry_of(common_, "offers");
   if (!given) return {};
   Offers offers{.jacobian = false, .second_order = false, .series = false};
@@ -128,7 +128,7 @@ std::string code_of_problem(const std::string& file, const std::string& text) {
                              "implicit", "invariants", "mass"})
       if (item.key == used) code += item.key + serialised(*item.value, keys);
   }
-  const Offers offers = CaseKeys(file, text).offers();
+  const Offers offers = CaseSection(file, text).offers();
   return code + fmt::format("{}{}{}", offers.jacobian, offers.second_order, offers.series);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cases/stage.hpp"
+#include "odeum/cases/set_problem.hpp"
 
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/runtime_library.hpp"
