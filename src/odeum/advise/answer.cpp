@@ -23,8 +23,8 @@ std::string text_of_twice(const Advice& advice) {
   const char* what =
       winner_of(advice).mode == Mode::fixed ? "a step twice as long" : "ten times the tolerance";
   if (twice.status != Status::ok)
-    return fmt::format("twice     {}: the run ends {}\n", what, to_string(twice.status));
-  return fmt::format("twice     {}: error {:.3g}, {} steps\n", what, twice.state_error(),
+    return fmt::format("coarser   {}: the run ends {}\n", what, to_string(twice.status));
+  return fmt::format("coarser   {}: error {:.3g}, {} steps\n", what, twice.state_error(),
                      twice.counters.steps);
 }
 
