@@ -9,7 +9,7 @@ namespace {
 
 // A text of mechanics was said to be in seconds, for its tag, whatever its equations are in.
 TEST(Facts, TimeHasAUnitOnlyWhereTheProblemIsAScene) {
-  Case text = tests::find_case("pendulum"), scene = tests::find_case("free_fall");
+  Case text = tests::find_case("pendulum_small"), scene = tests::find_case("free_fall");
   text.entrants = {}, scene.entrants = {};
   for (const Case* each : {&text, &scene})
     ASSERT_NE(std::find(each->tags.begin(), each->tags.end(), "mechanical"), each->tags.end());
