@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "odeum/advise/search.hpp"
 #include "odeum/core/progress.hpp"
@@ -214,6 +215,9 @@ void Search::all(std::vector<Candidate>& candidates) {
 void Search::search_cheap(std::vector<Candidate>& candidates) {
   cap_seconds_ = seconds_ / (4.0 * static_cast<double>(candidates.size()));
   Progress progress("advise", 2.0 * static_cast<double>(candidates.size()));
+  // All have a turn: one that is stopped there begins again at a coarser setting.
+  constexpr double few_times = 3;
+  const double usual = std::exchange(patience_, few_times);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < candidates.size(); ++k, progress.advance()) {
     if (late(0.5)) break;
@@ -229,6 +233,7 @@ void Search::search_cheap(std::vector<Candidate>& candidates) {
                                                  1 / candidates[k].order()),
                        k);
   }
+  patience_ = usual;
   std::stable_sort(order.begin(), order.end());
   for (const auto& [cost, k] : order) {
     // Nobody has ended a run: coarser ones are tried below, with more time.
