@@ -132,6 +132,9 @@ bool Search::heats(std::vector<Candidate>& candidates) {
         stopped.emplace(Kind{kind, mode == Mode::fixed ? Mode::adaptive : Mode::fixed}, id);
     }
     if (trial.status != Status::ok) return infinity;
+    // A few that are slow must not take the turn of the others.
+    constexpr double beyond_best = 1e-8, shortest = 2e-3;  // ten times the nanoseconds, in seconds
+    cap_seconds_ = std::min(cap_seconds_, std::max(shortest, beyond_best * trial.ns));
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
     if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
     least = std::min(least, candidate.foreseen);
@@ -157,9 +160,11 @@ bool Search::heats(std::vector<Candidate>& candidates) {
   }
   const double known = far_behind * least;
   for (const auto& [kind, members] : kinds)
-    for (Candidate* member : members)
-      if (member != members.front() && members.front()->foreseen <= known && !late(0.3))
-        try_it(*member);
+    for (Candidate* member : members) {
+      const double first = members.front()->foreseen;  // NaN: it had no turn
+      const bool worth = member == members.front() ? std::isnan(first) : first <= known;
+      if (worth && !late(0.3)) try_it(*member);
+    }
   return true;
 }
 

@@ -17,7 +17,10 @@ class Guard {
   /// `tolerance`, which has to outlive this, weighs the components where their derivatives are
   /// formed by differences.
   Guard(std::size_t dimension, const Budget& budget, const Tolerance* tolerance = nullptr)
-      : dimension_(dimension), budget_(budget), start_(Clock::now()) {
+      : dimension_(dimension),
+        rarely_(dimension > large ? 0xf : 0x3ff),
+        budget_(budget),
+        start_(Clock::now()) {
     if (tolerance && tolerance->thresholds.size() == dimension)
       weights_ = tolerance->thresholds.data();
   }
@@ -25,8 +28,7 @@ class Guard {
   /// To be called before an evaluation. False: the budget is spent, stop.
   bool admit() {
     if (tripped()) return false;
-    // Reading the clock costs more than a small right-hand side, so it is read rarely.
-    const bool look = spent() >= budget_.evaluations || (rhs_evaluations_ & 0x3ff) == 0x3ff;
+    const bool look = spent() >= budget_.evaluations || (rhs_evaluations_ & rarely_) == rarely_;
     if (look && !may_go_on()) return false;
     ++rhs_evaluations_;
     return true;
@@ -81,6 +83,9 @@ class Guard {
   void conclude(const Request& request, Outcome& outcome) const;
 
  private:
+  /// Reading the clock costs more than a small right-hand side. Of more unknowns than these a step
+  /// may solve systems for tens of milliseconds between a few evaluations.
+  static constexpr std::size_t large = 128;
   std::uint64_t spent() const { return rhs_evaluations_ + products_; }
   using Clock = std::chrono::steady_clock;
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -90,6 +95,7 @@ class Guard {
   void judge(const Request& request, Outcome& outcome) const;
 
   std::size_t dimension_;
+  std::uint64_t rarely_;  ///< evaluations between readings of the clock, less one
   Budget budget_;
   const double* weights_ = nullptr;
   Clock::time_point start_;
