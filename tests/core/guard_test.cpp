@@ -126,6 +126,15 @@ TEST(Guard, KeepsTheTimeLimit) {
   EXPECT_NE(outcome.detail.find("0.001 s"), std::string::npos) << outcome.detail;
 }
 
+// Between a few evaluations implicit steps of a large system solve for tens of milliseconds.
+TEST(Guard, LooksAtTheClockOftenOnLargeSystems) {
+  Guard guard(1000, Budget{.evaluations = 1'000'000, .seconds = 1e-3});
+  std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  int admitted = 0;
+  while (admitted < 10'000 && guard.admit()) ++admitted;
+  EXPECT_LT(admitted, 32);
+}
+
 /// A library's report after two stops of a problem of two components.
 Outcome claim(std::vector<double> states, double t) {
   Outcome outcome;
