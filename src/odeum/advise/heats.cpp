@@ -23,6 +23,8 @@ constexpr double half_a_decade = 0.5;
 constexpr double dear_ns = 2e6, dear_seconds = 60, dear_runs = 30, most_seconds = 600;
 /// A candidate foreseen to cost so many times the least is left where its library has an answer.
 constexpr double far_behind = 4;
+/// Seconds, of a time in nanoseconds.
+constexpr double ten_times = 1e-8;
 
 /// Solvers of a library whose names begin alike, in one mode.
 using Kind = std::pair<std::string, Mode>;
@@ -133,8 +135,8 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     }
     if (trial.status != Status::ok) return infinity;
     // A few that are slow must not take the turn of the others.
-    constexpr double beyond_best = 1e-8, shortest = 2e-3;  // ten times the nanoseconds, in seconds
-    cap_seconds_ = std::min(cap_seconds_, std::max(shortest, beyond_best * trial.ns));
+    constexpr double shortest = 2e-3;
+    cap_seconds_ = std::min(cap_seconds_, std::max(shortest, ten_times * trial.ns));
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
     if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
     least = std::min(least, candidate.foreseen);
@@ -204,8 +206,7 @@ void Search::all(std::vector<Candidate>& candidates) {
   if (heats(candidates)) {
     each_worth(candidates, [&](Candidate& candidate) {
       // The first stop may foresee far too little of a low order: the next one has its turn soon.
-      constexpr double beyond_foreseen = 1e-8;  // seconds, ten times the nanoseconds
-      cap_seconds_ = std::min(0.1 * seconds_, beyond_foreseen * candidate.foreseen);
+      cap_seconds_ = std::min(0.1 * seconds_, ten_times * candidate.foreseen);
       take(candidate, first(candidate));
       search(candidate, most_solves, half_a_decade);
     });

@@ -21,8 +21,8 @@ constexpr std::uint64_t most_steps = 1 << 17;
 constexpr double longest_window = 20'000;  ///< times the largest |eigenvalue|
 /// Of dense matrices in one run: a second or two, foreseen from a run of half as many steps.
 constexpr double most_multiplications = 1e9;
-/// Of one run of a large system: a limit takes up to thirty runs, and an engine that looks for
-/// contacts may take milliseconds a step without any evaluation.
+/// One run of a large system takes no longer, since a limit takes up to thirty runs, and an engine
+/// that looks for contacts may take milliseconds a step without any evaluation.
 constexpr double most_seconds = 5;
 
 /// A case and the window over which it is run, with the size of its solution and the spectrum along
