@@ -103,6 +103,23 @@ TEST(SparseSystem, SolvesBandsAndOthersInRealAndComplexNumbers) {
   }
 }
 
+TEST(SparseSystem, ExchangesRowsOfANarrowBandOnlyWhereItMust) {
+  const Sparsity s = banded_sparsity(40, 1, 1);
+  std::vector<double> values(s.entries(), 1.0);
+  for (const int row : {3, 36}) values[s.start[row] + 1] = 2.0;  // its diagonal
+  SparseSystem system(s, constant_entries(values), 1);
+  const std::vector<double> y(s.unknowns());
+  system.linearise(0, y.data());
+  for (const double g : {0.2, 0.5, 0.2}) {  // at 0.5 the second pivot would be zero
+    ASSERT_TRUE(system.factorise(0, g));
+    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(40, -1, 2);
+    const Eigen::VectorXd right = x;
+    system.solve(0, x.data(), nullptr);
+    const Eigen::VectorXd rest = dense(s, values, g).real() * x - right;
+    EXPECT_LE(rest.cwiseAbs().maxCoeff(), 1e-13 * std::max(1.0, x.cwiseAbs().maxCoeff())) << g;
+  }
+}
+
 TEST(SparseSystem, SaysWhenTheMatrixIsSingularOrNotFinite) {
   const std::vector<double> y(3);
   for (const Sparsity& s : {banded_sparsity(3, 1, 1)}) {

@@ -53,12 +53,13 @@ class ConjugateGradients {
       if (!(curvature > 0)) return false;
       const double alpha = rz / curvature;
       each_block([&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
+        parts_[begin / block] = sum_over(begin, end, [&](std::size_t i) {
           x[i] += alpha * p_[i];
           r_[i] -= alpha * ap_[i];
-        }
+          return r_[i] * r_[i];
+        });
       });
-      const double residual_squared = dot(r_.data(), r_.data());
+      const double residual_squared = sum_of_parts();
       const bool goes_on = watch(Iteration{x, residual_squared, alpha, rz});
       if (residual_squared <= target) return true;
       if (!goes_on) return false;
@@ -93,23 +94,27 @@ class ConjugateGradients {
                                            std::size_t end) {
     for (std::size_t k = first; k < end; ++k) work(k * block, std::min(n, (k + 1) * block));
   }
-  /// The sum of those of the blocks, in their order.
   double dot(const double* a, const double* b) {
     each_block([&](std::size_t begin, std::size_t end) {
-      parts_[begin / block] = dot_of(a, b, begin, end);
+      parts_[begin / block] = sum_over(begin, end, [&](std::size_t i) { return a[i] * b[i]; });
     });
+    return sum_of_parts();
+  }
+  /// The sum of those of the blocks, in their order.
+  double sum_of_parts() const {
     double sum = 0;
     for (const double part : parts_) sum += part;
     return sum;
   }
   // Sixteen independent sums, since one would be bound by the latency of additions.
-  static double dot_of(const double* a, const double* b, std::size_t begin, std::size_t end) {
+  template <class Term>
+  static double sum_over(std::size_t begin, std::size_t end, Term&& term) {
     constexpr std::size_t lanes = 16;
     double sums[lanes] = {};
     std::size_t i = begin;
     for (; i + lanes <= end; i += lanes)
-      for (std::size_t k = 0; k < lanes; ++k) sums[k] += a[i + k] * b[i + k];
-    for (; i < end; ++i) sums[0] += a[i] * b[i];
+      for (std::size_t k = 0; k < lanes; ++k) sums[k] += term(i + k);
+    for (; i < end; ++i) sums[0] += term(i);
     double sum = 0;
     for (const double part : sums) sum += part;
     return sum;

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "odeum/linear/banded_lu.hpp"
+#include "odeum/linear/narrow_lu.hpp"
 #include "odeum/linear/ordering.hpp"
 #include "odeum/linear/pattern_lu.hpp"
 
@@ -71,6 +74,62 @@ class BandFactors final : public Factors {
   std::vector<std::size_t> places_, diagonal_;
   std::vector<double> x_re_, x_im_;
 };
+
+/// Of at most `width` entries below and above the diagonal; by BandFactors where rows have to be
+/// exchanged.
+template <bool is_complex, std::size_t width>
+class NarrowFactors final : public Factors {
+ public:
+  NarrowFactors(const Sparsity& pattern, const Band& band)
+      : pattern_(pattern), band_(band), lu_(pattern.unknowns()) {
+    const auto place = [&](std::size_t row, std::size_t column) {
+      return lu_.place(static_cast<std::size_t>(band.number[row]),
+                       static_cast<std::size_t>(band.number[column]));
+    };
+    for (std::size_t i = 0; i < pattern.unknowns(); ++i) {
+      diagonal_.push_back(place(i, i));
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        places_.push_back(place(i, static_cast<std::size_t>(pattern.column[k])));
+    }
+  }
+  bool factorise(const std::vector<double>& values, std::complex<double> g) override {
+    lu_.clear();
+    double *const re = lu_.re(), *const im = lu_.im();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      re[places_[k]] = -g.real() * values[k];
+      if constexpr (is_complex) im[places_[k]] = -g.imag() * values[k];
+    }
+    for (const std::size_t at : diagonal_) re[at] += 1;
+    exchanged_ = !lu_.factorise();
+    if (!exchanged_) return true;
+    if (!with_exchanges_) with_exchanges_.emplace(pattern_, band_);
+    return with_exchanges_->factorise(values, g);
+  }
+  void solve(double* re, double* im) override {
+    if (exchanged_) return with_exchanges_->solve(re, im);
+    lu_.solve(re, im, band_.order.data());
+  }
+
+ private:
+  const Sparsity& pattern_;
+  const Band& band_;
+  NarrowLu<is_complex, width> lu_;
+  std::vector<std::size_t> places_, diagonal_;
+  bool exchanged_ = false;
+  std::optional<BandFactors<is_complex>> with_exchanges_;
+};
+
+/// Of the least width that holds the band.
+template <bool is_complex>
+std::unique_ptr<Factors> band_factors(const Sparsity& pattern, const Band& band) {
+  const std::size_t width = std::max(band.lower, band.upper);
+  if (width <= 3 && pattern.unknowns() >= 12) {
+    if (width <= 1) return std::make_unique<NarrowFactors<is_complex, 1>>(pattern, band);
+    if (width == 2) return std::make_unique<NarrowFactors<is_complex, 2>>(pattern, band);
+    return std::make_unique<NarrowFactors<is_complex, 3>>(pattern, band);
+  }
+  return std::make_unique<BandFactors<is_complex>>(pattern, band);
+}
 
 template <class Scalar>
 class SparseFactors final : public Factors {

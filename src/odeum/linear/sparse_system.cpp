@@ -98,9 +98,9 @@ struct SparseSystem::Parts {
     else if (few)
       of = std::make_unique<linear::FewFactors<double>>(pattern, few);
     else if (is_band && is_complex)
-      of = std::make_unique<linear::BandFactors<true>>(pattern, band);
+      of = linear::band_factors<true>(pattern, band);
     else if (is_band)
-      of = std::make_unique<linear::BandFactors<false>>(pattern, band);
+      of = linear::band_factors<false>(pattern, band);
     else if (is_complex)
       of = std::make_unique<linear::SparseFactors<std::complex<double>>>(pattern);
     else
