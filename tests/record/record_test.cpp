@@ -32,13 +32,9 @@ struct AnyRow {
   std::vector<float> kept = {};
 
   static constexpr const char* file = "any.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("number", row.number), visit("count", row.count), visit("offset", row.offset);
-    visit("flag", row.flag), visit("chosen", PhraseColumn{row.chosen, "no", "yes"});
-    visit("z", row.z), visit("colour", row.colour), visit("order", row.order);
-    visit("kept", StoredOnly{row.kept}), visit("twice", ComputedColumn{2 * row.number});
-  }
+  ODEUM_COLUMNS(case_id, library, solver, number, count, offset, flag,
+                column("chosen", PhraseColumn{chosen, "no", "yes"}), z, colour, order,
+                column("kept", StoredOnly{kept}), column("twice", ComputedColumn{2 * number}))
 };
 
 struct OtherRow {
@@ -47,10 +43,7 @@ struct OtherRow {
   static constexpr const char* file = "other.csv";
   static constexpr bool keeps_earlier = true;
   static constexpr bool compared_within_case = true;
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("value", row.value);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, value)
 };
 
 struct AnyResult {
@@ -87,7 +80,7 @@ TEST(Rows, AFileHasTheColumnsOfItsRowsAndReadsBackToTheSame) {
   EXPECT_EQ(read_back.any[1].order, std::nullopt);
   EXPECT_TRUE(read_back.any[0].kept.empty()) << "no column";
   write(read_back, again);
-  for (const std::string& file : files_of<AnyResult>())
+  for (const auto& [file, columns] : files_of<AnyResult>())
     EXPECT_EQ(text_of(folder.path() / file), text_of(again.path() / file)) << file;
 }
 
@@ -206,9 +199,7 @@ struct ShownRow {
   std::string status, detail;
   static constexpr const char* file = "shown.csv";
   static constexpr const char* shown = "status";
-  static void each(auto& row, auto&& visit) {
-    visit("status", row.status), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(status, detail)
 };
 struct ShownResult {
   std::vector<ShownRow> first, second;

@@ -41,7 +41,7 @@ TEST(Studies, ReadTheirFilesBackToTheSameBytes) {
     study->add_earlier(folder.path());
     EXPECT_EQ(study->problem(), "") << study->declaration().name;
     study->write(again, 1);
-    for (const std::string& file : study->files()) {
+    for (const auto& [file, columns] : study->files()) {
       // Growth of stability has files of its own, and a study that was not asked may have none.
       if (file == "stability_regions.csv" || !std::filesystem::exists(folder.path() / file))
         continue;
@@ -85,7 +85,7 @@ TEST(Studies, ResultsThatWereKeptMakeTheSameFiles) {
         study->measure(options, Runner(1, {.store = store, .dependencies = "same"}));
         study->write(folder, 1);
         std::string texts;
-        for (const std::string& file : study->files()) texts += text_of(folder.path() / file);
+        for (const auto& [file, columns] : study->files()) texts += text_of(folder.path() / file);
         return texts;
       }
       return std::string();

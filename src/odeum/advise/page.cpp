@@ -20,16 +20,9 @@ struct RaceRow {
   Counters counters;
 
   static constexpr const char* file = "race.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
-    visit("setting_kind", row.setting_kind), visit("setting", row.setting);
-    visit("error", row.error), visit("guarded_ns", row.ns);
-    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
-    visit("repetitions", row.repetitions);
-    visit("rhs_evaluations", row.counters.rhs_evaluations);
-    visit("jacobian_evaluations", row.counters.jacobian_evaluations);
-    visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
-  }
+  ODEUM_COLUMNS(library, solver, status, setting_kind, setting, error, column("guarded_ns", ns),
+                wall_ns_min, wall_ns_median, repetitions, counters.rhs_evaluations,
+                counters.jacobian_evaluations, counters.steps, counters.rejected_steps)
 };
 
 /// Those of what was timed first, the fastest at the head.

@@ -27,19 +27,11 @@ struct RunRow {
   std::string truth;
 
   static constexpr const char* file = "runs";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("mode", row.mode), visit("step", row.step), visit("tolerance", row.tolerance);
-    visit("end", row.end), visit("status", row.status), visit("detail", row.detail);
-    visit("reached", row.reached), visit("steps", row.counters.steps);
-    visit("rejected", row.counters.rejected_steps);
-    visit("evaluations", row.counters.rhs_evaluations);
-    visit("jacobians", row.counters.jacobian_evaluations);
-    visit("error_time", row.error_time), visit("error_max", row.error_max);
-    visit("error_rms", row.error_rms), visit("floor", row.floor);
-    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
-    visit("answer_reason", row.judged.reason), visit("truth", row.truth);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, mode, step, tolerance, end, status, detail, reached,
+                counters.steps, column("rejected", counters.rejected_steps),
+                column("evaluations", counters.rhs_evaluations),
+                column("jacobians", counters.jacobian_evaluations), error_time, error_max,
+                error_rms, floor, judged, truth)
 };
 struct RunRows {
   std::vector<RunRow> rows;

@@ -76,11 +76,9 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
   show(study, options, folder, common.jobs_or_cores());
   print(common.format == "json" ? study.json() : study.table());
   if (part().role == Role::alone) remark_on(store.get());
-  std::vector<std::string> files = study.files();
-  // Without rows a file is not written.
-  std::erase_if(files, [&](const std::string& file) {
-    return !std::filesystem::exists(folder.path() / file);
-  });
+  std::vector<std::string> files;
+  for (const auto& [file, columns] : study.files())  // without rows a file is not written
+    if (std::filesystem::exists(folder.path() / file)) files.push_back(file);
   if (files.empty())
     remark("no file is in {}: there are no rows", folder.path().string());
   else

@@ -6,6 +6,7 @@
 
 #include "odeum/judge/amplification.hpp"
 #include "odeum/judge/errors.hpp"
+#include "odeum/record/row.hpp"
 
 namespace odeum::judge {
 
@@ -27,6 +28,8 @@ struct JudgedAnswer {
   /// it; NaN where there is none.
   double explained = std::numeric_limits<double>::quiet_NaN();
   std::string reason;  ///< a sentence where the answer is wrong, undetermined or useless
+
+  ODEUM_COLUMNS(answer, column("explained_error", explained), column("answer_reason", reason))
 };
 
 /// What a run of that tolerance and number of steps may miss the truth by: a controller holds the

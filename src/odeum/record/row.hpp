@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,16 +18,24 @@
 ///
 ///   struct OrderRow {
 ///     std::string case_id;
-///     double order = 0;
+///     judge::OrderFit fit;
 ///     static constexpr const char* file = "orders.csv";
-///     static void each(auto& row, auto&& visit) {
-///       visit("case", row.case_id), visit("order", row.order);
-///     }
+///     ODEUM_COLUMNS(case_id, fit.points, column("measured_order", fit.order))
 ///   };
 ///
-/// A member that is visited is text, a number, a count, a complex number (two columns, _re and
-/// _im), an enumeration that has a to_string, a number that may be missing (std::optional, nan), or
-/// one of the wrappers below.
+/// A column has the name of its member without what stands before a dot and without an _id at its
+/// end, or the one that `column` gives it. A member is text, a number, a count, a complex number
+/// (two columns, _re and _im), an enumeration that has a to_string, a number that may be missing
+/// (std::optional, nan), one of the wrappers below, or a struct that has columns, which stand in
+/// its place.
+#define ODEUM_COLUMNS(...) ODEUM_EACH_COLUMN(, __VA_ARGS__) ODEUM_EACH_COLUMN(const, __VA_ARGS__)
+#define ODEUM_EACH_COLUMN(qualifier, ...)                                                 \
+  void each(auto&& visit) qualifier {                                                     \
+    using namespace ::odeum::record;                                                      \
+    static constexpr ::odeum::record::detail::ColumnNames names_of_columns{#__VA_ARGS__}; \
+    ::odeum::record::detail::visit_columns(visit, names_of_columns, __VA_ARGS__);         \
+  }
+
 namespace odeum::record {
 
 /// A value that follows from other members: written, never read back.
@@ -45,6 +54,17 @@ struct PhraseColumn {
 };
 template <class T>
 PhraseColumn(T&, const char*, const char*) -> PhraseColumn<T>;
+
+/// A value in a column of another name.
+template <class T>
+struct NamedColumn {
+  const char* name;
+  T&& value;
+};
+template <class T>
+NamedColumn<T> column(const char* name, T&& value) {
+  return {name, std::forward<T>(value)};
+}
 
 /// Numbers that are in the store, without a column in the file.
 template <class T>
@@ -82,6 +102,49 @@ double number_of(std::string_view text);
 std::int64_t integer_of(std::string_view text);
 
 namespace detail {
+
+/// The names of columns from the list in a row's declaration; empty where `column` gives the name.
+template <std::size_t size>
+struct ColumnNames {
+  char text[size] = {};
+  std::size_t begins[size / 2 + 1] = {};
+
+  consteval explicit ColumnNames(const char (&list)[size]) {
+    std::size_t length = 0, item = 0;
+    int depth = 0;
+    bool quoted = false;
+    for (const char c : list) {
+      quoted = quoted != (c == '"');
+      depth += quoted ? 0 : (c == '(' || c == '{') - (c == ')' || c == '}');
+      if (quoted || depth > 0) continue;
+      if (c == '.') length = begins[item];
+      if (c == ',' || c == '\0') {
+        const std::string_view name(text + begins[item], length - begins[item]);
+        if (name.ends_with("_id")) length -= 3;
+        text[length++] = '\0';
+        begins[++item] = length;
+      } else if (c != '.' && c != ' ') {
+        text[length++] = c;
+      }
+    }
+  }
+  const char* operator[](std::size_t item) const { return text + begins[item]; }
+};
+
+void visit_column(auto& visit, const char* name, auto& value) {
+  if constexpr (requires { value.each(visit); })
+    value.each(visit);
+  else
+    visit(name, value);
+}
+template <class T>
+void visit_column(auto& visit, const char*, NamedColumn<T>& named) {
+  visit(named.name, named.value);
+}
+void visit_columns(auto& visit, const auto& names, auto&&... values) {
+  std::size_t item = 0;
+  (visit_column(visit, names[item++], values), ...);
+}
 
 struct Lister {
   Fields& fields;
@@ -186,7 +249,7 @@ struct Reader {
 template <class Row>
 Fields fields_of(const Row& row, bool unlisted = false) {
   Fields fields;
-  Row::each(row, detail::Lister{fields, unlisted});
+  row.each(detail::Lister{fields, unlisted});
   return fields;
 }
 template <class Row>
@@ -201,7 +264,7 @@ std::vector<Fields> fields_of(const std::vector<Row>& rows) {
 template <class Row>
 Row row_of(FieldSource& source) {
   Row row;
-  Row::each(row, detail::Reader{source});
+  row.each(detail::Reader{source});
   return row;
 }
 

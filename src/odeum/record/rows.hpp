@@ -136,12 +136,15 @@ Result read(const std::filesystem::path& folder, std::string& problem) {
   return result;
 }
 
-/// The names of the files.
+/// The files by name, each with the fields of a blank row.
+using Files = std::vector<std::pair<std::string, Fields>>;
 template <class Result>
-std::vector<std::string> files_of() {
-  std::vector<std::string> files;
+Files files_of() {
+  Files files;
   const Result result;
-  for_each_list(result, [&]<class Row>(const std::vector<Row>&) { files.emplace_back(Row::file); });
+  for_each_list(result, [&]<class Row>(const std::vector<Row>&) {
+    files.emplace_back(Row::file, fields_of(Row()));
+  });
   return files;
 }
 

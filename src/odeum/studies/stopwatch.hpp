@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/core/numbers.hpp"
+#include "odeum/record/row.hpp"
 
 /// Measurement of times.
 namespace odeum::study {
@@ -40,6 +41,8 @@ struct Conditions {
   double drift = nan;
   double processor_share = nan;
   std::string measured;  ///< when, UTC
+
+  ODEUM_COLUMNS(drift, processor_share, measured)
 };
 
 /// Beyond this drift of the machine's speed, or this loss of the processor to others, times are

@@ -74,7 +74,7 @@ class Study {
   virtual void add_earlier(const std::filesystem::path& folder) = 0;
   virtual void write(const record::OutputFolder& folder, unsigned jobs) const = 0;
   /// The files that write() writes.
-  virtual std::vector<std::string> files() const = 0;
+  virtual record::Files files() const = 0;
   /// The result for a terminal.
   virtual std::string table() const = 0;
   /// The same for a program, see record::json_of.
@@ -133,7 +133,7 @@ class StudyOf final : public Study {
     record::write(result_, folder);
     if (functions_.write_more) functions_.write_more(result_, folder, jobs);
   }
-  std::vector<std::string> files() const override { return record::files_of<Result>(); }
+  record::Files files() const override { return record::files_of<Result>(); }
   std::string table() const override {
     return functions_.table ? functions_.table(result_) : record::tables_of(result_);
   }

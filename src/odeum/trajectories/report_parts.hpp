@@ -19,12 +19,8 @@ struct ReplayRow {
   std::string remark, replay;
 
   static constexpr const char* file = "replays.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail), visit("setting", row.setting);
-    visit("steps", row.steps), visit("rhs_evaluations", row.rhs_evaluations);
-    visit("error", row.error), visit("remark", row.remark), visit("replay", row.replay);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, setting, steps, rhs_evaluations, error,
+                remark, replay)
 };
 
 /// The replays of a case with a scene, in replay/, and their rows.

@@ -26,15 +26,9 @@ struct RunRow {
   std::string replay = {};  ///< the address of its page; empty: it has none
 
   static constexpr const char* file = "runs.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
-    visit("detail", row.detail), visit("setting_kind", row.setting_kind);
-    visit("setting", row.setting), visit("steps", row.counters.steps);
-    visit("rejected_steps", row.counters.rejected_steps);
-    visit("rhs_evaluations", row.counters.rhs_evaluations);
-    visit("jacobian_evaluations", row.counters.jacobian_evaluations), visit("result", row.result);
-    visit("replay", row.replay);
-  }
+  ODEUM_COLUMNS(library, solver, status, detail, setting_kind, setting, counters.steps,
+                counters.rejected_steps, counters.rhs_evaluations, counters.jacobian_evaluations,
+                result, replay)
 };
 
 RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status status,

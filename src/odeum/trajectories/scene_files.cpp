@@ -16,27 +16,20 @@ struct ParticleRow {
   std::size_t id = 0;
   double y[6] = {};  ///< position, m; velocity, m/s
 
-  static void each(auto& row, auto&& visit) {
-    visit("particle", row.id);
-    constexpr const char* names[] = {"x", "y", "z", "vx", "vy", "vz"};
-    for (std::size_t d = 0; d < 6; ++d) visit(names[d], row.y[d]);
-  }
+  ODEUM_COLUMNS(column("particle", id), column("x", y[0]), column("y", y[1]), column("z", y[2]),
+                column("vx", y[3]), column("vy", y[4]), column("vz", y[5]))
 };
 struct TimedParticleRow {
   double t = 0;
   ParticleRow particle;
-  static void each(auto& row, auto&& visit) {
-    visit("time", row.t), ParticleRow::each(row.particle, visit);
-  }
+  ODEUM_COLUMNS(column("time", t), particle)
 };
 struct EnergyRow {
   double t = 0, kinetic = 0, potential = 0;
   scene::Vec3 momentum = {};
-  static void each(auto& row, auto&& visit) {
-    visit("time", row.t), visit("kinetic", row.kinetic), visit("potential", row.potential);
-    visit("total", row.kinetic + row.potential), visit("momentum_x", row.momentum[0]);
-    visit("momentum_y", row.momentum[1]), visit("momentum_z", row.momentum[2]);
-  }
+  ODEUM_COLUMNS(column("time", t), kinetic, potential, column("total", kinetic + potential),
+                column("momentum_x", momentum[0]), column("momentum_y", momentum[1]),
+                column("momentum_z", momentum[2]))
 };
 
 ParticleRow particle_of(const scene::Frame& frame, std::size_t i) {

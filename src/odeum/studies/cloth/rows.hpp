@@ -26,14 +26,8 @@ struct ErrorPartsRow {
   static constexpr const char* file = "material_error.csv";
   static constexpr const char* shown =
       "solver step:.3g sweeps newton total:.2g iteration:.2g time_step:.2g model:.2g status";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("status", row.status);
-    visit("time", row.time), visit("step", row.step), visit("sweeps", row.sweeps);
-    visit("newton", row.newton), visit("total", row.total), visit("iteration", row.iteration);
-    visit("time_step", row.time_step), visit("model", row.model);
-    visit("iteration_left", row.iteration_left), visit("step_left", row.step_left);
-    visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(library, solver, status, time, step, sweeps, newton, total, iteration, time_step,
+                model, iteration_left, step_left, detail)
 };
 
 /// A quantity of a cloth in a long run at one time: a line of cloth_long.csv.
@@ -53,13 +47,8 @@ struct LongRunRow {
 
   static constexpr const char* file = "cloth_long.csv";
   static constexpr int schema = 2;
-  static void each(auto& row, auto&& visit) {
-    visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("setting_kind", row.setting_kind);
-    visit("setting", row.setting), visit("time", row.time), visit("quantity", row.quantity);
-    visit("value", row.value), visit("reference", row.reference);
-    visit("reference_source", row.reference_source), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(scene, library, solver, status, setting_kind, setting, time, quantity, value,
+                reference, reference_source, detail)
 };
 
 struct ClothResult {

@@ -31,17 +31,9 @@ struct ConvergenceRow {
 
   static constexpr const char* file = "convergence.csv";
   static constexpr int schema = 2;  ///< 2: the answer of a run to a tolerance
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail), visit("step", row.step);
-    visit("steps", row.steps), visit("error_max", row.error_max), visit("error_rms", row.error_rms);
-    visit("energy_error", row.energy_error);
-    visit("rhs_evaluations", row.counters.rhs_evaluations);
-    visit("jacobian_evaluations", row.counters.jacobian_evaluations), visit("mode", row.mode);
-    visit("tolerance", row.tolerance), visit("rejected_steps", row.counters.rejected_steps);
-    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
-    visit("answer_reason", row.judged.reason);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, step, steps, error_max, error_rms,
+                energy_error, counters.rhs_evaluations, counters.jacobian_evaluations, mode,
+                tolerance, counters.rejected_steps, judged)
 };
 
 /// The error of one solve at one stop: a line of convergence_times.csv.gz.
@@ -53,12 +45,8 @@ struct TimeRow {
   double energy = 0, energy_error = 0;
 
   static constexpr const char* file = "convergence_times.csv.gz";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("mode", row.mode), visit("step", row.step), visit("time", row.time);
-    visit("error_max", row.error_max), visit("error_rms", row.error_rms);
-    visit("energy", row.energy), visit("energy_error", row.energy_error);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, mode, step, time, error_max, error_rms, energy,
+                energy_error)
 };
 
 /// Of a run with errors at its stops. Errors have six digits and energies nine: all of the rest is
@@ -76,16 +64,10 @@ struct OrderRow {
   static constexpr const char* shown =
       "case solver mode claimed_order:.3g measured_order:.3f verdict";
   static constexpr int schema = 2;  ///< 2: why there is no order
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
-    visit("order_low", row.fit.low), visit("order_high", row.fit.high);
-    visit("points", row.fit.points), visit("step_coarsest", row.fit.step_coarsest);
-    visit("step_finest", row.fit.step_finest), visit("floor", row.fit.floor);
-    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason), visit("mode", row.mode);
-    visit("floor_step", row.fit.floor_step), visit("floor_scale", row.fit.floor_scale);
-    visit("no_order", row.fit.why);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, claimed_order, column("measured_order", fit.order),
+                column("order_low", fit.low), column("order_high", fit.high), fit.points,
+                fit.step_coarsest, fit.step_finest, fit.floor, fit.verdict, fit.reason, mode,
+                fit.floor_step, fit.floor_scale, column("no_order", fit.why))
 };
 
 /// Why a pair has no order, in words, and what would give it one.

@@ -22,13 +22,7 @@ struct ClothCostRow {
   static constexpr const char* file = "cloth_cost.csv";
   static constexpr const char* shown = "side precision wall_ns_min:.1f wall_ns_median:.1f";
   static constexpr bool keeps_earlier = true;
-  static void each(auto& row, auto&& visit) {
-    visit("side", row.side), visit("precision", row.precision);
-    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
-    visit("repetitions", row.repetitions), visit("drift", row.conditions.drift);
-    visit("processor_share", row.conditions.processor_share);
-    visit("measured", row.conditions.measured);
-  }
+  ODEUM_COLUMNS(side, precision, wall_ns_min, wall_ns_median, repetitions, conditions)
 };
 
 /// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
@@ -50,14 +44,8 @@ struct ImplicitWinsRow {
       "stiffness frame:.3g engine step:.3g wall_ns_min:.3g rk4_distance:.2g status";
   static constexpr int schema = 2;
   static constexpr bool keeps_earlier = true;
-  static void each(auto& row, auto&& visit) {
-    visit("stiffness", row.stiffness), visit("frame", row.frame), visit("engine", row.engine);
-    visit("status", row.status), visit("step", row.step), visit("wall_ns_min", row.wall_ns_min);
-    visit("wall_ns_median", row.wall_ns_median), visit("repetitions", row.repetitions);
-    visit("rk4_distance", row.rk4_distance), visit("rk4_left", row.rk4_left);
-    visit("drift", row.conditions.drift), visit("processor_share", row.conditions.processor_share);
-    visit("measured", row.conditions.measured), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(stiffness, frame, engine, status, step, wall_ns_min, wall_ns_median, repetitions,
+                rk4_distance, rk4_left, conditions, detail)
 };
 
 struct CostResult {

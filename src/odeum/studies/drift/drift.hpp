@@ -25,12 +25,8 @@ struct DriftRow {
   double value = nan;
 
   static constexpr const char* file = "drift.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("step", row.step), visit("time", row.time);
-    visit("invariant", row.invariant), visit("relative_error", row.relative_error);
-    visit("value", row.value), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, step, time, invariant, relative_error, value,
+                detail)
 };
 
 /// The time up to which a solver follows a chaotic solution: a line of horizons.csv.
@@ -45,11 +41,7 @@ struct HorizonRow {
 
   static constexpr const char* file = "horizons.csv";
   static constexpr const char* shown = "case solver mode setting:.2g horizon:.2f status";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail), visit("mode", row.mode);
-    visit("setting", row.setting), visit("horizon", row.horizon);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, mode, setting, horizon)
 };
 
 /// Steps of a run; of systems of more unknowns than `drift_most_unknowns`, fewer.

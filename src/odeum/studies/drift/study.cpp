@@ -15,10 +15,7 @@ struct DriftSummary {
   DriftRow last;
   double worst = nan, latest = nan;
 
-  static void each(auto& row, auto&& visit) {
-    DriftRow::each(row.last, visit);
-    visit("worst", row.worst), visit("latest", row.latest);
-  }
+  ODEUM_COLUMNS(last, worst, latest)
   bool continues_with(const DriftRow& row) const {
     return row.case_id == last.case_id && row.library == last.library &&
            row.solver == last.solver && row.invariant == last.invariant;

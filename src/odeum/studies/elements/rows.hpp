@@ -21,13 +21,9 @@ struct ElementsRow {
   std::size_t iterations = 0;  ///< of conjugate gradients with a V-cycle, residual 1e-11
 
   static constexpr const char* file = "elements.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("rule", row.rule), visit("status", row.status);
-    visit("detail", row.detail), visit("divisions", row.divisions);
-    visit("triangles", row.triangles), visit("unknowns", row.unknowns), visit("h", row.h);
-    visit("error_l2", row.l2), visit("error_h1", row.h1), visit("error_max", row.maximum);
-    visit("error_centre", row.centre), visit("iterations", row.iterations);
-  }
+  ODEUM_COLUMNS(problem, rule, status, detail, divisions, triangles, unknowns, h,
+                column("error_l2", l2), column("error_h1", h1), column("error_max", maximum),
+                column("error_centre", centre), iterations)
 };
 
 /// The order in h of one error of one problem.
@@ -41,15 +37,10 @@ struct ElementsOrderRow {
   static constexpr const char* file = "elements_orders.csv";
   static constexpr const char* shown =
       "problem rule norm claimed_order:.2f measured_order:.2f error_finest:.2e verdict theory";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("rule", row.rule), visit("norm", row.norm);
-    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
-    visit("order_low", row.fit.low), visit("order_high", row.fit.high);
-    visit("points", row.fit.points), visit("h_coarsest", row.fit.step_coarsest);
-    visit("h_finest", row.fit.step_finest), visit("floor", row.fit.floor);
-    visit("error_finest", row.finest), visit("verdict", row.fit.verdict);
-    visit("reason", row.fit.reason), visit("theory", row.theory);
-  }
+  ODEUM_COLUMNS(problem, rule, norm, claimed_order, column("measured_order", fit.order),
+                column("order_low", fit.low), column("order_high", fit.high), fit.points,
+                column("h_coarsest", fit.step_coarsest), column("h_finest", fit.step_finest),
+                fit.floor, column("error_finest", finest), fit.verdict, fit.reason, theory)
 };
 
 /// One triangle of a coarse mesh with the solution at its nodes, for a picture.
@@ -60,13 +51,10 @@ struct ElementsFieldRow {
   double u[3] = {}, error[3] = {};  ///< the solution there, and what it has too much
 
   static constexpr const char* file = "elements_fields.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("divisions", row.divisions);
-    visit("x1", row.x[0]), visit("y1", row.y[0]), visit("x2", row.x[1]), visit("y2", row.y[1]);
-    visit("x3", row.x[2]), visit("y3", row.y[2]);
-    visit("u1", row.u[0]), visit("u2", row.u[1]), visit("u3", row.u[2]);
-    visit("error1", row.error[0]), visit("error2", row.error[1]), visit("error3", row.error[2]);
-  }
+  ODEUM_COLUMNS(problem, divisions, column("x1", x[0]), column("y1", y[0]), column("x2", x[1]),
+                column("y2", y[1]), column("x3", x[2]), column("y3", y[2]), column("u1", u[0]),
+                column("u2", u[1]), column("u3", u[2]), column("error1", error[0]),
+                column("error2", error[1]), column("error3", error[2]))
 };
 
 /// One linear solver on the system of one mesh, right-hand side of a random solution, until the
@@ -88,14 +76,8 @@ struct ElementsSolverRow {
   static constexpr const char* shown =
       "problem divisions solver iterations iterations_bound:.0f condition spectral_radius:.4f "
       "rate:.4f rate_bound:.4f status";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
-    visit("detail", row.detail), visit("divisions", row.divisions);
-    visit("unknowns", row.unknowns), visit("iterations", row.iterations);
-    visit("condition", row.condition), visit("spectral_radius", row.spectral_radius);
-    visit("rate", row.rate), visit("rate_bound", row.bound);
-    visit("iterations_bound", row.iterations_bound), visit("residual", row.residual);
-  }
+  ODEUM_COLUMNS(problem, solver, status, detail, divisions, unknowns, iterations, condition,
+                spectral_radius, rate, column("rate_bound", bound), iterations_bound, residual)
 };
 
 /// A solver that stops at one residual: what is left of the error, and what the mesh leaves anyway.
@@ -112,12 +94,9 @@ struct ElementsStoppingRow {
   static constexpr const char* shown =
       "solver divisions tolerance:.0e iterations error_algebraic:.2e error_discretisation:.2e "
       "error_total:.2e";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver), visit("divisions", row.divisions);
-    visit("unknowns", row.unknowns), visit("tolerance", row.tolerance);
-    visit("iterations", row.iterations), visit("error_algebraic", row.algebraic);
-    visit("error_discretisation", row.discretisation), visit("error_total", row.total);
-  }
+  ODEUM_COLUMNS(problem, solver, divisions, unknowns, tolerance, iterations,
+                column("error_algebraic", algebraic),
+                column("error_discretisation", discretisation), column("error_total", total))
 };
 
 /// The time of one linear solver on the system of the finest mesh, to a residual of 1e-8.
@@ -133,14 +112,8 @@ struct ElementsTimeRow {
   static constexpr const char* shown =
       "solver unknowns iterations setup_ns_min:.3g solve_ns_min:.3g solve_ns_median:.3g "
       "residual:.1e status";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
-    visit("detail", row.detail), visit("divisions", row.divisions);
-    visit("unknowns", row.unknowns), visit("iterations", row.iterations);
-    visit("repetitions", row.repetitions), visit("setup_ns_min", row.setup_ns);
-    visit("solve_ns_min", row.solve_ns_min), visit("solve_ns_median", row.solve_ns_median);
-    visit("residual", row.residual);
-  }
+  ODEUM_COLUMNS(problem, solver, status, detail, divisions, unknowns, iterations, repetitions,
+                column("setup_ns_min", setup_ns), solve_ns_min, solve_ns_median, residual)
 };
 
 struct ElementsResult {

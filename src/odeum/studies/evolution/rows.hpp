@@ -24,13 +24,8 @@ struct EvolutionRow {
   double work = nan;  ///< multiplications of products, factorisations and solutions with factors
 
   static constexpr const char* file = "evolution.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
-    visit("detail", row.detail), visit("divisions", row.divisions);
-    visit("unknowns", row.unknowns), visit("steps", row.steps), visit("dt", row.dt);
-    visit("error", row.error), visit("error_space", row.error_space);
-    visit("error_time", row.error_time), visit("work", row.work);
-  }
+  ODEUM_COLUMNS(problem, solver, status, detail, divisions, unknowns, steps, dt, error, error_space,
+                error_time, work)
 };
 
 /// The order of a solver's error in the step on one mesh, or in the mesh size at steps whose own
@@ -43,14 +38,10 @@ struct EvolutionOrderRow {
   static constexpr const char* file = "evolution_orders.csv";
   static constexpr const char* shown =
       "problem solver direction claimed_order:.0f measured_order:.2f verdict";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver);
-    visit("direction", row.direction), visit("claimed_order", row.claimed_order);
-    visit("measured_order", row.fit.order), visit("order_low", row.fit.low);
-    visit("order_high", row.fit.high), visit("points", row.fit.points);
-    visit("coarsest", row.fit.step_coarsest), visit("finest", row.fit.step_finest);
-    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason);
-  }
+  ODEUM_COLUMNS(problem, solver, direction, claimed_order, column("measured_order", fit.order),
+                column("order_low", fit.low), column("order_high", fit.high), fit.points,
+                column("coarsest", fit.step_coarsest), column("finest", fit.step_finest),
+                fit.verdict, fit.reason)
 };
 
 /// The pair of mesh and step with the least work of a solver for an error.
@@ -64,11 +55,7 @@ struct EvolutionCheapestRow {
   static constexpr const char* file = "evolution_cheapest.csv";
   static constexpr const char* shown =
       "problem target:.0e solver divisions steps h:.3g dt:.3g error:.1e work:.2g status";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("solver", row.solver), visit("status", row.status);
-    visit("target", row.target), visit("divisions", row.divisions), visit("steps", row.steps);
-    visit("h", row.h), visit("dt", row.dt), visit("error", row.error), visit("work", row.work);
-  }
+  ODEUM_COLUMNS(problem, solver, status, target, divisions, steps, h, dt, error, work)
 };
 
 /// What a solver makes of one mode, measured and predicted. Heat: `factor`, what 8 steps leave of
@@ -82,11 +69,8 @@ struct EvolutionModeRow {
   static constexpr const char* file = "evolution_modes.csv";
   static constexpr const char* shown =
       "problem mass solver quantity waves step:.3g observed predicted";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
-    visit("quantity", row.quantity), visit("waves", row.waves), visit("step", row.step);
-    visit("observed", row.measured), visit("predicted", row.predicted);
-  }
+  ODEUM_COLUMNS(problem, mass, solver, quantity, waves, step, column("observed", measured),
+                predicted)
 };
 
 /// The largest stable step of an explicit solver: 2 over the largest eigenvalue (heat, explicit
@@ -97,10 +81,7 @@ struct EvolutionLimitRow {
 
   static constexpr const char* file = "evolution_limits.csv";
   static constexpr const char* shown = "problem mass solver predicted:.5g observed:.5g";
-  static void each(auto& row, auto&& visit) {
-    visit("problem", row.problem), visit("mass", row.mass), visit("solver", row.solver);
-    visit("predicted", row.predicted), visit("observed", row.measured);
-  }
+  ODEUM_COLUMNS(problem, mass, solver, predicted, column("observed", measured))
 };
 
 /// Steps after which the fastest mode of a jump is measured, and divisions of the mesh of waves.

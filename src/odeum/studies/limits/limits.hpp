@@ -26,13 +26,8 @@ struct LargestStep {
   static constexpr const char* file = "largest_steps.csv";
   static constexpr const char* shown =
       "case solver largest_stable_step predicted_step eigenvalue status";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail);
-    visit("largest_stable_step", row.largest_stable_step);
-    visit("predicted_step", row.predicted_step), visit("eigenvalue", row.eigenvalue);
-    visit("window", row.window);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, largest_stable_step, predicted_step,
+                eigenvalue, window)
 };
 
 struct LimitsResult {

@@ -29,14 +29,8 @@ struct MaterialRow {
       "scene solver step:.3g sweeps newton static_stiffness_ratio:.3g dynamic_stiffness_ratio:.3g "
       "damping:.3g added_damping_ratio:.2g status";
   static constexpr int schema = 2;  ///< 2: the names of both stiffness ratios
-  static void each(auto& row, auto&& visit) {
-    visit("scene", row.scene), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("step", row.step), visit("sweeps", row.sweeps);
-    visit("newton", row.newton), visit("phase", row.phase);
-    visit("static_stiffness_ratio", row.static_stiffness_ratio);
-    visit("dynamic_stiffness_ratio", row.dynamic_stiffness_ratio), visit("damping", row.damping);
-    visit("added_damping_ratio", row.added_damping_ratio), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(scene, library, solver, status, step, sweeps, newton, phase, static_stiffness_ratio,
+                dynamic_stiffness_ratio, damping, added_damping_ratio, detail)
 };
 
 struct MaterialResult {

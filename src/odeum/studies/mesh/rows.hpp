@@ -30,13 +30,8 @@ struct MeshRow {
   static constexpr const char* shown =
       "springs scaling particles stiffness extension:.4f period:.4f sag:.4f drape:.4f factor:.3f "
       "status";
-  static void each(auto& row, auto&& visit) {
-    visit("springs", row.springs), visit("scaling", row.scaling), visit("status", row.status);
-    visit("detail", row.detail), visit("particles", row.particles);
-    visit("stiffness", row.stiffness), visit("extension", row.extension);
-    visit("period", row.period), visit("sag", row.sag), visit("drape", row.drape);
-    visit("factor", row.factor);
-  }
+  ODEUM_COLUMNS(springs, scaling, status, detail, particles, stiffness, extension, period, sag,
+                drape, factor)
 };
 
 inline constexpr double sheet_edge = 1, sheet_mass = 1;  ///< m, kg

@@ -51,26 +51,13 @@ struct PrecisionRow {
   /// 6: library_compiled; 7: processor
   static constexpr int schema = 7;
   static constexpr bool compared_within_case = true;
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail);
-    visit("setting_kind", record::PhraseColumn{row.mode, "step", "tol"}),
-        visit("setting", row.setting);
-    visit("absolute_tolerance", row.absolute), visit("options", row.options);
-    visit("jacobian", row.jacobian);
-    visit("error", row.error), visit("near_error", row.near_error);
-    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
-    visit("repetitions", row.repetitions);
-    visit("rhs_evaluations", row.counters.rhs_evaluations);
-    visit("jacobian_evaluations", row.counters.jacobian_evaluations);
-    visit("steps", row.counters.steps), visit("rejected_steps", row.counters.rejected_steps);
-    visit("right_hand_side", row.right_hand_side);
-    visit("library_compiled", row.library_compiled);
-    visit("pareto", row.pareto), visit("drift", row.drift);
-    visit("processor_share", row.processor_share), visit("measured", row.measured);
-    visit("answer", row.judged.answer), visit("explained_error", row.judged.explained);
-    visit("answer_reason", row.judged.reason), visit("processor", row.processor);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail,
+                column("setting_kind", PhraseColumn{mode, "step", "tol"}), setting,
+                column("absolute_tolerance", absolute), options, jacobian, error, near_error,
+                wall_ns_min, wall_ns_median, repetitions, counters.rhs_evaluations,
+                counters.jacobian_evaluations, counters.steps, counters.rejected_steps,
+                right_hand_side, library_compiled, pareto, drift, processor_share, measured, judged,
+                processor)
 };
 
 /// The error reached at a tolerance: a line of tolerances.csv.
@@ -82,12 +69,8 @@ struct ToleranceRow {
   static constexpr const char* file = "tolerances.csv";
   static constexpr int schema = 2;  ///< 2: the answer
   static constexpr bool compared_within_case = true;
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("requested", row.requested), visit("achieved", row.achieved);
-    visit("achieved_over_requested", record::ComputedColumn{row.achieved / row.requested});
-    visit("answer", row.answer);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, requested, achieved,
+                column("achieved_over_requested", ComputedColumn{achieved / requested}), answer)
 };
 
 /// The fastest own solver and the fastest peer at an error on a case: a line of
@@ -104,12 +87,7 @@ struct PrecisionSummary {
 
   static constexpr const char* file = "precision_summary.csv";
   static constexpr bool compared_within_case = true;
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("error", row.error), visit("own", row.own);
-    visit("own_ns", row.own_ns), visit("peer", row.peer), visit("peer_ns", row.peer_ns);
-    visit("ratio", row.ratio), visit("ratio_low", row.ratio_low);
-    visit("ratio_high", row.ratio_high), visit("reason", row.reason);
-  }
+  ODEUM_COLUMNS(case_id, error, own, own_ns, peer, peer_ns, ratio, ratio_low, ratio_high, reason)
 };
 
 /// The fastest solver of one library at an error on a case, a run that was made and timed: a line
@@ -128,15 +106,9 @@ struct FastestRow {
   static constexpr const char* file = "fastest.csv";
   static constexpr int schema = 3;  ///< 2: options; 3: only runs that were made, their errors
   static constexpr bool compared_within_case = true;
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("error", row.error), visit("library", row.library);
-    visit("solver", row.solver),
-        visit("setting_kind", record::PhraseColumn{row.mode, "step", "tol"});
-    visit("setting", row.setting), visit("options", row.options);
-    visit("wall_ns_min", row.wall_ns_min), visit("wall_ns_median", row.wall_ns_median);
-    visit("achieved", row.achieved), visit("near_error", row.near_error);
-    visit("rhs_evaluations", row.rhs_evaluations), visit("steps", row.steps);
-  }
+  ODEUM_COLUMNS(case_id, error, library, solver,
+                column("setting_kind", PhraseColumn{mode, "step", "tol"}), setting, options,
+                wall_ns_min, wall_ns_median, achieved, near_error, rhs_evaluations, steps)
 };
 
 /// A run to a tolerance with many outputs, made in two ways: with steps that end on each, and with
@@ -152,14 +124,8 @@ struct OutputRow {
   double error_ends = nan, error_between = nan;
 
   static constexpr const char* file = "precision_outputs.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail);
-    visit("tolerance", row.tolerance), visit("outputs", row.outputs);
-    visit("steps_ends", row.steps_ends), visit("steps_between", row.steps_between);
-    visit("work_ends", row.work_ends), visit("work_between", row.work_between);
-    visit("error_ends", row.error_ends), visit("error_between", row.error_between);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, tolerance, outputs, steps_ends,
+                steps_between, work_ends, work_between, error_ends, error_between)
 };
 
 struct PrecisionResult {

@@ -23,14 +23,10 @@ struct ProvenOrder {
 
   static constexpr const char* file = "proof_orders.csv";
   static constexpr int schema = 2;  ///< 2: `test_problem`, which was `ground`
-  static void each(auto& row, auto&& visit) {
-    visit("solver", row.method), visit("test_problem", row.test_problem);
-    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
-    visit("order_low", row.fit.low), visit("order_high", row.fit.high);
-    visit("points", row.fit.points), visit("verdict", row.fit.verdict);
-    visit("reason", row.fit.reason);
-    visit("passes_as_next", record::PhraseColumn{row.passes_as_next, "no", "yes"});
-  }
+  ODEUM_COLUMNS(column("solver", method), test_problem, claimed_order,
+                column("measured_order", fit.order), column("order_low", fit.low),
+                column("order_high", fit.high), fit.points, fit.verdict, fit.reason,
+                column("passes_as_next", PhraseColumn{passes_as_next, "no", "yes"}))
 };
 
 /// The error estimate of an embedded pair on a test problem: a line of proof_estimates.csv.
@@ -40,13 +36,10 @@ struct ProvenEstimate {
 
   static constexpr const char* file = "proof_estimates.csv";
   static constexpr int schema = 2;  ///< 2: `test_problem`, which was `ground`
-  static void each(auto& row, auto&& visit) {
-    visit("solver", row.method), visit("test_problem", row.quality.test_problem);
-    visit("expected_exponent", row.quality.expected_exponent);
-    visit("measured_exponent", row.quality.exponent);
-    visit("ratio_to_true_error", row.quality.ratio), visit("margin", row.quality.margin);
-    visit("verdict", record::ComputedColumn{row.quality.good() ? "good" : "bad"});
-  }
+  ODEUM_COLUMNS(column("solver", method), quality.test_problem, quality.expected_exponent,
+                column("measured_exponent", quality.exponent),
+                column("ratio_to_true_error", quality.ratio), quality.margin,
+                column("verdict", ComputedColumn{quality.good() ? "good" : "bad"}))
 };
 
 /// A mutant and its result: a line of mutants.csv.
@@ -54,15 +47,12 @@ struct MutantRow {
   proof::Mutant mutant;
 
   static constexpr const char* file = "mutants.csv";
-  static void each(auto& row, auto&& visit) {
-    auto& m = row.mutant;
-    visit("solver", m.method), visit("kind", m.kind), visit("change", m.change);
-    visit("size", m.size), visit("counts", record::ComputedColumn{counts(m) ? "yes" : "no"});
-    visit("verdict", record::ComputedColumn{m.caught()     ? "caught"
-                                            : m.survived() ? "survived"
-                                                           : "equivalent"});
-    visit("caught_by", m.caught_by), visit("reason", m.equivalent);
-  }
+  ODEUM_COLUMNS(column("solver", mutant.method), mutant.kind, mutant.change, mutant.size,
+                column("counts", ComputedColumn{counts(mutant) ? "yes" : "no"}),
+                column("verdict", ComputedColumn{mutant.caught()     ? "caught"
+                                                 : mutant.survived() ? "survived"
+                                                                     : "equivalent"}),
+                mutant.caught_by, column("reason", mutant.equivalent))
 };
 
 /// The proofs of an own method: a line of proofs.csv. Numbers are NaN, texts empty where a proof
@@ -100,24 +90,15 @@ struct ProofRow {
   static constexpr const char* file = "proofs.csv";
   static constexpr const char* shown =
       "solver claimed_order conditions stability_difference:.0e stability caught survived mutants";
-  static void each(auto& row, auto&& visit) {
-    visit("solver", row.method), visit("family", row.family), visit("claimed_order", row.order);
-    visit("claimed_embedded", row.order_embedded), visit("conditions", row.conditions);
-    visit("conditions_embedded", row.conditions_embedded);
-    visit("failing_tree", row.failing_tree), visit("code_difference", row.code_difference);
-    visit("stability", record::ComputedColumn{row.has_stability_class() ? describe(row.stability)
-                                                                        : std::string()});
-    visit("stability_angle", row.stability.angle);
-    visit("at_infinity", row.stability.at_infinity);
-    visit("stability_difference", row.stability_difference);
-    visit("stability_points", row.stability_points);
-    visit("symplectic_defect", row.symplectic_defect), visit("return_defect", row.return_defect);
-    visit("energy_periods", row.energy_periods), visit("energy_first", row.energy_first);
-    visit("energy_last", row.energy_last), visit("estimates_well", row.estimates_well);
-    visit("mutants", row.mutants), visit("caught", row.caught), visit("equivalent", row.equivalent);
-    visit("survived", record::ComputedColumn{row.survived()});
-    visit("smallest_caught", row.smallest_caught), visit("needs", row.needs);
-  }
+  ODEUM_COLUMNS(column("solver", method), family, column("claimed_order", order),
+                column("claimed_embedded", order_embedded), conditions, conditions_embedded,
+                failing_tree, code_difference,
+                column("stability",
+                       ComputedColumn{has_stability_class() ? describe(stability) : std::string()}),
+                column("stability_angle", stability.angle), stability.at_infinity,
+                stability_difference, stability_points, symplectic_defect, return_defect,
+                energy_periods, energy_first, energy_last, estimates_well, mutants, caught,
+                equivalent, column("survived", ComputedColumn{survived()}), smallest_caught, needs)
 };
 
 struct ProofResult {

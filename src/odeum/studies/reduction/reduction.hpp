@@ -21,13 +21,9 @@ struct ReductionRow {
   static constexpr const char* file = "order_reduction.csv";
   static constexpr const char* shown =
       "solver lambda:.0e claimed_order:.3g measured_order:.3f error_finest:.1e verdict";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("lambda", row.lambda);
-    visit("claimed_order", row.claimed_order), visit("measured_order", row.fit.order);
-    visit("error_finest", row.error_finest), visit("order_low", row.fit.low);
-    visit("order_high", row.fit.high), visit("points", row.fit.points);
-    visit("verdict", row.fit.verdict), visit("reason", row.fit.reason);
-  }
+  ODEUM_COLUMNS(library, solver, lambda, claimed_order, column("measured_order", fit.order),
+                error_finest, column("order_low", fit.low), column("order_high", fit.high),
+                fit.points, fit.verdict, fit.reason)
 };
 
 /// Its interval, and its runs.

@@ -29,11 +29,7 @@ struct StabilityLimit {
 
   static constexpr const char* file = "stability_limits.csv";
   static constexpr const char* shown = "solver axis limit:.7g theory:.7g status";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("axis", row.axis);
-    visit("limit", row.limit), visit("theory", row.theory), visit("difference", row.difference);
-    visit("status", row.status), visit("detail", row.detail);
-  }
+  ODEUM_COLUMNS(library, solver, axis, limit, theory, difference, status, detail)
 };
 
 /// Growth per step measured on a grid of a parameter plane, row by row from the lowest second
@@ -54,14 +50,9 @@ struct StabilityRegion {
   std::string growth_file() const;
 
   static constexpr const char* file = "stability_regions.csv";
-  static void each(auto& row, auto&& visit) {
-    visit("library", row.library), visit("solver", row.solver), visit("plane", row.plane);
-    visit("status", row.status), visit("detail", row.detail), visit("columns", row.columns);
-    visit("rows", row.rows), visit("first_low", row.first_low);
-    visit("first_high", row.first_high), visit("second_low", row.second_low);
-    visit("second_high", row.second_high), visit("growth", record::StoredOnly{row.growth});
-    visit("file", record::ComputedColumn{row.growth_file()});
-  }
+  ODEUM_COLUMNS(library, solver, plane, status, detail, columns, rows, first_low, first_high,
+                second_low, second_high, column("growth", StoredOnly{growth}),
+                column("file", ComputedColumn{growth_file()}))
 };
 
 /// What the region of a solver means for a problem: the largest step h for which h lambda lies
@@ -77,11 +68,7 @@ struct StableStep {
 
   static constexpr const char* file = "stability_steps.csv";
   static constexpr const char* shown = "case solver step eigenvalue limit:.5g status";
-  static void each(auto& row, auto&& visit) {
-    visit("case", row.case_id), visit("library", row.library), visit("solver", row.solver);
-    visit("status", row.status), visit("detail", row.detail), visit("eigenvalue", row.eigenvalue);
-    visit("limit", row.limit), visit("step", row.step);
-  }
+  ODEUM_COLUMNS(case_id, library, solver, status, detail, eigenvalue, limit, step)
 };
 
 struct StabilityResult {

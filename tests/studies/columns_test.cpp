@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every column of every file that a study declares is documented in its folder's columns.md or,
+// Every column of every file that a study writes is documented in its folder's columns.md or,
 // where it is the same everywhere, in reports/columns.md, and nothing else is.
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include <sstream>
 #include <vector>
 
+#include "odeum/studies/study.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::rules {
+namespace odeum::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,20 +29,11 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
   return found;
 }
 
-/// From the declarations of rows, see record/row.hpp.
-Columns declared() {
+Columns written() {
   Columns columns;
-  for (const auto& entry :
-       fs::recursive_directory_iterator(fs::path(ODEUM_SOURCE_DIR) / "src/odeum/studies")) {
-    if (entry.path().extension() != ".hpp") continue;
-    const std::string text = text_of(entry.path());
-    constexpr std::string_view mark = "constexpr const char* file = \"";
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
-      const std::size_t begin = at + mark.size(), end = text.find("\n  }\n", at);
-      columns[text.substr(begin, text.find('"', begin) - begin)] =
-          matches(text.substr(at, end - at), "visit\\(\\s*\"(\\w+)\",(?!\\s*record::StoredOnly)");
-    }
-  }
+  for (const auto& study : make_studies())
+    for (const auto& [file, fields] : study->files())
+      for (const record::Field& field : fields) columns[file].insert(field.column);
   return columns;
 }
 
@@ -64,10 +56,10 @@ Columns documented() {
 }
 
 TEST(Columns, AreDocumentedOnce) {
-  const Columns files = declared();
+  const Columns files = written();
   Columns words = documented();
   const std::set<std::string> everywhere = words["Every file"];
-  ASSERT_GE(files.size(), 20U) << "the declarations of rows were not found";
+  ASSERT_GE(files.size(), 20U) << "the studies were not found";
   std::set<std::string> used{"schema"};
   for (const auto& [file, columns] : files) {
     EXPECT_TRUE(words.contains(file)) << "no columns.md has a section " << file;
@@ -85,4 +77,4 @@ TEST(Columns, AreDocumentedOnce) {
 }
 
 }  // namespace
-}  // namespace odeum::rules
+}  // namespace odeum::study
