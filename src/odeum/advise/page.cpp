@@ -9,19 +9,16 @@
 namespace odeum::advise {
 namespace {
 
-/// A run of the race: a line of race.csv.
-struct RaceRow {
+/// A run of the race, with the times of the bare runs where it was timed: a line of race.csv.
+struct RaceRow : study::WallTimes {
   std::string library, solver, status, setting_kind;
   double setting = nan, error = nan;
-  double ns = nan;  ///< of the guarded run, less what the guard takes
-  /// Of the bare runs of what was timed, else NaN.
-  double wall_ns_min = nan, wall_ns_median = nan;
-  std::uint64_t repetitions = 0;
+  double guarded_ns = nan;  ///< less what the guard takes
   Counters counters;
 
   static constexpr const char* file = "race.csv";
-  ODEUM_COLUMNS(library, solver, status, setting_kind, setting, error, column("guarded_ns", ns),
-                wall_ns_min, wall_ns_median, repetitions, counters.rhs_evaluations,
+  ODEUM_COLUMNS(library, solver, status, setting_kind, setting, error, guarded_ns, wall_ns_min,
+                wall_ns_median, repetitions, counters.rhs_evaluations,
                 counters.jacobian_evaluations, counters.steps, counters.rejected_steps)
 };
 
@@ -31,18 +28,11 @@ std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
   const auto add = [&](const Candidate& candidate, bool timed) {
     for (const Trial& trial : candidate.trials) {
       const SolverInfo& info = candidate.entrant->info;
-      rows.push_back({.library = info.library,
-                      .solver = info.method,
-                      .status = to_string(trial.status),
-                      .setting_kind = kind_of(candidate.mode),
-                      .setting = setting_of(trial, c),
-                      .error = trial.status == Status::ok ? trial.state_error() : nan,
-                      .ns = trial.ns,
-                      .counters = trial.counters});
-      if (!timed || !candidate.found || trial.fineness != candidate.found->fineness) continue;
-      rows.back().wall_ns_min = candidate.times.min();
-      rows.back().wall_ns_median = candidate.times.median();
-      rows.back().repetitions = candidate.times.ns.size();
+      const bool has_time = timed && candidate.found && trial.fineness == candidate.found->fineness;
+      rows.push_back({has_time ? candidate.times.columns() : study::WallTimes(), info.library,
+                      info.method, to_string(trial.status), kind_of(candidate.mode),
+                      setting_of(trial, c), trial.status == Status::ok ? trial.state_error() : nan,
+                      trial.ns, trial.counters});
     }
   };
   for (const std::size_t k : advice.timed) add(advice.candidates[k], true);

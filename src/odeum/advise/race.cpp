@@ -123,8 +123,7 @@ void time_them(Advice& advice, Search& search, double seconds) {
       candidate.times.ns.push_back(bare_ns(candidate, *candidate.found));
     }
   }
-  const study::Conditions conditions = meter.end();
-  advice.disturbed = study::disturbed(conditions.drift, conditions.processor_share);
+  advice.disturbed = study::disturbed(meter.end());
 }
 
 }  // namespace

@@ -61,8 +61,9 @@ Conditions ConditionsMeter::end() const {
           .measured = utc_text(std::chrono::system_clock::now())};
 }
 
-bool disturbed(double drift, double processor_share) {
-  return std::abs(drift) > most_disturbance || processor_share < 1 - most_disturbance;
+bool disturbed(const Conditions& conditions) {
+  return std::abs(conditions.drift) > most_disturbance ||
+         conditions.processor_share < 1 - most_disturbance;
 }
 
 double calibration_ns() {

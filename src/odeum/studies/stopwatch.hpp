@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,9 +37,12 @@ double calibration_ns();
 /// do not.
 double thread_seconds();
 
-/// The conditions of the machine while times were taken, see PrecisionRow.
+/// The conditions of the machine while times were taken.
 struct Conditions {
+  /// How its own speed changed from before to after, as a fraction: an effect of other programs on
+  /// times. NaN where nothing was timed.
   double drift = nan;
+  /// Processor time over wall time: 1 where no other program ran. NaN where nothing was timed.
   double processor_share = nan;
   std::string measured;  ///< when, UTC
 
@@ -49,7 +53,7 @@ struct Conditions {
 /// marked as disturbed.
 inline constexpr double most_disturbance = 0.05;
 /// False where nothing was timed.
-bool disturbed(double drift, double processor_share);
+bool disturbed(const Conditions& conditions);
 
 /// Measures the conditions since its construction.
 class ConditionsMeter {
@@ -61,12 +65,20 @@ class ConditionsMeter {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The columns of wall times of one piece of work.
+struct WallTimes {
+  double wall_ns_min = nan, wall_ns_median = nan;
+  std::uint64_t repetitions = 0;
+};
+
 /// Wall times of one piece of work, taken at different times.
 struct Times {
   std::vector<double> ns;
 
   double min() const;     ///< NaN where there is none
   double median() const;  ///< NaN where there is none
+  /// Of one of so many equal parts of the work.
+  WallTimes columns(double parts = 1) const { return {min() / parts, median() / parts, ns.size()}; }
 };
 
 /// Wall time of one call of work, in nanoseconds, without that of making processes; short work is

@@ -138,12 +138,7 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
     const Conditions conditions = meter.end();
     const auto each = static_cast<double>(steps * n * n);
     for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
-      rows.push_back({.side = n,
-                      .precision = name,
-                      .wall_ns_min = time.min() / each,
-                      .wall_ns_median = time.median() / each,
-                      .repetitions = time.ns.size(),
-                      .conditions = conditions});
+      rows.push_back({time.columns(each), n, name, conditions});
     progress.advance();
   }
   return rows;
@@ -170,15 +165,13 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
       const Rival& rival = rivals[i];
       const double distance = rms_distance(rival.y, reference.y, scene.size());
       ImplicitWinsRow row;
+      static_cast<WallTimes&>(row) = times[i].columns(watched_for);
       row.stiffness = stiffness;
       row.frame = rival.frame;
       row.engine = rival.name;
       row.status = !rival.solved ? "newton_failed" : std::isfinite(distance) ? "ok" : "non_finite";
       if (!rival.solved) row.detail = "conjugate gradients did not converge";
       row.step = rival.h;
-      row.wall_ns_min = times[i].min() / watched_for;
-      row.wall_ns_median = times[i].median() / watched_for;
-      row.repetitions = times[i].ns.size();
       if (row.status == "ok") row.rk4_distance = distance;
       row.rk4_left = reference.left;
       row.conditions = conditions;

@@ -12,11 +12,9 @@
 namespace odeum::study {
 
 /// What a step of a cloth costs a particle: a line of cloth_cost.csv.
-struct ClothCostRow {
-  std::uint64_t side = 0;                          ///< particles along an edge of the square
-  std::string precision;                           ///< f64, f32
-  double wall_ns_min = nan, wall_ns_median = nan;  ///< a particle and step
-  std::uint64_t repetitions = 0;
+struct ClothCostRow : WallTimes {
+  std::uint64_t side = 0;  ///< particles along an edge of the square
+  std::string precision;   ///< f64, f32
   Conditions conditions;
 
   static constexpr const char* file = "cloth_cost.csv";
@@ -25,15 +23,14 @@ struct ClothCostRow {
   ODEUM_COLUMNS(side, precision, wall_ns_min, wall_ns_median, repetitions, conditions)
 };
 
-/// One way to step a cloth of one stiffness at one frame: a line of implicit_wins.csv.
-struct ImplicitWinsRow {
+/// One way to step a cloth of one stiffness at one frame, for a simulated second: a line of
+/// implicit_wins.csv.
+struct ImplicitWinsRow : WallTimes {
   double stiffness = nan;  ///< N/m
   double frame = nan;      ///< s; of explicit engines NaN, they step as they can
   std::string engine;      ///< verlet_f32, imex_f32, implicit_f64
   std::string status, detail;
-  double step = nan;                               ///< s
-  double wall_ns_min = nan, wall_ns_median = nan;  ///< a simulated second
-  std::uint64_t repetitions = 0;
+  double step = nan;  ///< s
   /// RMS distance of particles from a run of RK4 in f64 (m), and of that from one at twice its
   /// step. No independent truth exists at this size.
   double rk4_distance = nan, rk4_left = nan;

@@ -52,7 +52,7 @@ PrecisionRow blank_row(const TimedCase& stage, const SolverInfo& info, Mode mode
   auto row = named_row<PrecisionRow>(stage.c, info);
   row.mode = mode;
   row.jacobian = jacobian_of(stage.c);
-  row.setting = row.error = row.wall_ns_min = row.wall_ns_median = nan;
+  row.setting = row.error = nan;
   return row;
 }
 

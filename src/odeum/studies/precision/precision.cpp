@@ -73,20 +73,17 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
         time_all(stage, solvers, options.number("seconds", 4) / most_searches, runner.jobs());
     check_fastest(stage, solvers, runner.jobs());
     conditions = meter.end();
-    if (!disturbed(conditions.drift, conditions.processor_share)) break;
+    if (!disturbed(conditions)) break;
   }
   const std::string processor = cpu_model();
   std::vector<PrecisionRow> rows;
   for (TimedSolver& solver : solvers)
     for (TimedRun& trial : solver.trials) {
       PrecisionRow& row = trial.row;
-      row.measured = conditions.measured;
       row.processor = processor;
-      if (row.repetitions && !trial.guarded()) {
-        row.drift = conditions.drift;
-        row.processor_share = conditions.processor_share;
-      }
-      if (disturbed(row.drift, row.processor_share)) {
+      row.measured = conditions.measured;
+      if (row.repetitions && !trial.guarded()) static_cast<Conditions&>(row) = conditions;
+      if (disturbed(row)) {
         if (!row.detail.empty()) row.detail += "; ";
         row.detail += fmt::format(
             "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "

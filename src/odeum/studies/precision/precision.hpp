@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/judge/answer.hpp"
+#include "odeum/studies/stopwatch.hpp"
 #include "odeum/studies/study.hpp"
 
 namespace odeum::study {
@@ -13,8 +14,9 @@ namespace odeum::study {
 /// One solver at one setting: a line of precision.csv. The error is the largest of a measured
 /// component at the stops, absolute, from a run under the guard, which also counts; the times are
 /// of runs with the bare right-hand side, set-up included; of what cannot be the fastest, and whose
-/// guard costs next to nothing, the guarded run's processor time (timing.hpp).
-struct PrecisionRow {
+/// guard costs next to nothing, the guarded run's processor time (timing.hpp). Conditions are those
+/// of the case's timed runs.
+struct PrecisionRow : WallTimes, Conditions {
   std::string case_id, library, solver;
   std::string status;  ///< a Status, or not_applicable
   std::string detail;
@@ -27,22 +29,13 @@ struct PrecisionRow {
   /// The largest error at the neighbouring settings: steps 5 % more and, where the grid allows it,
   /// fewer; tolerances 1.25 times as large and as small. NaN where these were not run.
   double near_error = nan;
-  double wall_ns_min = 0, wall_ns_median = 0;
-  std::uint64_t repetitions = 0;
   Counters counters;
   /// How the timed runs call it: `function pointer`, `inlined` (compiled into the solver), or
   /// `guarded`: the time is that of the run that gave the error.
   std::string right_hand_side = "function pointer";
   /// `with optimisation` or `without optimisation`; empty for what is compiled with the program.
   std::string library_compiled;
-  bool pareto = false;  ///< no other row is both faster and more accurate
-  /// How the machine's own speed changed from before the timed runs of the case to after them, as a
-  /// fraction: an effect of other programs on times. NaN where nothing was timed.
-  double drift = nan;
-  /// Processor time over wall time of the case's timed runs: 1 where no other program ran. NaN
-  /// where nothing was timed.
-  double processor_share = nan;
-  std::string measured;        ///< when the case was measured, UTC
+  bool pareto = false;         ///< no other row is both faster and more accurate
   std::string processor;       ///< its model; that of all rows of a case
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
 
