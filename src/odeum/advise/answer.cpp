@@ -33,17 +33,17 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
   std::string text;
   for (const auto& [other, why] : runners_up(advice)) {
     if (advice.run_ns > 0) {
-      text +=
-          fmt::format("behind    {} --{} {:.3g}: {:.3g} times the error in {} ({})\n",
-                      other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
-                      other->found->state_error() / winner_of(advice).found->state_error(),
-                      text_of_ns(other->times.min()), why);
+      text += fmt::format("behind    {} --{} {:.3g}: {:.3g} times the error in {} ({})\n",
+                          other->entrant->info.id(), setting_kind(other->mode),
+                          setting_of(other->found->request(), c.t0),
+                          other->found->state_error() / winner_of(advice).found->state_error(),
+                          text_of_ns(other->times.min()), why);
       continue;
     }
-    text +=
-        fmt::format("behind    {} --{} {:.3g}: {:.2f} times the time, error {:.2g} ({})\n",
-                    other->entrant->info.id(), kind_of(other->mode), setting_of(*other->found, c),
-                    other->times.min() / least, other->found->state_error(), why);
+    text += fmt::format("behind    {} --{} {:.3g}: {:.2f} times the time, error {:.2g} ({})\n",
+                        other->entrant->info.id(), setting_kind(other->mode),
+                        setting_of(other->found->request(), c.t0), other->times.min() / least,
+                        other->found->state_error(), why);
   }
   for (const std::size_t k : advice.timed)
     if (const Candidate& candidate = advice.candidates[k]; candidate.closed_form())
@@ -81,7 +81,7 @@ std::string text_of_rest(const Advice& advice) {
     const bool within = advice.run_ns > 0;
     const char* left = within ? "far behind within the time" : "too slow before they had the error";
     dropped[candidate.dropped.empty() ? reason_of(candidate, within) : left].push_back(
-        fmt::format("{} --{}", candidate.entrant->info.id(), kind_of(candidate.mode)));
+        fmt::format("{} --{}", candidate.entrant->info.id(), setting_kind(candidate.mode)));
   });
   std::string text;
   for (const auto& [reason, ids] : dropped)
@@ -160,8 +160,8 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Trial& found = *winner.found;
   std::string text = fmt::format(
       "{} --{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n",
-      winner.entrant->info.id(), kind_of(winner.mode), setting_of(found, c), found.state_error(),
-      advice.floor, c.scale.empty() ? "absolute" : "in the units of the scale",
+      winner.entrant->info.id(), setting_kind(winner.mode), setting_of(found.request(), c.t0),
+      found.state_error(), advice.floor, c.scale.empty() ? "absolute" : "in the units of the scale",
       text_of_ns(winner.times.min()), text_of_ns(winner.times.median()), winner.times.ns.size(),
       sureness(advice));
   if (advice.frames > 0)

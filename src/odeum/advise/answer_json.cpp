@@ -14,15 +14,15 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   const Candidate& winner = winner_of(advice);
   const Trial& found = *winner.found;
   json["solver"] = winner.entrant->info.id();
-  json["setting_kind"] = kind_of(winner.mode);
-  json["setting"] = setting_of(found, c);
+  json["setting_kind"] = setting_kind(winner.mode);
+  json["setting"] = setting_of(found.request(), c.t0);
   const std::vector<double>& absolutes = found.request().tolerance.absolutes();
   if (winner.mode == Mode::fixed)
     json["absolute"] = nullptr;
   else if (absolutes.size() > 1)
     json["absolute"] = absolutes;
   else
-    json["absolute"] = absolutes.empty() ? setting_of(found, c) : absolutes.front();
+    json["absolute"] = absolutes.empty() ? setting_of(found.request(), c.t0) : absolutes.front();
   json["error"] = found.state_error();
   json["error_low"] = std::max(0.0, found.state_error() - advice.floor);
   json["error_high"] = found.state_error() + advice.floor;
@@ -42,8 +42,8 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["runners_up"] = Json::array();
   for (const auto& [other, why] : runners_up(advice))
     json["runners_up"].push_back({{"solver", other->entrant->info.id()},
-                                  {"setting_kind", kind_of(other->mode)},
-                                  {"setting", setting_of(*other->found, c)},
+                                  {"setting_kind", setting_kind(other->mode)},
+                                  {"setting", setting_of(other->found->request(), c.t0)},
                                   {"error", other->found->state_error()},
                                   {"ratio", other->times.min() / winner.times.min()},
                                   {"why", why}});
@@ -56,7 +56,7 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["dropped"] = Json::array();
   each_dropped(advice, [&](const Candidate& candidate) {
     json["dropped"].push_back({{"solver", candidate.entrant->info.id()},
-                               {"setting_kind", kind_of(candidate.mode)},
+                               {"setting_kind", setting_kind(candidate.mode)},
                                {"reason", reason_of(candidate, advice.run_ns > 0)}});
   });
   json["cut_short"] = advice.cut;

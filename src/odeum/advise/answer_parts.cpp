@@ -18,12 +18,6 @@ std::vector<std::string> words_in(const std::string& text) {
 
 }  // namespace
 
-double setting_of(const Trial& trial, const Case& c) {
-  return trial.request().mode == Mode::adaptive
-             ? trial.request().tolerance.relative
-             : (c.stops.back() - c.t0) / static_cast<double>(trial.request().steps);
-}
-
 std::string text_of_ns(double ns) {
   if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
   return ns < 1e6   ? fmt::format("{:.3g} us", ns / 1e3)
@@ -39,7 +33,8 @@ std::string command_of(const Advice& advice, const Case& c, const Asked& asked) 
     for (const std::string& set : words_in(asked.points[winner.found->worst()]))
       sets += " --set " + set;
   return fmt::format("odeum run {}{}{} --solver {} --{} {}", asked.problem, asked.more, sets,
-                     winner.entrant->info.id(), kind_of(winner.mode), setting_of(*winner.found, c));
+                     winner.entrant->info.id(), setting_kind(winner.mode),
+                     setting_of(winner.found->request(), c.t0));
 }
 
 std::vector<std::string> same_within_noise(const Advice& advice) {
@@ -50,7 +45,7 @@ std::vector<std::string> same_within_noise(const Advice& advice) {
     const bool same = advice.run_ns > 0 ? advice.same_error(*other.found, *winner.found)
                                         : other.times.min() <= winner.times.median();
     if (k != advice.winner && !other.closed_form() && same)
-      ids.push_back(fmt::format("{} --{}", other.entrant->info.id(), kind_of(other.mode)));
+      ids.push_back(fmt::format("{} --{}", other.entrant->info.id(), setting_kind(other.mode)));
   }
   return ids;
 }

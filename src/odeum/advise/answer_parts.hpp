@@ -5,16 +5,12 @@
 #include <vector>
 
 #include "odeum/advise/answer.hpp"
+#include "odeum/solvers/settings.hpp"
 
 /// What both forms of an answer, text and JSON, say.
 namespace odeum::advise {
 
 inline const Candidate& winner_of(const Advice& advice) { return advice.candidates[advice.winner]; }
-
-/// A step, or a relative tolerance.
-double setting_of(const Trial& trial, const Case& c);
-
-inline const char* kind_of(Mode mode) { return mode == Mode::fixed ? "step" : "tol"; }
 
 std::string text_of_ns(double ns);
 

@@ -108,9 +108,8 @@ void look_at_edge(Inquiry& q) {
 }
 
 void look_at_fixed_step(Inquiry& q) {
-  const double step = q.run.ends.size() > 1 ? q.run.ends[1] - q.run.ends[0]
-                                            : (q.run.request.stops.back() - q.c.t0) /
-                                                  static_cast<double>(q.run.request.steps);
+  const double step =
+      q.run.ends.size() > 1 ? q.run.ends[1] - q.run.ends[0] : step_of(q.run.request, q.c.t0);
   for (Sample& s : q.samples)
     if (s.used > 1) s.cause = Cause::stability;
   if (!q.samples.empty()) make_segments(q);

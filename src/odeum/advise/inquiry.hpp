@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "odeum/advise/why.hpp"
+#include "odeum/solvers/settings.hpp"
 
 /// The parts of why(): each measures, and adds what it found.
 namespace odeum::advise {

@@ -29,10 +29,10 @@ std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
     for (const Trial& trial : candidate.trials) {
       const SolverInfo& info = candidate.entrant->info;
       const bool has_time = timed && candidate.found && trial.fineness == candidate.found->fineness;
-      rows.push_back({has_time ? candidate.times.columns() : study::WallTimes(), info.library,
-                      info.method, to_string(trial.status), kind_of(candidate.mode),
-                      setting_of(trial, c), trial.status == Status::ok ? trial.state_error() : nan,
-                      trial.ns, trial.counters});
+      rows.push_back(
+          {has_time ? candidate.times.columns() : study::WallTimes(), info.library, info.method,
+           to_string(trial.status), setting_kind(candidate.mode), setting_of(trial.request(), c.t0),
+           trial.status == Status::ok ? trial.state_error() : nan, trial.ns, trial.counters});
     }
   };
   for (const std::size_t k : advice.timed) add(advice.candidates[k], true);

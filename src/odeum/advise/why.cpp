@@ -113,7 +113,7 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   if (q.adaptive()) {
     look_at_steps(q);
   } else if (q.trusted) {
-    sample(q, *q.trusted, (request.stops.back() - c.t0) / static_cast<double>(request.steps));
+    sample(q, *q.trusted, step_of(request, c.t0));
     look_at_fixed_step(q);
   }
   // Causes of a failure are found first and stay so. Of a run that ended the largest share leads;

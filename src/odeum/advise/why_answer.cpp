@@ -6,14 +6,12 @@
 
 #include <cmath>
 
+#include "odeum/solvers/settings.hpp"
+
 namespace odeum::advise {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double step_of(const Request& request, const Case& c) {
-  return (request.stops.back() - c.t0) / static_cast<double>(request.steps);
-}
 
 std::string number(double value, const char* format = "{:.3g}") {
   return std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value);
@@ -75,7 +73,7 @@ std::string setting_of(const Request& request, const Case& c) {
   std::string text;
   const Tolerance &tolerance = request.tolerance, usual = c.tolerance.requested(tolerance.relative);
   if (request.mode == Mode::fixed) {
-    text = fmt::format("--step {}", step_of(request, c));
+    text = fmt::format("--step {}", step_of(request, c.t0));
   } else if (tolerance.absolutes() == usual.absolutes()) {
     text = fmt::format("--tol {}", tolerance.relative);
   } else {

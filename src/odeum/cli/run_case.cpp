@@ -89,12 +89,12 @@ std::string describe(const Case& c, const CaseRun& run) {
   const Outcome& outcome = run.outcome;
   const double end = run.request.stops.back();
   std::string text = fmt::format("solver  {}\n", run.entrant->info.id());
-  text +=
-      run.request.mode == Mode::fixed
-          ? fmt::format("step    {}, {} steps to t = {}\n", run.step(c.t0), run.request.steps, end)
-          : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n",
-                        text_of_tolerance(run.request), outcome.counters.steps,
-                        outcome.counters.rejected_steps, end);
+  text += run.request.mode == Mode::fixed
+              ? fmt::format("step    {}, {} steps to t = {}\n", step_of(run.request, c.t0),
+                            run.request.steps, end)
+              : fmt::format("tol     {}, {} steps and {} rejected to t = {}\n",
+                            text_of_tolerance(run.request), outcome.counters.steps,
+                            outcome.counters.rejected_steps, end);
   if (run.request.mode == Mode::adaptive && run.request.stops.size() > 1 &&
       run.entrant->info.library != "odeum")
     text += fmt::format(
@@ -149,9 +149,10 @@ std::string write_files(const Case& c, const std::vector<CaseRun>& runs, const R
                              record::format_number(parameter.value) + ", " + parameter.meaning);
   const CaseRun& first = runs.front();
   texts.facts.emplace_back(
-      "Setting", first.request.mode == Mode::fixed
-                     ? fmt::format("step {}", options.settings.step.value_or(first.step(c.t0)))
-                     : "tolerance " + text_of_tolerance(first.request));
+      "Setting",
+      first.request.mode == Mode::fixed
+          ? fmt::format("step {}", options.settings.step.value_or(step_of(first.request, c.t0)))
+          : "tolerance " + text_of_tolerance(first.request));
   const bool page = trajectories::write_case_page(folder, c, runs, texts);
   remark_on_page(page);
   std::string text;

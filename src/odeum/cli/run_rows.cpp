@@ -8,6 +8,7 @@
 
 #include "odeum/judge/errors.hpp"
 #include "odeum/judge/remarks.hpp"
+#include "odeum/solvers/settings.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -100,7 +101,7 @@ RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs) {
                         .library = run.entrant->info.library,
                         .solver = run.entrant->info.method,
                         .mode = run.request.mode,
-                        .step = fixed ? run.step(c.t0) : nan,
+                        .step = fixed ? step_of(run.request, c.t0) : nan,
                         .tolerance = fixed ? nan : run.request.tolerance.relative,
                         .end = run.request.stops.back(),
                         .status = run.outcome.status,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "odeum/core/numbers.hpp"
+#include "odeum/solvers/settings.hpp"
 
 namespace odeum::proof {
 namespace {
@@ -26,18 +27,6 @@ Plan plan_for(double order) {
 // So many errors near rounding show what it comes to.
 constexpr int rounding_seen = 4;
 
-/// Step counts from coarse to fine.
-std::vector<std::uint64_t> ladder(const Plan& plan) {
-  std::vector<std::uint64_t> steps;
-  for (int k = 0; k < plan.count; ++k) {
-    const auto units =
-        std::llround(plan.start * std::pow(plan.ratio, k) / static_cast<double>(plan.stops));
-    const std::uint64_t n = static_cast<std::uint64_t>(std::max(units, 1LL)) * plan.stops;
-    if (steps.empty() || n > steps.back()) steps.push_back(n);
-  }
-  return steps;
-}
-
 }  // namespace
 
 judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double t0, double horizon,
@@ -49,7 +38,7 @@ judge::OrderFit measure_order(AnyStepper& stepper, double claimed_order, double 
   std::vector<judge::ErrorPoint> points;
   std::vector<double> exact(y0.size());
   int at_rounding = 0;
-  for (const std::uint64_t steps : ladder(plan)) {
+  for (const std::uint64_t steps : step_ladder(plan.start, plan.ratio, plan.count, plan.stops)) {
     const double n = static_cast<double>(steps), h = horizon / n;
     judge::ErrorPoint point{.step = h, .error = 0, .steps = n};
     std::vector<double> y = y0;

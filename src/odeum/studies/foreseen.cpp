@@ -24,8 +24,7 @@ double foreseen_work(const std::vector<Cost>& coarser, const Request& next) {
 }
 
 void Foreseen::add(const Request& request, std::uint64_t work, double ns) {
-  const double setting = request.mode == Mode::fixed ? static_cast<double>(request.steps)
-                                                     : 1 / request.tolerance.relative;
+  const double setting = fineness_of(request);
   work_.push_back({setting, static_cast<double>(work)});
   ns_.push_back({setting, ns});
 }

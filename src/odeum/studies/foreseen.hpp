@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "odeum/core/request.hpp"
+#include "odeum/solvers/settings.hpp"
 
 /// What a solve will cost, by the costs of coarser settings.
 namespace odeum::study {

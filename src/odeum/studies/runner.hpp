@@ -13,7 +13,7 @@
 #include "odeum/core/progress.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/record/store.hpp"
-#include "odeum/solvers/case.hpp"
+#include "odeum/solvers/settings.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::study {

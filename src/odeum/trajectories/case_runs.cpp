@@ -162,7 +162,7 @@ record::Records case_schemes(const Case& c, const std::vector<CaseRun>& runs) {
   for (const CaseRun& run : runs) {
     if (std::isnan(difference_to_scheme(c, run))) continue;
     const SolverInfo& info = run.entrant->info;
-    const double h = run.step(c.t0);
+    const double h = step_of(run.request, c.t0);
     for (const double t : run.request.stops) {
       c.scheme(info.id(), h, std::round((t - c.t0) / h), state.data());
       auto& row = table.rows.emplace_back();
@@ -179,8 +179,8 @@ double difference_to_scheme(const Case& c, const CaseRun& run) {
   std::vector<double> y(n);
   double largest = nan;
   for (std::size_t k = 0; k < run.reached(n); ++k) {
-    const double steps = std::round((run.request.stops[k] - c.t0) / run.step(c.t0));
-    if (!c.scheme(run.entrant->info.id(), run.step(c.t0), steps, y.data())) return nan;
+    const double steps = std::round((run.request.stops[k] - c.t0) / step_of(run.request, c.t0));
+    if (!c.scheme(run.entrant->info.id(), step_of(run.request, c.t0), steps, y.data())) return nan;
     for (std::size_t i = 0; i < n; ++i)
       largest = std::fmax(largest, std::abs(run.outcome.states[k * n + i] - y[i]));
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "odeum/record/csv.hpp"
-#include "odeum/solvers/case.hpp"
+#include "odeum/solvers/settings.hpp"
 
 namespace odeum::trajectories {
 
@@ -14,9 +14,6 @@ struct CaseRun {
   Request request;
   Outcome outcome;
 
-  double step(double t0) const {
-    return (request.stops.back() - t0) / static_cast<double>(request.steps);
-  }
   std::size_t reached(std::size_t n) const { return outcome.states.size() / n; }  ///< stops
 };
 

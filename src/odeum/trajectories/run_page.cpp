@@ -11,6 +11,7 @@
 #include "odeum/record/rows.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/report/text.hpp"
+#include "odeum/solvers/settings.hpp"
 
 namespace odeum::trajectories {
 namespace {
@@ -33,14 +34,12 @@ struct RunRow {
 
 RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status status,
               const std::string& detail, const Counters& counters) {
-  const bool fixed = request.mode == Mode::fixed;
   return {.library = info.library,
           .solver = info.method,
           .status = to_string(status),
           .detail = detail,
-          .setting_kind = fixed ? "step" : "tol",
-          .setting = fixed ? (request.stops.back() - t0) / static_cast<double>(request.steps)
-                           : request.tolerance.relative,
+          .setting_kind = setting_kind(request.mode),
+          .setting = setting_of(request, t0),
           .counters = counters};
 }
 

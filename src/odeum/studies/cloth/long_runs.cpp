@@ -140,7 +140,7 @@ std::vector<Quantity> momenta_of(const Stage& stage, const double* y) {
 std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mode, double setting) {
   auto blank = named_row<LongRunRow>(entrant.info);
   blank.scene = stage.name;
-  blank.setting_kind = mode == Mode::fixed ? "step" : "tol";
+  blank.setting_kind = setting_kind(mode);
   blank.setting = setting;
   blank.detail = stage.reference_problem;
   if (!entrant.unfit.empty()) return {not_applicable(blank, entrant.unfit)};

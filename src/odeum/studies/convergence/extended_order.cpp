@@ -65,10 +65,8 @@ std::optional<judge::OrderFit> extended_order(const Pair& pair, std::uint64_t ro
     for (int k = 0; k < 7; ++k) {
       const double wanted =
           from * static_cast<double>(rounding_steps) * std::pow(to / from, k / 6.0);
-      const auto units = std::llround(wanted / static_cast<double>(c.settings.steps_multiple));
       points.push_back(
-          measure(c, pair.entrant->extended,
-                  c.settings.steps_multiple * static_cast<std::uint64_t>(std::max(units, 1LL))));
+          measure(c, pair.entrant->extended, nearest_multiple(wanted, c.settings.steps_multiple)));
     }
     fit = judge::fit_order(points, claimed, judge::fixed_step_tolerance(claimed));
     if (fit.verdict != judge::Verdict::undetermined) break;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/convergence/settings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace odeum::study {
 namespace {
@@ -18,35 +15,27 @@ constexpr std::uint64_t hard_budget = 30'000, quick_hard_budget = 10'000;
 // Of a small problem's extra runs, all together: half a second at a microsecond for each.
 constexpr std::uint64_t cheap_evaluations = 500'000;
 
-/// As it is printed, so that the command of a row makes its run again.
-double of_two_digits(double tolerance) { return std::stod(fmt::format("{:.1e}", tolerance)); }
-
 std::uint64_t share_of(const Case& c, std::uint64_t steps) {
   const double share = (convergence_stops(c).back() - c.t0) / (c.stops.back() - c.t0);
-  return std::max(static_cast<std::uint64_t>(std::llround(share * static_cast<double>(steps))),
-                  std::uint64_t{1});
+  return nearest_multiple(share * static_cast<double>(steps), 1);
 }
 std::uint64_t multiple_of(const Case& c) { return share_of(c, c.settings.steps_multiple); }
 
 // Step counts from coarse to fine. A factor of two between steps suits low orders; a high order
 // reaches rounding within a few halvings, so that its steps are closer together and start coarser.
-std::vector<std::uint64_t> step_ladder(const Case& c, double order, bool quick) {
+std::vector<std::uint64_t> step_counts(const Case& c, double order, bool quick) {
   const double p = std::isnan(order) ? 2 : order;
   const double ratio = p <= 2 ? 2 : p <= 4 ? std::sqrt(2.0) : std::cbrt(2.0);
   const int count = p <= 2 ? 11 : p <= 4 ? 16 : p < 8 ? 20 : 23;
   const double start = static_cast<double>(share_of(c, c.settings.coarsest_steps)) / (p <= 4  ? 1
                                                                                       : p < 8 ? 2
                                                                                               : 4);
-  const std::uint64_t multiple = multiple_of(c), finest = share_of(c, c.settings.finest_steps);
-  std::vector<std::uint64_t> ladder;
-  for (int k = 0; k < count; ++k) {
-    const double wanted = start * std::pow(ratio, k);
-    if (quick && p > 2 && k % 2 == 1) continue;
-    const auto units = std::llround(wanted / static_cast<double>(multiple));
-    const std::uint64_t steps = static_cast<std::uint64_t>(std::max(units, 1LL)) * multiple;
-    if (steps > finest && ladder.size() >= 8) break;
-    if (ladder.empty() || steps > ladder.back()) ladder.push_back(steps);
-  }
+  const bool every_other = quick && p > 2;
+  std::vector<std::uint64_t> ladder =
+      step_ladder(start, every_other ? ratio * ratio : ratio, every_other ? (count + 1) / 2 : count,
+                  multiple_of(c));
+  while (ladder.size() > 8 && ladder.back() > share_of(c, c.settings.finest_steps))
+    ladder.pop_back();
   // Low orders settle late.
   const std::size_t most = !quick ? ladder.size() : p <= 1 ? 9 : p <= 4 ? 8 : 6;
   if (ladder.size() > most) ladder.resize(most);
@@ -77,7 +66,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     request.budget.evaluations = std::max(request.budget.evaluations,
                                           64 * share_of(*pair.c, pair.c->settings.coarsest_steps));
   if (pair.mode == Mode::fixed) {
-    for (const std::uint64_t steps : step_ladder(*pair.c, pair.entrant->info.order, quick)) {
+    for (const std::uint64_t steps : step_counts(*pair.c, pair.entrant->info.order, quick)) {
       request.steps = steps;
       requests.push_back(request);
     }
@@ -86,10 +75,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
     // Orders are measured at fixed steps; a tolerance is met within this, or the order is too low
     // for it.
     if (many && !quick) request.budget.evaluations /= 4;
-    for (int exponent = 3; exponent <= finest; ++exponent) {
-      set_tolerance(request, *pair.c, std::pow(10.0, -exponent));
-      requests.push_back(request);
-    }
+    requests = tolerance_ladder(request, *pair.c, finest);
   }
   return requests;
 }
@@ -111,8 +97,7 @@ std::vector<Request> settings_between(const Pair& pair, Request request,
     request.steps = informative[i];
     for (const double share : {0.25, 0.5, 0.75}) {
       const double wanted = coarse * std::pow(fine / coarse, share);
-      const auto between = multiple * static_cast<std::uint64_t>(
-                                          std::llround(wanted / static_cast<double>(multiple)));
+      const std::uint64_t between = nearest_multiple(wanted, multiple);
       if (between <= request.steps || between >= informative[i + 1]) continue;
       request.steps = between;
       requests.push_back(request);
@@ -131,10 +116,9 @@ std::vector<Request> settings_beyond(const Pair& pair, Request request,
   budget = small ? cheap_evaluations : 3 * budget;
   std::vector<Request> requests;
   const std::uint64_t multiple = multiple_of(*pair.c);
-  const double units = static_cast<double>(informative.back()) / static_cast<double>(multiple);
   for (int k = 1; k <= (small ? 8 : 4); ++k) {
     request.steps =
-        multiple * static_cast<std::uint64_t>(std::llround(units * std::pow(2, k / 2.0)));
+        nearest_multiple(static_cast<double>(informative.back()) * std::pow(2, k / 2.0), multiple);
     requests.push_back(request);
   }
   return requests;

@@ -67,9 +67,7 @@ std::vector<HorizonRow> measure_horizons(const Case& c, const Entrant& entrant) 
   for (const Request& request : settings_of(c, entrant.info, times)) {
     HorizonRow row = blank;
     row.mode = request.mode;
-    row.setting = request.mode == Mode::adaptive
-                      ? request.tolerance.relative
-                      : (times.back() - c.t0) / static_cast<double>(request.steps);
+    row.setting = setting_of(request, c.t0);
     Outcome outcome = entrant.solve(request);
     // Times before a failure count: the horizon may lie there.
     const std::size_t reached = outcome.states.size() / c.y0.size();

@@ -32,11 +32,7 @@ std::vector<Request> settings_of(const TimedCase& stage, Mode mode, double secon
     // Errors grow along a long horizon: the smallest reachable error needs tolerances near
     // rounding.
     const int finest = stage.stretch() > 1 ? 14 : 12;
-    for (int exponent = 3; exponent <= finest; ++exponent) {
-      set_tolerance(request, stage.c, std::pow(10.0, -exponent));
-      requests.push_back(request);
-    }
-    return requests;
+    return tolerance_ladder(request, stage.c, finest);
   }
   const double coarsest = static_cast<double>(stage.c.settings.coarsest_steps) * stage.stretch();
   for (int k = 0; k < 8; ++k) {
@@ -75,9 +71,7 @@ TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request
                  .request = request,
                  .states = {},
                  .times = {}};
-  trial.row.setting = request.mode == Mode::adaptive ? request.tolerance.relative
-                                                     : (request.stops.back() - stage.c.t0) /
-                                                           static_cast<double>(request.steps);
+  trial.row.setting = setting_of(request, stage.c.t0);
   trial.row.absolute = absolute_of(request);
   trial.row.options = text_of_options(request.options);
   trial.row.judged.answer = judge::Answer::none;

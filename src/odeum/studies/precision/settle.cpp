@@ -16,14 +16,6 @@
 namespace odeum::study {
 namespace {
 
-/// The larger, the finer: steps, or the inverse of the tolerance.
-double fineness_of(const Request& request) {
-  return request.mode == Mode::fixed ? static_cast<double>(request.steps)
-                                     : 1 / request.tolerance.relative;
-}
-
-double of_two_digits(double tolerance) { return std::stod(fmt::format("{:.1e}", tolerance)); }
-
 /// The search for settings of one solver, by the errors of its guarded runs.
 class Search {
  public:
