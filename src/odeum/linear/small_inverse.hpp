@@ -9,31 +9,33 @@
 #include <type_traits>
 #include <utility>
 
+#include "odeum/core/lanes.hpp"
 #include "odeum/linear/dense_lu.hpp"
 #include "odeum/problem/concepts.hpp"
 
 namespace odeum::linear {
 
-/// Vectors of GCC and Clang, of any processor. g++ 12 takes no size that depends on a parameter.
+/// A vector of that many numbers, which fits into a register. g++ 12 takes no size that depends on
+/// a parameter, and moves the parts of larger vectors through memory, number by number.
 template <std::size_t>
-struct RowVector;
+struct RegisterOf;
 template <>
-struct RowVector<4> {
+struct RegisterOf<2> {
+  using type [[gnu::vector_size(2 * 8)]] = double;
+  using mask [[gnu::vector_size(2 * 8)]] = std::int64_t;
+  static constexpr mask places{0, 1};
+};
+template <>
+struct RegisterOf<4> {
   using type [[gnu::vector_size(4 * 8)]] = double;
   using mask [[gnu::vector_size(4 * 8)]] = std::int64_t;
-  static constexpr mask lanes{0, 1, 2, 3};
+  static constexpr mask places{0, 1, 2, 3};
 };
 template <>
-struct RowVector<8> {
+struct RegisterOf<8> {
   using type [[gnu::vector_size(8 * 8)]] = double;
   using mask [[gnu::vector_size(8 * 8)]] = std::int64_t;
-  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7};
-};
-template <>
-struct RowVector<16> {
-  using type [[gnu::vector_size(16 * 8)]] = double;
-  using mask [[gnu::vector_size(16 * 8)]] = std::int64_t;
-  static constexpr mask lanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  static constexpr mask places{0, 1, 2, 3, 4, 5, 6, 7};
 };
 
 /// The inverse of a row-major N x N matrix, N small and known at compile time: a solve by
@@ -58,9 +60,10 @@ class SmallInverse {
       return false;
     Real finite = 0;  // NaN when any entry is not finite
     for (const Real& entry : inverse_) finite += entry * 0.0;
-    Row rows{};
-    for (const Row& row : m_) rows += row * 0.0;
-    for (std::size_t i = 0; i < N; ++i) finite += rows[i];
+    Part rest{};
+    for (const Row& row : m_)
+      for (const Part& part : row) rest += part * 0.0;
+    for (std::size_t i = 0; i < numbers; ++i) finite += rest[i];
     return finite == 0;
   }
 
@@ -73,9 +76,11 @@ class SmallInverse {
       for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
     } else {
       // Column by column: N independent sums, one multiply-add per column.
-      Row sum = m_[0] * x[0];
-      for (std::size_t j = 1; j < N; ++j) sum += m_[j] * x[j];
-      for (std::size_t i = 0; i < N; ++i) x[i] = sum[i];
+      Row sum;
+      for (std::size_t p = 0; p < parts; ++p) sum[p] = m_[0][p] * x[0];
+      for (std::size_t j = 1; j < N; ++j)
+        for (std::size_t p = 0; p < parts; ++p) sum[p] += m_[j][p] * x[j];
+      for (std::size_t i = 0; i < N; ++i) x[i] = sum[i / numbers][i % numbers];
     }
   }
 
@@ -110,42 +115,60 @@ class SmallInverse {
   bool eliminate() {
     constexpr double largest_multiplier = 100;  // at most two digits lost per elimination step
     for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) m_[i][j] = a(j, i);
-    std::array<std::size_t, N> swapped{};
-    for (std::size_t k = 0; k < N; ++k) {
-      if constexpr (pivoting) {
-        std::size_t pivot = k;
+      for (std::size_t j = 0; j < N; ++j) entry(i, j) = a(j, i);
+    if constexpr (pivoting) {
+      std::array<std::size_t, N> swapped{};
+      for (std::size_t k = 0; k < N; ++k) {
+        swapped[k] = k;
         for (std::size_t i = k + 1; i < N; ++i)
-          if (std::abs(m_[i][k]) > std::abs(m_[pivot][k])) pivot = i;
-        swapped[k] = pivot;
-        std::swap(m_[k], m_[pivot]);
-        if (m_[k][k] == 0) return false;
-      } else {
-        double worst = 0;
-        for (std::size_t i = k + 1; i < N; ++i) worst = std::max(worst, std::abs(m_[i][k]));
-        if (!(worst < largest_multiplier * std::abs(m_[k][k]))) return false;
+          if (std::abs(entry(i, k)) > std::abs(entry(swapped[k], k))) swapped[k] = i;
+        std::swap(m_[k], m_[swapped[k]]);
+        if (entry(k, k) == 0) return false;
+        eliminate_column(k);
       }
-      const double reciprocal = 1 / m_[k][k];
-      const Mask others = RowVector<width>::lanes != static_cast<std::int64_t>(k);
-      const Row row = others ? m_[k] * reciprocal : Row{} + reciprocal;
-      for (std::size_t i = 0; i < N; ++i)
-        m_[i] = i == k ? row : (others ? m_[i] : Row{}) - m_[i][k] * row;
-    }
-    if constexpr (pivoting)
       for (std::size_t k = N; k-- > 0;)
         if (swapped[k] != k)
           for (std::size_t i = 0; i < N; ++i) {
-            const double entry = m_[i][k];
-            m_[i][k] = m_[i][swapped[k]];
-            m_[i][swapped[k]] = entry;
+            const double kept = entry(i, k);
+            entry(i, k) = entry(i, swapped[k]);
+            entry(i, swapped[k]) = kept;
           }
+    } else {
+#pragma GCC unroll 16  // halves the time, since places in registers are then known
+      for (std::size_t k = 0; k < N; ++k) {
+        double worst = 0;
+        for (std::size_t i = k + 1; i < N; ++i) worst = std::max(worst, std::abs(entry(i, k)));
+        if (!(worst < largest_multiplier * std::abs(entry(k, k)))) return false;
+        eliminate_column(k);
+      }
+    }
     return true;
   }
 
-  /// Of a row, which has zeros behind its entries.
-  static constexpr std::size_t width = std::max(std::bit_ceil(N), std::size_t{4});
-  using Row = typename RowVector<width>::type;
-  using Mask = typename RowVector<width>::mask;
+  [[gnu::always_inline]] void eliminate_column(std::size_t k) {
+    const double reciprocal = 1 / entry(k, k);
+    const std::size_t own = k / numbers;  // the part with column k
+    const Mask others = RegisterOf<numbers>::places != static_cast<std::int64_t>(k % numbers);
+    Row row = m_[k];
+    for (Part& part : row) part *= reciprocal;
+    row[own] = others ? row[own] : Part{} + reciprocal;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (i == k) continue;
+      const double multiplier = entry(i, k);
+      m_[i][own] = others ? m_[i][own] : Part{};
+      for (std::size_t p = 0; p < parts; ++p) m_[i][p] -= multiplier * row[p];
+    }
+    m_[k] = row;
+  }
+
+  /// Of a register, and registers of a row, which has zeros behind its entries.
+  static constexpr std::size_t numbers =
+      std::min(vector_bytes / sizeof(double), std::bit_ceil(std::max(N, std::size_t{2})));
+  static constexpr std::size_t parts = (N + numbers - 1) / numbers;
+  using Part = typename RegisterOf<numbers>::type;
+  using Mask = typename RegisterOf<numbers>::mask;
+  using Row = std::array<Part, parts>;
+  double& entry(std::size_t i, std::size_t j) { return reinterpret_cast<double*>(&m_[i])[j]; }
   std::array<Real, N * N> a_{};
   std::array<Real, (N <= 3 ? N * N : 0)> inverse_{};  ///< column by column, as the rows below
   std::array<Row, (N <= 3 ? 0 : N)> m_{};
