@@ -21,11 +21,17 @@ std::vector<std::vector<double>> samples_of(const Plan& plan) {
   return samples;
 }
 
-Outcome refused(const std::string& why) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  outcome.detail = why;
-  return outcome;
+/// Why values make no problem, as `work` on them finds; none where they make one.
+template <class Work>
+std::optional<std::string> fault_in(const Work& work) {
+  try {
+    work();
+    return std::nullopt;
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 }  // namespace
@@ -53,49 +59,42 @@ void Runner::use_lanes() {
 std::vector<Outcome> Runner::run_in_lanes(std::uint64_t first, std::uint64_t last) {
   if (!lane_run_ || plan_.study) return {};
   const auto place = [&](std::size_t member) {
-    try {
-      return lanes_->place(parameters_of(plan_, first + member));
-    } catch (const std::invalid_argument&) {
-      return false;  // told by the run alone
-    }
+    bool placed = false;  // where it cannot be, the run alone tells why
+    fault_in([&] { placed = lanes_->place(parameters_of(plan_, first + member)); });
+    return placed;
   };
   return lane_run_({lanes_->problem, static_cast<std::size_t>(last - first), place}, plan_.request);
 }
 
 Outcome Runner::run(const std::vector<double>& values, const Request& request) {
-  const Entrants* entrants = nullptr;
-  try {
+  Outcome outcome;
+  const std::optional<std::string> fault = fault_in([&] {
     if (family_) {
       family_->place(values);
-      entrants = &family_->entrants;
     } else {
       case_ = plan_.base->with_values(values);
-      entrants = &case_.entrants;
       energy_ = case_.energy;
       y0_ = std::make_shared<const std::vector<double>>(case_.y0);
     }
-    const Entrant* const entrant = entrants->find(plan_.solver);
+    const Entrants& entrants = family_ ? family_->entrants : case_.entrants;
+    const Entrant* const entrant = entrants.find(plan_.solver);
     if (!entrant || !entrant->solve)
-      return refused("the solver does not fit: " + (entrant ? entrant->unfit : plan_.solver));
-    return entrant->solve(request);
-  } catch (const std::invalid_argument& error) {
-    return refused(error.what());
-  } catch (const InputError& error) {
-    return refused(error.what());
-  }
+      throw std::invalid_argument("the solver does not fit: " +
+                                  (entrant ? entrant->unfit : plan_.solver));
+    outcome = entrant->solve(request);
+  });
+  if (fault) outcome.status = Status::refused, outcome.detail = *fault;
+  return outcome;
 }
 
 MemberRow Runner::measure(const std::vector<double>& values) const {
   MemberRow row{.solver = plan_.solver, .status = to_string(Status::refused)};
   row.answer = row.status;
-  try {
+  const std::optional<std::string> fault = fault_in([&] {
     Case member = plan_.base->with_values(values);
-    return plan_.study->measure(member);
-  } catch (const std::invalid_argument& error) {
-    row.detail = error.what();
-  } catch (const InputError& error) {
-    row.detail = error.what();
-  }
+    row = plan_.study->measure(member);
+  });
+  if (fault) row.detail = *fault;
   return row;
 }
 
@@ -124,15 +123,11 @@ double Runner::error(const std::vector<double>& values, const double* last) {
 
 Runners::Runners(const Plan& plan) : plan_(plan) {
   if (!plan.base->family || plan.study) return;
-  try {
-    std::optional<Family> family = plan.base->family(samples_of(plan));
-    in_place_ = family.has_value();
-    if (in_place_) free_.push_back(std::make_unique<Runner>(plan, std::move(family)));
-  } catch (const std::invalid_argument&) {
-    in_place_ = false;  // values that make no problem are told by member
-  } catch (const InputError&) {
-    in_place_ = false;
-  }
+  std::optional<Family> family;
+  // Values that make no problem are told by member.
+  fault_in([&] { family = plan.base->family(samples_of(plan)); });
+  in_place_ = family.has_value();
+  if (in_place_) free_.push_back(std::make_unique<Runner>(plan, std::move(family)));
 }
 
 std::unique_ptr<Runner> Runners::take() {
