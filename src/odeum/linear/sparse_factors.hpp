@@ -26,6 +26,37 @@ class Factors {
   virtual void solve(double* re, double* im) = 0;
 };
 
+/// Where the entries of I - g J stand among the numbers of an LU of a band.
+template <bool is_complex>
+class BandPlaces {
+ public:
+  template <class Lu>
+  BandPlaces(const Lu& lu, const Sparsity& pattern, const Band& band) {
+    const auto place = [&](std::size_t row, std::size_t column) {
+      return lu.place(static_cast<std::size_t>(band.number[row]),
+                      static_cast<std::size_t>(band.number[column]));
+    };
+    for (std::size_t i = 0; i < pattern.unknowns(); ++i) {
+      diagonal_.push_back(place(i, i));
+      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
+        entries_.push_back(place(i, static_cast<std::size_t>(pattern.column[k])));
+    }
+  }
+  template <class Lu>
+  void fill(Lu& lu, const std::vector<double>& values, std::complex<double> g) const {
+    lu.clear();
+    double *const re = lu.re(), *const im = lu.im();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      re[entries_[k]] = -g.real() * values[k];
+      if constexpr (is_complex) im[entries_[k]] = -g.imag() * values[k];
+    }
+    for (const std::size_t at : diagonal_) re[at] += 1;
+  }
+
+ private:
+  std::vector<std::size_t> entries_, diagonal_;
+};
+
 template <bool is_complex>
 class BandFactors final : public Factors {
  public:
@@ -33,26 +64,11 @@ class BandFactors final : public Factors {
       : n_(pattern.unknowns()),
         order_(band.order),
         lu_(n_, band.lower, band.upper),
+        places_(lu_, pattern, band),
         x_re_(n_),
-        x_im_(is_complex ? n_ : 0) {
-    const auto place = [&](int row, int column) {
-      return lu_.place(static_cast<std::size_t>(band.number[row]),
-                       static_cast<std::size_t>(band.number[column]));
-    };
-    for (std::size_t i = 0; i < n_; ++i) {
-      diagonal_.push_back(place(static_cast<int>(i), static_cast<int>(i)));
-      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
-        places_.push_back(place(static_cast<int>(i), pattern.column[k]));
-    }
-  }
+        x_im_(is_complex ? n_ : 0) {}
   bool factorise(const std::vector<double>& values, std::complex<double> g) override {
-    lu_.clear();
-    double *const re = lu_.re(), *const im = lu_.im();
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      re[places_[k]] = -g.real() * values[k];
-      if constexpr (is_complex) im[places_[k]] = -g.imag() * values[k];
-    }
-    for (const std::size_t at : diagonal_) re[at] += 1;
+    places_.fill(lu_, values, g);
     return lu_.factorise();
   }
   void solve(double* re, double* im) override {
@@ -71,7 +87,7 @@ class BandFactors final : public Factors {
   std::size_t n_;
   std::vector<int> order_;
   BandedLu<is_complex> lu_;
-  std::vector<std::size_t> places_, diagonal_;
+  BandPlaces<is_complex> places_;
   std::vector<double> x_re_, x_im_;
 };
 
@@ -81,25 +97,9 @@ template <bool is_complex, std::size_t width>
 class NarrowFactors final : public Factors {
  public:
   NarrowFactors(const Sparsity& pattern, const Band& band)
-      : pattern_(pattern), band_(band), lu_(pattern.unknowns()) {
-    const auto place = [&](std::size_t row, std::size_t column) {
-      return lu_.place(static_cast<std::size_t>(band.number[row]),
-                       static_cast<std::size_t>(band.number[column]));
-    };
-    for (std::size_t i = 0; i < pattern.unknowns(); ++i) {
-      diagonal_.push_back(place(i, i));
-      for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k)
-        places_.push_back(place(i, static_cast<std::size_t>(pattern.column[k])));
-    }
-  }
+      : pattern_(pattern), band_(band), lu_(pattern.unknowns()), places_(lu_, pattern, band) {}
   bool factorise(const std::vector<double>& values, std::complex<double> g) override {
-    lu_.clear();
-    double *const re = lu_.re(), *const im = lu_.im();
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      re[places_[k]] = -g.real() * values[k];
-      if constexpr (is_complex) im[places_[k]] = -g.imag() * values[k];
-    }
-    for (const std::size_t at : diagonal_) re[at] += 1;
+    places_.fill(lu_, values, g);
     exchanged_ = !lu_.factorise();
     if (!exchanged_) return true;
     if (!with_exchanges_) with_exchanges_.emplace(pattern_, band_);
@@ -114,7 +114,7 @@ class NarrowFactors final : public Factors {
   const Sparsity& pattern_;
   const Band& band_;
   NarrowLu<is_complex, width> lu_;
-  std::vector<std::size_t> places_, diagonal_;
+  BandPlaces<is_complex> places_;
   bool exchanged_ = false;
   std::optional<BandFactors<is_complex>> with_exchanges_;
 };
@@ -123,12 +123,11 @@ class NarrowFactors final : public Factors {
 template <bool is_complex>
 std::unique_ptr<Factors> band_factors(const Sparsity& pattern, const Band& band) {
   const std::size_t width = std::max(band.lower, band.upper);
-  if (width <= 3 && pattern.unknowns() >= 12) {
-    if (width <= 1) return std::make_unique<NarrowFactors<is_complex, 1>>(pattern, band);
-    if (width == 2) return std::make_unique<NarrowFactors<is_complex, 2>>(pattern, band);
-    return std::make_unique<NarrowFactors<is_complex, 3>>(pattern, band);
-  }
-  return std::make_unique<BandFactors<is_complex>>(pattern, band);
+  if (width > 3 || pattern.unknowns() < 12)
+    return std::make_unique<BandFactors<is_complex>>(pattern, band);
+  if (width <= 1) return std::make_unique<NarrowFactors<is_complex, 1>>(pattern, band);
+  if (width == 2) return std::make_unique<NarrowFactors<is_complex, 2>>(pattern, band);
+  return std::make_unique<NarrowFactors<is_complex, 3>>(pattern, band);
 }
 
 template <class Scalar>
