@@ -34,6 +34,7 @@ Case make_case(const Values& values) {
   c.stops = {0.5, 2};
   c.settings.steps_multiple = 4;
   c.truth.source = "closed form";
+  c.truth.closed_form = true;
   c.truth.at = [start](double t, double* y) {
     y[0] = start * t < 1 ? start / (1 - start * t) : std::numeric_limits<double>::infinity();
     return true;

@@ -89,6 +89,7 @@ Case describe(const char* equation, std::complex<double> lambda, bool complex) {
     return scheme_of(lambda, complex, solver, h, steps, y);
   };
   c.truth.source = "closed form";
+  c.truth.closed_form = true;
   c.truth.at = [lambda, complex](double t, double* y) {
     const std::complex<double> exact = std::exp(lambda * t);
     y[0] = exact.real();

@@ -64,6 +64,7 @@ Case common(const char* mass, const System& system) {
       "closed form: the {} modes of K phi = value M phi, in extended "
       "precision",
       system->size());
+  c.truth.closed_form = true;
   return c;
 }
 

@@ -65,6 +65,7 @@ Case make_case(const Values& values) {
   c.settings.coarsest_steps = 8;
   c.settings.finest_steps = 8192;
   c.truth.source = "closed form";
+  c.truth.closed_form = true;
   c.truth.at = [fall, x0, v0](double t, double* y) {
     y[0] = x0 + t * (v0 + t * fall.g / 2);
     y[1] = v0 + t * fall.g;

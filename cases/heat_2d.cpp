@@ -91,6 +91,7 @@ Case make_heat_2d() {
   c.settings.finest_steps = 640;
   c.settings.evaluation_budget = 20'000;
   c.truth.source = "closed form: eigenvectors of the differences decay apart";
+  c.truth.closed_form = true;
   // Rounding of y0, of sines and of exponents of up to 9, each of a few in the last digit.
   c.truth.floor = 4e-15;
   c.truth.at = [](double t, double* y) {

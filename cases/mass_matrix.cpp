@@ -110,6 +110,7 @@ Case make_case(const Values& values) {
   };
   c.truth.floor = 1e-14;  // rounding of numbers of size 1 with omega t up to 30
   c.truth.source = "closed form: normal modes in x1 and x2";
+  c.truth.closed_form = true;
   set_problem(c, p);
   return c;
 }

@@ -23,6 +23,7 @@ Case describe(const Numbers& n, double y0, double v0) {
   c.source = "harmonic oscillator with viscous damping, any mechanics text";
   c.y0 = {y0, v0};
   c.truth.source = "closed form";
+  c.truth.closed_form = true;
   c.truth.at = [n, y0, v0](double t, double* y) {
     damped_oscillator_solution(n.m, n.d, n.k, y0 - n.rest, v0, t, y);
     y[0] += n.rest;

@@ -203,7 +203,7 @@ class TextCase : CaseText {
   Truth reference(const std::string& name, double floor) const {
     try {
       return reference_truth(name, floor, file_.folder);
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       fail(find("reference")->place, "reference: {}", error.what());
     }
   }

@@ -162,8 +162,6 @@ int sweep_on(const SweepOptions& options, const CLI::App& command) {
     return solved > 0 ? success : solver_failed;
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
-  } catch (const InputError& error) {
-    throw UsageError(error.what());
   }
 }
 

@@ -219,7 +219,7 @@ void require_text(const std::string& file, std::string_view text, const std::str
 }  // namespace
 
 InputError::InputError(const std::string& file, Place place, const std::string& rest)
-    : std::runtime_error(fmt::format("{}:{}:{}: {}", file, place.line, place.column, rest)) {}
+    : std::invalid_argument(fmt::format("{}:{}:{}: {}", file, place.line, place.column, rest)) {}
 
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 60;

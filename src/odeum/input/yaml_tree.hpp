@@ -14,13 +14,14 @@ struct Place {
   std::size_t line = 1, column = 1;
 };
 
-/// A file that cannot be used: `file:line:column: key: what is wrong; got X, expected Y`.
-class InputError : public std::runtime_error {
+/// A file that cannot be used: `file:line:column: key: what is wrong; got X, expected Y`. Values of
+/// parameters for which a file makes no problem are an invalid argument, however they are found.
+class InputError : public std::invalid_argument {
  public:
   /// `rest` is all after the place.
   InputError(const std::string& file, Place place, const std::string& rest);
   /// The whole text.
-  explicit InputError(const std::string& text) : std::runtime_error(text) {}
+  explicit InputError(const std::string& text) : std::invalid_argument(text) {}
 };
 
 /// What was found, for an error: `text` on one line, without control characters, not too long.

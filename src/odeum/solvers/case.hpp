@@ -21,6 +21,8 @@ struct Truth {
   std::function<bool(double t, double* y)> at;
   double floor = 0;    ///< absolute error of the truth itself
   std::string source;  ///< closed form, or the reference file
+  /// It is a closed form, which follows other values of the parameters.
+  bool closed_form = false;
 };
 
 /// A problem whose parameters a study changes between solves. On the `lambda` plane it is y' =

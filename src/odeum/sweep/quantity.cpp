@@ -63,8 +63,7 @@ double Quantity::of(const std::function<double(const double*)>& energy,
 
 std::optional<Quantity> error_of_members(const Case& c) {
   const auto* const text = c.family.target<cases::TextFamilies>();
-  const bool known = text ? static_cast<bool>(text->exact())
-                          : c.truth.source.find("closed form") != std::string::npos;
+  const bool known = text ? static_cast<bool>(text->exact()) : c.truth.closed_form;
   if (!known) return std::nullopt;
   return Quantity{.name = "error", .kind = Quantity::Kind::error};
 }

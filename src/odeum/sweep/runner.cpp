@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "odeum/input/yaml_tree.hpp"
 #include "odeum/judge/errors.hpp"
 
 namespace odeum::sweep {
@@ -28,8 +27,6 @@ std::optional<std::string> fault_in(const Work& work) {
     work();
     return std::nullopt;
   } catch (const std::invalid_argument& error) {
-    return error.what();
-  } catch (const InputError& error) {
     return error.what();
   }
 }
