@@ -100,7 +100,6 @@ Outcome failed(Status status, std::string detail) {
   outcome.detail = std::move(detail);
   return outcome;
 }
-Outcome refused(std::string detail) { return failed(Status::refused, std::move(detail)); }
 
 std::string objection_to(const scene::Scene& scene, const Method& method) {
   auto objection = objection_of_bodies(scene);

@@ -161,23 +161,16 @@ void walk_adaptive(const Method& method, gsl_odeiv2_driver& driver, double t,
   }
 }
 
-Outcome refuse(std::string why) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  outcome.detail = std::move(why);
-  return outcome;
-}
-
 }  // namespace
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
   const std::size_t n = contest.view.dimension;
-  if (n == 0) return refuse("the library has no vectors of length 0");
+  if (n == 0) return refused("the library has no vectors of length 0");
   if (method.needs_jacobian() && n > dense_dimension_limit) return dense_over_budget(n);
 
   const bool fixed = request.mode == Mode::fixed;
   if (fixed && method.multistep())
-    return refuse(fmt::format(
+    return refused(fmt::format(
         "{} chooses its order from a tolerance; at a fixed step it stays at order 1 or 2, "
         "or its corrector fails, depending on the tolerance",
         method.name));
@@ -190,7 +183,7 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
                                           request.stops.back(), method.first_order(), tolerance);
 
   const Driver driver = make_driver(method, system, first, tolerance);
-  if (!driver) return refuse(fmt::format("gsl_odeiv2_driver gave no driver for {}", method.name));
+  if (!driver) return refused(fmt::format("gsl_odeiv2_driver gave no driver for {}", method.name));
   Outcome outcome;
   std::vector<double> y = *contest.y0;
   if (fixed) {

@@ -35,19 +35,10 @@ void explain_exception(Outcome& outcome) {
   }
 }
 
-namespace {
-Outcome refuse(const char* why) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  outcome.detail = why;
-  return outcome;
-}
-}  // namespace
-
-Outcome refuse_adaptive() { return refuse("runs at a fixed step only"); }
+Outcome refuse_adaptive() { return refused("runs at a fixed step only"); }
 Outcome refuse_by_component() {
-  return refuse("tolerances by component are not compiled for an inlined problem");
+  return refused("tolerances by component are not compiled for an inlined problem");
 }
-Outcome refuse_fixed() { return refuse("chooses its own steps: runs to a tolerance only"); }
+Outcome refuse_fixed() { return refused("chooses its own steps: runs to a tolerance only"); }
 
 }  // namespace odeum::adapters::odeint

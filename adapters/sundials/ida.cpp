@@ -179,12 +179,9 @@ class Run {
 };
 
 Outcome solve(const ErasedContest& contest, const Request& request) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  if (request.mode == Mode::fixed) {
-    outcome.detail = "chooses its own steps: runs to a tolerance only";
-    return outcome;
-  }
+  if (request.mode == Mode::fixed)
+    return refused("chooses its own steps: runs to a tolerance only");
+  Outcome outcome = refused("");
   try {
     return Run(contest, request).solve();
   } catch (const Failure& failure) {

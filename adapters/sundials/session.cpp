@@ -157,13 +157,10 @@ void Session::explain(const Failure& failure, Outcome& outcome) {
 }
 
 Outcome solve(const Method& method, const ErasedContest& contest, const Request& request) {
+  if (request.mode == Mode::fixed ? !method.info.fixed : !method.info.adaptive)
+    return refused(request.mode == Mode::fixed ? "chooses its own steps: runs to a tolerance only"
+                                               : "runs at a fixed step only");
   Outcome outcome;
-  if (request.mode == Mode::fixed ? !method.info.fixed : !method.info.adaptive) {
-    outcome.status = Status::refused;
-    outcome.detail = request.mode == Mode::fixed ? "chooses its own steps: runs to a tolerance only"
-                                                 : "runs at a fixed step only";
-    return outcome;
-  }
   try {
     Session session(*method.module, contest, request);
     try {

@@ -61,13 +61,6 @@ auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
   return M::trial_steps(problem, t0, y0, end, tolerance);
 }
 
-inline Outcome refusal(const char* why) {
-  Outcome outcome;
-  outcome.status = Status::refused;
-  outcome.detail = why;
-  return outcome;
-}
-
 /// The run of method M that a request asks for.
 template <class M, Ode P>
 Outcome run_method(const P& problem, double t0, const State<P>& y0, const Request& request) {
@@ -75,14 +68,14 @@ Outcome run_method(const P& problem, double t0, const State<P>& y0, const Reques
     if constexpr (M::info.fixed_step)
       return run_fixed<typename M::template Stepper<P>>(problem, t0, y0, request);
     else
-      return refusal("chooses its own steps only");
+      return refused("chooses its own steps only");
   } else if constexpr (has_trial_steps<M>) {
     auto steps = trial_steps_of<M>(problem, t0, y0, request.stops.back(), request.tolerance);
     return run_adaptive(problem, t0, y0, request, steps.first_step, steps.trial);
   } else if constexpr (ChoosesItsOwnSteps<M>) {
     return M::integrate(problem, t0, y0, request);
   } else {
-    return refusal("runs at a fixed step only");
+    return refused("runs at a fixed step only");
   }
 }
 

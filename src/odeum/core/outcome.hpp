@@ -44,4 +44,12 @@ struct Outcome {
   }
 };
 
+/// The outcome of a run that was not made.
+inline Outcome refused(std::string why) {
+  Outcome outcome;
+  outcome.status = Status::refused;
+  outcome.detail = std::move(why);
+  return outcome;
+}
+
 }  // namespace odeum

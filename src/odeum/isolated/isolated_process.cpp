@@ -227,14 +227,10 @@ void alive(const Guard& guard) {
 Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, const Request& request,
                        std::size_t dimension, Ended& ended) {
   if (in_isolated_process()) return solve(request);
-  if (ended >= most_ended) {
-    Outcome outcome;
-    outcome.status = Status::refused;
-    outcome.detail = fmt::format(
+  if (ended >= most_ended)
+    return refused(fmt::format(
         "not run, since {} runs before, one after the other, had to be ended for their silence",
-        most_ended);
-    return outcome;
-  }
+        most_ended));
   const auto start = Clock::now();
   const double used = processor_seconds();
   double solve_ns = 0, processor_s = 0;

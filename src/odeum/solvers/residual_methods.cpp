@@ -89,7 +89,7 @@ bool has_constant_factors(const ErasedContest& contest) {
 template <class M>
 Outcome solve_residuals(const ErasedContest& contest, const Request& request) {
   if (needs_constant_factors<M> && !has_constant_factors(contest))
-    return refusal(
+    return refused(
         "needs rates with constant factors, M y' = f(t, y): here dR/dy' changes with the state, "
         "the time or the rates");
   Guard guard(contest.implicit->dimension, request.budget, &request.tolerance);
