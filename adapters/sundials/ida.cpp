@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "odeum/core/guard.hpp"
-#include "odeum/linear/dense_limit.hpp"
 #include "odeum/problem/implicit_form.hpp"
 #include "sundials/handles.hpp"
 #include "sundials/module.hpp"
@@ -201,20 +200,10 @@ void add_ida(std::vector<Solver>& all) {
   info.adaptive = true;
   info.common_use = CommonUse::tolerance;
   info.controller = "variable order and step, local error test";
-  info.needs = "residuals that are not solved for all rates, R(t, y, y') = 0";
   info.source =
       "IDA user guide, mathematical considerations: backward differentiation of orders 1 to 5, "
       "fixed leading coefficient, on R(t, y, y') = 0; Newton iteration";
-  all.push_back({info, [](const ErasedContest& contest, Entrant& entrant) {
-                   if (!contest.implicit)
-                     entrant.unfit = "needs " + entrant.info.needs;
-                   else if (contest.implicit->dimension > dense_dimension_limit)
-                     entrant.unfit = "takes dense matrices here, of 128 unknowns at most";
-                   else
-                     entrant.solve = [contest](const Request& request) {
-                       return solve(contest, request);
-                     };
-                 }});
+  all.push_back(on_residuals(info, solve));
 }
 
 }  // namespace odeum::adapters::sundials

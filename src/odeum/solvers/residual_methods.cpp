@@ -104,21 +104,25 @@ template <class M>
 Solver residual_method(const char* id, const char* source) {
   SolverInfo info = info_of_own<M>();
   info.method = id;
-  info.needs = "residuals that are not solved for all rates, R(t, y, y') = 0";
   info.source += source;
-  return {info, [](const ErasedContest& contest, Entrant& entrant) {
+  return on_residuals(info, solve_residuals<M>);
+}
+
+}  // namespace
+
+Solver on_residuals(SolverInfo info, Outcome (*solve)(const ErasedContest&, const Request&)) {
+  info.needs = "residuals that are not solved for all rates, R(t, y, y') = 0";
+  return {info, [solve](const ErasedContest& contest, Entrant& entrant) {
             if (!contest.implicit)
               entrant.unfit = "needs " + entrant.info.needs;
             else if (contest.implicit->dimension > dense_dimension_limit)
               entrant.unfit = "takes dense matrices here, of 128 unknowns at most";
             else
-              entrant.solve = [contest](const Request& request) {
-                return solve_residuals<M>(contest, request);
+              entrant.solve = [contest, solve](const Request& request) {
+                return solve(contest, request);
               };
           }};
 }
-
-}  // namespace
 
 void add_residual_methods(std::vector<Solver>& all) {
   const char* const stages = "; on residuals, VI.1";

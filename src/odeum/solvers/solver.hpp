@@ -95,4 +95,7 @@ struct Solver {
   std::function<void(const ErasedContest&, Entrant&)> enroll;
 };
 
+/// A solver of residuals R(t, y, y') = 0 with dense matrices.
+Solver on_residuals(SolverInfo info, Outcome (*solve)(const ErasedContest&, const Request&));
+
 }  // namespace odeum
