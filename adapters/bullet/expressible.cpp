@@ -23,13 +23,12 @@ bool zero(const Vec3& v) { return v == Vec3{}; }
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 bool has_medium(const Scene& scene) {
-  return std::any_of(scene.velocity_matrix.begin(), scene.velocity_matrix.end(),
-                     [](double entry) { return entry != 0; });
+  return std::ranges::any_of(scene.velocity_matrix, [](double entry) { return entry != 0; });
 }
 
 bool has_tension_only(const Scene& scene) {
-  return std::any_of(scene.springs.begin(), scene.springs.end(),
-                     [](const Spring& spring) { return spring.tension_only; });
+  return std::ranges::any_of(scene.springs,
+                             [](const Spring& spring) { return spring.tension_only; });
 }
 
 /// The eigenvalue of the velocity matrix that belongs to the direction w, if w has one.

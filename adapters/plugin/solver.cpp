@@ -80,7 +80,7 @@ std::vector<double> absolute_of(const Request& request, std::size_t n) {
 class Fenced {
  public:
   explicit Fenced(const std::vector<double>& y) : n_(y.size()), all_(n_ + 2 * width, fence) {
-    std::copy(y.begin(), y.end(), data());
+    std::ranges::copy(y, data());
   }
   double* data() { return all_.data() + width; }
   bool intact() const {

@@ -50,7 +50,7 @@ class Gradients final : public linear::LinearPeer {
 
   std::size_t solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
                     std::size_t most_iterations) override {
-    std::copy(b.begin(), b.end(), NV_DATA_S(b_.get()));
+    std::ranges::copy(b, NV_DATA_S(b_.get()));
     N_VConst(0, x_.get());
     SUNLinSol_PCGSetMaxl(solver_.get(), static_cast<int>(std::min<std::size_t>(
                                             most_iterations, std::numeric_limits<int>::max())));

@@ -49,8 +49,8 @@ int sparse_jacobian(double t, N_Vector y, N_Vector, SUNMatrix sparse, void* data
   if (!session.view().jacobian_entries) session.problem().guard().count_jacobian();
   jacobian.entries(t, NV_DATA_S(y), jacobian.values.data());
   if (session.problem().guard().tripped()) return -1;
-  std::copy(jacobian.start.begin(), jacobian.start.end(), SUNSparseMatrix_IndexPointers(sparse));
-  std::copy(jacobian.column.begin(), jacobian.column.end(), SUNSparseMatrix_IndexValues(sparse));
+  std::ranges::copy(jacobian.start, SUNSparseMatrix_IndexPointers(sparse));
+  std::ranges::copy(jacobian.column, SUNSparseMatrix_IndexValues(sparse));
   double* const values = SUNSparseMatrix_Data(sparse);
   std::fill(values, values + jacobian.column.size(), 0.0);
   for (std::size_t k = 0; k < jacobian.places.size(); ++k)

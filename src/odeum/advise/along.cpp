@@ -35,7 +35,7 @@ double rate_at(const Inquiry& q, const Moment& at) {
   const Moment* nearest = &at;
   if (q.trusted) {
     const std::vector<Moment>& known = q.trusted->moments;
-    nearest = &*std::min_element(known.begin(), known.end(), [&](const Moment& a, const Moment& b) {
+    nearest = &*std::ranges::min_element(known, [&](const Moment& a, const Moment& b) {
       return std::abs(a.t - at.t) < std::abs(b.t - at.t);
     });
   }
@@ -66,7 +66,7 @@ std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
   if (s.used > at_the_edge) return Cause::stability;
   // Without a known edge: within what regions have, where another solver's steps are much longer.
   const double product = s.at.h * std::abs(s.binding);
-  const bool others_pass = std::any_of(q.others.begin(), q.others.end(), [&](const Run& other) {
+  const bool others_pass = std::ranges::any_of(q.others, [&](const Run& other) {
     return s.at.t < other.ends.back() && other.step_at(s.at.t) > 3 * s.at.h;
   });
   if (std::isnan(s.used) && product > beyond_accuracy && product < most_of_a_region && others_pass)
@@ -89,11 +89,11 @@ std::string deciding_component(const Inquiry& q) {
   for (std::size_t k = 0; k < chosen.size() && q.left() > 0.2 * q.seconds; k += apart) {
     const std::vector<double> error =
         step_error(q.c, q.why.solver, chosen[k]->at, q.run.request.tolerance, Mode::adaptive);
-    if (!error.empty()) ++votes[std::max_element(error.begin(), error.end()) - error.begin()];
+    if (!error.empty()) ++votes[std::ranges::max_element(error) - error.begin()];
   }
   if (votes.empty()) return {};
-  const auto first = std::max_element(
-      votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto first = std::ranges::max_element(
+      votes, [](const auto& a, const auto& b) { return a.second < b.second; });
   return q.names[first->first];
 }
 
@@ -111,17 +111,16 @@ std::optional<std::size_t> who(const std::vector<const Sample*>& samples) {
   for (const Sample* s : samples)
     if (s->spectrum.component) weights[*s->spectrum.component] += s->weight;
   if (weights.empty()) return {};
-  return std::max_element(weights.begin(), weights.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
+  return std::ranges::max_element(weights,
+                                  [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
 }
 
 Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, double to) {
   std::map<std::optional<Cause>, double> causes;
   for (const Sample* s : samples) causes[s->cause] += s->weight;
-  const auto most =
-      std::max_element(causes.begin(), causes.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(
+      causes, [](const auto& a, const auto& b) { return a.second < b.second; });
   Segment segment{.from = samples.front()->at.t, .to = to};
   segment.cause = most->first;
   std::vector<double> h, fastest, rate, used;
@@ -239,10 +238,10 @@ void make_segments(Inquiry& q) {
   do q.why.segments = segments_of(q, least);
   while (q.why.segments.size() > most_rows && (least *= 2) < 0.5);
   std::vector<double> times = q.run.trace.times;
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   for (Segment& segment : q.why.segments)
-    segment.evaluations = std::upper_bound(times.begin(), times.end(), segment.to) -
-                          std::lower_bound(times.begin(), times.end(), segment.from);
+    segment.evaluations =
+        std::ranges::upper_bound(times, segment.to) - std::ranges::lower_bound(times, segment.from);
 }
 
 void share_out(Inquiry& q) {

@@ -129,8 +129,8 @@ std::string text_of_wishes(const Advice& advice, const Asked& asked) {
                             : " at the stops");
   if (asked.points.empty()) return text;
   const auto slower = [](const Part& a, const Part& b) { return a.ns < b.ns; };
-  const auto slow = std::max_element(found.parts.begin(), found.parts.end(), slower),
-             fast = std::min_element(found.parts.begin(), found.parts.end(), slower);
+  const auto slow = std::ranges::max_element(found.parts, slower),
+             fast = std::ranges::min_element(found.parts, slower);
   const auto point = [&](auto part) {
     return asked.points[static_cast<std::size_t>(part - found.parts.begin())];
   };

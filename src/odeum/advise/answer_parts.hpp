@@ -37,8 +37,7 @@ std::string reason_of(const Candidate& candidate, bool within);
 template <class Visit>
 void each_dropped(const Advice& advice, const Visit& visit) {
   for (std::size_t k = 0; k < advice.candidates.size(); ++k)
-    if (std::find(advice.timed.begin(), advice.timed.end(), k) == advice.timed.end())
-      visit(advice.candidates[k]);
+    if (std::ranges::find(advice.timed, k) == advice.timed.end()) visit(advice.candidates[k]);
 }
 
 }  // namespace odeum::advise

@@ -46,9 +46,8 @@ std::vector<Candidate*> by_foresight(std::vector<Candidate>& candidates) {
   std::vector<Candidate*> order;
   for (Candidate& candidate : candidates)
     if (!std::isnan(candidate.foreseen)) order.push_back(&candidate);
-  std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
-    return a->foreseen < b->foreseen;
-  });
+  std::ranges::stable_sort(
+      order, [](const Candidate* a, const Candidate* b) { return a->foreseen < b->foreseen; });
   return order;
 }
 
@@ -62,8 +61,8 @@ void Search::order_by_rank(std::vector<Candidate>& candidates) {
     const double apart = std::isnan(claimed) ? 4 : std::max({0.0, 4 - claimed, claimed - 8});
     return apart + (candidate.mode == Mode::fixed ? 0.5 : 0);
   };
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(
+      candidates, [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
 }
 
 /// What a run to the end takes, from one to the first stop. Where stops are decades apart, a run to
@@ -240,7 +239,7 @@ void Search::search_cheap(std::vector<Candidate>& candidates) {
                        k);
   }
   patience_ = usual;
-  std::stable_sort(order.begin(), order.end());
+  std::ranges::stable_sort(order);
   for (const auto& [cost, k] : order) {
     // Nobody has ended a run: coarser ones are tried below, with more time.
     if (late(0.7) || (cost == infinity && !std::isfinite(best_ns_))) break;

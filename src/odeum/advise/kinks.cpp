@@ -68,7 +68,7 @@ double size_of(const std::vector<std::vector<double>>& values, std::size_t i) {
 double usual_step(const Run& run) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < run.ends.size(); ++k) steps.push_back(run.ends[k] - run.ends[k - 1]);
-  std::sort(steps.begin(), steps.end());
+  std::ranges::sort(steps);
   double sum = 0;
   for (const double h : steps)
     if (sum += h; sum >= 0.5 * (run.ends.back() - run.ends.front())) return h;
@@ -80,9 +80,9 @@ double usual_step(const Run& run) {
 std::pair<double, const Kink*> excess_of(const Run& run, const std::vector<Kink>& kinks,
                                          double wide) {
   std::vector<double> times = run.trace.times;
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   const auto before = [&](double t) {
-    return static_cast<double>(std::lower_bound(times.begin(), times.end(), t) - times.begin());
+    return static_cast<double>(std::ranges::lower_bound(times, t) - times.begin());
   };
   const double each = static_cast<double>(times.size()) /
                       static_cast<double>(run.steps() + run.outcome.counters.rejected_steps);

@@ -73,7 +73,7 @@ void Inquiry::find_sizes(const Run& from) {
     for (std::size_t i = 0; i < sizes.size(); ++i)
       if (std::isfinite(at.y[i])) sizes[i] = std::max(sizes[i], std::abs(at.y[i]));
   // A component that is the rounding of others has no size of its own.
-  const double least = 16 * epsilon * *std::max_element(sizes.begin(), sizes.end());
+  const double least = 16 * epsilon * *std::ranges::max_element(sizes);
   for (double& size : sizes)
     if (size < least) size = 0;
 }

@@ -24,8 +24,7 @@ constexpr double finalist_factor = 3, finalist_ns = 3e4, most_rounds = 25;
 
 bool selected(const SolverInfo& info, const Wishes& wishes) {
   const auto& libraries = wishes.libraries;
-  if (!libraries.empty() &&
-      std::find(libraries.begin(), libraries.end(), info.library) == libraries.end())
+  if (!libraries.empty() && std::ranges::find(libraries, info.library) == libraries.end())
     return false;
   return wishes.solvers.empty() || any_glob_matches(wishes.solvers, info.id());
 }
@@ -79,7 +78,7 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, boo
   std::vector<std::size_t> by_cost;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     if (candidates[k].found) by_cost.push_back(k);
-  std::stable_sort(by_cost.begin(), by_cost.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(by_cost, [&](std::size_t a, std::size_t b) {
     const Trial &one = *candidates[a].found, &other = *candidates[b].found;
     return within ? one.error < other.error : one.ns < other.ns;
   });
@@ -158,7 +157,7 @@ void race_to_error(Advice& advice, Search& search) {
   }
   advice.timed = finalists(advice.candidates, false);
   time_them(advice, search, search.seconds());
-  std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(advice.timed, [&](std::size_t a, std::size_t b) {
     return advice.candidates[a].times.min() < advice.candidates[b].times.min();
   });
 }
@@ -196,12 +195,12 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
     if (slow) advice.candidates[k].dropped = "it takes longer at its coarsest good setting";
     return slow;
   });
-  std::stable_sort(advice.timed.begin(), advice.timed.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(advice.timed, [&](std::size_t a, std::size_t b) {
     return advice.candidates[a].found->error < advice.candidates[b].found->error;
   });
   // Of those of the least error the fastest comes first.
   const auto counts = [&](std::size_t k) { return !advice.candidates[k].closed_form(); };
-  const auto least = std::find_if(advice.timed.begin(), advice.timed.end(), counts);
+  const auto least = std::ranges::find_if(advice.timed, counts);
   if (least == advice.timed.end()) return;
   const Trial& best = *advice.candidates[*least].found;
   const auto same = std::stable_partition(least, advice.timed.end(), [&](std::size_t k) {

@@ -63,7 +63,7 @@ std::set<std::size_t> chosen(const std::vector<double>& ends, std::size_t most) 
     at.insert(last * k / parts);
     const double t = ends.front() + (ends.back() - ends.front()) * static_cast<double>(k) /
                                         static_cast<double>(parts);
-    const auto found = std::lower_bound(ends.begin(), ends.end(), t);
+    const auto found = std::ranges::lower_bound(ends, t);
     at.insert(std::min(last, static_cast<std::size_t>(found - ends.begin())));
   }
   for (std::size_t before = 1; before <= last; before *= 2) at.insert(last - before);
@@ -130,14 +130,14 @@ void Recording::enroll(const ErasedContest& contest, double t0, const std::vecto
 
 std::pair<double, double> Run::around(double t) const {
   const std::size_t wide = std::max<std::size_t>(3, steps() / 200);
-  const auto above = std::upper_bound(ends.begin(), ends.end(), t);
+  const auto above = std::ranges::upper_bound(ends, t);
   const std::size_t i = std::max<std::size_t>(1, above - ends.begin()) - 1;
   return {ends[i - std::min(i, wide)], ends[std::min(steps(), i + 1 + wide)]};
 }
 
 double Run::steps_in(double from, double to) const {
   const auto place = [&](double t) {
-    const auto above = std::upper_bound(ends.begin(), ends.end(), t);
+    const auto above = std::ranges::upper_bound(ends, t);
     if (above == ends.begin()) return 0.0;
     if (above == ends.end()) return static_cast<double>(steps());
     const double before = *(above - 1);

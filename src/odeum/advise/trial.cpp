@@ -24,8 +24,7 @@ double Trial::energy_error() const {
 
 std::size_t Trial::worst() const {
   const auto larger = [](const Part& a, const Part& b) { return a.error < b.error; };
-  return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end(), larger) -
-                                  parts.begin());
+  return static_cast<std::size_t>(std::ranges::max_element(parts, larger) - parts.begin());
 }
 
 Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std::uint64_t frames)

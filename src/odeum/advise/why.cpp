@@ -42,8 +42,8 @@ void Inquiry::add(Cause cause, double share, double from, std::string text) {
 }
 
 bool Inquiry::found(Cause cause) const {
-  return std::any_of(why.findings.begin(), why.findings.end(),
-                     [&](const Finding& each) { return each.cause == cause; });
+  return std::ranges::any_of(why.findings,
+                             [&](const Finding& each) { return each.cause == cause; });
 }
 
 namespace {
@@ -59,10 +59,9 @@ void look_at_steps(Inquiry& q) {
   look_at_tolerances(q);
   sample(q, q.run, 0);
   share_out(q);
-  const bool explained =
-      std::any_of(q.why.findings.begin(), q.why.findings.end(), [](const Finding& finding) {
-        return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
-      });
+  const bool explained = std::ranges::any_of(q.why.findings, [](const Finding& finding) {
+    return finding.cause != Cause::accuracy && finding.cause != Cause::stability;
+  });
   if (q.run.outcome.status == Status::newton_failed && !explained)
     q.add(Cause::newton, nan, q.run.ends.back(),
           fmt::format(
@@ -119,14 +118,13 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   // Causes of a failure are found first and stay so. Of a run that ended the largest share leads;
   // that the error test bounds steps is as it should be, and a defect comes before it.
   if (q.run.ok() || unpaid)
-    std::stable_sort(q.why.findings.begin(), q.why.findings.end(),
-                     [](const Finding& a, const Finding& b) {
-                       const auto weight = [](const Finding& f) {
-                         if (std::isnan(f.share)) return 0.6;
-                         return f.cause == Cause::accuracy ? 0.5 * f.share : f.share;
-                       };
-                       return weight(a) > weight(b);
-                     });
+    std::ranges::stable_sort(q.why.findings, [](const Finding& a, const Finding& b) {
+      const auto weight = [](const Finding& f) {
+        if (std::isnan(f.share)) return 0.6;
+        return f.cause == Cause::accuracy ? 0.5 * f.share : f.share;
+      };
+      return weight(a) > weight(b);
+    });
   try_settings(q);
   choose(q);
   q.why.difference = q.difference(q.run);

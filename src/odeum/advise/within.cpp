@@ -113,8 +113,8 @@ void Search::all_within(std::vector<Candidate>& candidates) {
   }
   // Then those of the least error that is foreseen, and in turn with them the cheapest of those
   // that failed there, which may be good at a finer one.
-  std::sort(known.begin(), known.end());
-  std::sort(failed.begin(), failed.end());
+  std::ranges::sort(known);
+  std::ranges::sort(failed);
   cap_seconds_ = std::max(2e-3, std::min(crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
   for (std::size_t k = 0; k < std::max(known.size(), failed.size()) && !late(0.7); ++k) {
     for (const auto* list : {&known, &failed})

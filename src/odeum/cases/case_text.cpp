@@ -23,8 +23,7 @@ CaseText::CaseText(const std::string& file, const std::string& text, const std::
   read_offered();
   if (set.empty()) return;
   for (const auto& [name, value] : set) {
-    if (problem_.parameters.contains(name) &&
-        std::find(offered_.begin(), offered_.end(), name) == offered_.end())
+    if (problem_.parameters.contains(name) && std::ranges::find(offered_, name) == offered_.end())
       throw std::invalid_argument(
           fmt::format("{} has no parameter {}; expected {}", id, name, one_of(offered_, name)));
     values_[name] = value;
@@ -108,7 +107,7 @@ void CaseText::place(const std::vector<double>& values,
 std::vector<double> CaseText::thresholds() {
   std::vector<double> all = numbers("thresholds");
   const auto bad = [](double threshold) { return !(threshold > 0); };
-  if (all.size() != problem_.states.size() || std::any_of(all.begin(), all.end(), bad))
+  if (all.size() != problem_.states.size() || std::ranges::any_of(all, bad))
     fail(find("thresholds")->place, "thresholds: expected {} positive numbers, one for each state",
          problem_.states.size());
   return all;

@@ -51,8 +51,7 @@ std::deque<File> built_in() {
 #undef ODEUM_ITEM
   for (const cases::BuiltInText& text : cases::built_in_texts())
     files.push_back({text.stem, &text});
-  std::sort(files.begin(), files.end(),
-            [](const File& a, const File& b) { return a.name < b.name; });
+  std::ranges::sort(files, [](const File& a, const File& b) { return a.name < b.name; });
   File& given = files.emplace_back(File{"plug-ins"});
   for (const RuntimeLibrary& library : runtime_libraries())
     if (library.problems)

@@ -12,7 +12,7 @@ using System = std::shared_ptr<const fem::SemiDiscrete>;
 
 void dense_operator(const fem::SemiDiscrete& system, double* a) {
   if (system.lumped) return fill_dense(system.pattern, system.entries.data(), a);
-  std::copy(system.operator_matrix.begin(), system.operator_matrix.end(), a);
+  std::ranges::copy(system.operator_matrix, a);
 }
 
 /// M u' = -K u + f.
@@ -30,7 +30,7 @@ struct Heat {
   void linear_matrix(double* a) const { dense_operator(*system, a); }
   const Sparsity* sparsity() const { return system->lumped ? &system->pattern : nullptr; }
   void jacobian_entries(double, const double*, double* values) const {
-    std::copy(system->entries.begin(), system->entries.end(), values);
+    std::ranges::copy(system->entries, values);
   }
   std::unique_ptr<ShiftedSolver> shifted_solver() const { return fem::heat_solver(*system); }
 };
@@ -72,7 +72,7 @@ struct Wave {
   const Sparsity* sparsity() const { return system->lumped ? &pattern : nullptr; }
   void jacobian_entries(double, const double*, double* values) const {
     std::fill_n(values, system->size(), 1);
-    std::copy(system->entries.begin(), system->entries.end(), values + system->size());
+    std::ranges::copy(system->entries, values + system->size());
   }
   std::unique_ptr<ShiftedSolver> shifted_solver() const { return fem::wave_solver(*system); }
   double energy(const double* y) const {

@@ -25,7 +25,7 @@ std::vector<double> with_constant(const LinearForm& form, bool has_constant) {
 }
 
 void set_solution(LinearForm& form, const Case& c) {
-  const bool constant = std::any_of(form.b.begin(), form.b.end(), [](double x) { return x != 0; });
+  const bool constant = std::ranges::any_of(form.b, [](double x) { return x != 0; });
   std::vector<double> z0 = c.y0;
   if (constant) z0.push_back(1);
   form.solution = modal_solution(with_constant(form, constant), z0, form.size, c.end() - c.t0,

@@ -25,7 +25,7 @@ std::vector<double> proposed_scale(const Case& c) {
       known = true;
       extend(state);
     }
-  const double of_all = *std::max_element(largest.begin(), largest.end());
+  const double of_all = *std::ranges::max_element(largest);
   if (!known || !(of_all > 0) || !std::isfinite(of_all)) return {};
   for (double& size : largest) {
     // A state that is zero at all of these times has the size of the largest.
@@ -34,14 +34,14 @@ std::vector<double> proposed_scale(const Case& c) {
     if (c.truth.floor > 0) size = std::max(size, power_above(1e8 * c.truth.floor));
   }
   const auto near_one = [](double size) { return size >= 0.01 && size <= 100; };
-  if (std::all_of(largest.begin(), largest.end(), near_one)) return {};
+  if (std::ranges::all_of(largest, near_one)) return {};
   return largest;
 }
 
 std::vector<double> take_proposed_scale(Case& c, double& floor) {
   std::vector<double> scale = proposed_scale(c);
   if (scale.empty()) return scale;
-  const double smallest = *std::min_element(scale.begin(), scale.end());
+  const double smallest = *std::ranges::min_element(scale);
   c.truth.floor /= smallest;
   floor /= smallest;
   c.tolerance = Tolerance::of_thresholds(c.tolerance.relative, scale);

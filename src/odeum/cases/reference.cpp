@@ -54,7 +54,7 @@ std::function<bool(double, Real*)> lookup(std::string_view text, const std::stri
   return [way_points](double t, Real* y) {
     const auto found = way_points->find(t);
     if (found == way_points->end()) return false;
-    std::copy(found->second.begin(), found->second.end(), y);
+    std::ranges::copy(found->second, y);
     return true;
   };
 }

@@ -109,9 +109,9 @@ Eigenvalues settled(const Vector& matrix, std::size_t size) {
   for (const auto& z : now) size_of_largest = std::max(size_of_largest, std::abs(z));
   Eigenvalues found;
   for (const auto& z : now)
-    if (std::abs(z) == size_of_largest ||
-        std::any_of(before.begin(), before.end(),
-                    [&](const auto& other) { return std::abs(other - z) <= 0.01 * std::abs(z); }))
+    if (std::abs(z) == size_of_largest || std::ranges::any_of(before, [&](const auto& other) {
+          return std::abs(other - z) <= 0.01 * std::abs(z);
+        }))
       found.push_back(z);
   return found;
 }
@@ -122,8 +122,7 @@ Eigenvalues eigenvalues_at(const Case& c, const Moment& at) {
   std::size_t n = c.y0.size();
   const bool dense = n <= dense_dimension_limit;
   const Vector matrix = dense ? dense_jacobian(c, at) : arnoldi(c, at, products, n);
-  if (std::any_of(matrix.begin(), matrix.end(), [](double x) { return !std::isfinite(x); }))
-    return {};
+  if (std::ranges::any_of(matrix, [](double x) { return !std::isfinite(x); })) return {};
   // Where the iteration ended before, its matrix has all that the start has a part along.
   const bool whole = dense || n < products;
   Eigenvalues upper;

@@ -105,7 +105,7 @@ class TextCase : CaseText {
   void add_stops() {
     std::vector<double>& stops = problem_.stops = case_.stops;
     for (const double timed : numbers("timed_stops")) stops.push_back(timed);
-    std::sort(stops.begin(), stops.end());
+    std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   }
 
@@ -224,11 +224,12 @@ class TextCase : CaseText {
     if (!has("invariants")) return;
     const std::vector<std::string> names = texts("invariants");
     for (const std::string& name : names)
-      if (std::none_of(problem_.invariants.begin(), problem_.invariants.end(),
-                       [&](const formula::Invariant& invariant) { return invariant.name == name; }))
+      if (std::ranges::none_of(problem_.invariants, [&](const formula::Invariant& invariant) {
+            return invariant.name == name;
+          }))
         fail(find("invariants")->place, "invariants: no invariant; got {}", shown(name));
     std::erase_if(case_.invariants, [&](const Invariant& invariant) {
-      return std::find(names.begin(), names.end(), invariant.name) == names.end();
+      return std::ranges::find(names, invariant.name) == names.end();
     });
   }
 

@@ -43,7 +43,7 @@ class TextFamily : CaseText {
     CaseText::place(values, usual_);
     require_signs();
     if (!ode_->set_parameters(problem_.parameters)) return false;
-    std::copy(ode_->problem().y0.begin(), ode_->problem().y0.end(), y0_->begin());
+    std::ranges::copy(ode_->problem().y0, y0_->begin());
     if (energy_) energy_->define(ode_->constants());
     return true;
   }

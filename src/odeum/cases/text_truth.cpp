@@ -40,7 +40,7 @@ TextTruth closed_form(const formula::Problem& problem) {
   result.truth.at = [extended, n = problem.states.size()](double t, double* y) {
     std::vector<long double> values(n);
     (*extended)(t, nullptr, values.data());
-    std::copy(values.begin(), values.end(), y);
+    std::ranges::copy(values, y);
     return true;
   };
   // What rounding does to the formula in double tells what it does in extended precision.
@@ -111,7 +111,7 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
   result.extended = [reference](double t, long double* y) {
     const std::size_t k = place_of(*reference, t);
     if (k == reference->times.size()) return false;
-    std::copy(reference->states[k].begin(), reference->states[k].end(), y);
+    std::ranges::copy(reference->states[k], y);
     return true;
   };
   result.truth.at = [at = result.extended, n, ends_at = reference->ends_at](double t, double* y) {
@@ -121,7 +121,7 @@ TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops
     }
     std::vector<long double> state(n);
     if (!at(t, state.data())) return false;
-    std::copy(state.begin(), state.end(), y);
+    std::ranges::copy(state, y);
     return true;
   };
   result.truth.source = "computed from " + what + " by " + reference->methods;

@@ -105,8 +105,7 @@ std::string text_of_step(const Case& c, const cases::LinearForm& form, const Sol
 const Solver& fixed_step_solver(const Case& c, const std::string& name) {
   const std::string id = find_entrant(c.entrants, c.id, name).info.id();
   const auto& all = all_solvers();
-  const auto at =
-      std::find_if(all.begin(), all.end(), [&](const Solver& s) { return s.info.id() == id; });
+  const auto at = std::ranges::find_if(all, [&](const Solver& s) { return s.info.id() == id; });
   if (at == all.end() || !at->info.fixed)
     throw UsageError("--solver: {} takes no fixed steps, so that its step is no one matrix", id);
   return *at;

@@ -25,7 +25,7 @@ Case changed(const Case& c, const Assignments& sets) {
         "--set: {} has no parameters; odeum list cases --parameters lists the cases that have",
         c.id);
   for (const auto& [name, value] : sets) {
-    const auto at = std::find(names.begin(), names.end(), name);
+    const auto at = std::ranges::find(names, name);
     if (at == names.end())
       throw UsageError("--set: {} has no parameter {}{}; expected one of {}", c.id, name,
                        did_you_mean(name, names), fmt::join(names, ", "));
@@ -76,7 +76,7 @@ std::map<std::string, double> library_options(const RunOptions& options, const S
   for (const auto& [name, value] : assignments("--option", options.library_options)) {
     std::vector<std::string> names;
     for (const auto& known : info.options) names.push_back(known.first);
-    if (std::find(names.begin(), names.end(), name) == names.end())
+    if (std::ranges::find(names, name) == names.end())
       throw UsageError("--option: {} has no option {}{}", info.id(), name,
                        did_you_mean(name, names));
     values[name] = value;

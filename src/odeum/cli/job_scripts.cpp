@@ -81,7 +81,7 @@ std::string resubmit_script(const std::vector<std::uint64_t>& shards, std::uint6
 }}
 )sh",
                                  head);
-  const auto alone_from = std::lower_bound(shards.begin(), shards.end(), first_alone);
+  const auto alone_from = std::ranges::lower_bound(shards, first_alone);
   if (alone_from != shards.begin())
     text += fmt::format("these {}\n", fmt::join(shards.begin(), alone_from, " "));
   if (alone_from != shards.end())

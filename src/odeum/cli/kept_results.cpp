@@ -30,7 +30,7 @@ std::uint64_t sum_of_program() {
   // Independent sums, since each product waits for the one before.
   std::array<std::uint64_t, lanes> sums{1, 2, 3, 4};
   do {
-    std::fill(block.begin(), block.end(), 0);
+    std::ranges::fill(block, 0);
     in.read(reinterpret_cast<char*>(block.data()), words * sizeof(std::uint64_t));
     for (std::size_t k = 0; k < words; k += lanes)
       for (std::size_t lane = 0; lane < lanes; ++lane)

@@ -58,8 +58,7 @@ void print_plan(const PlanOptions& options, const study::PlannedTasks& foreseen,
       "time    {:.3g} s foreseen, the longest shard {:.3g} s ({} tasks timed, {} of earlier "
       "runs)\n",
       std::accumulate(packing.seconds.begin(), packing.seconds.end(), 0.),
-      *std::max_element(packing.seconds.begin(), packing.seconds.end()), foreseen.timed,
-      foreseen.earlier);
+      *std::ranges::max_element(packing.seconds), foreseen.timed, foreseen.earlier);
   if (shards < options.shards)
     print("note    fewer than {} shards, since a task is not split\n", options.shards);
   print(
@@ -77,8 +76,8 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   const double shard_seconds = options.shard_time.empty() ? 0 : seconds_of(options.shard_time);
   const study::Studies studies = study::make_studies();
   if (words.front() != "sweep" && words.front() != "report" &&
-      std::none_of(studies.begin(), studies.end(),
-                   [&](const auto& each) { return each->declaration().name == words.front(); }))
+      std::ranges::none_of(
+          studies, [&](const auto& each) { return each->declaration().name == words.front(); }))
     throw UsageError("plan: {} cannot be done in shards; sweep and the studies can", words.front());
   Part& here = part();
   here.role = Role::plan;

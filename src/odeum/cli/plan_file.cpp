@@ -38,7 +38,7 @@ PlanFile read_plan(const std::string& run) {
                   .shares = study::shares_of(shard_of_task)};
     const auto beyond = [&](std::uint32_t shard) { return shard >= plan.shards; };
     if (study::text_of_shares(plan.shares) != shard_of_task ||
-        std::any_of(plan.shares.begin(), plan.shares.end(), beyond))
+        std::ranges::any_of(plan.shares, beyond))
       throw UsageError("{} is damaged: shard_of_task holds other things than numbers of shards",
                        file.string());
     return plan;

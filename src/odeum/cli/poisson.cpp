@@ -82,7 +82,7 @@ std::pair<double, double> key_of(const fem::TriangleMesh& mesh,
 Middles given_edges(const fem::GmshMesh& mesh, const std::vector<std::string>& on) {
   const bool everywhere = on.empty(), nowhere = on == std::vector<std::string>{"none"};
   for (const std::string& group : on)
-    if (!nowhere && std::find(mesh.groups.begin(), mesh.groups.end(), group) == mesh.groups.end())
+    if (!nowhere && std::ranges::find(mesh.groups, group) == mesh.groups.end())
       throw UsageError(
           "--on {}: the mesh has no physical group of curves of that name; it has {}, and none "
           "means nowhere{}",
@@ -90,9 +90,8 @@ Middles given_edges(const fem::GmshMesh& mesh, const std::vector<std::string>& o
           did_you_mean(group, mesh.groups));
   Middles middles;
   for (const auto& edge : fem::boundary_edges(mesh.mesh))
-    if (everywhere || std::any_of(on.begin(), on.end(), [&](const std::string& group) {
-          return mesh.in_group(edge, group);
-        }))
+    if (everywhere || std::ranges::any_of(
+                          on, [&](const std::string& group) { return mesh.in_group(edge, group); }))
       middles.insert(key_of(mesh.mesh, edge));
   return middles;
 }
@@ -182,7 +181,7 @@ class Solution {
     return fields;
   }
   std::string summary() const {
-    const auto [low, high] = std::minmax_element(nodal_.begin(), nodal_.end());
+    const auto [low, high] = std::ranges::minmax_element(nodal_);
     return fmt::format("u lies between {:.6g} and {:.6g} at the nodes", *low, *high);
   }
 

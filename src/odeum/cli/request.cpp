@@ -104,7 +104,7 @@ RunSettings settings_for(const Case& c, RunSettings settings) {
   std::vector<double> all(names.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = others.absolute(i);
   for (const auto& [name, value] : settings.named_absolute) {
-    const auto at = std::find(names.begin(), names.end(), name);
+    const auto at = std::ranges::find(names, name);
     if (at == names.end())
       throw UsageError("--atol: {} has no component {}{}", c.id, shown(name),
                        did_you_mean(name, names));

@@ -39,8 +39,7 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
                  const std::vector<std::string>& ids) {
   for (const std::string& glob : globs) {
     const std::string pattern = glob.substr(glob.starts_with('!'));
-    if (std::any_of(ids.begin(), ids.end(),
-                    [&](const std::string& id) { return glob_matches(pattern, id); }))
+    if (std::ranges::any_of(ids, [&](const std::string& id) { return glob_matches(pattern, id); }))
       continue;
     if (const std::string missing = missing_library(glob); !missing.empty())
       throw UsageError(missing);
@@ -48,8 +47,7 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
     throw UsageError("no {0} matches '{1}'{2}", what, glob,
                      near.empty() ? fmt::format("; see odeum list {}s", what) : near);
   }
-  if (std::none_of(ids.begin(), ids.end(),
-                   [&](const std::string& id) { return any_glob_matches(globs, id); }))
+  if (std::ranges::none_of(ids, [&](const std::string& id) { return any_glob_matches(globs, id); }))
     throw UsageError("no {} is left by '{}'", what, fmt::join(globs, " "));
 }
 

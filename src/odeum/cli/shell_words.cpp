@@ -8,7 +8,7 @@
 namespace odeum::cli {
 
 std::string shell_word(const std::string& word) {
-  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+  const bool plain = std::ranges::all_of(word, [](unsigned char c) {
     return std::isalnum(c) ||
            std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
   });

@@ -90,15 +90,14 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
 std::vector<std::string> take_elements(std::vector<std::string>& globs) {
   const std::vector<std::string> cases = known_ids();
   const auto is_of_cases = [&](const std::string& glob) {
-    return glob.starts_with('!') || std::any_of(cases.begin(), cases.end(), [&](const auto& id) {
-             return glob_matches(glob, id);
-           });
+    return glob.starts_with('!') ||
+           std::ranges::any_of(cases, [&](const auto& id) { return glob_matches(glob, id); });
   };
   // Model problems have meshes: they are made only where a glob may mean one.
-  if (std::all_of(globs.begin(), globs.end(), is_of_cases)) return {};
+  if (std::ranges::all_of(globs, is_of_cases)) return {};
   const auto models = study::model_problems();
   const auto first_taken = std::stable_partition(globs.begin(), globs.end(), [&](const auto& glob) {
-    return is_of_cases(glob) || std::none_of(models.begin(), models.end(), [&](const auto& model) {
+    return is_of_cases(glob) || std::ranges::none_of(models, [&](const auto& model) {
              return glob_matches(glob, model.id);
            });
   });

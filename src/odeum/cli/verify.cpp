@@ -35,8 +35,7 @@ void add_verify(CLI::App& app, int& result) {
       ->required();
   command->callback([what, &result] {
     const std::vector<std::string> ids = known_ids();
-    const bool problem =
-        is_problem_file(*what) || std::find(ids.begin(), ids.end(), *what) != ids.end();
+    const bool problem = is_problem_file(*what) || std::ranges::find(ids, *what) != ids.end();
     try {
       result = problem ? verify_truth(case_of(*what, ProblemOptions{})) : verify_tableau(*what);
     } catch (const InputError& error) {

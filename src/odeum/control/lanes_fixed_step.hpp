@@ -58,8 +58,7 @@ constexpr std::uint64_t evaluations_of_step() {
   } else {
     constexpr const auto& T = M::rosenbrock_tableau;
     std::uint64_t count = 1;
-    for (const auto& row : T.a)
-      count += std::any_of(row.begin(), row.end(), [](double a) { return a != 0; });
+    for (const auto& row : T.a) count += std::ranges::any_of(row, [](double a) { return a != 0; });
     return count;
   }
 }

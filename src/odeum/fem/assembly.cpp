@@ -104,7 +104,7 @@ class Assembly {
     diagonal_.resize(system_.right.size());
     std::vector<std::array<int, 2>> incoming;  // node, the one from which the edge comes
     for (const auto& [from, to] : edges_.boundary) incoming.push_back({to, from});
-    std::sort(incoming.begin(), incoming.end());
+    std::ranges::sort(incoming);
     std::size_t in = 0;
     int* end = a.column.data();
     for (int node = 0; node + 1 < static_cast<int>(edges_.start.size()); ++node) {
@@ -139,7 +139,7 @@ class Assembly {
     for (std::size_t k = 0; k < rule.nodes.size(); ++k)
       for (std::size_t i = 0; i < 3; ++i)
         if (rule.nodes[k].at[i] == 1) corners_[k] = i;
-    if (std::all_of(corners_.begin(), corners_.end(), [](std::size_t k) { return k == 3; })) return;
+    if (std::ranges::all_of(corners_, [](std::size_t k) { return k == 3; })) return;
     at_nodes_.reserve(mesh_.nodes.size());
     for (const Point p : mesh_.nodes)
       at_nodes_.push_back(finite(problem_.load(p), "the load f", p));

@@ -174,7 +174,7 @@ class Reader {
         line.groups.push_back(named == names_.end() ? std::to_string(group) : named->second);
       }
       result_.groups.insert(result_.groups.end(), line.groups.begin(), line.groups.end());
-      std::sort(line.nodes.begin(), line.nodes.end());
+      std::ranges::sort(line.nodes);
       result_.lines.push_back(std::move(line));
     } else {
       const std::size_t a = node(), b = node(), c = node();
@@ -207,11 +207,11 @@ class Reader {
                                                            : tokens_.place(),
                    error.what());
     }
-    std::sort(result_.groups.begin(), result_.groups.end());
+    std::ranges::sort(result_.groups);
     result_.groups.erase(std::unique(result_.groups.begin(), result_.groups.end()),
                          result_.groups.end());
-    std::sort(result_.lines.begin(), result_.lines.end(),
-              [](const auto& l, const auto& r) { return l.nodes < r.nodes; });
+    std::ranges::sort(result_.lines,
+                      [](const auto& l, const auto& r) { return l.nodes < r.nodes; });
   }
 
   TokenReader tokens_;
@@ -229,11 +229,10 @@ class Reader {
 
 bool GmshMesh::in_group(const std::array<std::size_t, 2>& edge, const std::string& group) const {
   const std::array sorted{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
-  for (auto line = std::lower_bound(lines.begin(), lines.end(), sorted,
-                                    [](const Line&l, const auto&r) { return l.nodes < r; });
+  for (auto line = std::ranges::lower_bound(lines, sorted,
+                                            [](const Line&l, const auto&r) { return l.nodes < r; });
        line != lines.end() && line->nodes == sorted; ++line)
-    if (std::find(line->groups.begin(), line->groups.end(), group) != line->groups.end())
-      return true;
+    if (std::ranges::find(line->groups, group) != line->groups.end()) return true;
   return false;
 }
 

@@ -90,7 +90,7 @@ std::optional<HalfEdges> half_edges(const TriangleMesh& mesh, Team& team) {
     const std::lock_guard lock(joining);
     edges.boundary.insert(edges.boundary.end(), boundary.begin(), boundary.end());
   });
-  std::sort(edges.boundary.begin(), edges.boundary.end());
+  std::ranges::sort(edges.boundary);
   if (!in_one_piece(edges)) return std::nullopt;
   return edges;
 }

@@ -60,7 +60,7 @@ Id parsed(const std::string& text, std::size_t offset, const formula::Scope& sco
 /// On any of the states `first` to `last`.
 bool depends(const Graph& graph, Id root, std::uint32_t first, std::uint32_t last) {
   const std::vector<Id> needed = graph.needed({root});
-  return std::any_of(needed.begin(), needed.end(), [&](Id id) {
+  return std::ranges::any_of(needed, [&](Id id) {
     return graph[id].op == Op::state && graph[id].index >= first && graph[id].index <= last;
   });
 }
@@ -184,8 +184,8 @@ std::array<double, 2> PdeMap::place(std::size_t i, std::size_t j) const {
 }
 
 double PdeMap::share(PdeType type) const {
-  const auto count = std::count_if(points.begin(), points.end(),
-                                   [&](const PdePoint& point) { return point.type == type; });
+  const auto count =
+      std::ranges::count_if(points, [&](const PdePoint& point) { return point.type == type; });
   return static_cast<double>(count) / static_cast<double>(points.size());
 }
 

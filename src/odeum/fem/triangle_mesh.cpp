@@ -85,9 +85,9 @@ class Check {
     sorted.reserve(mesh_.triangles.size());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       sorted.emplace_back(mesh_.triangles[t], t);
-      std::sort(sorted.back().first.begin(), sorted.back().first.end());
+      std::ranges::sort(sorted.back().first);
     }
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     for (std::size_t i = 1; i < sorted.size(); ++i)
       if (sorted[i].first == sorted[i - 1].first)
         refuse(sorted[i].second, "is a duplicate of " + triangle_name(sorted[i - 1].second));
@@ -217,7 +217,7 @@ Refined refined(const TriangleMesh& mesh, const std::function<Point(Point)>& ont
   });
   std::vector<std::size_t> order(nodes.size()), place(nodes.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     return std::tie(nodes[a].at.y, nodes[a].at.x) < std::tie(nodes[b].at.y, nodes[b].at.x);
   });
   Refined fine;

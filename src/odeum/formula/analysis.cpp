@@ -28,8 +28,7 @@ void find_second_order(const Problem& problem, const Analysis& analysis, Structu
   if (!in_order) {
     s.second_order_in_other_order =
         positions.size() == half && velocities.size() == half &&
-        std::none_of(positions.begin(), positions.end(),
-                     [&](std::uint32_t k) { return velocities.contains(k); });
+        std::ranges::none_of(positions, [&](std::uint32_t k) { return velocities.contains(k); });
     return;
   }
   for (std::uint32_t k = half; k < s.states; ++k)
@@ -43,9 +42,8 @@ void find_implicit_part(Problem& problem, Analysis& analysis) {
   analysis.implicit_jacobian = gradients(problem.graph, problem.implicit_part, n);
   for (std::vector<Entry>& row : analysis.implicit_jacobian)
     if (!row.empty() && row.back().by == n) row.pop_back();  // the time
-  analysis.structure.with_implicit_part = static_cast<std::size_t>(
-      std::count_if(problem.implicit_part.begin(), problem.implicit_part.end(),
-                    [&](Id id) { return !problem.graph.is(id, 0); }));
+  analysis.structure.with_implicit_part = static_cast<std::size_t>(std::ranges::count_if(
+      problem.implicit_part, [&](Id id) { return !problem.graph.is(id, 0); }));
 }
 
 }  // namespace

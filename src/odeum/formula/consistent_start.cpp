@@ -45,7 +45,7 @@ bool find_roots(Graph& graph, const std::vector<Id>& roots, Real t, std::vector<
     std::vector<Real> change = at.values;
     linear::Lu<Real> slopes(unknown.size());
     for (std::size_t k = 0; k < unknown.size(); ++k)
-      std::copy(at.slopes[k].begin(), at.slopes[k].end(), slopes.data() + k * unknown.size());
+      std::ranges::copy(at.slopes[k], slopes.data() + k * unknown.size());
     if (!slopes.factorise()) return false;
     slopes.solve(change.data());
     Real largest = 0;

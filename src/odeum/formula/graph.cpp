@@ -163,7 +163,7 @@ std::vector<Id> Graph::needed(const std::vector<Id>& roots) const {
     for (const Id argument : nodes_[id].of)
       if (argument != no_node) marked[argument] = true;
   }
-  std::reverse(list.begin(), list.end());
+  std::ranges::reverse(list);
   return list;
 }
 

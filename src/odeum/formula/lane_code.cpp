@@ -43,7 +43,7 @@ bool has_choices(const Problem& problem, const Analysis& analysis) {
   roots.insert(roots.end(), entries.begin(), entries.end());
   roots.insert(roots.end(), analysis.time_derivative.begin(), analysis.time_derivative.end());
   const std::vector<Id> needed = problem.graph.needed(roots);
-  return std::any_of(needed.begin(), needed.end(), [&](Id id) {
+  return std::ranges::any_of(needed, [&](Id id) {
     const Op op = problem.graph[id].op;
     return op == Op::choose || op == Op::min || op == Op::max;
   });

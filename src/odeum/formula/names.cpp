@@ -21,8 +21,7 @@ const std::map<std::string, Op, std::less<>>& functions() {
 }
 
 std::string fault_of_name(std::string_view name) {
-  if (name.empty() || !begins_name(name[0]) ||
-      !std::all_of(name.begin(), name.end(), continues_name)) {
+  if (name.empty() || !begins_name(name[0]) || !std::ranges::all_of(name, continues_name)) {
     const std::string_view bare = name.substr(0, name.find_last_not_of('\'') + 1);
     if (bare.size() < name.size() && !bare.empty() && fault_of_name(bare).empty())
       return fmt::format("not a name; got {}, expected {}: an equation's entry is the derivative",

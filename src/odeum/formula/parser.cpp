@@ -215,8 +215,8 @@ class Parser : Cursor {
     const std::size_t begin = at_;
     while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
     const std::string_view index = text_.substr(begin, at_ - begin);
-    const bool counts = std::any_of(counters_.begin(), counters_.end(),
-                                    [&](const Counter& c) { return c.name == index; });
+    const bool counts =
+        std::ranges::any_of(counters_, [&](const Counter& c) { return c.name == index; });
     if (counts || !is_free_index(index, scope_))
       fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])",
            index.empty() ? "none" : shown(index));

@@ -112,7 +112,7 @@ class ValuesPrinter {
     const auto same = [&](long double value) {
       return value == values[0] && std::signbit(value) == std::signbit(values[0]);
     };
-    if (std::all_of(values.begin(), values.end(), same)) return constant_text(values[0], type_);
+    if (std::ranges::all_of(values, same)) return constant_text(values[0], type_);
     const Type& type = type_.lanes ? in_double : type_;
     std::string all;
     for (const long double value : values) all += constant_text(value, type) + ", ";

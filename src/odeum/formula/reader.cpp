@@ -187,9 +187,8 @@ bool looks_like_problem(const std::string& file, const std::string& text) {
   try {
     const Source source(file, text);
     const std::vector<Item> all = source.items(source.root(), "problem");
-    return std::any_of(all.begin(), all.end(), [](const Item& item) {
-      return item.key == "equations" || item.key == "states";
-    });
+    return std::ranges::any_of(
+        all, [](const Item& item) { return item.key == "equations" || item.key == "states"; });
   } catch (const InputError&) {
     return false;
   }

@@ -100,8 +100,7 @@ std::vector<Id> Reader::implicit_by_name(const YamlNode& list, const Scope& scop
       fail(item->place, "implicit: a constant; got {}, expected a definition with states",
            shown(name));
     if (const std::vector<bool> with = containing(graph, {id});
-        std::none_of(problem_.equations.begin(), problem_.equations.end(),
-                     [&](Id equation) { return with[equation]; }))
+        std::ranges::none_of(problem_.equations, [&](Id equation) { return with[equation]; }))
       fail(item->place, "implicit: no equation has it; got {}, expected a definition that is used",
            shown(name));
     definitions.push_back(id);
@@ -153,11 +152,10 @@ void Reader::read_implicit(const Scope& scope) {
         parts[k] == no_node ? std::vector<Term>{} : terms_of(graph, parts[k]);
     std::vector<Term> taken;
     for (std::size_t i = 0; i < asked.size(); ++i) {
-      auto at = std::find(rest.begin(), rest.end(), asked[i]);
+      auto at = std::ranges::find(rest, asked[i]);
       if (at == rest.end())
-        at = std::find_if(rest.begin(), rest.end(), [&](const Term& term) {
-          return scaled(graph, term) == scaled(graph, asked[i]);
-        });
+        at = std::ranges::find_if(
+            rest, [&](const Term& term) { return scaled(graph, term) == scaled(graph, asked[i]); });
       if (at == rest.end())
         fail(places[k],
              "implicit: {}: term {} of {} is not in its equation; got {}, expected terms as the "

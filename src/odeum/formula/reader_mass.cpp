@@ -53,7 +53,7 @@ void Reader::read_mass(Scope& scope) {
   std::vector<std::string> names;
   std::vector<std::size_t> at;  // the state of each row
   for (const Item& row : rows) {
-    const auto state = std::find(problem_.states.begin(), problem_.states.end(), row.key);
+    const auto state = std::ranges::find(problem_.states, row.key);
     if (state == problem_.states.end())
       fail(row.key_place, "mass: no state; got {}, expected the name of one, a velocity{}",
            shown(row.key), near_one(row.key, problem_.states));
@@ -64,7 +64,7 @@ void Reader::read_mass(Scope& scope) {
   Matrix m(n, std::vector<Real>(n, 0));
   for (std::size_t i = 0; i < n; ++i)
     for (const Item& entry : items(*rows[i].value, "mass: " + rows[i].key)) {
-      const auto column = std::find(names.begin(), names.end(), entry.key);
+      const auto column = std::ranges::find(names, entry.key);
       if (column == names.end())
         fail(entry.key_place, "mass: {}: no row of that name; got {}, expected {}", rows[i].key,
              shown(entry.key), one_of(names, entry.key));

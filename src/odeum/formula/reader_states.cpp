@@ -13,7 +13,7 @@ namespace {
 std::string group_of(const std::string& state) { return state.substr(0, state.find('[')); }
 
 std::string on_one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::ranges::replace(text, '\n', ' ');
   return text;
 }
 
@@ -127,7 +127,7 @@ std::vector<Id> Reader::read_by_state(const std::string& in, Scope scope,
            has_index ? key.name + "[first..last]" : key.name);
     for (std::int64_t k = key.first; k <= key.last; ++k) {
       const std::string name = key.indexed ? fmt::format("{}[{}]", key.name, k) : key.name;
-      const auto at = std::find(problem_.states.begin(), problem_.states.end(), name);
+      const auto at = std::ranges::find(problem_.states, name);
       if (at == problem_.states.end())
         fail(item.key_place, "{}: an index out of range; got {}, expected the states of {}", in,
              name, key.name);

@@ -53,8 +53,8 @@ class Elimination {
   /// Takes what has rates; what is left are constraints.
   std::vector<Constraint> take_all(const std::vector<Id>& residuals) {
     std::vector<Row> rows = rows_of(residuals);
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Row& a, const Row& b) { return a.of.size() < b.of.size(); });
+    std::ranges::stable_sort(rows,
+                             [](const Row& a, const Row& b) { return a.of.size() < b.of.size(); });
     std::vector<Constraint> constraints;
     for (Row& row : rows) {
       eliminate(row);
@@ -165,7 +165,7 @@ class Elimination {
       if (constant_a != constant_b) return constant_b;
       return std::abs(a.second.at[0]) < std::abs(b.second.at[0]);
     };
-    const auto pivot = std::max_element(row.of.begin(), row.of.end(), better);
+    const auto pivot = std::ranges::max_element(row.of, better);
     if (!(std::abs(pivot->second.at[0]) > 0) || !std::isfinite(pivot->second.at[0]))
       throw ReductionError(
           row.own, fmt::format("the factor of {}' is {} at the start, so that no rate "
@@ -192,8 +192,7 @@ class Elimination {
     if (!row.of.empty()) return take(std::move(row));
     std::vector<std::string> undetermined;
     for (std::uint32_t k = 0; k < names_.size(); ++k)
-      if (std::find(pivots_.begin(), pivots_.end(), k) == pivots_.end())
-        undetermined.push_back(names_[k]);
+      if (std::ranges::find(pivots_, k) == pivots_.end()) undetermined.push_back(names_[k]);
     throw ReductionError(
         own, fmt::format("a constraint of an index above 1: it and its derivative say nothing of "
                          "{}; expected index 1: differentiate this residual, put the rates of the "

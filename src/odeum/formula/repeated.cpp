@@ -158,7 +158,7 @@ RepeatedRoots find_repeated(const Graph& graph, const std::vector<Id>& roots, st
       if (line.id != no_node) found.before.push_back(line.id);
     found.groups.push_back(std::move(group));
   }
-  std::sort(found.others.begin(), found.others.end());
+  std::ranges::sort(found.others);
   return found;
 }
 

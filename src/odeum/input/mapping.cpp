@@ -59,8 +59,8 @@ void Reading::warn(Place place, const std::string& rest) {
 }
 
 const Entry* entry_of(const std::vector<Entry>& entries, std::string_view key) {
-  const auto at = std::find_if(entries.begin(), entries.end(),
-                               [&](const Entry& entry) { return entry.key == key; });
+  const auto at =
+      std::ranges::find_if(entries, [&](const Entry& entry) { return entry.key == key; });
   return at == entries.end() ? nullptr : &*at;
 }
 
@@ -156,7 +156,7 @@ std::string Value::path_of(std::string_view key) const {
 void Value::require_keys(Keys known) const {
   if (node_->kind != YamlNode::Kind::mapping) fail("not a mapping", "keys and values");
   const auto among = [](Keys keys, const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
+    return std::ranges::find(keys, key) != keys.end();
   };
   std::map<std::string_view, std::size_t> lines;
   for (std::size_t i = 0; i + 1 < node_->items.size(); i += 2) {

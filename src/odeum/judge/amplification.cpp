@@ -64,7 +64,7 @@ void require_truth(const Case& c, const std::vector<double>& stops, const Path& 
   const Judge judge(c, stops);
   Outcome outcome;
   for (std::size_t k = 1; k < path.times.size(); ++k)
-    if (std::binary_search(stops.begin(), stops.end(), path.times[k]))
+    if (std::ranges::binary_search(stops, path.times[k]))
       outcome.record(path.times[k], path.states[k].data(), c.y0.size());
   for (const StopError& error : judge.errors(outcome))
     if (error.error_rms > 1e-3 * judge.scale())
@@ -113,8 +113,8 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
     matrices.push_back(step_matrix(finest_of(c, asked, tolerance), flow, path, k));
   for (std::size_t stop = 0; stop < stops.size(); ++stop) {
-    const auto at = static_cast<std::size_t>(
-        std::lower_bound(path.times.begin(), path.times.end(), stops[stop]) - path.times.begin());
+    const auto at = static_cast<std::size_t>(std::ranges::lower_bound(path.times, stops[stop]) -
+                                             path.times.begin());
     for (const std::size_t component : measured_components(c)) {
       States row(c.y0.size(), 0);  // of Phi(stop, t), back from the stop
       row[component] = 1 / c.scale_of(component);
@@ -140,7 +140,7 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
   result.directions = random_directions;
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k) {
     const States& from = path.states[k];
-    const auto first = std::upper_bound(stops.begin(), stops.end(), path.times[k]);
+    const auto first = std::ranges::upper_bound(stops, path.times[k]);
     const std::vector<double> later(first, stops.end());
     const States base = flow.solve(path.times[k], from, later);
     States squares(base.size(), 0);

@@ -76,7 +76,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
 std::uint64_t foreseen_evaluations(const Outcome& ended, const std::vector<double>& evaluated,
                                    double start, double end) {
   if (ended.status != Status::over_budget) return implicit_budget;
-  const double reached = *std::max_element(evaluated.begin(), evaluated.end()) - start;
+  const double reached = *std::ranges::max_element(evaluated) - start;
   const double all = static_cast<double>(explicit_budget) * (end - start) / reached;
   return all < static_cast<double>(implicit_budget) ? static_cast<std::uint64_t>(all)
                                                     : implicit_budget;
@@ -107,7 +107,7 @@ Flow::Flow(const Case& c, double end, const char* explicit_method, const Toleran
   if (outcome.status != Status::ok)
     throw std::runtime_error(fmt::format("{} to {:.0e} ends {}, {}", method_, tolerance.relative,
                                          to_string(outcome.status), outcome.detail));
-  std::sort(evaluated_.begin(), evaluated_.end());
+  std::ranges::sort(evaluated_);
 }
 
 std::vector<double> Flow::solve(double start, const std::vector<double>& y,
@@ -132,7 +132,7 @@ std::vector<double> Flow::checkpoints(const std::vector<double>& stops, std::siz
   times.push_back(case_.t0);
   for (std::size_t k = 1; k <= count; ++k)
     times.push_back(evaluated_[k * evaluated_.size() / (count + 1)]);
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   std::vector<double> apart;
   for (const double t : times) {
     if (t > stops.back()) break;
@@ -140,7 +140,7 @@ std::vector<double> Flow::checkpoints(const std::vector<double>& stops, std::siz
     const bool near = !apart.empty() && t - apart.back() <= 1e-9 * std::abs(t);
     if (!near)
       apart.push_back(t);
-    else if (std::binary_search(stops.begin(), stops.end(), t) && apart.back() != case_.t0)
+    else if (std::ranges::binary_search(stops, t) && apart.back() != case_.t0)
       apart.back() = t;
   }
   return apart;

@@ -92,7 +92,7 @@ std::vector<std::vector<double>> linear_invariants(const Case& c) {
   const std::vector<std::size_t> pivots = reduce(rows, n, rounding);
   std::vector<std::vector<double>> kept;
   for (std::size_t free = 0; free < n; ++free) {
-    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+    if (std::ranges::find(pivots, free) != pivots.end()) continue;
     std::vector<double> weights(n);
     weights[free] = 1;
     for (std::size_t r = 0; r < pivots.size(); ++r) weights[pivots[r]] = -rows[r][free];

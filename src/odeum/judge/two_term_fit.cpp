@@ -52,7 +52,7 @@ Attempt attempt(const Logarithms& log, double d) {
 Attempt best_attempt(const Logarithms& log) {
   // Evenly in log(1 + u), which is how much the factor bends the curve.
   const double low = std::log(0.03), high = std::log(31.0);
-  const double coarsest = *std::max_element(log.h.begin(), log.h.end());
+  const double coarsest = *std::ranges::max_element(log.h);
   const auto at = [&](double s) { return attempt(log, std::expm1(s) / coarsest); };
   constexpr int pieces = 64;
   Attempt best;

@@ -85,7 +85,7 @@ void merge_same_steps(std::vector<ErrorPoint>& points) {
 bool is_exact(const std::vector<ErrorPoint>& points) {
   if (points.size() < fewest_points) return false;
   const double coarsest = points.front().steps;
-  return std::all_of(points.begin(), points.end(), [&](const ErrorPoint& p) {
+  return std::ranges::all_of(points, [&](const ErrorPoint& p) {
     const double growth = std::max(1.0, p.steps / coarsest);
     return p.error <= 100 * p.typical_rounding() * growth * std::sqrt(growth);
   });

@@ -78,8 +78,7 @@ class ProblemPrinter {
       if (head.find(fmt::format(" {},", unused)) != std::string::npos)
         out_.line("  (void){};", unused);
     std::vector<Id> values;
-    std::copy_if(roots.begin(), roots.end(), std::back_inserter(values),
-                 [](Id id) { return id != no_node; });
+    std::ranges::copy_if(roots, std::back_inserter(values), [](Id id) { return id != no_node; });
     print_nodes(out_, function, values, type);
     for (std::size_t k = 0; k < roots.size(); ++k)
       out_.line("  {}[{}] = {};", target, k, roots[k] == no_node ? "0" : out_.name(roots[k], type));

@@ -63,7 +63,7 @@ struct FunctionMechanics : FunctionProblem {
       for (std::size_t k = 0; k < n; ++k)
         next[k] = v[k] + h * ((before[k] + after[k]) / 2 - undamped[k]);
     }
-    std::copy(next.begin(), next.end(), v);
+    std::ranges::copy(next, v);
     return 0;
   }
 };

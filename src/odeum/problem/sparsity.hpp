@@ -16,7 +16,7 @@ struct Sparsity {
   std::size_t entries() const { return column.size(); }
   /// Adds the next row; its columns in any order, each once.
   void add_row(std::vector<int> columns) {
-    std::sort(columns.begin(), columns.end());
+    std::ranges::sort(columns);
     column.insert(column.end(), columns.begin(), columns.end());
     start.push_back(static_cast<int>(column.size()));
   }

@@ -40,7 +40,7 @@ double time_given(const Fault& fault, const Moment& now, double t) {
 void alter(const Fault& fault, Moment& now, double* value, std::size_t n) {
   if (now.evaluations++ == fault.evaluation) {
     if (fault.value == Fault::Value::stale && now.last.size() == n)
-      std::copy(now.last.begin(), now.last.end(), value);
+      std::ranges::copy(now.last, value);
     else
       for (std::size_t i = 0; i < n; ++i)
         value[i] *= fault.value == Fault::Value::negated ? -1 : 1.001;

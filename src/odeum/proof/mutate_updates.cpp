@@ -95,7 +95,7 @@ Code stormer(double half, bool one_sided) {
       },
       [=](auto& s, double t, double h) {
         const Vector before = s.y;
-        std::copy(s.kept.begin(), s.kept.end(), s.y.begin());
+        std::ranges::copy(s.kept, s.y.begin());
         const Vector a = s.acceleration(t + h);
         for (std::size_t i = 0; i < s.n; ++i) {
           s.kept[i] = 2 * s.y[i] - before[i] + h * h * a[i];

@@ -112,8 +112,7 @@ std::string row_text(const RowProof& row) {
 
 bool Verification::passed() const {
   return main.reached() && (embedded.row.empty() || embedded.reached()) && nodes.empty() &&
-         std::all_of(measured.begin(), measured.end(),
-                     [](const MeasuredRow& row) { return row.agrees; });
+         std::ranges::all_of(measured, [](const MeasuredRow& row) { return row.agrees; });
 }
 
 Verification verify(const TableauFile& file) {

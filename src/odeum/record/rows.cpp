@@ -78,8 +78,8 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
   if (name.ends_with(".gz") && !(text = text_of_gzip(*text)))
     return subject + "is damaged or cut off";
   CsvSource csv(*text);
-  if (!csv.has("schema") || !std::all_of(blank.begin(), blank.end(),
-                                         [&](const Field& field) { return csv.has(field.column); }))
+  if (!csv.has("schema") ||
+      !std::ranges::all_of(blank, [&](const Field& field) { return csv.has(field.column); }))
     return subject + "has other columns (another version?)";
   try {
     while (csv.next_row()) {

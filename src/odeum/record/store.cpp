@@ -95,8 +95,7 @@ Store::Store(fs::path folder, std::uintmax_t most_bytes) : folder_(std::move(fol
     total += file.size;
     files.push_back(file);
   }
-  std::sort(files.begin(), files.end(),
-            [](const File& a, const File& b) { return a.used < b.used; });
+  std::ranges::sort(files, [](const File& a, const File& b) { return a.used < b.used; });
   for (const File& file : files) {
     if (total <= most_bytes) break;
     if (fs::remove(file.path, error)) total -= file.size;

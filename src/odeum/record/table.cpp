@@ -34,8 +34,8 @@ ShownColumn column_of(std::string_view word, const Fields& blank) {
   ShownColumn column{.name = std::string(word.substr(0, colon))};
   if (colon < word.size()) column.format = word.substr(colon + 1);
   const auto find = [&](const std::string& name) {
-    const auto found = std::find_if(blank.begin(), blank.end(),
-                                    [&](const Field& field) { return field.column == name; });
+    const auto found =
+        std::ranges::find_if(blank, [&](const Field& field) { return field.column == name; });
     return static_cast<std::size_t>(found - blank.begin());
   };
   column.at = find(column.name);

@@ -25,8 +25,7 @@ ordered_json number(double value) {
 std::vector<std::string> Facts::library_names() const {
   std::vector<std::string> names;
   for (const SolverInfo& solver : solvers)
-    if (std::find(names.begin(), names.end(), solver.library) == names.end())
-      names.push_back(solver.library);
+    if (std::ranges::find(names, solver.library) == names.end()) names.push_back(solver.library);
   return names;
 }
 

@@ -206,8 +206,7 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
   for (const SolverInfo& solver : facts_.solvers)
     page["solvers"].push_back(report::json_of(solver));
   std::vector<StudyFacts> studies = studies_;
-  std::stable_sort(studies.begin(), studies.end(),
-                   [](const auto& a, const auto& b) { return a.place < b.place; });
+  std::ranges::stable_sort(studies, [](const auto& a, const auto& b) { return a.place < b.place; });
   for (const StudyFacts& study : studies) page["studies"].push_back(json_of(study));
   for (const std::string& table : tables_) page["tables"].push_back(ordered_json::parse(table));
   for (const auto& [name, text] : documents()) page["documents"].push_back(name);

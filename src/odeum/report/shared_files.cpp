@@ -66,7 +66,7 @@ void write_viewer(const record::OutputFolder& folder, const std::vector<std::str
     for (const auto& entry : fs::directory_iterator(shared / part))
       if (entry.is_regular_file() && entry.path().extension() != ".html")
         names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     for (const fs::path& name : names)
       folder.write("viewer/" + name.string(), shared_text(part / name));
   }

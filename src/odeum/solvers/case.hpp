@@ -147,9 +147,7 @@ struct Case {
     return settings.timed_stops.empty() ? truth.floor : settings.timed_floor;
   }
   double scale_of(std::size_t component) const { return scale.empty() ? 1 : scale[component]; }
-  bool has_tag(const std::string& tag) const {
-    return std::find(tags.begin(), tags.end(), tag) != tags.end();
-  }
+  bool has_tag(const std::string& tag) const { return std::ranges::find(tags, tag) != tags.end(); }
 };
 
 /// The case's own names of its components, or y0, y1, ...; of second-order problems q0, ..., v0,

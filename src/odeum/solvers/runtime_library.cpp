@@ -29,7 +29,7 @@ void add_runtime_library(RuntimeLibrary library) {
   if (closed) throw std::logic_error("a library was added after solvers or cases had been listed");
   const auto taken = [&](const LibraryInfo& info) {
     return info.name == library.info.name ||
-           std::count(info.libraries.begin(), info.libraries.end(), library.info.name) > 0;
+           std::ranges::count(info.libraries, library.info.name) > 0;
   };
   bool found = library.info.name == "odeum" ||
                std::any_of(built_in_libraries().begin(), built_in_libraries().end(), taken);

@@ -15,7 +15,7 @@ Studies make_studies() {
 #define ODEUM_ITEM(folder) studies.push_back(make_##folder());
 #include "lists/studies.inc"
 #undef ODEUM_ITEM
-  std::stable_sort(studies.begin(), studies.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(studies, [](const auto& a, const auto& b) {
     return a->declaration().place < b->declaration().place;
   });
   return studies;

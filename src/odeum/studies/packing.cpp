@@ -27,7 +27,7 @@ void add_shards(const PlannedTasks& foreseen, std::vector<std::size_t> tasks, do
   if (tasks.empty()) return;
   const auto count = static_cast<std::size_t>(
       std::clamp(std::ceil(wanted), 1., static_cast<double>(tasks.size())));
-  std::stable_sort(tasks.begin(), tasks.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(tasks, [&](std::size_t a, std::size_t b) {
     return foreseen.seconds[a] > foreseen.seconds[b];
   });
   struct Bin {
@@ -46,8 +46,7 @@ void add_shards(const PlannedTasks& foreseen, std::vector<std::size_t> tasks, do
     bin.tasks.push_back(task);
     loads.emplace(bin.seconds, bin.tasks.size(), at);
   }
-  std::stable_sort(bins.begin(), bins.end(),
-                   [](const Bin& a, const Bin& b) { return a.seconds > b.seconds; });
+  std::ranges::stable_sort(bins, [](const Bin& a, const Bin& b) { return a.seconds > b.seconds; });
   for (const Bin& bin : bins) {
     for (const std::size_t task : bin.tasks)
       packing.shares[task] = static_cast<std::uint32_t>(packing.seconds.size());

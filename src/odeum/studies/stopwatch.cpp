@@ -84,12 +84,12 @@ double calibration_ns() {
 
 double thread_seconds() { return processor_seconds() + isolated_times.processor_s; }
 
-double Times::min() const { return ns.empty() ? nan : *std::min_element(ns.begin(), ns.end()); }
+double Times::min() const { return ns.empty() ? nan : *std::ranges::min_element(ns); }
 
 double Times::median() const {
   if (ns.empty()) return nan;
   std::vector<double> sorted = ns;
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   const std::size_t middle = sorted.size() / 2;
   return sorted.size() % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }

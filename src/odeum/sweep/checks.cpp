@@ -44,9 +44,8 @@ double error_of(const Plan& plan, std::uint64_t member) {
 /// From the errors of all members, where they are a quantity.
 bool check_all(const Plan& plan, Result& result) {
   const auto& all = plan.quantities;
-  const auto at = std::find_if(all.begin(), all.end(), [](const Quantity& quantity) {
-    return quantity.kind == Quantity::Kind::error;
-  });
+  const auto at = std::ranges::find_if(
+      all, [](const Quantity& quantity) { return quantity.kind == Quantity::Kind::error; });
   if (at == all.end()) return false;
   Checks& checks = result.checks;
   checks = {.all = true, .wanted = result.solved};

@@ -20,7 +20,7 @@ class Side {
     const auto& axes = plan.members.axes();
     if (!axes.empty() && axes[name].kind == Axis::Kind::grid && axes[name].values.size() <= most) {
       values_ = axes[name].values;
-      std::sort(values_.begin(), values_.end());
+      std::ranges::sort(values_);
       low_ = values_.front(), high_ = values_.back();
     } else {
       low_ = infinity, high_ = -infinity;
@@ -36,8 +36,7 @@ class Side {
   std::size_t cells() const { return values_.empty() ? most_bins : values_.size(); }
   std::size_t cell_of(double value) const {
     if (!values_.empty())
-      return static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), value) -
-                                      values_.begin());
+      return static_cast<std::size_t>(std::ranges::lower_bound(values_, value) - values_.begin());
     const double part = (scaled(value) - scaled(low_)) / (scaled(high_) - scaled(low_));
     return std::min(most_bins - 1, static_cast<std::size_t>(part * static_cast<double>(most_bins)));
   }

@@ -35,7 +35,7 @@ Quantity quantity_of(const std::string& word, const std::vector<std::string>& na
     if (within != "end") fail("no quantity");
     component = before;
   }
-  const auto at = std::find(names.begin(), names.end(), component);
+  const auto at = std::ranges::find(names, component);
   if (at == names.end())
     fail(fmt::format("no component {}{}, the problem has {}", component, near_one(component, names),
                      fmt::join(names.begin(),

@@ -123,9 +123,8 @@ class Sweep {
     const Lent runner(runners_);
     Part part;
     std::vector<Outcome> in_lanes = runner->run_in_lanes(first, last);
-    const bool needs_energy =
-        std::any_of(plan_.quantities.begin(), plan_.quantities.end(),
-                    [](const Quantity& q) { return q.kind == Quantity::Kind::energy; });
+    const bool needs_energy = std::ranges::any_of(
+        plan_.quantities, [](const Quantity& q) { return q.kind == Quantity::Kind::energy; });
     for (std::uint64_t member = first; member < last && !interrupted; ++member) {
       MemberRow row;
       if (plan_.study) {
@@ -198,9 +197,8 @@ std::vector<double> parameters_of(const Plan& plan, std::uint64_t member) {
   const std::vector<double> own = plan.members.values(member);
   for (std::size_t k = 0; k < own.size(); ++k) {
     const auto& all = plan.base->parameters;
-    const auto at = std::find_if(all.begin(), all.end(), [&](const Parameter& each) {
-      return each.name == plan.members.names()[k];
-    });
+    const auto at = std::ranges::find_if(
+        all, [&](const Parameter& each) { return each.name == plan.members.names()[k]; });
     values[static_cast<std::size_t>(at - all.begin())] = own[k];
   }
   return values;
@@ -218,7 +216,7 @@ Result run(const Plan& plan) {
   std::vector<std::string> known;
   for (const Parameter& parameter : plan.base->parameters) known.push_back(parameter.name);
   for (const std::string& name : plan.members.names())
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       throw std::invalid_argument(known.empty()
                                       ? fmt::format("{} has no parameters", plan.base->id)
                                       : fmt::format("{} has no parameter {}; expected {}",

@@ -90,7 +90,7 @@ void TableauInterpreter::form_argument(std::size_t i, double h, const std::vecto
 
 Status TableauInterpreter::solve_stages(double t, double h, const std::vector<double>& y) {
   if (!one_by_one_) return solve_together(t, h, y);
-  std::fill(k_.begin(), k_.end(), 0.0);
+  std::ranges::fill(k_, 0.0);
   for (std::size_t i = 0; i < s_; ++i) {
     if (tableau_.at(i, i) == 0) {
       form_argument(i, h, y);

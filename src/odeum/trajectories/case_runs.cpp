@@ -68,8 +68,8 @@ Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
   else if (!alone.detail.empty())
     outcome.detail = alone.detail;
   if (alone.status == Status::ok)
-    std::copy(alone.states.begin(), alone.states.end(),
-              outcome.states.end() - static_cast<std::ptrdiff_t>(alone.states.size()));
+    std::ranges::copy(alone.states,
+                      outcome.states.end() - static_cast<std::ptrdiff_t>(alone.states.size()));
   outcome.status = alone.status;
   outcome.t = alone.t;
   outcome.counters = alone.counters;

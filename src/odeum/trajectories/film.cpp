@@ -144,7 +144,7 @@ void draw_surfaces(Picture& picture, const View& view, const scene::Scene& scene
 
 /// Such springs are what the cloth's faces show.
 bool is_within_cloth(const scene::Scene& scene, const scene::Spring& spring) {
-  return std::any_of(scene.cloths.begin(), scene.cloths.end(), [&](const scene::ClothPatch& cloth) {
+  return std::ranges::any_of(scene.cloths, [&](const scene::ClothPatch& cloth) {
     const auto within = [&](std::size_t i) {
       return i >= cloth.first && i < cloth.first + cloth.rows * cloth.columns;
     };

@@ -152,8 +152,7 @@ std::vector<ReplayRow> write_replays(const Case& c, const record::OutputFolder& 
 
 void add_replays(report::Report& report, const record::OutputFolder& folder, unsigned jobs) {
   const auto& cases = report.facts().cases;
-  if (std::none_of(cases.begin(), cases.end(), [](const auto& c) { return c.id == replayed_case; }))
-    return;
+  if (std::ranges::none_of(cases, [](const auto& c) { return c.id == replayed_case; })) return;
   const auto rows = write_replays(study::find_case(replayed_case), folder, jobs);
   report.study({.name = "replays",
                 .command = "report",

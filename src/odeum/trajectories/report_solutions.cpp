@@ -94,7 +94,7 @@ void add_solutions(report::Report& report, const std::vector<std::string>& cases
   nlohmann::ordered_json kept = nlohmann::ordered_json::object();
   for (const report::CaseFacts& facts : report.facts().cases) {
     progress.advance();
-    if (!cases.empty() && std::find(cases.begin(), cases.end(), facts.id) == cases.end()) continue;
+    if (!cases.empty() && std::ranges::find(cases, facts.id) == cases.end()) continue;
     const Case& c = study::find_case(facts.id);
     nlohmann::ordered_json sets = nlohmann::ordered_json::array();
     for (const auto& [end, chosen] : chosen_of(c, converged, timed))

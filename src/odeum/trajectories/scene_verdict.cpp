@@ -15,14 +15,13 @@ namespace {
 using scene::SceneProblem;
 
 bool has_negative_damping(const scene::Scene& scene) {
-  return std::any_of(scene.springs.begin(), scene.springs.end(),
-                     [](const scene::Spring& spring) { return spring.damping < 0; }) ||
-         std::any_of(
-             scene.forces.begin(), scene.forces.end(), [](const scene::UniformForce& force) {
-               const auto* const drag = std::get_if<scene::Drag>(&force);
-               const auto* const quadratic = std::get_if<scene::QuadraticDrag>(&force);
-               return (drag && drag->coefficient < 0) || (quadratic && quadratic->coefficient < 0);
-             });
+  return std::ranges::any_of(scene.springs,
+                             [](const scene::Spring& spring) { return spring.damping < 0; }) ||
+         std::ranges::any_of(scene.forces, [](const scene::UniformForce& force) {
+           const auto* const drag = std::get_if<scene::Drag>(&force);
+           const auto* const quadratic = std::get_if<scene::QuadraticDrag>(&force);
+           return (drag && drag->coefficient < 0) || (quadratic && quadratic->coefficient < 0);
+         });
 }
 
 double norm(const scene::Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
@@ -38,16 +37,16 @@ double power_of_wind(const scene::Scene& scene) {
 
 bool dissipates(const scene::Scene& scene) {
   return !scene.forces.empty() ||
-         std::any_of(scene.springs.begin(), scene.springs.end(),
-                     [](const scene::Spring& spring) { return spring.damping > 0; }) ||
-         std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const auto& contact) {
-                       return std::visit(
-                           [](const scene::Penalty& p) { return p.damping + p.friction > 0; },
-                           contact);
-                     }) ||
-         std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                     [](const scene::Surface& surface) { return surface.friction > 0; });
+         std::ranges::any_of(scene.springs,
+                             [](const scene::Spring& spring) { return spring.damping > 0; }) ||
+         std::ranges::any_of(
+             scene.contacts,
+             [](const auto& contact) {
+               return std::visit([](const scene::Penalty& p) { return p.damping + p.friction > 0; },
+                                 contact);
+             }) ||
+         std::ranges::any_of(scene.surfaces,
+                             [](const scene::Surface& surface) { return surface.friction > 0; });
 }
 
 /// What the free particles of a frame brought with them: those of the scene at its start, emitted

@@ -46,7 +46,7 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
   std::vector<double> all = times;
   for (const double stop : c.stops)
     if (stop <= times.back()) all.push_back(stop);
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const std::size_t n = c.y0.size();
   truth::System system;
@@ -71,8 +71,7 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
   double apart = 0;
   bool checked = false;
   for (std::size_t k = 0; k < run.states.size(); ++k) {
-    if (std::binary_search(c.stops.begin(), c.stops.end(), all[k]) &&
-        c.truth.at(all[k], y.data())) {
+    if (std::ranges::binary_search(c.stops, all[k]) && c.truth.at(all[k], y.data())) {
       checked = true;
       for (const std::size_t i : measured)
         apart = std::fmax(apart,
@@ -129,7 +128,7 @@ std::vector<std::size_t> drawn_components(const Case& c) {
 }
 
 const double* ExactCurve::at(double t) const {
-  const auto found = std::lower_bound(times.begin(), times.end(), t);
+  const auto found = std::ranges::lower_bound(times, t);
   return found == times.end() || *found != t
              ? nullptr
              : states.data() + static_cast<std::size_t>(found - times.begin()) * size;

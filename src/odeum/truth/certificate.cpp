@@ -18,8 +18,8 @@ constexpr std::size_t most_states = 8;
 
 bool has_kinks(const formula::Problem& problem) {
   const std::vector<formula::Id> nodes = problem.graph.needed(problem.equations);
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [&](formula::Id id) { return formula::has_kinks(problem.graph[id].op); });
+  return std::ranges::any_of(
+      nodes, [&](formula::Id id) { return formula::has_kinks(problem.graph[id].op); });
 }
 
 Certificate not_proved(std::string why) {

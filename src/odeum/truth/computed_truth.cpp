@@ -27,7 +27,7 @@ System system_of(const Case& c) {
                                                                             Real* j) {
     std::vector<double> rounded(y, y + n), matrix(n * n);
     view.jacobian(view.problem, static_cast<double>(t), rounded.data(), matrix.data());
-    std::copy(matrix.begin(), matrix.end(), j);
+    std::ranges::copy(matrix, j);
   };
   return system;
 }
@@ -56,8 +56,8 @@ std::string content_of(const Case& c) {
 
 Truth truth_at(const Case& c, const std::vector<double>& times) {
   std::vector<double> state(c.y0.size());
-  const bool known = std::all_of(times.begin(), times.end(),
-                                 [&](double t) { return c.truth.at(t, state.data()); });
+  const bool known =
+      std::ranges::all_of(times, [&](double t) { return c.truth.at(t, state.data()); });
   if (known || !c.extended) return c.truth;
   const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.scale, [&] {
     return compute_reference(system_of(c), times, c.scale);
@@ -67,7 +67,7 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
   Truth truth = c.truth;
   Real floor = 0, largest = 0;
   for (std::size_t k = 0; k < reference.times.size(); ++k) {
-    if (!std::binary_search(times.begin(), times.end(), reference.times[k])) continue;
+    if (!std::ranges::binary_search(times, reference.times[k])) continue;
     const State& y = reference.states[k];
     (*states)[reference.times[k]].assign(y.begin(), y.end());
     floor = std::max<Real>(floor, reference.floors[k]);
@@ -78,7 +78,7 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
     if (own(t, y)) return true;
     const auto found = states->find(t);
     if (found == states->end()) return false;
-    std::copy(found->second.begin(), found->second.end(), y);
+    std::ranges::copy(found->second, y);
     return true;
   };
   const bool has_own = c.truth.at(c.stops.back(), state.data());

@@ -55,8 +55,8 @@ std::vector<double> orthogonal(const std::vector<double>& a, const std::vector<d
   const std::size_t n = lengths.size();
   std::vector<std::size_t> by_length(n);
   std::iota(by_length.begin(), by_length.end(), std::size_t{0});
-  std::stable_sort(by_length.begin(), by_length.end(),
-                   [&](std::size_t x, std::size_t y) { return lengths[x] > lengths[y]; });
+  std::ranges::stable_sort(by_length,
+                           [&](std::size_t x, std::size_t y) { return lengths[x] > lengths[y]; });
   std::vector<double> q(n * n);
   std::size_t found = 0;
   // After the columns the unit vectors, in place of those that depend on columns before.
@@ -251,8 +251,8 @@ void EnclosedFlow::turn(const Balls& derivative, const Balls& flow_of_middle) {
   constexpr double most_oblique = 300;
   matrix_ = normalised(near, n_);
   Balls inverse = inverse_of(matrix_, n_);
-  if (std::any_of(inverse.begin(), inverse.end(),
-                  [](const Ball& each) { return !(each.largest() < most_oblique); })) {
+  if (std::ranges::any_of(inverse,
+                          [](const Ball& each) { return !(each.largest() < most_oblique); })) {
     matrix_ = orthogonal(near, lengths);
     inverse = inverse_of(matrix_, n_);
   }

@@ -20,7 +20,7 @@ void midpoint_rule(const System& system, Real t, Real h, int n, const State& y, 
   const std::size_t size = y.size();
   const Real part = h / n;
   auto& [before, now, at, f] = states;
-  std::fill(before.begin(), before.end(), 0);
+  std::ranges::fill(before, 0);
   for (std::size_t i = 0; i < size; ++i) now[i] = part * f0[i];
   for (int k = 1; k <= n; ++k) {
     for (std::size_t i = 0; i < size; ++i) at[i] = y[i] + now[i];

@@ -30,14 +30,14 @@ class Widened {
   void rhs(Real t, const Real* y, Real* f) {
     std::copy_n(y, y_.size(), y_.begin());
     problem_.rhs(static_cast<double>(t), y_.data(), f_.data());
-    std::copy(f_.begin(), f_.end(), f);
+    std::ranges::copy(f_, f);
   }
   /// The problem's own, or by differences: Newton's method converges with either, and the
   /// extrapolated Euler method has its order with any matrix.
   void jacobian(Real t, const Real* y, Real* j) {
     std::copy_n(y, y_.size(), y_.begin());
     jacobian_or_differences(problem_, static_cast<double>(t), y_.data(), j_.data());
-    std::copy(j_.begin(), j_.end(), j);
+    std::ranges::copy(j_, j);
   }
 
  private:

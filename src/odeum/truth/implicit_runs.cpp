@@ -175,7 +175,7 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
             trial.error = std::numeric_limits<Real>::infinity();
             return trial;
           }
-          std::fill(line.begin(), line.end(), 0);
+          std::ranges::fill(line, 0);
           for (int k = 1; k <= parts; ++k) {
             for (std::size_t i = 0; i < line.size(); ++i) at[i] = y[i] + line[i];
             system.rhs(t + k * part, at.data(), f.data());

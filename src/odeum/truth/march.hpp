@@ -86,7 +86,7 @@ class Noise {
       }
       return worst;
     };
-    std::fill(rounding_.begin(), rounding_.end(), 0);
+    std::ranges::fill(rounding_, 0);
     const Real worst = worst_part();
     if (!(worst > 1) || !system_.insight) return worst;
     // What cancels inside of f leaves a rounding that neither f nor y tells.

@@ -54,7 +54,7 @@ class Search {
     std::set<Real> all(asked.begin(), asked.end());
     for (int k = 1; k < checks; ++k) all.insert(system.t0 + span * k / checks);
     const auto is_asked = [&](Real t) {
-      return std::binary_search(asked.begin(), asked.end(), static_cast<double>(t));
+      return std::ranges::binary_search(asked, static_cast<double>(t));
     };
     // A check beside a time asked for would cost steps for nothing.
     for (const Real t : all) {

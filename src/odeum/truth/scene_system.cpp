@@ -65,7 +65,7 @@ System system_of(const std::shared_ptr<const SceneProblem>& problem) {
       const std::vector<double> state = rounded(y, n);
       std::vector<double> rates(n);
       problem->rhs(static_cast<double>(t), state.data(), rates.data());
-      std::copy(rates.begin(), rates.end(), f);
+      std::ranges::copy(rates, f);
     };
   }
   if (n <= dense)

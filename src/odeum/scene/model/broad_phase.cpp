@@ -36,9 +36,9 @@ void possible_contacts(const Bodies& bodies, const double* q,
     placed[i].particle = i;
     for (std::size_t d = 0; d < 3; ++d) placed[i].cell[d] = cell_of(q[3 * i + d], 2 * widest);
   }
-  std::sort(placed.begin(), placed.end());
+  std::ranges::sort(placed);
   const auto starts_at = [&](const Cell& cell) {
-    return std::lower_bound(placed.begin(), placed.end(), Placed{cell, 0});
+    return std::ranges::lower_bound(placed, Placed{cell, 0});
   };
   // Three cells that follow each other in z are one run; of the nine runs around a particle.
   for (const Placed& one : placed)
@@ -52,7 +52,7 @@ void possible_contacts(const Bodies& bodies, const double* q,
           if (bodies.free(i) || bodies.free(j)) pairs.emplace_back(i, j);
         }
       }
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
 }
 
 }  // namespace odeum::scene

@@ -8,8 +8,7 @@ namespace odeum::scene {
 
 EdgeSprings::EdgeSprings(const char* name, std::vector<Spring> springs)
     : name_(name), springs_(std::move(springs)) {
-  std::stable_sort(springs_.begin(), springs_.end(),
-                   [](const Spring& l, const Spring& r) { return l.a < r.a; });
+  std::ranges::stable_sort(springs_, [](const Spring& l, const Spring& r) { return l.a < r.a; });
 }
 
 TermInfo EdgeSprings::info(const Bodies&) const {

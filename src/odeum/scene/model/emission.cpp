@@ -66,8 +66,7 @@ std::vector<EmittedParticle> emitted_particles(const std::vector<Emitter>& emitt
       all.push_back(one);
     }
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& l, const auto& r) { return l.birth < r.birth; });
+  std::ranges::stable_sort(all, [](const auto& l, const auto& r) { return l.birth < r.birth; });
   return all;
 }
 

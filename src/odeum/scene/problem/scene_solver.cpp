@@ -189,7 +189,7 @@ class SceneGridSolver final : public ShiftedSolver {
       std::vector<double> state = problem_.grid()->scattered({x, x + problem_.size()});
       if (on_grid_->solve(state.data(), relative)) {
         const std::vector<double> solution = problem_.grid()->gathered(state);
-        std::copy(solution.begin(), solution.end(), x);
+        std::ranges::copy(solution, x);
         return true;
       }
       if (!factorise_directly()) return false;

@@ -54,7 +54,7 @@ void warn_of_duplicates(Context& context) {
   for (std::size_t s = 0; s < springs.size(); ++s)
     pairs.push_back(
         {std::min(springs[s].a, springs[s].b), std::max(springs[s].a, springs[s].b), s});
-  std::sort(pairs.begin(), pairs.end());
+  std::ranges::sort(pairs);
   constexpr std::size_t most_told = 5;
   std::size_t count = 0;
   for (std::size_t i = 1; i < pairs.size(); ++i) {

@@ -53,7 +53,7 @@ std::optional<GridStructure> as_grid(const std::vector<Particle>& particles,
     // No spring of a cloth joins a row to the next but two columns on: a chain of 21 does so, wound
     // into rows of 3.
     if (wanted.row_offset + std::abs(wanted.column_offset) == 3) return std::nullopt;
-    auto kind = std::find_if(grid.kinds.begin(), grid.kinds.end(), [&](const SpringKind& k) {
+    auto kind = std::ranges::find_if(grid.kinds, [&](const SpringKind& k) {
       return k.row_offset == wanted.row_offset && k.column_offset == wanted.column_offset;
     });
     if (kind == grid.kinds.end()) {
@@ -71,8 +71,7 @@ std::optional<GridStructure> as_grid(const std::vector<Particle>& particles,
     const auto dr = static_cast<std::size_t>(grid.kinds[k].row_offset);
     const auto dc = static_cast<std::size_t>(std::abs(grid.kinds[k].column_offset));
     const std::size_t places = grid.rows > dr ? (grid.rows - dr) * (columns - dc) : 0;
-    if (static_cast<std::size_t>(std::count(seen[k].begin(), seen[k].end(), true)) != places)
-      return std::nullopt;
+    if (static_cast<std::size_t>(std::ranges::count(seen[k], true)) != places) return std::nullopt;
   }
   return grid;
 }

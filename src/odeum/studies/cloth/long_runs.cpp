@@ -94,7 +94,7 @@ void find_reference(Stage& stage) {
     const bool known = file.at(stage.times[k], exact.data());
     if (known) {
       compare(k, exact.data());
-      std::copy(exact.begin(), exact.end(), stage.reference.data() + k * n);
+      std::ranges::copy(exact, stage.reference.data() + k * n);
     }
     stage.reference_sources.emplace_back(
         known ? reference_file : "Verner's pair 9(8) and Gragg's extrapolation agree");
@@ -169,7 +169,7 @@ std::vector<LongRunRow> run(const Stage& stage, const Entrant& entrant, Mode mod
   }
   blank.reference_source = "none";
   // The run ends where numbers leave the range of doubles.
-  const auto lost = std::find_if(rows.begin(), rows.end(), [](const LongRunRow& row) {
+  const auto lost = std::ranges::find_if(rows, [](const LongRunRow& row) {
     return !std::isfinite(row.value) && row.quantity != "drape";
   });
   const bool overflown = lost != rows.end();

@@ -46,7 +46,7 @@ NoOrder why_failed(const std::string& status) {
 }
 
 void explain_failure(const Rows& rows, OrderFit& fit) {
-  const auto other = std::find_if_not(rows.begin(), rows.end(), over_budget);
+  const auto other = std::ranges::find_if_not(rows, over_budget);
   if (other == rows.end()) {
     // Over any budget, so that it did not begin: see dense_over_budget().
     const bool begun = !rows.front()->detail.starts_with("needs a dense Jacobian");
@@ -66,7 +66,7 @@ void explain_failure(const Rows& rows, OrderFit& fit) {
 }
 
 void add_cost(const Pair& pair, const Rows& rows, const Foreseen& foreseen, OrderFit& fit) {
-  const auto first = std::find_if(rows.begin(), rows.end(), over_budget);
+  const auto first = std::ranges::find_if(rows, over_budget);
   if (first == rows.end() || foreseen.empty()) return;
   Request next;
   next.mode = pair.mode;

@@ -152,7 +152,7 @@ class PairRuns {
   };
 
   std::vector<Run>::const_iterator run_of_least_error() const {
-    return std::min_element(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
+    return std::ranges::min_element(runs_, [](const Run& a, const Run& b) {
       return std::isfinite(a.point.error) && !(a.point.error >= b.point.error);
     });
   }
@@ -201,8 +201,7 @@ class PairRuns {
       return pair_.mode == Mode::fixed ? a.row.steps > b.row.steps
                                        : a.row.tolerance < b.row.tolerance;
     };
-    std::stable_sort(runs_.begin(), runs_.end(),
-                     [&](const Run& a, const Run& b) { return finer(b, a); });
+    std::ranges::stable_sort(runs_, [&](const Run& a, const Run& b) { return finer(b, a); });
     // Where finer steps than those that the usual budget ended were paid for, it ended nothing.
     const Run least = *run_of_least_error();
     std::erase_if(runs_, [&](const Run& run) { return over_budget(run) && finer(least, run); });

@@ -42,7 +42,7 @@ void show_more(report::Report& report, const ConvergenceResult& result) {
   report.fact("order_classes", classes);
   std::set<std::string> cloths;
   for (const report::CaseFacts& c : report.facts().cases)
-    if (std::count(c.tags.begin(), c.tags.end(), "cloth") > 0) cloths.insert(c.id);
+    if (std::ranges::count(c.tags, "cloth") > 0) cloths.insert(c.id);
   std::vector<TimeRow> times;
   for (const TimeRow& row : result.times)
     if (cloths.contains(row.case_id)) times.push_back(row);

@@ -62,7 +62,7 @@ void remark(MaterialRow& row, const std::string& sentence) {
 /// Sets the start to heights, at rest.
 void start_from(const SceneStage& stage, const std::vector<double>& heights) {
   std::vector<double>& y = *stage.y0;
-  std::fill(y.begin(), y.end(), 0);
+  std::ranges::fill(y, 0);
   for (std::size_t i = 0; i < heights.size(); ++i) y[3 * (i + 1) + 1] = heights[i];
 }
 

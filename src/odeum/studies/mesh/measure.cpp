@@ -73,8 +73,8 @@ class Sheet {
     std::vector<double> sums(n * n);
     for (const scene::Spring& spring : scene_.springs)
       sums[spring.a] += spring.stiffness, sums[spring.b] += spring.stiffness;
-    highest_frequency_ = std::sqrt(2 * *std::max_element(sums.begin(), sums.end()) *
-                                   static_cast<double>(n * n) / sheet_mass);
+    highest_frequency_ =
+        std::sqrt(2 * *std::ranges::max_element(sums) * static_cast<double>(n * n) / sheet_mass);
   }
 
   const std::vector<double>& positions() const { return q_; }
@@ -107,7 +107,7 @@ class Sheet {
       for (const double v : v_) kinetic += v * v;
       for (const double a : a_) largest = std::max(largest, std::abs(a));
       if (largest <= at_rest * gravity) return true;
-      if (kinetic < before) std::fill(v_.begin(), v_.end(), 0);
+      if (kinetic < before) std::ranges::fill(v_, 0);
       before = kinetic < before ? 0 : kinetic;
     }
     return false;

@@ -47,8 +47,8 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
   for (const Entrant& entrant : c.entrants) {
     const std::string id = entrant.info.id();
     if (!any_glob_matches(options.solvers, id)) continue;
-    const auto same = std::find_if(inlined.begin(), inlined.end(),
-                                   [&](const Entrant& e) { return e.info.id() == id; });
+    const auto same =
+        std::ranges::find_if(inlined, [&](const Entrant& e) { return e.info.id() == id; });
     for (const Mode mode : {Mode::adaptive, Mode::fixed})
       if (runs(c, entrant.info, mode))
         for (const auto& tuning : tunings_of(entrant))
@@ -102,7 +102,7 @@ std::vector<PrecisionRow> methods_of(const Case& c, const std::vector<PrecisionR
   for (const Entrant& entrant : c.entrants)
     if (report::is_closed_form(entrant.info)) closed_forms.insert(entrant.info.id());
   std::vector<PrecisionRow> methods;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(methods), [&](const auto& row) {
+  std::ranges::copy_if(rows, std::back_inserter(methods), [&](const auto& row) {
     return !closed_forms.contains(row.library + "/" + row.solver);
   });
   return methods;

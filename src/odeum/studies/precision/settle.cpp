@@ -115,7 +115,7 @@ class Search {
 
   void accept(double fineness, double near) {
     std::vector<TimedRun>& trials = solver_.trials;
-    auto at = std::find_if(trials.begin(), trials.end(), [&](const TimedRun& trial) {
+    auto at = std::ranges::find_if(trials, [&](const TimedRun& trial) {
       return fineness_of(trial.request) >= fineness * (1 - 1e-9);
     });
     if (const auto made = runs_.find(fineness); made != runs_.end()) {
@@ -180,7 +180,7 @@ std::vector<std::size_t> promising(const std::vector<TimedSolver>& solvers,
     if (const double promised = promised_ns(solvers[i], error); promised < found)
       order.emplace_back(promised, i);
   }
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<std::size_t> list;
   for (const auto& [promised, i] : order)
     if (list.size() < 3 && promised <= 1.1 * order.front().first) list.push_back(i);

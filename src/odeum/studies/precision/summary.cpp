@@ -35,7 +35,7 @@ void mark_pareto(std::vector<PrecisionRow>& rows) {
   std::vector<PrecisionRow*> by_time;
   for (PrecisionRow& row : rows)
     if (timed(row)) by_time.push_back(&row);
-  std::stable_sort(by_time.begin(), by_time.end(), [](const auto* a, const auto* b) {
+  std::ranges::stable_sort(by_time, [](const auto* a, const auto* b) {
     return a->wall_ns_min != b->wall_ns_min ? a->wall_ns_min < b->wall_ns_min : a->error < b->error;
   });
   double least = infinity;
@@ -68,7 +68,7 @@ std::vector<PrecisionSummary> summarise(const std::vector<PrecisionRow>& rows, d
   if (rows.empty()) return lines;
   const std::vector<FastestRow> best = fastest(rows, floor);
   const auto ran = [&](bool own) {
-    return std::any_of(rows.begin(), rows.end(), [&](const PrecisionRow& row) {
+    return std::ranges::any_of(rows, [&](const PrecisionRow& row) {
       return (row.library == "odeum") == own && row.status != "not_applicable";
     });
   };

@@ -62,7 +62,7 @@ void mark_slow_solvers(std::vector<TimedSolver>& solvers) {
     for (TimedRun& trial : solver.trials)
       if (trial.ok()) trials.emplace_back(&solver, &trial);
   const auto smaller = [](auto& a, auto& b) { return a.second->row.error < b.second->row.error; };
-  std::stable_sort(trials.begin(), trials.end(), smaller);
+  std::ranges::stable_sort(trials, smaller);
   std::map<std::string, double> least;  // by library, of those of no larger error
   for (const auto& [solver, trial] : trials) {
     const std::string& library = solver->entrant->info.library;

@@ -88,8 +88,7 @@ void count_mutants(const std::vector<Mutant>& mutants, ProofRow& row) {
   for (const double size : proof::mutation_sizes) {
     for (const Mutant& mutant : mutants)
       if (mutant.size == size && mutant.survived()) all = false;
-    const bool any = std::any_of(mutants.begin(), mutants.end(),
-                                 [&](const Mutant& m) { return m.size == size; });
+    const bool any = std::ranges::any_of(mutants, [&](const Mutant& m) { return m.size == size; });
     if (all && any) row.smallest_caught = size;
   }
   for (const Mutant& mutant : mutants) {

@@ -132,8 +132,8 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
   for (const Rays& each : rays)
     for (const Pair& pair : select_pairs({each.c}, options.solvers)) {
       RayTask task{&each, nullptr, pair.entrant->info, pair.entrant->unfit};
-      const bool damped = std::any_of(each.eigenvalues.begin(), each.eigenvalues.end(),
-                                      [](const auto& z) { return z.real() < -1e-6 * std::abs(z); });
+      const bool damped = std::ranges::any_of(
+          each.eigenvalues, [](const auto& z) { return z.real() < -1e-6 * std::abs(z); });
       // An engine takes z as a force on a velocity, which it treats unlike that of a spring.
       const bool engine =
           task.info.common_use == CommonUse::engine && each.c->problem.view.second_order();

@@ -12,7 +12,7 @@ namespace odeum::study {
 std::string StabilityRegion::growth_file() const {
   if (growth.empty()) return "";
   std::string name = library + "_" + solver + "_" + plane;
-  std::replace(name.begin(), name.end(), '/', '_');
+  std::ranges::replace(name, '/', '_');
   return "stability/" + name + ".csv.gz";
 }
 

@@ -165,7 +165,7 @@ void map_region_in_lanes(LaneRunner runner, StabilityRegion& region) {
   for (std::size_t i = 0; i < count; ++i)
     re[i] = coordinate(region.first_low, region.first_high, static_cast<int>(i), region.columns);
   fill_rows(region, true, [&](double second, float* row) {
-    std::fill(im.begin(), im.end(), second);
+    std::ranges::fill(im, second);
     runner(re.data(), im.data(), count, steps, squared.data());
     for (std::size_t i = 0; i < count; ++i)
       row[i] = static_cast<float>(std::pow(squared[i], 1.0 / (2 * steps)));
