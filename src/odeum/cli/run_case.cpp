@@ -222,7 +222,7 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
     c.truth.source = cases::with_proof(c);
     c.truth = truth_of(c, runs);
   }
-  bool any_ok = false;
+  bool any_close = false;
   for (CaseRun& run : runs) {
     const auto before = first.find(run.entrant->info.id());
     run.outcome = before != first.end() && same_run(before->second.first, run.request)
@@ -231,11 +231,11 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
     if (interrupted) return interrupted_code;
     say(describe(c, run));
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
-    any_ok = any_ok || run.outcome.status == Status::ok;
+    any_close = any_close || (run.outcome.status == Status::ok && !has_diverged(c, run));
   }
   if (!options.out.empty()) say(write_files(c, runs, options, from_file));
   if (options.format == "json") print(record::json_of(rows_of(c, runs)));
-  return any_ok ? success : solver_failed;
+  return any_close ? success : solver_failed;
 }
 
 }  // namespace

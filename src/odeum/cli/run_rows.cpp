@@ -33,17 +33,24 @@ judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
   return all;
 }
 
+/// The errors that are judged, up to the last stop at which the truth is known. Outputs are not
+/// judged, so that a run with them is answered as one without; the amplification up to each of
+/// hundreds would take a hundred times as long as the run.
+std::vector<judge::StopError> errors_to_judge(const judge::Judge& judge,
+                                              const trajectories::CaseRun& run) {
+  std::vector<judge::StopError> errors = judge.errors(run.outcome);
+  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
+  if (run.request.over_stops && !errors.empty()) errors = {errors.back()};
+  return errors;
+}
+
 LastError last_error(const Case& c, const trajectories::CaseRun& run) {
   const Request& request = run.request;
   const judge::Judge judge(c, request.stops);
-  std::vector<judge::StopError> errors = judge.errors(run.outcome);
-  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
+  const std::vector<judge::StopError> errors = errors_to_judge(judge, run);
   if (errors.empty()) return {};
-  const auto stops_end = request.stops.begin() + static_cast<std::ptrdiff_t>(errors.size());
-  std::vector<double> stops(request.stops.begin(), stops_end);
-  // Outputs are not judged, so that a run with them is answered as one without; the amplification
-  // up to each of hundreds would take a hundred times as long as the run.
-  if (request.over_stops) stops = {stops.back()}, errors = {errors.back()};
+  std::vector<double> stops;
+  for (const judge::StopError& error : errors) stops.push_back(error.time);
   const bool fixed = request.mode == Mode::fixed;
   const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
   return {
@@ -89,6 +96,11 @@ std::string error_text(const Case& c, const trajectories::CaseRun& run) {
   for (const std::string& remark : judge::remarks(c, run.request, run.outcome))
     text += fmt::format("remark  {}\n", remark);
   return text;
+}
+
+bool has_diverged(const Case& c, const trajectories::CaseRun& run) {
+  const judge::Judge judge(c, run.request.stops);
+  return judge::has_diverged(errors_to_judge(judge, run), judge.scale());
 }
 
 RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs) {

@@ -38,6 +38,9 @@ struct RunRows {
   static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
+/// Whether a run ended ok and is no solution, of whatever accuracy.
+bool has_diverged(const Case& c, const trajectories::CaseRun& run);
+
 RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs);
 
 /// Lines: the error at the end, or at the last output at which it is known, whether the tolerance

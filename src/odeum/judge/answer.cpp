@@ -23,12 +23,20 @@ std::optional<JudgedAnswer> past_the_end(const std::vector<StopError>& errors) {
   return std::nullopt;
 }
 
+/// Of the solution's size.
+constexpr double most_of_size = 10;
+
 }  // namespace
+
+bool has_diverged(const std::vector<StopError>& errors, double scale) {
+  return std::ranges::any_of(
+      errors, [&](const StopError& error) { return error.error_max > most_of_size * scale; });
+}
 
 JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale) {
   if (const auto wrong = past_the_end(errors)) return *wrong;
   for (const StopError& error : errors)
-    if (error.error_max > 10 * scale)
+    if (error.error_max > most_of_size * scale)
       return {.answer = Answer::wrong,
               .reason = fmt::format("the run ended ok and has diverged: an error of {:.2g} at t = "
                                     "{}, the solution being of the size {:.2g}",

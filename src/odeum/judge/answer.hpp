@@ -42,6 +42,10 @@ struct JudgedAnswer {
 double explained_error(double tolerance, double steps, const Amplification& amplification,
                        std::size_t stop, double floor, double scale);
 
+/// Whether a run has a state past the end of the solution, or an error of ten times the solution's
+/// size.
+bool has_diverged(const std::vector<StopError>& errors, double scale);
+
 /// At a fixed step.
 JudgedAnswer judge_fixed_answer(const std::vector<StopError>& errors, double scale);
 
