@@ -39,10 +39,8 @@ class AdditiveRungeKutta {
 
   static constexpr bool keeps_factors = true;  ///< as long as h is the same
   void will_be_retried() { newton_.will_be_retried(); }
-  /// As DiagonallyImplicitRungeKutta::solve_to.
   void solve_to(const Tolerance& tolerance) {
-    constexpr double gained = std::max(0, T.order - T.order_hat) / (T.order_hat + 1.0);
-    newton_.solve_to(tolerance, std::min(0.02, 0.05 * std::pow(tolerance.relative, gained)));
+    newton_.solve_to(tolerance, fraction_for_stages<T>(tolerance));
   }
 
   Status step(double t, double h, State<P>& y) {

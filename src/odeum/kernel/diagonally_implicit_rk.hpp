@@ -37,13 +37,8 @@ class DiagonallyImplicitRungeKutta {
 
   static constexpr bool keeps_factors = true;  ///< as long as h is the same
   void will_be_retried() { newton_.will_be_retried(); }
-  /// For adaptive runs: solve the stages to a fraction of the tolerance instead of to rounding.
-  /// With an estimate of order q the error of a step of order p goes as tol^((p+1)/(q+1)): a
-  /// remainder of Newton's iteration that stays proportional to the tolerance would take the order
-  /// from the run.
   void solve_to(const Tolerance& tolerance) {
-    constexpr double gained = std::max(0, T.order - T.order_hat) / (T.order_hat + 1.0);
-    newton_.solve_to(tolerance, std::min(0.02, 0.05 * std::pow(tolerance.relative, gained)));
+    newton_.solve_to(tolerance, fraction_for_stages<T>(tolerance));
   }
 
   Status step(double t, double h, State<P>& y) {

@@ -30,6 +30,16 @@ bool bounded_steps([[maybe_unused]] const P& problem, [[maybe_unused]] double t,
   return false;
 }
 
+/// To what fraction of the tolerance an adaptive run with a tableau solves its stages, instead of to
+/// rounding. With an estimate of order q the error of a step of order p goes as
+/// tol^((p+1)/(q+1)): a remainder of Newton's iteration that stays proportional to the tolerance
+/// would take the order from the run.
+template <const auto& T>
+double fraction_for_stages(const Tolerance& tolerance) {
+  constexpr double gained = std::max(0, T.order - T.order_hat) / (T.order_hat + 1.0);
+  return std::min(0.02, 0.05 * std::pow(tolerance.relative, gained));
+}
+
 /// Newton's method, and where that fails at a step that is not retried shorter: Newton's method
 /// from a state that steps with a bound of the Jacobian lead to.
 template <Ode P>
