@@ -6,6 +6,7 @@
 #include <set>
 
 #include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/convergence/order_reason.hpp"
 
 namespace odeum::study {
 namespace {

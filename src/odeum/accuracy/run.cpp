@@ -12,6 +12,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/record/output_folder.hpp"
+#include "odeum/record/table.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
 
@@ -22,26 +23,25 @@ enum Code { holds = 0, fails = 1, usage = 2, skipped = 77 };
 
 /// For each solver the evaluations of its cheapest run below an error.
 void print_costs(const study::ConvergenceResult& result) {
+  record::Table table{.columns = {{"evaluations below an error of"}}, .rows = {}};
   constexpr double errors[] = {1e-2, 1e-4, 1e-6, 1e-8};
-  fmt::print("evaluations below an error of{:11.0e}{:10.0e}{:10.0e}{:10.0e}\n", errors[0],
-             errors[1], errors[2], errors[3]);
+  for (const double error : errors) table.columns.push_back({fmt::format("{:.0e}", error), true});
   for (const study::OrderRow& row : result.orders) {
     const auto same = [&](const study::ConvergenceRow& run) {
       return run.library == row.library && run.solver == row.solver && run.mode == row.mode &&
              run.status == "ok";
     };
-    std::string line = fmt::format("{}/{} {}", row.library, row.solver, to_string(row.mode));
-    line = fmt::format("{:<30}", line);
+    table.rows.push_back({fmt::format("{}/{} {}", row.library, row.solver, to_string(row.mode))});
     for (const double error : errors) {
       std::uint64_t least = 0;
       for (const study::ConvergenceRow& run : result.rows)
         if (same(run) && run.error_max <= error &&
             (least == 0 || run.counters.rhs_evaluations < least))
           least = run.counters.rhs_evaluations;
-      line += fmt::format("{:>10}", least == 0 ? "-" : std::to_string(least));
+      table.rows.back().push_back(least == 0 ? "-" : std::to_string(least));
     }
-    fmt::print("{}\n", line);
   }
+  fmt::print("{}", table.text());
 }
 
 /// Of the solver that is tested; those of `beside` stand in the files and are compared by cost.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "odeum/record/table.hpp"
 #include "odeum/solvers/settings.hpp"
 
 namespace odeum::advise {
@@ -31,14 +32,23 @@ const char* word_of(const Why& why, const std::optional<Cause>& cause) {
 
 std::string table_of(const Why& why) {
   if (why.segments.empty()) return {};
-  std::string text = fmt::format("{:<12}{:<12}{:>9}{:>13}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n",
-                                 "from", "to", "steps", "evaluations", "bound by", "step",
-                                 "|lambda|", "rate", "of edge", "component");
+  record::Table table{.columns = {{"from"},
+                                  {"to"},
+                                  {"steps", true},
+                                  {"evaluations", true},
+                                  {"bound by"},
+                                  {"step", true},
+                                  {"|lambda|", true},
+                                  {"rate", true},
+                                  {"of edge", true},
+                                  {"component"}},
+                      .rows = {}};
   for (const Segment& s : why.segments)
-    text += fmt::format("{:<12.5g}{:<12.5g}{:>9.0f}{:>13}  {:<10}{:>10}{:>10}{:>10}{:>10}  {}\n",
-                        s.from, s.to, s.steps, s.evaluations, word_of(why, s.cause), number(s.h),
-                        number(s.fastest), number(s.rate), number(s.used), s.component);
-  return text;
+    table.rows.push_back({number(s.from, "{:.5g}"), number(s.to, "{:.5g}"),
+                          number(s.steps, "{:.0f}"), std::to_string(s.evaluations),
+                          word_of(why, s.cause), number(s.h), number(s.fastest), number(s.rate),
+                          number(s.used), s.component});
+  return table.text();
 }
 
 /// What the better run does better.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <cstdint>
-#include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -69,15 +67,6 @@ struct OrderRow {
                 fit.step_coarsest, fit.step_finest, fit.floor, fit.verdict, fit.reason, mode,
                 fit.floor_step, fit.floor_scale, column("no_order", fit.why))
 };
-
-/// Why a pair has no order, in words, and what would give it one.
-struct OrderClass {
-  judge::NoOrder why;
-  std::string_view name, settles;
-};
-
-/// Those of the verdicts `failed`, `undetermined` and `over_budget`.
-std::span<const OrderClass> order_classes();
 
 struct ConvergenceResult {
   std::vector<ConvergenceRow> rows;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "odeum/studies/convergence/convergence.hpp"
@@ -17,5 +19,14 @@ double claimed_order(const Pair& pair);
 /// `rows`: all runs of the pair, `foreseen`: by those solved, both from coarse to fine.
 void explain(const Pair& pair, const std::vector<const ConvergenceRow*>& rows,
              const Foreseen& foreseen, judge::OrderFit& fit);
+
+/// Why a pair has no order, in words, and what would give it one.
+struct OrderClass {
+  judge::NoOrder why;
+  std::string_view name, settles;
+};
+
+/// Those of the verdicts `failed`, `undetermined` and `over_budget`.
+std::span<const OrderClass> order_classes();
 
 }  // namespace odeum::study

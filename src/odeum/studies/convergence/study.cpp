@@ -8,6 +8,7 @@
 
 #include "odeum/report/report.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
+#include "odeum/studies/convergence/order_reason.hpp"
 #include "odeum/studies/convergence/summary.hpp"
 #include "odeum/studies/questions.hpp"
 
