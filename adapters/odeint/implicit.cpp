@@ -52,7 +52,7 @@ Outcome attempt(const OdeView& view, const std::vector<double>& y0, const Reques
   DenseJacobian jacobian(problem);
   Outcome outcome;
   Vector y(y0.size());
-  std::ranges::copy(y0, y.begin());
+  std::copy(y0.begin(), y0.end(), y.begin());
   try {
     body(System{Rhs{&problem}, Jacobian{&problem, &jacobian}}, y, outcome);
   } catch (const SingularMatrix&) {

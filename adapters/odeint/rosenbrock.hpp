@@ -84,7 +84,7 @@ struct BareJacobian {
   const P* problem;
   void operator()(const Vector& y, Matrix& j, double t, Vector& dfdt) const {
     problem->jacobian(t, y.data().begin(), &j(0, 0));
-    std::ranges::fill(dfdt, 0.0);
+    std::fill(dfdt.begin(), dfdt.end(), 0.0);
   }
 };
 
@@ -95,7 +95,7 @@ Outcome run_bare(const OdeView& view, double t0, const std::vector<double>& y0,
   GuardedView guarded(view, request.budget);
   Outcome outcome;
   Vector y(y0.size());
-  std::ranges::copy(y0, y.begin());
+  std::copy(y0.begin(), y0.end(), y.begin());
   try {
     const std::pair<BareRhs<P>, BareJacobian<P>> system{{&problem}, {&problem}};
     const double first =

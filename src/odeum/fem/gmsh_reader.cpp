@@ -229,8 +229,7 @@ class Reader {
 
 bool GmshMesh::in_group(const std::array<std::size_t, 2>& edge, const std::string& group) const {
   const std::array sorted{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])};
-  for (auto line = std::ranges::lower_bound(lines, sorted,
-                                            [](const Line&l, const auto&r) { return l.nodes < r; });
+  for (auto line = std::ranges::lower_bound(lines, sorted, {}, &Line::nodes);
        line != lines.end() && line->nodes == sorted; ++line)
     if (std::ranges::find(line->groups, group) != line->groups.end()) return true;
   return false;
