@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// odeum run with outputs and without.
+// odeum run with outputs and without, and its exit code.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -41,6 +41,17 @@ TEST(RunOutputs, ChangeNoCountAndNoEnd) {
   const std::string alone = shell(run + rows).output;
   EXPECT_NE(alone.find("evaluations"), std::string::npos) << alone;
   EXPECT_EQ(shell(run + " --out " + folder.path().string() + rows).output, alone);
+}
+
+// A run that ends ok with an error of hundreds of times the solution's size had exit code 0.
+TEST(RunCode, IsThatOfAFailureWhereEachRunHasDiverged) {
+  // Explicit Euler grows by a third in each of 20 steps; RK4 is stable there.
+  const Result diverged = shell("odeum run osc_under --solver explicit_euler --step 1");
+  EXPECT_NE(diverged.output.find("has diverged"), std::string::npos) << diverged.output;
+  EXPECT_EQ(diverged.code, 3) << diverged.output;
+  const Result one = shell("odeum run osc_under --solver explicit_euler --solver rk4 --step 1");
+  EXPECT_NE(one.output.find("has diverged"), std::string::npos) << one.output;
+  EXPECT_EQ(one.code, 0) << one.output;
 }
 
 }  // namespace
