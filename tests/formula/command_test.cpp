@@ -200,10 +200,10 @@ TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
   }
   expect("run blow_up.yaml --solver dormand_prince54 --tol 1e-6 --until 2", 3, "status  ");
   expect("run blow_up.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
-  // Past the pole at t = 1 a fixed step goes on.
+  // Past the pole at t = 1 a fixed step goes on, to a state that is no solution.
   const char* const past = " --step 0.05 --until 1.05";
   for (const char* solver : {"rk4", "heun", "rodas4", "implicit_euler_linearised"})
-    expect("run blow_up.yaml --solver " + std::string(solver) + past, 0, "answer  wrong: ");
+    expect("run blow_up.yaml --solver " + std::string(solver) + past, 3, "answer  wrong: ");
   write("root.yaml", "states: {y: 1, s: 0}\nequations: {y: -sqrt(1 - s), s: 1}\ntime: {end: 2}\n");
   expect("run root.yaml --solver rk4 --step 0.1 --until 2", 3, "component 0");
 }
