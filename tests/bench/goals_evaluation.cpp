@@ -130,11 +130,10 @@ void explicit_rows(std::vector<Row>& rows) {
   const auto rhs = unknown_to_the_compiler;
   const auto inlined_rhs = [&](const double* y, double* f) { ring.rhs(0, y, f); };
   const auto called_rhs = [&](const double* y, double* f) { rhs(&ring, 0, y, f); };
-  const std::vector<Timing> t =
-      interleave({[&] { keep(plain_steps<N>(inlined_rhs, steps, 0.01)); }, fixed.inlined,
-                  fixed.by_pointer, adaptive.inlined,
-                  [&] { keep(plain_steps<N>(called_rhs, steps, 0.01)); }},
-                 0.5);
+  const std::vector<Timing> t = interleave(
+      {[&] { keep(plain_steps<N>(inlined_rhs, steps, 0.01)); }, fixed.inlined, fixed.by_pointer,
+       adaptive.inlined, [&] { keep(plain_steps<N>(called_rhs, steps, 0.01)); }},
+      0.5);
   constexpr double evaluations = 6 * static_cast<double>(steps);
   // Each stage waits for its rates and the right-hand side for its argument, both through memory,
   // so that a call costs a program with stages more than its jump.

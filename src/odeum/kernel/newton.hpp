@@ -30,8 +30,8 @@ bool bounded_steps([[maybe_unused]] const P& problem, [[maybe_unused]] double t,
   return false;
 }
 
-/// To what fraction of the tolerance an adaptive run with a tableau solves its stages, instead of to
-/// rounding. With an estimate of order q the error of a step of order p goes as
+/// To what fraction of the tolerance an adaptive run with a tableau solves its stages, instead of
+/// to rounding. With an estimate of order q the error of a step of order p goes as
 /// tol^((p+1)/(q+1)): a remainder of Newton's iteration that stays proportional to the tolerance
 /// would take the order from the run.
 template <const auto& T>
