@@ -224,9 +224,8 @@ class TextCase : CaseText {
     if (!has("invariants")) return;
     const std::vector<std::string> names = texts("invariants");
     for (const std::string& name : names)
-      if (std::ranges::none_of(problem_.invariants, [&](const formula::Invariant& invariant) {
-            return invariant.name == name;
-          }))
+      if (std::ranges::find(problem_.invariants, name, &formula::Invariant::name) ==
+          problem_.invariants.end())
         fail(find("invariants")->place, "invariants: no invariant; got {}", shown(name));
     std::erase_if(case_.invariants, [&](const Invariant& invariant) {
       return std::ranges::find(names, invariant.name) == names.end();
