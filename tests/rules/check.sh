@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# sh check.sh <source>: scripts/check fails where the sanitizers are not through in time, or a command under
-# valgrind ends otherwise than it should. Builds are replaced by nothing.
+# sh check.sh <source>: scripts/check says where the sanitizers are not through in time, and fails where a sanitized
+# test does, or a command under valgrind ends otherwise than it should. Builds are replaced by nothing.
 set -eu
 at=$(mktemp -d)
 trap 'rm -rf "$at"' EXIT
-mkdir -p "$at/scripts" "$at/build/memory" "$at/bin"
+mkdir -p "$at/scripts" "$at/build/asan/tests" "$at/bin"
 cp "$1/scripts/check" "$at/scripts/check"
 fake() { printf '#!/bin/sh\n%s\n' "$2" >"$1" && chmod +x "$1"; }
 fails() {
@@ -14,10 +14,15 @@ fails() {
 PATH=$at/bin:$PATH
 
 fake "$at/scripts/bootstrap" 'sleep 30'
-ODEUM_CHECK_SECONDS=601 fails "$at/scripts/check" --quick sanitize
-case $output in *"not through within 1 s"*) ;; *) echo "no word on the time: $output" && exit 1 ;; esac
+output=$(ODEUM_CHECK_SECONDS=601 "$at/scripts/check" --quick sanitize)
+case $output in *"label unit"*"not through within 1 s"*) ;; *) echo "no word on the time: $output" && exit 1 ;; esac
 
 fake "$at/scripts/bootstrap" 'exit 0'
+fake "$at/bin/ctest" 'exit 0'
+for label in formula adapter unit; do fake "$at/build/asan/tests/odeum_${label}_tests" 'exit 0'; done
+"$at/scripts/check" --quick sanitize >/dev/null
+fake "$at/build/asan/tests/odeum_adapter_tests" 'test $GTEST_SHARD_INDEX = 0'
+fails "$at/scripts/check" --quick sanitize
 fake "$at/bin/valgrind" 'case $* in *rk5*|*gauss4*) exit 2 ;; *third_order*) exit 99 ;; esac'
 fails "$at/scripts/check" memory
 case $output in *third_order.yaml*"exit code 99, expected 0"*) ;; *) echo "no word on the command: $output" && exit 1 ;; esac
