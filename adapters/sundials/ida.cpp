@@ -180,13 +180,11 @@ class Run {
 Outcome solve(const ErasedContest& contest, const Request& request) {
   if (request.mode == Mode::fixed)
     return refused("chooses its own steps: runs to a tolerance only");
-  Outcome outcome = refused("");
   try {
     return Run(contest, request).solve();
   } catch (const Failure& failure) {
-    outcome.detail = fmt::format("flag {} when {}", failure.flag, failure.what);
+    return refused(fmt::format("flag {} when {}", failure.flag, failure.what));
   }
-  return outcome;
 }
 
 }  // namespace

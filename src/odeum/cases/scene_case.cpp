@@ -183,6 +183,7 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
     }
     known.truth.floor = 4 * 0x1p-53 * largest;  // of a few operations
     known.truth.source = "the closed form of free particles";
+    known.truth.closed_form = true;
     known.words = fmt::format("closed form of free particles; known to {:.1e}", known.truth.floor);
     known.stops = times;
     known.known_until = times.back();

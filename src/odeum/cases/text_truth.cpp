@@ -62,6 +62,7 @@ TextTruth closed_form(const formula::Problem& problem) {
       static_cast<double>(10 * 0x1p-11L * std::max(amplified, 0x1p-53L * largest));
   result.truth.floor = result.extended_floor + static_cast<double>(0x1p-53L * largest);
   result.truth.source = "the closed form of " + problem.file;
+  result.truth.closed_form = true;
   result.stops = problem.stops;
   result.known_until = problem.stops.back();
   result.words =

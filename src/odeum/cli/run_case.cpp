@@ -85,7 +85,7 @@ Truth truth_of(const Case& c, const std::vector<CaseRun>& runs) {
   return truth::truth_at(c, {times.begin(), times.end()});
 }
 
-std::string describe(const Case& c, const CaseRun& run) {
+std::string describe(const Case& c, const CaseRun& run, const RunError& error) {
   const Outcome& outcome = run.outcome;
   const double end = run.request.stops.back();
   std::string text = fmt::format("solver  {}\n", run.entrant->info.id());
@@ -113,7 +113,7 @@ std::string describe(const Case& c, const CaseRun& run) {
       text += " " + record::format_number(outcome.states[(run.reached(n) - 1) * n + i]);
     text += "\n";
   }
-  text += error_text(c, run);
+  text += error_text(c, run, error);
   if (const double difference = trajectories::difference_to_scheme(c, run); !std::isnan(difference))
     text += fmt::format("scheme  {:.3g} at most from its own closed form\n", difference);
   return text;
@@ -223,18 +223,20 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
     c.truth = truth_of(c, runs);
   }
   bool any_close = false;
+  std::vector<RunError> errors;
   for (CaseRun& run : runs) {
     const auto before = first.find(run.entrant->info.id());
     run.outcome = before != first.end() && same_run(before->second.first, run.request)
                       ? before->second.second
                       : trajectories::solve_with_outputs(*run.entrant, run.request);
     if (interrupted) return interrupted_code;
-    say(describe(c, run));
+    errors.push_back(error_of(c, run));
+    say(describe(c, run, errors.back()));
     if (run.outcome.status != Status::ok) say(why_text(c, run, options));
-    any_close = any_close || (run.outcome.status == Status::ok && !has_diverged(c, run));
+    any_close = any_close || (run.outcome.status == Status::ok && !errors.back().diverged);
   }
   if (!options.out.empty()) say(write_files(c, runs, options, from_file));
-  if (options.format == "json") print(record::json_of(rows_of(c, runs)));
+  if (options.format == "json") print(record::json_of(rows_of(c, runs, errors)));
   return any_close ? success : solver_failed;
 }
 

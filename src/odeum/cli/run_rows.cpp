@@ -13,14 +13,6 @@
 namespace odeum::cli {
 namespace {
 
-struct LastError {
-  bool known = false;
-  double time = nan;
-  judge::StopError error;
-  double floor = nan;
-  judge::JudgedAnswer judged;
-};
-
 /// As studies have it: the largest error, and the root mean square over all stops.
 judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
   judge::StopError all = errors.back();
@@ -33,40 +25,8 @@ judge::StopError largest_of(const std::vector<judge::StopError>& errors) {
   return all;
 }
 
-/// The errors that are judged, up to the last stop at which the truth is known. Outputs are not
-/// judged, so that a run with them is answered as one without; the amplification up to each of
-/// hundreds would take a hundred times as long as the run.
-std::vector<judge::StopError> errors_to_judge(const judge::Judge& judge,
-                                              const trajectories::CaseRun& run) {
-  std::vector<judge::StopError> errors = judge.errors(run.outcome);
-  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
-  if (run.request.over_stops && !errors.empty()) errors = {errors.back()};
-  return errors;
-}
-
-LastError last_error(const Case& c, const trajectories::CaseRun& run) {
-  const Request& request = run.request;
-  const judge::Judge judge(c, request.stops);
-  const std::vector<judge::StopError> errors = errors_to_judge(judge, run);
-  if (errors.empty()) return {};
-  std::vector<double> stops;
-  for (const judge::StopError& error : errors) stops.push_back(error.time);
-  const bool fixed = request.mode == Mode::fixed;
-  const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
-  return {
-      .known = true,
-      .time = stops.back(),
-      .error = largest_of(errors),
-      .floor = floor,
-      .judged = fixed ? judge::judge_fixed_answer(errors, judge.scale())
-                      : judge::judge_answer(
-                            errors, judge::measure_amplification(c, stops, request.tolerance),
-                            request.tolerance.relative,
-                            static_cast<double>(run.outcome.counters.steps), floor, judge.scale())};
-}
-
-std::string error_and_answer(const Case& c, const trajectories::CaseRun& run) {
-  const LastError last = last_error(c, run);
+std::string error_and_answer(const Case& c, const trajectories::CaseRun& run,
+                             const RunError& last) {
   const double end = run.request.stops.back();
   if (!last.known)
     return fmt::format("error   unknown: no truth at t = {}: {}\n", end, c.truth.source);
@@ -91,23 +51,47 @@ std::string error_and_answer(const Case& c, const trajectories::CaseRun& run) {
 
 }  // namespace
 
-std::string error_text(const Case& c, const trajectories::CaseRun& run) {
-  std::string text = error_and_answer(c, run);
+RunError error_of(const Case& c, const trajectories::CaseRun& run) {
+  if (run.outcome.status != Status::ok) return {};
+  const Request& request = run.request;
+  const judge::Judge judge(c, request.stops);
+  std::vector<judge::StopError> errors = judge.errors(run.outcome);
+  while (!errors.empty() && std::isnan(errors.back().error_max)) errors.pop_back();
+  if (errors.empty()) return {};
+  // Outputs are not judged, so that a run with them is answered as one without; the amplification
+  // up to each of hundreds would take a hundred times as long as the run.
+  if (request.over_stops) errors = {errors.back()};
+  std::vector<double> stops;
+  for (const judge::StopError& error : errors) stops.push_back(error.time);
+  const bool fixed = request.mode == Mode::fixed;
+  const double floor = stops.back() > c.stops.back() ? c.timed_floor() : c.truth.floor;
+  return {
+      .known = true,
+      .time = stops.back(),
+      .error = largest_of(errors),
+      .floor = floor,
+      .judged = fixed ? judge::judge_fixed_answer(errors, judge.scale())
+                      : judge::judge_answer(
+                            errors, judge::measure_amplification(c, stops, request.tolerance),
+                            request.tolerance.relative,
+                            static_cast<double>(run.outcome.counters.steps), floor, judge.scale()),
+      .diverged = judge::has_diverged(errors, judge.scale())};
+}
+
+std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error) {
+  std::string text = error_and_answer(c, run, error);
   for (const std::string& remark : judge::remarks(c, run.request, run.outcome))
     text += fmt::format("remark  {}\n", remark);
   return text;
 }
 
-bool has_diverged(const Case& c, const trajectories::CaseRun& run) {
-  const judge::Judge judge(c, run.request.stops);
-  return judge::has_diverged(errors_to_judge(judge, run), judge.scale());
-}
-
-RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs) {
+RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
+                const std::vector<RunError>& errors) {
   RunRows all;
-  for (const trajectories::CaseRun& run : runs) {
-    const bool fixed = run.request.mode == Mode::fixed, ok = run.outcome.status == Status::ok;
-    const LastError last = ok ? last_error(c, run) : LastError{};
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const trajectories::CaseRun& run = runs[k];
+    const RunError& last = errors[k];
+    const bool fixed = run.request.mode == Mode::fixed;
     const std::size_t reached = run.reached(c.y0.size());
     all.rows.push_back({.case_id = c.id,
                         .library = run.entrant->info.library,

@@ -38,13 +38,26 @@ struct RunRows {
   static auto lists(auto& result) { return std::tie(result.rows); }
 };
 
-/// Whether a run ended ok and is no solution, of whatever accuracy.
-bool has_diverged(const Case& c, const trajectories::CaseRun& run);
+/// The error of a run at the last stop at which the truth is known; of a run whose steps end on
+/// several stops the largest at them.
+struct RunError {
+  bool known = false;  ///< nothing else is without it, as of a run that did not end ok
+  double time = nan;
+  judge::StopError error;
+  double floor = nan;
+  judge::JudgedAnswer judged;
+  bool diverged = false;  ///< the run ended ok and is no solution, of whatever accuracy
+};
 
-RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs);
+/// Of a run to a tolerance it measures the amplification of errors, which may take longer than the
+/// run.
+RunError error_of(const Case& c, const trajectories::CaseRun& run);
 
-/// Lines: the error at the end, or at the last output at which it is known, whether the tolerance
-/// explains it, and what else the run shows.
-std::string error_text(const Case& c, const trajectories::CaseRun& run);
+/// `errors`: of each run.
+RunRows rows_of(const Case& c, const std::vector<trajectories::CaseRun>& runs,
+                const std::vector<RunError>& errors);
+
+/// Lines: the error, whether the tolerance explains it, and what else the run shows.
+std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error);
 
 }  // namespace odeum::cli

@@ -17,7 +17,7 @@ SpectrumAlong spectrum_along(const Case& c, double time) {
   Request request;
   request.mode = Mode::adaptive;
   for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
-  Outcome outcome = refused("");
+  Outcome outcome = refused("no solver fits");
   const auto solve = [&](const char* solver, double tolerance) {
     const Entrant& entrant = find_solver(c.entrants, solver);
     if (!entrant.solve || outcome.status == Status::ok) return;
