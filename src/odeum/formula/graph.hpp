@@ -48,8 +48,8 @@ class Graph {
 
   const Node& operator[](Id id) const { return nodes_[id]; }
   std::size_t size() const { return nodes_.size(); }
-  /// How many terms of sums over an index were read into it, this one among them.
-  std::size_t count_term() { return ++terms_; }
+  /// How many terms of sums over an index are read into it, `more` of them now.
+  std::size_t count_terms(std::size_t more) { return terms_ += more; }
   bool is_constant(Id id) const { return nodes_[id].op == Op::constant; }
   bool is_number(Id id) const { return is_constant(id) && nodes_[id].index == 0; }
   bool is(Id id, long double value) const { return is_number(id) && nodes_[id].value == value; }

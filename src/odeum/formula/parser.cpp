@@ -29,10 +29,11 @@ class Parser : Cursor {
   }
 
  private:
-  /// The index of a sum, and its present value.
+  /// The index of a sum at its present value.
   struct Counter {
     std::string_view name;
     std::int64_t value;
+    std::size_t repeats;  ///< of its terms: this one and those to come, in sums around it too
   };
 
   Id make(std::size_t where, Op op, Id a, Id b = no_node, Id c = no_node) {
@@ -215,25 +216,24 @@ class Parser : Cursor {
     const std::size_t begin = at_;
     while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
     const std::string_view index = text_.substr(begin, at_ - begin);
-    const bool counts =
-        std::ranges::any_of(counters_, [&](const Counter& c) { return c.name == index; });
-    if (counts || !is_free_index(index, scope_))
+    if (std::ranges::count(counters_, index, &Counter::name) > 0 || !is_free_index(index, scope_))
       fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])",
            index.empty() ? "none" : shown(index));
     if (!take(',')) fail(where, "a sum without an index; expected it and a comma: sum(j, x[j])");
     const Level level(*this);
     const Array& array = counted_by(index, text_, at_, scope_);
-    const std::size_t body = at_;
+    const std::size_t body = at_, size = array.elements.size(),
+                      repeats = counters_.empty() ? scope_.repeats : counters_.back().repeats;
+    if (graph_.count_terms(size) + (repeats - 1) * size > most_terms)
+      fail(where,
+           "too large; got more than {} terms in all sums together, expected at most that: a sum "
+           "that is the same for all states is read once among the definitions",
+           most_terms);
     Id total = no_node;
-    counters_.push_back({index, 0});
+    counters_.emplace_back();
     for (std::int64_t k = array.first; k <= array.last(); ++k) {
-      if (graph_.count_term() > most_terms)
-        fail(where,
-             "too large; got more than {} terms in all sums together, expected at most that: a sum "
-             "that is the same for all states is read once among the definitions",
-             most_terms);
+      counters_.back() = {index, k, repeats * static_cast<std::size_t>(array.last() - k + 1)};
       at_ = body;
-      counters_.back().value = k;
       const Id term = sum();
       total = total == no_node ? term : make(where, Op::add, total, term);
     }

@@ -39,6 +39,7 @@ struct Scope {
   /// Names that exist and cannot be used here: the reason, as the end of a sentence.
   std::map<std::string, std::string, std::less<>> refused;
   std::optional<std::int64_t> index;  ///< the value of i
+  std::size_t repeats = 1;            ///< of the expression: this one and those for larger i
 };
 
 inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes

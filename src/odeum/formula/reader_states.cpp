@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "odeum/formula/reader.hpp"
 #include "odeum/input/near_words.hpp"
@@ -115,6 +116,8 @@ std::vector<Id> Reader::read_by_state(const std::string& in, Scope scope,
   places.resize(nodes.size());
   std::vector<std::string> groups;
   for (const auto& [name, place] : group_places_) groups.push_back(name);
+  std::unordered_map<std::string_view, std::size_t> position;
+  for (std::size_t k = 0; k < nodes.size(); ++k) position[problem_.states[k]] = k;
   for (const Item& item : items(in)) {
     const Key key = read_key(item, in);
     if (!group_places_.contains(key.name))
@@ -127,14 +130,15 @@ std::vector<Id> Reader::read_by_state(const std::string& in, Scope scope,
            has_index ? key.name + "[first..last]" : key.name);
     for (std::int64_t k = key.first; k <= key.last; ++k) {
       const std::string name = key.indexed ? fmt::format("{}[{}]", key.name, k) : key.name;
-      const auto at = std::ranges::find(problem_.states, name);
-      if (at == problem_.states.end())
+      const auto at = position.find(name);
+      if (at == position.end())
         fail(item.key_place, "{}: an index out of range; got {}, expected the states of {}", in,
              name, key.name);
-      const auto state = static_cast<std::size_t>(at - problem_.states.begin());
+      const std::size_t state = at->second;
       if (nodes[state] != no_node)
         fail(item.key_place, "{}: given twice; got {}, expected it once", in, name);
       scope.index = key.indexed ? std::optional(k) : std::nullopt;
+      scope.repeats = std::min(static_cast<std::size_t>(key.last - k) + 1, nodes.size());
       nodes[state] = expression(item, in, scope);
       places[state] = item.value->place;
     }
