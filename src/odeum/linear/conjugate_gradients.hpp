@@ -53,10 +53,11 @@ class ConjugateGradients {
       if (!(curvature > 0)) return false;
       const double alpha = rz / curvature;
       each_block([&](std::size_t begin, std::size_t end) {
-        parts_[begin / block] = sum_over(begin, end, [&](std::size_t i) {
-          x[i] += alpha * p_[i];
-          r_[i] -= alpha * ap_[i];
-          return r_[i] * r_[i];
+        double *r = r_.data(), *p = p_.data(), *ap = ap_.data();
+        parts_[begin / block] = sum_over(begin, end, [=](std::size_t i, auto& sum) {
+          at(x + i, sum) += alpha * at(p + i, sum);
+          at(r + i, sum) -= alpha * at(ap + i, sum);
+          sum += at(r + i, sum) * at(r + i, sum);
         });
       });
       const double residual_squared = sum_of_parts();
@@ -96,7 +97,8 @@ class ConjugateGradients {
   }
   double dot(const double* a, const double* b) {
     each_block([&](std::size_t begin, std::size_t end) {
-      parts_[begin / block] = sum_over(begin, end, [&](std::size_t i) { return a[i] * b[i]; });
+      parts_[begin / block] = sum_over(
+          begin, end, [=](std::size_t i, auto& sum) { sum += at(a + i, sum) * at(b + i, sum); });
     });
     return sum_of_parts();
   }
@@ -106,17 +108,29 @@ class ConjugateGradients {
     for (const double part : parts_) sum += part;
     return sum;
   }
-  // Sixteen independent sums, since one would be bound by the latency of additions.
-  template <class Term>
-  static double sum_over(std::size_t begin, std::size_t end, Term&& term) {
-    constexpr std::size_t lanes = 16;
-    double sums[lanes] = {};
+  using Vector [[gnu::vector_size(4 * sizeof(double))]] = double;
+  using Anywhere
+      [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
+          double;
+  /// What stands at p, as many numbers as `like` has.
+  static double& at(double* p, const double& /*like*/) { return *p; }
+  static const double& at(const double* p, const double& /*like*/) { return *p; }
+  static Anywhere& at(double* p, const Vector& /*like*/) { return *reinterpret_cast<Anywhere*>(p); }
+  static const Anywhere& at(const double* p, const Vector& /*like*/) {
+    return *reinterpret_cast<const Anywhere*>(p);
+  }
+  /// `add(i, sum)` adds the term at i, or those at i, i + 1, i + 2 and i + 3. Sixteen independent
+  /// sums, since one would be bound by the latency of additions; of plain loops over them g++ 12
+  /// makes shuffles.
+  template <class Add>
+  static double sum_over(std::size_t begin, std::size_t end, Add&& add) {
+    Vector sums[4] = {};
     std::size_t i = begin;
-    for (; i + lanes <= end; i += lanes)
-      for (std::size_t k = 0; k < lanes; ++k) sums[k] += term(i + k);
-    for (; i < end; ++i) sums[0] += term(i);
-    double sum = 0;
-    for (const double part : sums) sum += part;
+    for (; i + 16 <= end; i += 16)
+      for (std::size_t k = 0; k < 4; ++k) add(i + 4 * k, sums[k]);
+    double sum = sums[0][0];
+    for (; i < end; ++i) add(i, sum);
+    for (std::size_t k = 1; k < 16; ++k) sum += sums[k / 4][k % 4];
     return sum;
   }
   std::size_t n_;
