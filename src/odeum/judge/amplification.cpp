@@ -46,6 +46,10 @@ Tolerance finest_of(const Case& c, const Tolerance& asked, double relative) {
 struct Path {
   std::vector<double> times;
   std::vector<States> states;
+
+  std::size_t index_of(double time) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+  }
 };
 
 Path path_of(const Case& c, Flow& flow, const std::vector<double>& stops, std::size_t count) {
@@ -113,8 +117,7 @@ void by_all_columns(const Case& c, Flow& flow, const std::vector<double>& stops,
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k)
     matrices.push_back(step_matrix(finest_of(c, asked, tolerance), flow, path, k));
   for (std::size_t stop = 0; stop < stops.size(); ++stop) {
-    const auto at = static_cast<std::size_t>(std::ranges::lower_bound(path.times, stops[stop]) -
-                                             path.times.begin());
+    const std::size_t at = path.index_of(stops[stop]);
     for (const std::size_t component : measured_components(c)) {
       States row(c.y0.size(), 0);  // of Phi(stop, t), back from the stop
       row[component] = 1 / c.scale_of(component);
@@ -139,11 +142,12 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
   std::mt19937 random(1);
   result.directions = random_directions;
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k) {
+    // An error at a stop is hardly larger at the next than those of the times around it.
+    if (k > 0 && std::ranges::binary_search(stops, path.times[k])) continue;
     const States& from = path.states[k];
     const auto first = std::ranges::upper_bound(stops, path.times[k]);
     const std::vector<double> later(first, stops.end());
-    const States base = flow.solve(path.times[k], from, later);
-    States squares(base.size(), 0);
+    States squares(later.size() * n, 0);
     const States units = units_of(asked, from),
                  own = units_of(finest_of(c, asked, tolerance_of_many), from);
     double largest = 0;  // of the units against the case's own
@@ -153,8 +157,11 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
       States moved = from;
       for (std::size_t i = 0; i < n; ++i) moved[i] += (random() % 2 ? 1 : -1) * by * units[i];
       const States there = flow.solve(path.times[k], moved, later);
-      for (std::size_t i = 0; i < base.size(); ++i)
-        squares[i] += std::pow((there[i] - base[i]) / by, 2) / random_directions;
+      for (std::size_t s = 0; s < later.size(); ++s) {
+        const States& base = path.states[path.index_of(later[s])];
+        for (std::size_t i = 0; i < n; ++i)
+          squares[s * n + i] += std::pow((there[s * n + i] - base[i]) / by, 2) / random_directions;
+      }
     }
     for (std::size_t s = 0; s < later.size(); ++s) {
       const auto stop = static_cast<std::size_t>(first - stops.begin()) + s;
@@ -163,10 +170,11 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
             std::max(result.at_stops[stop], root * std::sqrt(squares[s * n + i]) / c.scale_of(i));
     }
   }
-  for (std::size_t stop = 0; stop < stops.size(); ++stop)
+  for (std::size_t stop = 0; stop < stops.size(); ++stop) {
+    const States last = units_of(asked, path.states[path.index_of(stops[stop])]);
     for (const std::size_t i : measured)  // an error of the last step
-      result.at_stops[stop] =
-          std::max(result.at_stops[stop], root * asked.threshold(i) / c.scale_of(i));
+      result.at_stops[stop] = std::max(result.at_stops[stop], root * last[i] / c.scale_of(i));
+  }
 }
 
 std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector<double>& stops,

@@ -33,10 +33,11 @@ struct Amplification {
 /// Measures it by differences of the flow: own methods to a tolerance of 1e-10 from states along
 /// the solution, each component moved by 1e-6 (smallest threshold_i + |y_i|), over the intervals
 /// between the stops and 48 other times that part the evaluations of a run evenly; Phi is the
-/// product over intervals. Above 64 components: 4 random directions at each of 4 times, runs to
-/// 1e-7, moved by 1e-4. Costs some (n + 1) solves. Unknown where the runs fail or do not end at the
-/// truth. The thresholds are those of the tolerance (see core/tolerance.hpp) that a run is judged
-/// by, or the case's; runs and perturbations are by the smaller of both.
+/// product over intervals. Above 64 components: 4 random directions at the start and at 4
+/// other times, runs to 1e-7, moved by 1e-4. Costs some (n + 1) solves, or a dozen. Unknown where
+/// the runs fail or do not end at the truth. The thresholds are those of the tolerance (see
+/// core/tolerance.hpp) that a run is judged by, or the case's; runs and perturbations are by the
+/// smaller of both.
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops,
                                     const Tolerance& asked);
 Amplification measure_amplification(const Case& c, const std::vector<double>& stops);
