@@ -55,6 +55,24 @@ class CountedSolver final : public btDeformableBodySolver {
   }
 };
 
+/// Exerts nothing, and counts the products of the forces' derivative with a vector: Bullet asks
+/// each force once for its part of one.
+class ProductCounter final : public btDeformableLagrangianForce {
+ public:
+  std::uint64_t count() const { return count_; }
+
+  void addScaledForces(btScalar, TVStack&) override {}
+  void addScaledExplicitForce(btScalar, TVStack&) override {}
+  void addScaledDampingForce(btScalar, TVStack&) override {}
+  void addScaledElasticForceDifferential(btScalar, const TVStack&, TVStack&) override {}
+  void addScaledDampingForceDifferential(btScalar, const TVStack&, TVStack&) override { ++count_; }
+  void buildDampingForceDifferentialDiagonal(btScalar, TVStack&) override {}
+  btDeformableLagrangianForceType getForceType() override { return BT_LINEAR_ELASTICITY_FORCE; }
+
+ private:
+  std::uint64_t count_ = 0;
+};
+
 /// Forces on the nodes that are given for a step, in place of a law.
 class GivenForces final : public btDeformableLagrangianForce {
  public:
@@ -130,6 +148,7 @@ class DeformableEngine final : public Engine {
     });
   }
   bool step(double h) override { return world_.stepSimulation(h, 0) == 1; }
+  std::uint64_t products() const override { return counter_.count(); }
   const btSoftBody& body() const override { return *body_; }
 
  private:
@@ -147,6 +166,12 @@ class DeformableEngine final : public Engine {
     body_->initializeFaceTree();
   }
 
+  /// Not by addForce, which gives the body to the first force of a kind in place of the second.
+  void add(btDeformableLagrangianForce& force) {
+    force.setIndices(solver_.getIndices());
+    solver_.getLagrangianForceArray()->push_back(&force);
+  }
+
   void build(const scene::Scene& scene, const std::vector<double>& state) {
     btSoftBodyWorldInfo& info = world_.getWorldInfo();
     body_ = make_body(info, scene, state);
@@ -155,6 +180,7 @@ class DeformableEngine final : public Engine {
     gravity_.m_gravity.setValue(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
     world_.addForce(body_.get(), &gravity_);
     if (exerted_.any()) world_.addForce(body_.get(), &given_);
+    add(counter_);
     std::map<std::tuple<double, double, bool>, LinkGroup*> kinds;
     for (std::size_t s = 0; s < scene.springs.size(); ++s) {
       const scene::Spring& spring = scene.springs[s];
@@ -162,10 +188,7 @@ class DeformableEngine final : public Engine {
       if (!group) {
         groups_.push_back(std::make_unique<LinkGroup>(info, spring));
         group = groups_.back().get();
-        // Not by addForce, which gives the body to the first force of a kind in place of the
-        // second.
-        group->force.setIndices(solver_.getIndices());
-        solver_.getLagrangianForceArray()->push_back(&group->force);
+        add(group->force);
       }
       group->links.m_links.push_back(body_->m_links[static_cast<int>(s)]);
     }
@@ -177,6 +200,7 @@ class DeformableEngine final : public Engine {
   btDeformableMultiBodyConstraintSolver contacts_;
   btDeformableGravityForce gravity_{btVector3(0, 0, 0)};
   GivenForces given_;
+  ProductCounter counter_;
   std::vector<std::unique_ptr<LinkGroup>> groups_;  // made in the world, and outlive it
   std::unique_ptr<btSoftBody> body_;                // outlives the world, which lets go of it
   btDeformableMultiBodyDynamicsWorld world_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,8 @@ class Engine {
   virtual void exert(double /*t*/, Guard&) {}
   /// One step of h seconds. False: Bullet did not step, since h is below its SIMD_EPSILON.
   virtual bool step(double h) = 0;
+  /// How many products of the forces' derivative with a vector all steps so far took.
+  virtual std::uint64_t products() const { return 0; }
   virtual const btSoftBody& body() const = 0;
 };
 

@@ -166,7 +166,9 @@ Outcome run(const Method& method, const ErasedContest& contest, const Request& r
       outcome.t = grid.t(i);
       if (!guard.admit()) return outcome;
       engine->exert(outcome.t, guard);
-      if (!engine->step(grid.h())) {
+      const bool stepped = engine->step(grid.h());
+      outcome.counters.products = engine->products();
+      if (!stepped) {
         outcome.status = Status::step_too_small;
         outcome.detail = fmt::format("Bullet ignores steps below SIMD_EPSILON, h = {}", grid.h());
         return outcome;
@@ -194,8 +196,10 @@ Outcome solve(const Method& method, const ErasedContest& contest, const Request&
   } catch (const std::exception& error) {
     outcome = refused(error.what());
   }
+  const std::uint64_t products = outcome.counters.products;
   guard.conclude(request, outcome);
   // The guard's budget bounds the steps; the engine's own force evaluations are unknown.
+  outcome.counters.products = products;
   if (!method.our_forces) outcome.counters.rhs_evaluations = 0;
   return outcome;
 }

@@ -100,6 +100,17 @@ TEST(BulletFault, KeepsTheBudgetAndSeesAStepThatBulletIgnores) {
   }
 }
 
+TEST(BulletFault, ProductsInLinearSolversAreCounted) {
+  const scene::Scene scene = chain();
+  const Stage stage = bullet_tests::stage<18>(scene, state_of(scene));
+  Request request = steps(10, {1});
+  EXPECT_EQ(stage["soft_body_force"].solve(request).counters.products, 0u);
+  const std::uint64_t whole = stage["deformable_implicit"].solve(request).counters.products;
+  EXPECT_GE(whole, 20u);
+  request.options = {{"sweeps", 1}};
+  EXPECT_LT(stage["deformable_implicit"].solve(request).counters.products, whole);
+}
+
 TEST(BulletFault, ThreadsDoNotDisturbEachOther) {
   const Stage first = oscillator(), second = oscillator(1, 0.5);
   for (std::size_t e = 0; e < first.entrants.size(); ++e) {

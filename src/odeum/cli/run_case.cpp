@@ -103,8 +103,7 @@ std::string describe(const Case& c, const CaseRun& run, const RunError& error) {
         run.request.stops.size());
   text += fmt::format("status  {}{}{}\n", to_string(outcome.status),
                       outcome.detail.empty() ? "" : ": ", outcome.detail);
-  text += fmt::format("cost    {} evaluations, {} Jacobians\n", outcome.counters.rhs_evaluations,
-                      outcome.counters.jacobian_evaluations);
+  text += "cost    " + cost_text(outcome.counters) + "\n";
   if (outcome.status != Status::ok) return text;
   const std::size_t n = c.y0.size();
   if (n <= 8) {

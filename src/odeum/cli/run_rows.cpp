@@ -78,6 +78,17 @@ RunError error_of(const Case& c, const trajectories::CaseRun& run) {
       .diverged = judge::has_diverged(errors, judge.scale())};
 }
 
+std::string cost_text(const Counters& counters) {
+  const bool uncounted = counters.rhs_evaluations == 0 && counters.work > 0;
+  std::string text = uncounted
+                         ? "evaluations within the library, which cannot be counted"
+                         : fmt::format("{} evaluations, {} Jacobians", counters.rhs_evaluations,
+                                       counters.jacobian_evaluations);
+  if (counters.products > 0)
+    text += fmt::format(", {} products in linear solvers", counters.products);
+  return text;
+}
+
 std::string error_text(const Case& c, const trajectories::CaseRun& run, const RunError& error) {
   std::string text = error_and_answer(c, run, error);
   for (const std::string& remark : judge::remarks(c, run.request, run.outcome))

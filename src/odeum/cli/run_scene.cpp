@@ -8,6 +8,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
+#include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -58,11 +59,7 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
 /// The processor's time, by steps and by frames, and what a cost in evaluations does not tell.
 std::string text_of_cost(const Request& request, const scene::RunResult& run, double seconds) {
   const Counters& counters = run.counters;
-  std::string text = fmt::format("cost       {} evaluations, {} Jacobians",
-                                 counters.rhs_evaluations, counters.jacobian_evaluations);
-  if (counters.work > counters.rhs_evaluations)
-    text +=
-        fmt::format(", {} products in linear solvers", counters.work - counters.rhs_evaluations);
+  std::string text = "cost       " + cost_text(counters);
   const std::uint64_t steps = request.mode == Mode::fixed ? request.steps : counters.steps;
   text += fmt::format("\ntime       {:.3g} s of the processor", seconds);
   if (steps > 0)

@@ -34,6 +34,7 @@ void Guard::describe(double t, const double* values, std::size_t n, std::size_t 
 void Guard::conclude(const Request& request, Outcome& outcome) const {
   outcome.counters.rhs_evaluations = rhs_evaluations_;
   outcome.counters.jacobian_evaluations = jacobian_evaluations_;
+  outcome.counters.products = products_;
   outcome.counters.work = spent();
   judge(request, outcome);
   if (outcome.status != Status::ok && !first_non_finite_.empty())

@@ -17,8 +17,21 @@ struct Counters {
   std::uint64_t rejected_steps = 0;
   std::uint64_t rhs_evaluations = 0;  ///< counted by Odeum's guard, not by the library
   std::uint64_t jacobian_evaluations = 0;
-  /// What a budget counts: evaluations, and products of the derivative with a vector.
+  /// Of the derivative with a vector, in linear solvers; a factorisation is as many as it costs.
+  std::uint64_t products = 0;
+  /// What a budget counts: evaluations and products, or the steps of a library that computes forces
+  /// within itself.
   std::uint64_t work = 0;
+
+  Counters& operator+=(const Counters& more) {
+    steps += more.steps;
+    rejected_steps += more.rejected_steps;
+    rhs_evaluations += more.rhs_evaluations;
+    jacobian_evaluations += more.jacobian_evaluations;
+    products += more.products;
+    work += more.work;
+    return *this;
+  }
 };
 
 /// Whether none of n components is infinite or NaN.

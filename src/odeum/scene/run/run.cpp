@@ -168,10 +168,7 @@ class Run {
     const Outcome outcome =
         solve_(problem_, clock_.request(begin, stops, setting_.budget.seconds - spent));
     ++result_.solves;
-    result_.counters.steps += outcome.counters.steps;
-    result_.counters.rejected_steps += outcome.counters.rejected_steps;
-    result_.counters.rhs_evaluations += outcome.counters.rhs_evaluations;
-    result_.counters.jacobian_evaluations += outcome.counters.jacobian_evaluations;
+    result_.counters += outcome.counters;
     const double* before = problem_->start().data();
     for (std::size_t k = 0; k < stops.size() && (k + 1) * n <= outcome.states.size(); ++k) {
       const double* const y = outcome.states.data() + k * n;
