@@ -209,15 +209,15 @@ TEST_F(RunCommand, KnowsTheTruthAtEveryOutput) {
   EXPECT_EQ(count(csv, "nan\n"), 0U);
 }
 
-// All options are checked before the first line of output.
 // share/odeum, which has the page's code, does not stand beside this copy of the program. A scene
 // has its replay in a page of its own and is refused.
 TEST_F(RunCommand, NamesNoPageWhereNoneIsWritten) {
   const auto alone = folder_.path() / "alone";
   std::filesystem::create_directories(alone / "bin");
   std::filesystem::copy_file(ODEUM_BINARY, alone / "bin/odeum");
-  for (const std::string arguments : {"run kepler_e06 --solver rk4 --step 0.1", "poisson square:4",
-                                      "classify 'u_xx + y*u_yy = 0'"}) {
+  for (const std::string arguments :
+       {"run kepler_e06 --solver rk4 --step 0.1", "poisson square:4",
+        "classify 'u_xx + y*u_yy = 0'", "report raindrop --solver odeum/rk4 --quick"}) {
     const Result result =
         shell((alone / "bin/odeum ").string() + arguments + " --out " + (alone / "out").string());
     EXPECT_EQ(result.code, 0) << result.output;
@@ -227,6 +227,7 @@ TEST_F(RunCommand, NamesNoPageWhereNoneIsWritten) {
   EXPECT_FALSE(std::filesystem::exists(alone / "out/index.html"));
 }
 
+// All options are checked before the first line of output.
 TEST_F(RunCommand, PrintsNothingOfARunThatIsRefused) {
   for (const char* fault : {"--every -1", "--every 0", "--until -1", "--solver nothing"}) {
     const Result result = run(std::string("free_fall --set g=-1 --solver rk4 --step 0.1 ") + fault);

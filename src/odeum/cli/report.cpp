@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -135,14 +136,15 @@ void run(const Options& options) {
   for (const std::string& glob : options.cases) command += " --case '" + glob + "'";
   for (const std::string& glob : options.solvers) command += " --solver '" + glob + "'";
   if (store) report.manifest("results_of_earlier_runs", store->taken());
-  remark_on_page(report.write(
+  const bool written = report.write(
       {.command_line = command,
        .quick = options.quick,
-       .seconds =
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()}));
+       .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  remark_on_page(written);
+  const std::filesystem::path at = written ? folder.path() / "index.html" : folder.path();
   print(study::summary_text(report.facts(),
                             study::result_of<study::ConvergenceResult>(studies).orders) +
-        fmt::format("report: {}\n", report::plain((folder.path() / "index.html").string())));
+        fmt::format("report: {}\n", report::plain(at.string())));
   if (part().role == Role::alone) remark_on(store.get());
 }
 
