@@ -40,6 +40,7 @@ TEST_P(Fmus, AdviceTriesEverySolverThatFits) {
   const Case c = made({{"mu", "0"}, {"x", "1"}});
   advise::Wishes wishes;
   wishes.error = 1e-4;
+  wishes.seconds = 60;  // of sanitized code; otherwise it takes one
   wishes.solvers = {"odeum/*54*", "gsl/*"};
   const advise::Advice advice = advise::advise({&c}, wishes);
   EXPECT_TRUE(advice.failure.empty()) << advice.failure;
