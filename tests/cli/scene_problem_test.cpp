@@ -269,7 +269,7 @@ TEST(SceneCommands, FactorsCountAgainstABudget) {
   EXPECT_FALSE(guard.admit());
 }
 
-// An implicit step would look cheap beside its two evaluations.
+// Without them an implicit step looks as cheap as its evaluations.
 TEST(SceneCommands, WhatLinearSolversTakeIsPrinted) {
   const Result result =
       shell("odeum run chain --solver implicit_euler_linearised --step 1/60 --until 0.1");

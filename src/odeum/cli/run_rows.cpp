@@ -79,11 +79,10 @@ RunError error_of(const Case& c, const trajectories::CaseRun& run) {
 }
 
 std::string cost_text(const Counters& counters) {
-  const bool uncounted = counters.rhs_evaluations == 0 && counters.work > 0;
-  std::string text = uncounted
-                         ? "evaluations within the library, which cannot be counted"
-                         : fmt::format("{} evaluations, {} Jacobians", counters.rhs_evaluations,
-                                       counters.jacobian_evaluations);
+  const bool unknown = counters.rhs_evaluations == 0 && counters.work > 0;
+  std::string text = unknown ? "evaluations within the library (not counted)"
+                             : fmt::format("{} evaluations, {} Jacobians", counters.rhs_evaluations,
+                                           counters.jacobian_evaluations);
   if (counters.products > 0)
     text += fmt::format(", {} products in linear solvers", counters.products);
   return text;

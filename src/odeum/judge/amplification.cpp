@@ -142,7 +142,7 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
   std::mt19937 random(1);
   result.directions = random_directions;
   for (std::size_t k = 0; k + 1 < path.times.size(); ++k) {
-    // An error at a stop is hardly larger at the next than those of the times around it.
+    // The start, and the times between the stops.
     if (k > 0 && std::ranges::binary_search(stops, path.times[k])) continue;
     const States& from = path.states[k];
     const auto first = std::ranges::upper_bound(stops, path.times[k]);
@@ -170,11 +170,10 @@ void by_random_directions(const Case& c, Flow& flow, const std::vector<double>& 
             std::max(result.at_stops[stop], root * std::sqrt(squares[s * n + i]) / c.scale_of(i));
     }
   }
-  for (std::size_t stop = 0; stop < stops.size(); ++stop) {
-    const States last = units_of(asked, path.states[path.index_of(stops[stop])]);
+  for (std::size_t stop = 0; stop < stops.size(); ++stop)
     for (const std::size_t i : measured)  // an error of the last step
-      result.at_stops[stop] = std::max(result.at_stops[stop], root * last[i] / c.scale_of(i));
-  }
+      result.at_stops[stop] =
+          std::max(result.at_stops[stop], root * asked.threshold(i) / c.scale_of(i));
 }
 
 std::vector<Control> controls(const Case& c, const Flow& flow, const std::vector<double>& stops,
