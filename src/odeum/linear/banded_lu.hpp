@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -41,7 +40,6 @@ class BandedLu {
 
   /// In place; false where the matrix is singular or has an entry that is not finite.
   bool factorise() {
-    exchanged_ = false;
     std::size_t last = 0;  // the last column that is not zero in a row with a pivot so far
     for (std::size_t k = 0; k < n_; ++k) {
       const std::size_t below = std::min(lower_, n_ - 1 - k);
@@ -54,10 +52,7 @@ class BandedLu {
       last = std::max(last, std::min(pivot + upper_, n_ - 1));
       pivot_[k] = pivot;
       last_[k] = last;
-      if (pivot != k) {
-        exchanged_ = true;
-        swap_rows(k, pivot, last);
-      }
+      if (pivot != k) swap_rows(k, pivot, last);
       invert(place(k, k));
       for (std::size_t i = k + 1; i <= k + below; ++i) eliminate(i, k, last);
     }
@@ -66,11 +61,6 @@ class BandedLu {
 
   /// Overwrites (re, im) by the solution; `im` is not read where the matrix is real.
   void solve(Real* re, Real* im) const {
-    if (!exchanged_ && lower_ == upper_ && n_ > lower_) {
-      if (lower_ == 1) return solve_narrow<1>(re, im);
-      if (lower_ == 2) return solve_narrow<2>(re, im);
-      if (lower_ == 3) return solve_narrow<3>(re, im);
-    }
     for (std::size_t k = 0; k < n_; ++k) {
       const std::size_t below = std::min(lower_, n_ - 1 - k);
       if (pivot_[k] != k) {
@@ -107,50 +97,6 @@ class BandedLu {
   }
 
  private:
-  /// `width` below and above the diagonal, no rows exchanged: the unknowns that the next one needs
-  /// stay in registers, the newest enters last, since each waits for it.
-  template <std::size_t width>
-  void solve_narrow(Real* re, [[maybe_unused]] Real* im) const {
-    std::array<Real, width> near_re{}, near_im{};
-    const auto keep = [&](Real x, Real y) {
-      for (std::size_t i = width; i-- > 1;)
-        near_re[i] = near_re[i - 1], near_im[i] = near_im[i - 1];
-      near_re[0] = x, near_im[0] = y;
-    };
-    Real sum_re = 0, sum_im = 0;
-    const auto subtract = [&](const auto& of_re, const auto& of_im, std::size_t at, std::size_t i) {
-      sum_re -= of_re[at] * near_re[i];
-      if constexpr (is_complex) {
-        sum_re += of_im[at] * near_im[i];
-        sum_im -= of_re[at] * near_im[i] + of_im[at] * near_re[i];
-      }
-    };
-    for (std::size_t k = 0; k < n_; ++k) {
-      sum_re = re[k];
-      if constexpr (is_complex) sum_im = im[k];
-      // Before the first row the unknowns are zero, and any factor will do.
-      for (std::size_t i = width; i > 0; --i)
-        subtract(factor_re_, factor_im_, (k < i ? 0 : k - i) * width + i - 1, i - 1);
-      keep(sum_re, sum_im);
-      re[k] = sum_re;
-      if constexpr (is_complex) im[k] = sum_im;
-    }
-    near_re = near_im = {};
-    for (std::size_t k = n_; k-- > 0;) {
-      const std::size_t row = place(k, k);
-      sum_re = re[k];
-      if constexpr (is_complex) sum_im = im[k];
-      for (std::size_t j = width; j > 0; --j) subtract(re_, im_, row + j, j - 1);
-      if constexpr (is_complex) {
-        re[k] = re_[row] * sum_re - im_[row] * sum_im;
-        im[k] = re_[row] * sum_im + im_[row] * sum_re;
-        keep(re[k], im[k]);
-      } else {
-        re[k] = re_[row] * sum_re;
-        keep(re[k], 0);
-      }
-    }
-  }
   Real size(std::size_t at) const {
     if constexpr (is_complex) return std::abs(re_[at]) + std::abs(im_[at]);
     return std::abs(re_[at]);
@@ -196,7 +142,6 @@ class BandedLu {
   std::vector<Real> re_, im_;                // U, with room for rows that are swapped
   std::vector<Real> factor_re_, factor_im_;  // L, `lower` for each column
   std::vector<std::size_t> pivot_, last_;
-  bool exchanged_ = false;
 };
 
 }  // namespace odeum::linear

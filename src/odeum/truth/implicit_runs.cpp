@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Dense>
 #include <array>
 #include <vector>
 
+#include "odeum/kernel/stage_transform.hpp"
 #include "odeum/tableau/collocation.hpp"
 #include "odeum/truth/march.hpp"
 #include "odeum/truth/shifted.hpp"
@@ -10,79 +10,83 @@
 namespace odeum::truth {
 namespace {
 
-/// Radau IIA of S stages: nodes, and A with a_ij the integral of Lagrange's polynomial j to c_i.
-template <std::size_t S>
+/// Radau IIA: its nodes, and A by rows, with a_ij the integral of Lagrange's polynomial j to c_i.
 struct Radau {
-  Nodes<S> c = radau_right_nodes<S>();
-  Matrix a{static_cast<Index>(S), static_cast<Index>(S)};
-  Radau() {
+  State c, a;
+
+  template <std::size_t S>
+  explicit Radau(const Nodes<S>& nodes) : c(nodes.begin(), nodes.end()) {
     // sum_j a_ij c_j^(q-1) = c_i^q / q for q = 1..S
-    const auto s = static_cast<Index>(S);
-    Matrix powers(s, s), integrals(s, s);
-    for (Index q = 0; q < s; ++q)
-      for (Index j = 0; j < s; ++j) {
-        const Real node = c[static_cast<std::size_t>(j)];
-        powers(q, j) = std::pow(node, static_cast<Real>(q));
-        integrals(q, j) = std::pow(node, static_cast<Real>(q + 1)) / static_cast<Real>(q + 1);
-      }
-    a = Eigen::FullPivLU<Matrix>(powers).solve(integrals).transpose().eval();
+    linear::Lu<Real> powers(S);
+    for (std::size_t q = 0; q < S; ++q)
+      for (std::size_t j = 0; j < S; ++j)
+        powers.data()[q * S + j] = std::pow(c[j], static_cast<Real>(q));
+    powers.factorise();
+    for (const Real node : c) {
+      State row;
+      for (std::size_t q = 1; q <= S; ++q)
+        row.push_back(std::pow(node, static_cast<Real>(q)) / static_cast<Real>(q));
+      powers.solve(row.data());
+      a.insert(a.end(), row.begin(), row.end());
+    }
   }
+  std::size_t stages() const { return c.size(); }
 };
 
 /// The stages z_i = Y_i - y of one step, by Newton's method with the Jacobian at the start, in the
 /// eigenvectors of A, where it is I - h lambda J for each eigenvalue (Bickart 1977; Butcher 1976).
-/// Of two that are conjugate, one stands for both.
-template <std::size_t S>
+/// Of two that are conjugate, one stands for both. That they are known in double alone costs an
+/// iteration at most, since residuals are in extended precision.
 class RadauStage {
   struct Mode {
     Complex value;
-    VectorOf<Complex> to_stages, from_stages;
+    std::vector<Complex> to_stages, from_stages;
     Shifted<Complex> factors;
   };
 
  public:
-  RadauStage(const System& system, const Jacobian& jacobian, Real tolerance)
-      : system_(system), tolerance_(tolerance) {
-    const Eigen::EigenSolver<Matrix> of_a(radau_.a);
-    const MatrixOf<Complex> vectors = of_a.eigenvectors(), inverse = vectors.inverse();
-    for (Index k = 0; k < static_cast<Index>(S); ++k) {
-      const Complex value = of_a.eigenvalues()(k);
-      if (value.imag() < 0) continue;
-      const Real stands_for = value.imag() > 0 ? 2 : 1;
-      modes_.push_back({value, stands_for * vectors.col(k), inverse.row(k).transpose(),
+  RadauStage(Radau radau, const System& system, const Jacobian& jacobian, Real tolerance)
+      : radau_(std::move(radau)), system_(system), tolerance_(tolerance) {
+    const std::vector<double> a(radau_.a.begin(), radau_.a.end());
+    const std::size_t s = radau_.stages();
+    const StageTransform of_a =
+        make_stage_transform(a, {a.end() - static_cast<std::ptrdiff_t>(s), a.end()});
+    const auto extended = [](const std::vector<std::complex<double>>& vector) {
+      return std::vector<Complex>(vector.begin(), vector.end());
+    };
+    for (std::size_t k = 0; k < of_a.inverse_mu.size(); ++k)
+      modes_.push_back({Complex(of_a.inverse_mu[k]), extended(of_a.t[k]), extended(of_a.ti[k]),
                         Shifted<Complex>(jacobian)});
-    }
   }
 
   /// False where it does not converge.
   bool solve(Real t, Real h, const State& y, const State& sizes) {
-    const auto n = static_cast<Index>(system_.states), all = n * static_cast<Index>(S);
+    const std::size_t n = system_.states, stages = radau_.stages();
     work_ = 0;
     for (Mode& mode : modes_) {
       work_ += mode.factors.factor_work();
       if (!mode.factors.factorise(h * mode.value)) return false;
     }
-    z_ = VectorOf<Real>::Zero(all);
-    State stage(system_.states);
-    VectorOf<Real> f(all), residual(all);
+    z_.assign(stages * n, 0);
+    State stage(n), f(z_.size()), residual(z_.size());
     Real before = 0;
     for (int iteration = 0; iteration < 30; ++iteration) {
-      for (Index s = 0; s < static_cast<Index>(S); ++s) {
-        for (Index i = 0; i < n; ++i)
-          stage[static_cast<std::size_t>(i)] = y[static_cast<std::size_t>(i)] + z_(s * n + i);
-        system_.rhs(t + radau_.c[static_cast<std::size_t>(s)] * h, stage.data(), f.data() + s * n);
+      for (std::size_t s = 0; s < stages; ++s) {
+        for (std::size_t i = 0; i < n; ++i) stage[i] = y[i] + z_[s * n + i];
+        system_.rhs(t + radau_.c[s] * h, stage.data(), f.data() + s * n);
       }
-      work_ += static_cast<double>(S) * system_.work;
-      residual = -z_;
-      for (Index r = 0; r < static_cast<Index>(S); ++r)
-        for (Index c = 0; c < static_cast<Index>(S); ++c)
-          residual.segment(r * n, n) += h * radau_.a(r, c) * f.segment(c * n, n);
-      const VectorOf<Real> correction = correction_for(residual);
-      z_ += correction;
+      work_ += static_cast<double>(stages) * system_.work;
+      for (std::size_t k = 0; k < z_.size(); ++k) {
+        residual[k] = -z_[k];
+        for (std::size_t c = 0; c < stages; ++c)
+          residual[k] += h * radau_.a[k / n * stages + c] * f[c * n + k % n];
+      }
+      const State correction = correction_for(residual);
       Real size = 0;
-      for (Index k = 0; k < all; ++k) {
-        const Real unit = sizes[static_cast<std::size_t>(k % n)];
-        const Real ratio = std::abs(correction(k)) / (unit > 0 ? unit : 1);
+      for (std::size_t k = 0; k < z_.size(); ++k) {
+        z_[k] += correction[k];
+        const Real unit = sizes[k % n];
+        const Real ratio = std::abs(correction[k]) / (unit > 0 ? unit : 1);
         if (!std::isfinite(ratio)) return false;
         size = std::max(size, ratio);
       }
@@ -95,31 +99,31 @@ class RadauStage {
   }
   /// The state at the end of the step.
   Real end(const State& y, std::size_t i) const {
-    return y[i] + z_(static_cast<Index>((S - 1) * system_.states + i));
+    return y[i] + z_[(radau_.stages() - 1) * system_.states + i];
   }
   double work() const { return work_; }
 
  private:
-  VectorOf<Real> correction_for(const VectorOf<Real>& residual) {
-    const auto n = static_cast<Index>(system_.states);
-    VectorOf<Real> correction = VectorOf<Real>::Zero(residual.size());
+  State correction_for(const State& residual) {
+    const std::size_t n = system_.states;
+    State correction(residual.size());
     for (Mode& mode : modes_) {
-      VectorOf<Complex> part = VectorOf<Complex>::Zero(n);
-      for (Index s = 0; s < static_cast<Index>(S); ++s)
-        part += mode.from_stages(s) * residual.segment(s * n, n).template cast<Complex>();
-      part = mode.factors.solve(part);
-      for (Index s = 0; s < static_cast<Index>(S); ++s)
-        correction.segment(s * n, n) += (mode.to_stages(s) * part).real();
+      std::vector<Complex> part(n);
+      for (std::size_t k = 0; k < residual.size(); ++k)
+        part[k % n] += mode.from_stages[k / n] * residual[k];
+      mode.factors.solve(part);
+      for (std::size_t k = 0; k < residual.size(); ++k)
+        correction[k] += (mode.to_stages[k / n] * part[k % n]).real();
       work_ += mode.factors.solve_work();
     }
     return correction;
   }
 
+  Radau radau_;
   const System& system_;
   Real tolerance_;
-  Radau<S> radau_;
   std::vector<Mode> modes_;
-  VectorOf<Real> z_;
+  State z_;
   double work_ = 0;
 };
 
@@ -130,8 +134,8 @@ Run radau_run(const System& system, const std::vector<Real>& times, const Effort
   // where components are stiff.
   const Real newton = std::max(effort.tolerance / 10, 2 * system.rounding);
   Jacobian jacobian(system);
-  RadauStage<7> method(system, jacobian, newton);
-  RadauStage<5> estimate(system, jacobian, newton);
+  RadauStage method(Radau(radau_right_nodes<7>()), system, jacobian, newton);
+  RadauStage estimate(Radau(radau_right_nodes<5>()), system, jacobian, newton);
   return march(system, times, effort, 9, [&](Real t, Real h, const State& y, const State& sizes) {
     Trial trial{.y = y, .work = 0};
     jacobian.linearise(t, y);
@@ -157,10 +161,8 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
   constexpr int lines = 8;
   const Real tolerance =
       std::max(effort.tolerance, finest_implicit_extrapolation * (system.rounding / 0x1p-63L));
-  const auto n = static_cast<Index>(system.states);
   std::array<State, lines> table;
-  State line(system.states), difference(system.states), at(system.states);
-  VectorOf<Real> f(n);
+  State line(system.states), difference(system.states), at(system.states), d(system.states);
   Jacobian jacobian(system);
   Shifted<Real> factors(jacobian);
   return march(
@@ -178,9 +180,10 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
           std::ranges::fill(line, 0);
           for (int k = 1; k <= parts; ++k) {
             for (std::size_t i = 0; i < line.size(); ++i) at[i] = y[i] + line[i];
-            system.rhs(t + k * part, at.data(), f.data());
-            const VectorOf<Real> d = factors.solve(part * f);
-            for (Index i = 0; i < n; ++i) line[static_cast<std::size_t>(i)] += d(i);
+            system.rhs(t + k * part, at.data(), d.data());
+            for (Real& x : d) x *= part;
+            factors.solve(d);
+            for (std::size_t i = 0; i < line.size(); ++i) line[i] += d[i];
           }
           trial.work += factors.factor_work() + parts * (system.work + factors.solve_work());
           for (int k = 0; k < row; ++k) {

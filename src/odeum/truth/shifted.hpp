@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <Eigen/Dense>
 #include <complex>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 #include "odeum/linear/banded_lu.hpp"
+#include "odeum/linear/dense_lu.hpp"
 #include "odeum/linear/ordering.hpp"
 #include "odeum/truth/system.hpp"
 
@@ -13,17 +14,11 @@
 namespace odeum::truth {
 
 using Complex = std::complex<Real>;
-template <class Scalar>
-using MatrixOf = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-template <class Scalar>
-using VectorOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-using Matrix = MatrixOf<Real>;
-using Index = Eigen::Index;
 
-/// The Jacobian of a system, dense or in a band.
+/// The Jacobian of a system, dense by rows or in a band.
 struct Jacobian {
   const System& system;
-  Matrix dense = {};
+  State dense = {};
   linear::Band narrow = {};
   State values = {};
 
@@ -34,8 +29,7 @@ struct Jacobian {
   }
   void linearise(Real t, const State& y) {
     if (system.entries) return system.entries(t, y.data(), values.data());
-    const auto n = static_cast<Index>(system.states);
-    dense.resize(n, n);
+    dense.resize(system.states * system.states);
     system.jacobian(t, y.data(), dense.data());
   }
 };
@@ -46,31 +40,30 @@ class Shifted {
   static constexpr bool is_complex = !std::is_same_v<Scalar, Real>;
 
  public:
-  explicit Shifted(const Jacobian& jacobian) : j_(jacobian) {}
+  explicit Shifted(const Jacobian& jacobian)
+      : j_(jacobian), dense_(jacobian.system.entries ? 0 : jacobian.system.states) {}
 
-  /// False where a band is singular or not finite.
+  /// False where the matrix is singular or not finite.
   bool factorise(Scalar g) {
-    const auto n = static_cast<Index>(size());
     if (j_.system.entries) return factorise_band(g);
-    factors_.compute(MatrixOf<Scalar>::Identity(n, n) - g * j_.dense.template cast<Scalar>());
-    return true;
+    for (std::size_t k = 0; k < j_.dense.size(); ++k)
+      dense_.data()[k] = Scalar(k % (size() + 1) == 0 ? 1 : 0) - g * j_.dense[k];
+    return dense_.factorise();
   }
-  VectorOf<Scalar> solve(const VectorOf<Scalar>& right) {
-    if (!j_.system.entries) return factors_.solve(right);
+  /// Overwrites x by the solution.
+  void solve(std::vector<Scalar>& x) {
+    if (!j_.system.entries) return dense_.solve(x.data());
     State re(size()), im(is_complex ? size() : 0);
     for (std::size_t i = 0; i < size(); ++i) {
-      const Scalar x = right(static_cast<Index>(i));
-      re[place(i)] = std::real(x);
-      if constexpr (is_complex) im[place(i)] = std::imag(x);
+      re[place(i)] = std::real(x[i]);
+      if constexpr (is_complex) im[place(i)] = std::imag(x[i]);
     }
     band_->solve(re.data(), im.data());
-    VectorOf<Scalar> result(right.size());
     for (std::size_t i = 0; i < size(); ++i)
       if constexpr (is_complex)
-        result(static_cast<Index>(i)) = {re[place(i)], im[place(i)]};
+        x[i] = {re[place(i)], im[place(i)]};
       else
-        result(static_cast<Index>(i)) = re[place(i)];
-    return result;
+        x[i] = re[place(i)];
   }
   /// Operations of a factorisation, and of a solution with it.
   double factor_work() const {
@@ -106,7 +99,7 @@ class Shifted {
   }
 
   const Jacobian& j_;
-  Eigen::PartialPivLU<MatrixOf<Scalar>> factors_;
+  linear::Lu<Scalar> dense_;
   std::optional<linear::BandedLu<is_complex, Real>> band_;
 };
 
