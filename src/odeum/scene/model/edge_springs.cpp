@@ -28,10 +28,8 @@ TermInfo EdgeSprings::info(const Bodies&) const {
   return info;
 }
 
-std::uint64_t EdgeSprings::add(const Bodies&, const double* q, const double* v,
-                               double* force) const {
+void EdgeSprings::add(const Bodies&, const double* q, const double* v, double* force) const {
   add_spring_forces(springs_, q, v, force);
-  return springs_.size();
 }
 
 void EdgeSprings::add_blocks(const Bodies&, const double* q, const double* v,

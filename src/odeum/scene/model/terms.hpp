@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,21 +21,6 @@ struct Bodies {
   bool free(std::size_t i) const { return inverse_mass[i] != 0; }
   std::size_t fixed() const {
     return static_cast<std::size_t>(std::ranges::count(inverse_mass, 0.0));
-  }
-};
-
-/// Counts evaluations, for the proof that an absent term costs nothing. Not for several threads.
-struct Tally {
-  struct Entry {
-    std::uint64_t evaluations = 0;   ///< of the term
-    std::uint64_t interactions = 0;  ///< springs, particles or pairs that were looked at
-  };
-  std::map<std::string, Entry> entries;
-
-  void add(const std::string& term, std::uint64_t interactions) {
-    Entry& entry = entries[term];
-    ++entry.evaluations;
-    entry.interactions += interactions;
   }
 };
 
@@ -79,9 +63,8 @@ class Term {
  public:
   virtual ~Term() = default;
   virtual TermInfo info(const Bodies& bodies) const = 0;
-  /// Adds forces (N) and returns the number of interactions evaluated.
-  virtual std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
-                            double* force) const = 0;
+  /// Adds forces, N.
+  virtual void add(const Bodies& bodies, const double* q, const double* v, double* force) const = 0;
   virtual void add_blocks(const Bodies& bodies, const double* q, const double* v,
                           BlockSink& sink) const = 0;
   /// J; 0 for a force that has none.
@@ -95,8 +78,7 @@ class EdgeSprings final : public Term {
 
   const std::vector<Spring>& springs() const { return springs_; }
   TermInfo info(const Bodies& bodies) const override;
-  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
-                    double* force) const override;
+  void add(const Bodies& bodies, const double* q, const double* v, double* force) const override;
   void add_blocks(const Bodies& bodies, const double* q, const double* v,
                   BlockSink& sink) const override;
   double potential(const Bodies& bodies, const double* q) const override;

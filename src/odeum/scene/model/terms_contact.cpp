@@ -93,19 +93,18 @@ const char* name_of(const SphereContact&) { return "contact_sphere"; }
 const char* name_of(const ParticleContact&) { return "contact_particles"; }
 
 /// Calls visit(i, j, touch, relative velocity) for each contact of a particle i with j, which is i
-/// again for a surface that does not move; the number of pairs that were looked at.
+/// again for a surface that does not move.
 template <class Surface, class Visit>
-std::uint64_t for_touching(const Surface& surface, const Bodies& bodies, const double* q,
-                           const double* v, const Visit& visit) {
+void for_touching(const Surface& surface, const Bodies& bodies, const double* q, const double* v,
+                  const Visit& visit) {
   Touch touch{};
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies.free(i) && touch_surface(surface, q + 3 * i, bodies.radius[i], touch))
       visit(i, i, touch, v + 3 * i);
-  return bodies.size();
 }
 template <class Visit>
-std::uint64_t for_touching(const ParticleContact&, const Bodies& bodies, const double* q,
-                           const double* v, const Visit& visit) {
+void for_touching(const ParticleContact&, const Bodies& bodies, const double* q, const double* v,
+                  const Visit& visit) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   possible_contacts(bodies, q, pairs);
   Touch touch{};
@@ -117,7 +116,6 @@ std::uint64_t for_touching(const ParticleContact&, const Bodies& bodies, const d
     const double w[3] = {vi[0] - vj[0], vi[1] - vj[1], vi[2] - vj[2]};
     visit(std::size_t{i}, std::size_t{j}, touch, w);
   }
-  return pairs.size();
 }
 
 /// A surface against every free particle, or every particle against every other one.
@@ -138,17 +136,16 @@ class ContactTerm final : public Term {
             .order_kept = order_at_kinks};
   }
 
-  std::uint64_t add(const Bodies& bodies, const double* q, const double* v,
-                    double* force) const override {
-    return for_touching(law_, bodies, q, v,
-                        [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
-                          double f[3];
-                          Push(law_, touch, w).force(law_, touch, f);
-                          for (std::size_t d = 0; d < 3; ++d) {
-                            force[3 * i + d] += f[d];
-                            if (j != i) force[3 * j + d] -= f[d];
-                          }
-                        });
+  void add(const Bodies& bodies, const double* q, const double* v, double* force) const override {
+    for_touching(law_, bodies, q, v,
+                 [&](std::size_t i, std::size_t j, const Touch& touch, const double* w) {
+                   double f[3];
+                   Push(law_, touch, w).force(law_, touch, f);
+                   for (std::size_t d = 0; d < 3; ++d) {
+                     force[3 * i + d] += f[d];
+                     if (j != i) force[3 * j + d] -= f[d];
+                   }
+                 });
   }
 
   void add_blocks(const Bodies& bodies, const double* q, const double* v,

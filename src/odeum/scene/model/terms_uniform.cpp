@@ -24,15 +24,13 @@ class UniformTerm final : public Term {
     return info;
   }
 
-  std::uint64_t add(const Bodies& bodies, const double*, const double* v,
-                    double* force) const override {
+  void add(const Bodies& bodies, const double*, const double* v, double* force) const override {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!bodies.free(i)) continue;
       double f[3];
       law_.force(v + 3 * i, f);
       for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += f[d];
     }
-    return bodies.size();
   }
 
   void add_blocks(const Bodies& bodies, const double*, const double* v,

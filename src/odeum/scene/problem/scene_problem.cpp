@@ -43,7 +43,8 @@ void require_sound(const Scene& scene) {
 template <class Work>
 void on_grid(const GridLayout& layout, std::initializer_list<const double*> vectors, double* result,
              const Work& work) {
-  // One for each thread, since threads share the problem.
+  // One for each thread, since threads share the problem, and for each kind of work, which has
+  // always as many vectors.
   thread_local std::vector<double> space;
   thread_local GridLayout last;
   const std::size_t n = 3 * layout.size;
@@ -145,12 +146,7 @@ void SceneProblem::acceleration(double t, const double* q, const double* v, doub
     std::fill_n(a, size() / 2, 0.0);
     springs_.add(bodies_, q, v, a);
   }
-  if (tally_ && !springs().empty()) tally_->add("springs", springs().size());
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
-    const std::uint64_t interactions = terms_[k]->add(bodies_, q, v, a);
-    if (tally_)
-      tally_->add(structure_.terms[structure_.terms.size() - terms_.size() + k].name, interactions);
-  }
+  for (const auto& term : terms_) term->add(bodies_, q, v, a);
   for (std::size_t i = 0; i < particles(); ++i) {
     const double free = bodies_.free(i) ? 1 : 0;
     for (std::size_t d = 0; d < 3; ++d)

@@ -97,8 +97,6 @@ class SceneProblem {
   bool acts(std::size_t particle, double t) const {
     return lives_.empty() || lives_[particle].holds(t);
   }
-  /// Evaluations are counted there from now on.
-  void count_into(Tally* tally) { tally_ = tally; }
 
  private:
   std::uint64_t damp_edges(double h, double* v, double relative) const;
@@ -113,7 +111,6 @@ class SceneProblem {
   std::shared_ptr<const Scene> scene_;
   std::vector<Lifetime> lives_;
   Structure structure_;
-  Tally* tally_ = nullptr;
 };
 
 /// The same equation in extended precision, its data the doubles of the scene; gravity and springs

@@ -29,11 +29,11 @@ class SurfaceContact final : public Term {
             .order_kept = order_at_surfaces};
   }
 
-  std::uint64_t add(const Bodies&, const double* q, const double* v, double* force) const override {
+  void add(const Bodies&, const double* q, const double* v, double* force) const override {
     thread_local Quads places, rates, sum;
     const std::size_t particles = surfaces_.numbers() / 3;
     const std::vector<SurfacePair>& pairs = NearPairs::of_thread().at(surfaces_, q);
-    if (pairs.empty()) return 0;
+    if (pairs.empty()) return;
     to_quads(q, particles, places);
     if (friction_) to_quads(v, particles, rates);
     sum.assign(4 * particles, 0);
@@ -49,7 +49,6 @@ class SurfaceContact final : public Term {
     MeetingPairs(surfaces_, places, use).visit(pairs);
     for (std::size_t i = 0; i < particles; ++i)
       for (std::size_t d = 0; d < 3; ++d) force[3 * i + d] += sum[4 * i + d];
-    return pairs.size();
   }
 
   void add_blocks(const Bodies&, const double* q, const double* v, BlockSink& sink) const override {
