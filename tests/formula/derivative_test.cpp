@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "odeum/formula/text_ode.hpp"
 #include "support/problem_texts.hpp"
 
-namespace odeum {
+namespace odeum::derivative_test {
 namespace {
 
 using formula::TextOde;
@@ -55,6 +56,17 @@ TEST(Derivative, OfManyNestedDefinitionsStaysSmall) {
   text += "states: {x: 0.1}\nequations: {x: a60}\ntime: {end: 1}\n";
   const TextOde ode(formula::read_problem("f", text), TextOde::Code::interpreted);
   EXPECT_LT(ode.problem().graph.size(), 1000U);
+}
+
+TEST(Derivative, OfTooManyStatesIsRefusedWithTheNumberExpected) {
+  formula::Problem problem = formula::read_problem(
+      "f", "states: {x: 1, y: 1}\nequations: {x: x*y, y: x + y}\ntime: {end: 1}\n");
+  try {
+    formula::gradients(problem.graph, problem.equations, 2, 3);
+    FAIL() << "no limit";
+  } catch (const std::length_error& error) {
+    EXPECT_NE(std::string(error.what()).find("got more than 3"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Derivative, CompiledAsInterpreted) {
@@ -142,4 +154,4 @@ TEST(Structure, IsFound) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::derivative_test

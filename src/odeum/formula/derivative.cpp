@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <array>
 #include <stdexcept>
 
@@ -98,7 +100,11 @@ std::vector<std::vector<Entry>> gradients(Graph& graph, const std::vector<Id>& r
       }
     }
     total += d.size();
-    if (total > most) throw std::length_error("the derivatives of the equations are too many");
+    if (total > most)
+      throw std::length_error(fmt::format(
+          "the derivatives of the equations: got more than {}, those of all parts of an "
+          "expression counted; expected at most that: sums over fewer states",
+          most));
     of.emplace(id, std::move(d));
   }
   std::vector<std::vector<Entry>> result;
