@@ -10,7 +10,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/text_case.hpp"
 
-namespace odeum {
+namespace odeum::remarks_test {
 namespace {
 
 Case of_text(const std::string& text) {
@@ -69,6 +69,16 @@ TEST(Remarks, LookAtTheTimesBetween) {
     EXPECT_EQ(said.find("never exceed"), std::string::npos) << said;
 }
 
+// Where the equations were looked at they keep v; the solution meets a wall beyond. Of a scene that
+// bounces it was said that a run keeps no sum of velocities.
+TEST(Remarks, SayNothingOfASumThatTheSolutionDoesNotKeep) {
+  const Case c = of_text(
+      "states: {x: 1, v: -1}\nequations: {x: v, v: \"100*max(0, 0.1 - x)\"}\ntime: {end: 2}\n");
+  const Made run(c);
+  ASSERT_EQ(judge::linear_invariants(c).size(), 1U);
+  EXPECT_TRUE(judge::remarks(c, run.request, run.outcome).empty());
+}
+
 TEST(Remarks, SayWhatAnErrorAtTheEndHides) {
   const Case c = of_text(enzyme);
   Made run(c);
@@ -103,4 +113,4 @@ TEST(ProposedScale, IsThatOfTheReference) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::remarks_test
