@@ -12,7 +12,7 @@
 #include "odeum/record/output_folder.hpp"
 #include "support/program.hpp"
 
-namespace odeum {
+namespace odeum::command_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -297,4 +297,4 @@ TEST_F(CommandLine, AnInterruptPromisesNoJournalThatThereIsNot) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::command_line_test

@@ -10,7 +10,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::course_test {
 namespace {
 
 std::vector<std::string> course_commands() {
@@ -63,4 +63,4 @@ TEST(CourseList, WritesEachCommandIntoAFolderOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::course_test

@@ -11,7 +11,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::hostile_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +95,4 @@ TEST(HostileFiles, AreRefusedWithTheirPlaceAndLeaveNothing) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::hostile_files_test

@@ -9,7 +9,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::kept_results_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -55,4 +55,4 @@ TEST_F(Kept, ByPairWhateverElseIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::kept_results_test

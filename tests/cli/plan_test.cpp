@@ -7,7 +7,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::plan_test {
 namespace {
 
 using tests::Result;
@@ -177,4 +177,4 @@ TEST_F(Plan, BadInputHasItsSentence) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::plan_test

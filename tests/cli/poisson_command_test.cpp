@@ -12,7 +12,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::poisson_command_test {
 namespace {
 
 using std::numbers::pi;
@@ -189,4 +189,4 @@ TEST(ConvergeCommand, MeasuresOrdersInTheMeshSize) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::poisson_command_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,7 +12,7 @@
 #include "odeum/studies/precision/precision.hpp"
 #include "support/program.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::reproduce_test {
 namespace {
 
 nlohmann::json run_of(const std::string& arguments) {
@@ -58,6 +59,31 @@ TEST(Reproduce, ARunOfTheStudyOfOrdersToo) {
   }
 }
 
+// A scene's page gives the largest error of a coordinate at the quarters of its time; the command
+// beside it ignored --stops and printed distances at the frames.
+TEST(Reproduce, ARunOfASceneToo) {
+  const Result result = shell(
+      "odeum converge bouncing_triangle --solver rk4 --solver dormand_prince54 --quick "
+      "--format json 2>/dev/null");
+  ASSERT_EQ(result.code, 0) << result.output;
+  std::map<std::string, int> made;
+  const nlohmann::json all = nlohmann::json::parse(result.output);
+  for (const nlohmann::json& row : all["convergence.csv"]) {
+    const std::string mode = row["mode"];
+    if (row["status"] != "ok" || made[mode] == 2) continue;
+    ++made[mode];
+    const std::string setting = mode == "fixed"
+                                    ? fmt::format("--steps {}", row["steps"].get<int>())
+                                    : fmt::format("--tol {}", row["tolerance"].get<double>());
+    const nlohmann::json run =
+        run_of(fmt::format("bouncing_triangle --solver odeum/{} {} --stops orders",
+                           row["solver"].get<std::string>(), setting));
+    EXPECT_EQ(run["error_max"], row["error_max"]) << setting;
+    EXPECT_EQ(run["evaluations"], row["rhs_evaluations"]) << setting;
+  }
+  EXPECT_EQ(made, (std::map<std::string, int>{{"adaptive", 2}, {"fixed", 2}}));
+}
+
 TEST(Reproduce, OptionsThatTheLibraryDoesNotHaveAreRefused) {
   for (const auto& [arguments, sentence] :
        {std::pair{"--solver rk4 --step 0.1 --option sweeps=4", "has no option sweeps"},
@@ -79,4 +105,4 @@ TEST(Reproduce, RemarksArePrinted) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::reproduce_test

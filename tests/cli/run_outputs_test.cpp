@@ -7,7 +7,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::run_outputs_test {
 namespace {
 
 // The amplification of errors was measured up to each of 500 outputs, for a hundred times as long
@@ -55,4 +55,4 @@ TEST(RunCode, IsThatOfAFailureWhereEachRunHasDiverged) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::run_outputs_test

@@ -12,7 +12,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::run_test {
 namespace {
 
 class RunCommand : public testing::Test {
@@ -296,4 +296,4 @@ INSTANTIATE_TEST_SUITE_P(
                  "does not fit this scene"}));
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::run_test

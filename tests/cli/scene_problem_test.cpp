@@ -15,7 +15,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::scene_problem_test {
 namespace {
 
 using scene::Scene;
@@ -286,4 +286,4 @@ TEST(SceneCommands, ARunHasItsErrorInMetres) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::scene_problem_test

@@ -9,7 +9,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::words_test {
 namespace {
 
 bool holds(const std::string& text, const std::string& part) {
@@ -133,4 +133,4 @@ TEST(Words, CompletionsAndTheManualNameEveryOption) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::words_test

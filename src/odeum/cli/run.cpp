@@ -171,12 +171,12 @@ void add_run(CLI::App& app, int& result) {
     }
     require_no_choice(options->what, options->problems.chosen);
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
-    if (scene && options->format == "json")
+    // A study runs a scene as a case; so do rows, whose errors are those of studies.
+    const bool as_case = !options->stops.empty() || options->format == "json";
+    if (scene && as_case && options->frames > 0)
       throw UsageError(
-          "--format json: a scene's numbers are in the files of --out; cases, problem files and "
-          "FMUs "
-          "have rows");
-    result = scene ? run_scene(*scene, *options) : run_case(*options);
+          "--frames: expected neither --stops nor --format json, which make no pictures");
+    result = scene && !as_case ? run_scene(*scene, *options) : run_case(*options);
   });
 }
 

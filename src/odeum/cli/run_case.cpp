@@ -242,10 +242,8 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
 }  // namespace
 
 int run_case(const RunOptions& options) {
-  const Case& original = find_case(options.what);
-  const auto sets = assignments("--set", options.problems.sets);
-  if (sets.empty()) return run_solvers(original, {}, options);
-  return run_solvers(with_sets(original, options.problems.sets), sets, options);
+  return run_solvers(case_of(options.what, options.problems),
+                     assignments("--set", options.problems.sets), options);
 }
 
 int run_problem(const RunOptions& options) {
