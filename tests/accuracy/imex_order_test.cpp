@@ -8,7 +8,7 @@
 #include "odeum/solvers/entrants.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 
-namespace odeum {
+namespace odeum::imex_order_test {
 namespace {
 
 const std::vector<std::string> own{"odeum/ars222", "odeum/ars443", "odeum/ark32_kennedy_carpenter",
@@ -51,4 +51,4 @@ TEST(ImexOrder, AStiffImplicitPartBoundsNoStep) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::imex_order_test

@@ -9,7 +9,7 @@
 #include "odeum/solvers/entrants.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 
-namespace odeum {
+namespace odeum::order_test {
 namespace {
 
 struct Pair {
@@ -168,4 +168,4 @@ TEST_P(Order, IsAsClaimedOnEveryCase) {
 INSTANTIATE_TEST_SUITE_P(Own, Order, testing::ValuesIn(own_ways()), name_of);
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::order_test

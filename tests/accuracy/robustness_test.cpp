@@ -13,7 +13,7 @@
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/answer.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::robustness_test {
 namespace {
 
 constexpr double tolerances[] = {1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
@@ -131,4 +131,4 @@ TEST(Robustness, NoAdaptiveSolverSaysOkToAWrongAnswer) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::robustness_test

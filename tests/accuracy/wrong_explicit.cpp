@@ -41,14 +41,14 @@ void take_step(const OdeView& problem, const FourStages& tableau, double t, doub
     for (std::size_t i = 0; i < n; ++i) y[i] += h * tableau.b[s] * k[s][i];
 }
 
-MakeStep with_tableau(const FourStages& tableau) {
+MakeStep with_stages(const FourStages& tableau) {
   return [tableau](const OdeView& problem) -> Step {
     return
         [=](std::uint64_t, double t, double h, Vector& y) { take_step(problem, tableau, t, h, y); };
   };
 }
 
-const MakeStep right_rk4 = with_tableau(classical);
+const MakeStep right_rk4 = with_stages(classical);
 
 /// RK4 whose step is followed by `after`.
 template <class After>
@@ -137,8 +137,8 @@ std::vector<WrongSolver> wrong_coefficients() {
   std::vector<WrongSolver> solvers;
   for (const double error : magnitudes) {
     const auto add = [&](const std::string& place, const FourStages& tableau) {
-      solvers.push_back({fmt::format("RK4, {} off by {:.0e}", place, error), 4,
-                         with_tableau(tableau), right_rk4});
+      solvers.push_back(
+          {fmt::format("RK4, {} off by {:.0e}", place, error), 4, with_stages(tableau), right_rk4});
     };
     for (std::size_t i = 0; i < 4; ++i) {
       FourStages t = classical;
@@ -199,10 +199,10 @@ std::vector<WrongSolver> wrong_explicit_steps() {
   });
   FourStages no_nodes = classical;
   no_nodes.c = {};
-  add("RK4, time stands still in a step", with_tableau(no_nodes));
+  add("RK4, time stands still in a step", with_stages(no_nodes));
   // Order 4 on linear autonomous problems alone.
   add("RK4, Jameson's four stages in its place",
-      with_tableau(
+      with_stages(
           {{{{}, {0.25}, {0, 1. / 3}, {0, 0, 0.5}}}, {0, 0, 0, 1}, {0, 0.25, 1. / 3, 0.5}}));
   const auto nothing = [](const OdeView&, double, double, Vector&) {};
   add("RK4, first step dropped", rk4_but([](std::uint64_t i) { return i == 0; }, nothing));

@@ -5,7 +5,7 @@
 
 #include "accuracy/campaign.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::wrong_solvers_test {
 namespace {
 
 class Wrong : public testing::TestWithParam<std::size_t> {};
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Campaign, Wrong, testing::Range(std::size_t{0}, std::si
                          [](const auto& of) { return campaign_cases()[of.param].id; });
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::wrong_solvers_test

@@ -6,7 +6,7 @@
 
 #include "adapters/bullet_stage.hpp"
 
-namespace odeum::bullet_tests {
+namespace odeum::bullet_tests::bullet_fault_test {
 namespace {
 
 bool needs_contacts(const Entrant& entrant) {
@@ -130,4 +130,4 @@ TEST(BulletFault, ThreadsDoNotDisturbEachOther) {
 }
 
 }  // namespace
-}  // namespace odeum::bullet_tests
+}  // namespace odeum::bullet_tests::bullet_fault_test

@@ -7,7 +7,7 @@
 
 #include "odeum/studies/material/material.hpp"
 
-namespace odeum::study {
+namespace odeum::study::bullet_material_test {
 namespace {
 
 MaterialRow response(const Specimen& specimen, const char* id, double step,
@@ -127,4 +127,4 @@ TEST(BulletMaterial, NewtonIterationsEndAtBackwardEulerOfACloth) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::bullet_material_test

@@ -9,7 +9,7 @@
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/scene/read/reader.hpp"
 
-namespace odeum::bullet_tests {
+namespace odeum::bullet_tests::bullet_self_collision_test {
 namespace {
 
 // On the cloth whose halves meet at 0.44 s: up to then it moves as without surfaces, and not after.
@@ -70,4 +70,4 @@ TEST(BulletSelfCollision, SaysWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace odeum::bullet_tests
+}  // namespace odeum::bullet_tests::bullet_self_collision_test

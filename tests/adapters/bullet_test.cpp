@@ -8,7 +8,7 @@
 #include "odeum/problem/damped_oscillator.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 
-namespace odeum::bullet_tests {
+namespace odeum::bullet_tests::bullet_test {
 namespace {
 
 struct Course {
@@ -274,4 +274,4 @@ TEST(Bullet, ItsOwnCollisionsStopWithoutARebound) {
 }
 
 }  // namespace
-}  // namespace odeum::bullet_tests
+}  // namespace odeum::bullet_tests::bullet_test

@@ -6,7 +6,7 @@
 #include "fmi_stage.hpp"
 #include "odeum/formula/cache.hpp"
 
-namespace odeum::fmi_tests {
+namespace odeum::fmi_tests::fmi_damage_test {
 namespace {
 
 class DamagedFmus : public Fmus {};
@@ -134,4 +134,4 @@ TEST_P(DamagedFmus, DamagedBytesAreRefusedOrHarmless) {
 INSTANTIATE_TEST_SUITE_P(Versions, DamagedFmus, testing::Values(2, 3));
 
 }  // namespace
-}  // namespace odeum::fmi_tests
+}  // namespace odeum::fmi_tests::fmi_damage_test

@@ -7,7 +7,7 @@
 #include "odeum/advise/race.hpp"
 #include "odeum/cases/set_problem.hpp"
 
-namespace odeum::fmi_tests {
+namespace odeum::fmi_tests::fmi_test {
 namespace {
 
 const Entrant& entrant(const Case& c, const std::string& id) {
@@ -203,4 +203,4 @@ TEST_P(Fmus, RunsAreCountedAndBudgetedAsThoseOfCompiledProblems) {
 INSTANTIATE_TEST_SUITE_P(Versions, Fmus, testing::Values(2, 3));
 
 }  // namespace
-}  // namespace odeum::fmi_tests
+}  // namespace odeum::fmi_tests::fmi_test

@@ -4,7 +4,7 @@
 
 #include "adapters/alone.hpp"
 
-namespace odeum::test {
+namespace odeum::test::gsl_alone_test {
 namespace {
 
 int rhs(double t, const double y[], double dydt[], void* view) {
@@ -47,4 +47,4 @@ TEST(GslAlone, BsimpFailsNowhereElse) {
 TEST(GslAlone, EachHardCaseIsSolved) { expect_each_case_solved("gsl"); }
 
 }  // namespace
-}  // namespace odeum::test
+}  // namespace odeum::test::gsl_alone_test

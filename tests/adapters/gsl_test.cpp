@@ -9,7 +9,7 @@
 #include "adapters/peer_stage.hpp"
 #include "support/enrolled.hpp"
 
-namespace odeum::test {
+namespace odeum::test::gsl_test {
 namespace {
 
 std::vector<Entrant> enrolled(Circle problem) {
@@ -120,4 +120,4 @@ TEST(Gsl, TwoThreadsAgreeWithOne) {
 }
 
 }  // namespace
-}  // namespace odeum::test
+}  // namespace odeum::test::gsl_test

@@ -2,7 +2,7 @@
 #include "adapters/odeint_alone.hpp"
 #include "adapters/alone.hpp"
 
-namespace odeum::test {
+namespace odeum::test::odeint_alone_test {
 namespace {
 
 bool rosenbrock4(const Case& c, double tolerance, std::vector<double>& y) {
@@ -18,4 +18,4 @@ TEST(OdeintAlone, Rosenbrock4WithDenseOutputFailsNowhereElse) {
 TEST(OdeintAlone, EachHardCaseIsSolved) { expect_each_case_solved("odeint"); }
 
 }  // namespace
-}  // namespace odeum::test
+}  // namespace odeum::test::odeint_alone_test

@@ -13,7 +13,7 @@
 #include "adapters/peer_stage.hpp"
 #include "support/enrolled.hpp"
 
-namespace odeum::test {
+namespace odeum::test::odeint_test {
 namespace {
 
 std::vector<Entrant> enrolled(Circle problem) {
@@ -218,4 +218,4 @@ TEST(Odeint, TwoThreadsAgreeWithOne) {
 }
 
 }  // namespace
-}  // namespace odeum::test
+}  // namespace odeum::test::odeint_test

@@ -5,7 +5,7 @@
 #include "adapters/alone.hpp"
 #include "support/sundials_parts.hpp"
 
-namespace odeum::test {
+namespace odeum::test::sundials_alone_test {
 namespace {
 
 int rhs(double t, N_Vector y, N_Vector f, void* view) {
@@ -86,4 +86,4 @@ TEST(SundialsAlone, EachHardCaseIsSolved) {
 }
 
 }  // namespace
-}  // namespace odeum::test
+}  // namespace odeum::test::sundials_alone_test

@@ -5,7 +5,7 @@
 
 #include "adapters/sundials_problems.hpp"
 
-namespace odeum::sundials_tests {
+namespace odeum::sundials_tests::sundials_fault_test {
 namespace {
 
 /// y' = lambda y, lambda variable.
@@ -287,4 +287,4 @@ TEST(SundialsRun, AParameterMovedBetweenSolvesIsSeen) {
 }
 
 }  // namespace
-}  // namespace odeum::sundials_tests
+}  // namespace odeum::sundials_tests::sundials_fault_test

@@ -9,7 +9,7 @@
 #include "odeum/problem/implicit_form.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::sundials_ida_test {
 namespace {
 
 Case case_of(const std::string& stem) {
@@ -96,4 +96,4 @@ TEST(Ida, TellsWhyItsStepsAreAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::sundials_ida_test

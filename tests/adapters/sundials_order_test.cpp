@@ -12,7 +12,7 @@
 #include "odeum/solvers/case.hpp"
 #include "sundials/arkode.hpp"
 
-namespace odeum::sundials_tests {
+namespace odeum::sundials_tests::sundials_order_test {
 namespace {
 
 // Before version 7 ERKStep treats every table with c_s = 1 as first same as last
@@ -203,4 +203,4 @@ TEST(SundialsRun, OutputsDoNotChangeItsSteps) {
 }
 
 }  // namespace
-}  // namespace odeum::sundials_tests
+}  // namespace odeum::sundials_tests::sundials_order_test

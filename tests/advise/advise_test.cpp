@@ -10,7 +10,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::advise_test {
 namespace {
 
 using tests::Result;
@@ -199,4 +199,4 @@ TEST(Advise, RefusesWhatIsNoQuestion) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::advise_test

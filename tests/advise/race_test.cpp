@@ -9,7 +9,7 @@
 
 #include "odeum/studies/stopwatch.hpp"
 
-namespace odeum::advise {
+namespace odeum::advise::race_test {
 namespace {
 
 /// A solver whose run to the first stop has hardly an error. That of a whole run falls by a tenth
@@ -59,4 +59,4 @@ TEST(Race, OneWithoutAnAnswerLeavesTimeForTheNext) {
 }
 
 }  // namespace
-}  // namespace odeum::advise
+}  // namespace odeum::advise::race_test

@@ -6,7 +6,7 @@
 #include "odeum/advise/local.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::recording_test {
 namespace {
 
 using tests::adaptive_request;
@@ -75,4 +75,4 @@ TEST(Region, HasTheKnownEdges) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::recording_test

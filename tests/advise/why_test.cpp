@@ -11,7 +11,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::why_test {
 namespace {
 
 using tests::MadeFailure;
@@ -99,4 +99,4 @@ TEST(Why, RefusesWhatIsNoQuestion) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::why_test

@@ -18,7 +18,7 @@
 #include "odeum/methods/tsitouras54.hpp"
 #include "odeum/methods/verner65.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::ensemble_test {
 namespace {
 
 constexpr std::size_t many = 10'000;
@@ -291,4 +291,4 @@ TEST(LaneLu, ExchangesRowsWhereALaneNeedsIt) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::ensemble_test

@@ -16,7 +16,7 @@
 #include "problems/hires.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::agreement_test {
 namespace {
 
 struct SameTableau {
@@ -183,4 +183,4 @@ TEST(Agreement, NoLibraryFailsACaseUnexplained) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::agreement_test

@@ -7,7 +7,7 @@
 #include "odeum/truth/computed_truth.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::case_parameters_test {
 namespace {
 
 // Kepler's equation E - e sin E = t has the exact state: e = 0.3 is in no table.
@@ -95,4 +95,4 @@ TEST(CaseSchemes, AreWhatTheSolversDo) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::case_parameters_test

@@ -10,7 +10,7 @@
 #include "odeum/cases/reference.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::case_references_test {
 namespace {
 
 /// The index of the references: problem, parameters, floors.
@@ -94,4 +94,4 @@ TEST(Reference, IsTheTruthOfACase) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::case_references_test

@@ -9,7 +9,7 @@
 #include "odeum/cases/text_case.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::cases_test {
 namespace {
 
 /// The states of a case at its start and at every time of its truth.
@@ -271,4 +271,4 @@ TEST(EveryCase, ItsEquationNamesItsStates) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::cases_test

@@ -12,7 +12,7 @@
 
 #include "odeum/cases/reference.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::damped_oscillator_test {
 namespace {
 
 double distance(const double* a, const double* b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
@@ -129,4 +129,4 @@ TEST(DampedOscillator, DecaysToZeroWithoutOverflowWhenStrongly) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::damped_oscillator_test

@@ -18,7 +18,7 @@
 #include "odeum/solvers/foreign_evaluator.hpp"
 #include "odeum/truth/foreign_reference.hpp"
 
-namespace odeum {
+namespace odeum::foreign_case_test {
 namespace {
 
 /// A problem of two unknowns from (1, 0), or whatever `y0` has.
@@ -284,4 +284,4 @@ TEST(ForeignRuns, AProcessThatHangsIsAskedThreeTimesAndEndsWithoutItsParent) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::foreign_case_test

@@ -12,7 +12,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::free_fall_test {
 namespace {
 
 constexpr double g = -9.81, x0 = 10, v0 = 3;
@@ -96,4 +96,4 @@ TEST(FreeFall, TheClosedFormsAreFarApart) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::free_fall_test

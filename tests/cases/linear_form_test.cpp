@@ -6,7 +6,7 @@
 #include "odeum/cases/modal_solution.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::cases {
+namespace odeum::cases::linear_form_test {
 namespace {
 
 TEST(LinearForm, OfFreeFallIsThatOfTheSlides) {
@@ -52,4 +52,4 @@ TEST(ModalSolution, TakesAFourfoldEigenvalueAsOne) {
 }
 
 }  // namespace
-}  // namespace odeum::cases
+}  // namespace odeum::cases::linear_form_test

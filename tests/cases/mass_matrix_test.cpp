@@ -4,7 +4,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::mass_matrix_test {
 namespace {
 
 TEST(MassMatrix, EnergyIsTheSameInBothCoordinates) {
@@ -29,4 +29,4 @@ TEST(MassMatrix, EnergyIsTheSameInBothCoordinates) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::mass_matrix_test

@@ -9,7 +9,7 @@
 #include "odeum/cases/set_problem.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::robustness_test {
 namespace {
 
 /// y' = y^2 from 1: a pole at t = 1.
@@ -135,4 +135,4 @@ TEST(Robustness, ATinyHorizonIsReachedOrReported) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::robustness_test

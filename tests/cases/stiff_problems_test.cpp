@@ -11,7 +11,7 @@
 #include "odeum/methods/seulex.hpp"
 #include "support/implicit_stage.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::stiff_problems_test {
 namespace {
 
 // The values at the end: reference solution to 25 digits.
@@ -122,4 +122,4 @@ TEST(StiffJacobians, AreKeptWhileNewtonConvergesFast) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::stiff_problems_test

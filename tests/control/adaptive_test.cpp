@@ -17,7 +17,7 @@
 #include "odeum/solvers/enroll_method.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::adaptive_test {
 namespace {
 
 struct Clock {  // y' = 1
@@ -297,4 +297,4 @@ TEST(Adaptive, ErrorFollowsTheTolerance) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::adaptive_test

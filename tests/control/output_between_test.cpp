@@ -15,7 +15,7 @@
 #include "odeum/solvers/own_methods.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::output_between_test {
 namespace {
 
 std::vector<double> evenly(std::size_t count, double end) {
@@ -246,4 +246,4 @@ TEST(OutputBetween, HasTheLocalOrderOfTheInterpolant) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::output_between_test

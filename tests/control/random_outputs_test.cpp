@@ -16,7 +16,7 @@
 #include "odeum/trajectories/case_runs.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::random_outputs_test {
 namespace {
 
 constexpr std::array cases{
@@ -123,4 +123,4 @@ TEST(RandomOutputs, WhereStepsCannotEndAreThoseOfRunsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::random_outputs_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odeum::tests {
+namespace odeum::tests::glob_test {
 namespace {
 
 /// The definition, by recursion.
@@ -46,4 +46,4 @@ TEST(Glob, NoPatternMatchesEverything) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::glob_test

@@ -10,7 +10,7 @@
 #include "odeum/core/guarded.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::guard_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -234,4 +234,4 @@ TEST(Requests, OffTheGridAreRefusedAndMalformedOnesThrow) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::guard_test

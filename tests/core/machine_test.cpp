@@ -10,7 +10,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::machine_test {
 namespace {
 
 #if defined(__linux__) && defined(__x86_64__)
@@ -37,4 +37,4 @@ TEST(Machine, TellsByItsCodeWhetherALibraryWasOptimised) {
 #endif
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::machine_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace odeum::tests {
+namespace odeum::tests::parallel_test {
 namespace {
 
 /// `interrupted` is the program's own flag: cleared again whatever the test does.
@@ -76,4 +76,4 @@ TEST_F(Parallel, StopsWhenInterruptedAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::parallel_test

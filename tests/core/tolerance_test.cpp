@@ -13,7 +13,7 @@
 #include "odeum/kernel/scaled_norm.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::tolerance_test {
 namespace {
 
 constexpr double small = 1e-8;
@@ -169,4 +169,4 @@ TEST(Tolerances, RobertsonsSecondComponent) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::tolerance_test

@@ -5,7 +5,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::watched_test {
 namespace {
 
 bool is_own(const Entrant& entrant) { return entrant.info.library == "odeum" && entrant.solve; }
@@ -89,4 +89,4 @@ TEST(Watched, ARepeatedStepFailsNoRun) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::watched_test

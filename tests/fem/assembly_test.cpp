@@ -6,7 +6,7 @@
 #include "odeum/fem/element.hpp"
 #include "odeum/fem/shapes.hpp"
 
-namespace odeum::fem {
+namespace odeum::fem::assembly_test {
 namespace {
 
 std::string error_of(const std::function<void()>& call) {
@@ -78,4 +78,4 @@ TEST(EllipticAssembly, AddsUpTheElements) {
 }
 
 }  // namespace
-}  // namespace odeum::fem
+}  // namespace odeum::fem::assembly_test

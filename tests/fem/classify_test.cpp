@@ -6,7 +6,7 @@
 #include "odeum/fem/second_order_pde.hpp"
 #include "odeum/formula/parser.hpp"
 
-namespace odeum::fem {
+namespace odeum::fem::classify_test {
 namespace {
 
 PdePoint point_of(const std::string& text, double x = 0, double y = 0) {
@@ -109,4 +109,4 @@ TEST(Classify, TheCurveWhereTheTypeChangesIsFound) {
 }
 
 }  // namespace
-}  // namespace odeum::fem
+}  // namespace odeum::fem::classify_test

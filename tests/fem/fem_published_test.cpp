@@ -9,7 +9,7 @@
 #include "odeum/fem/shapes.hpp"
 #include "odeum/linear/eigen_solvers.hpp"
 
-namespace odeum::fem {
+namespace odeum::fem::fem_published_test {
 namespace {
 
 const EllipticProblem unit_load{.load = [](Point) { return 1.; }};
@@ -100,4 +100,4 @@ TEST(PublishedNumbers, LowestEigenvalueOfTheDisc) {
 }
 
 }  // namespace
-}  // namespace odeum::fem
+}  // namespace odeum::fem::fem_published_test

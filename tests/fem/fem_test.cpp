@@ -9,7 +9,7 @@
 #include "odeum/fem/shapes.hpp"
 #include "odeum/linear/eigen_solvers.hpp"
 
-namespace odeum::fem {
+namespace odeum::fem::fem_test {
 namespace {
 
 const TriangleMesh two_triangles{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}};
@@ -252,4 +252,4 @@ TEST(EllipticProblem, SaysWhyItCannotBeSolved) {
 }
 
 }  // namespace
-}  // namespace odeum::fem
+}  // namespace odeum::fem::fem_test

@@ -9,7 +9,7 @@
 #include "support/damage.hpp"
 #include "support/gmsh_text.hpp"
 
-namespace odeum::fem {
+namespace odeum::fem::gmsh_test {
 namespace {
 
 using tests::gmsh_square;
@@ -134,4 +134,4 @@ TEST(Vtk, HasTheMeshAndItsFields) {
 }
 
 }  // namespace
-}  // namespace odeum::fem
+}  // namespace odeum::fem::gmsh_test

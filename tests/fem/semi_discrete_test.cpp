@@ -12,7 +12,7 @@
 #include "odeum/fem/shapes.hpp"
 #include "odeum/solvers/case.hpp"
 
-namespace odeum {
+namespace odeum::semi_discrete_test {
 namespace {
 
 using std::numbers::pi;
@@ -208,4 +208,4 @@ TEST(FemCases, PeersFindTheSolutions) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::semi_discrete_test

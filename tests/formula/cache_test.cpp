@@ -15,7 +15,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ TEST_F(Cache, ACompilerEndsWithTheProgram) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::cache_test

@@ -5,7 +5,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST_F(ProblemCommands, WhatGoesWrongDuringARunIsAStatus) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::command_test

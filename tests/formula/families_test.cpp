@@ -8,7 +8,7 @@
 
 #include "odeum/formula/text_ode.hpp"
 
-namespace odeum {
+namespace odeum::families_test {
 namespace {
 
 using formula::TextOde;
@@ -118,4 +118,4 @@ TEST(Families, TheTextDoesNotGrowWithThem) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::families_test

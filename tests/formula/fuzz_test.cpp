@@ -10,7 +10,7 @@
 #include "support/damage.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::fuzz_test {
 namespace {
 
 constexpr std::string_view pieces[] = {
@@ -34,4 +34,4 @@ TEST(ProblemFuzz, DamagedProblemsAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::fuzz_test

@@ -8,7 +8,7 @@
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
-namespace odeum {
+namespace odeum::implicit_part_test {
 namespace {
 
 using formula::Problem;
@@ -128,4 +128,4 @@ TEST(ImplicitPart, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::implicit_part_test

@@ -8,7 +8,7 @@
 #include "odeum/input/text_file.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
-namespace odeum {
+namespace odeum::mass_test {
 namespace {
 
 using formula::Problem;
@@ -104,4 +104,4 @@ TEST(MassMatrix, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::mass_test

@@ -9,7 +9,7 @@
 #include "odeum/studies/convergence/convergence.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::print_test {
 namespace {
 
 const std::string decay =
@@ -180,4 +180,4 @@ TEST(CaseTexts, AClosedFormHoldsForAllParameters) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::print_test

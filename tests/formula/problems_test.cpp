@@ -13,7 +13,7 @@
 #include "odeum/formula/text_ode.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::problems_test {
 namespace {
 
 using formula::TextOde;
@@ -191,4 +191,4 @@ TEST(GivenCases, AreKnownBesideTheOthers) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::problems_test

@@ -4,7 +4,7 @@
 
 #include "support/problem_texts.hpp"
 
-namespace odeum {
+namespace odeum::reader_test {
 namespace {
 
 using tests::fault_of;
@@ -255,4 +255,4 @@ TEST(ProblemReader, FilesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::reader_test

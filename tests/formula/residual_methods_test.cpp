@@ -8,7 +8,7 @@
 #include "odeum/problem/implicit_form.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::residual_methods_test {
 namespace {
 
 const char* const methods[] = {"odeum/radau_iia5_residual", "odeum/radau_iia9_residual"};
@@ -175,4 +175,4 @@ TEST(ResidualMethods, NeedResidualsAndKeepTheBudget) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::residual_methods_test

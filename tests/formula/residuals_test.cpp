@@ -6,7 +6,7 @@
 #include "odeum/formula/reader.hpp"
 #include "odeum/input/text_file.hpp"
 
-namespace odeum::formula {
+namespace odeum::formula::residuals_test {
 namespace {
 
 const std::string folder = ODEUM_SOURCE_DIR "/cases/problems/";
@@ -136,4 +136,4 @@ TEST(Residuals, ReachThePrintedDigitsOfTheTransistorAmplifier) {
 }
 
 }  // namespace
-}  // namespace odeum::formula
+}  // namespace odeum::formula::residuals_test

@@ -9,7 +9,7 @@
 #include "odeum/formula/evaluator.hpp"
 #include "support/problem_texts.hpp"
 
-namespace odeum {
+namespace odeum::sums_test {
 namespace {
 
 using tests::fault_of;
@@ -78,4 +78,4 @@ TEST(Sums, TooManyTermsOfAllStatesAreRefused) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::sums_test

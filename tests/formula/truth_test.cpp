@@ -11,7 +11,7 @@
 #include "odeum/truth/system.hpp"
 #include "support/truth_problems.hpp"
 
-namespace odeum {
+namespace odeum::truth_test {
 namespace {
 
 cases::TextTruth computed_truth(const std::string& text) {
@@ -170,4 +170,4 @@ TEST(TruthStore, IsReadBackOrRefused) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::truth_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odeum::tests {
+namespace odeum::tests::mapping_test {
 namespace {
 
 /// Reads a text as a mapping of `a` and `b`, of which `a` may be a mapping of `x`; what is wrong.
@@ -57,4 +57,4 @@ TEST(Mapping, EntriesAreUniqueAndMayBeNone) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::mapping_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odeum::tests {
+namespace odeum::tests::near_words_test {
 namespace {
 
 TEST(Nearest, FindsWhatWasMeant) {
@@ -31,4 +31,4 @@ TEST(Nearest, OffersAllCandidatesAndTheNearest) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::near_words_test

@@ -11,7 +11,7 @@
 #include "support/catalogue.hpp"
 #include "support/own_runs.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::answer_test {
 namespace {
 
 using judge::Answer;
@@ -222,4 +222,4 @@ TEST(Answer, OfASolverThatIgnoresItsToleranceIsWrong) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::answer_test

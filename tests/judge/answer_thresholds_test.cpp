@@ -9,7 +9,7 @@
 #include "odeum/judge/answer.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::answer_thresholds_test {
 namespace {
 
 using judge::Answer;
@@ -119,4 +119,4 @@ TEST(Answer, OnE5IsJudgedByTheAbsoluteToleranceAsked) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::answer_thresholds_test

@@ -15,7 +15,7 @@
 #include "support/own_runs.hpp"
 #include "support/scene_texts.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::hard_runs_test {
 namespace {
 
 // The first step that initial_step guesses there, 1e-6, is shorter than 4e10 can be told from its
@@ -193,4 +193,4 @@ TEST(HardRuns, ImplicitEulerSwingsAStiffRope) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::hard_runs_test

@@ -8,7 +8,7 @@
 #include "odeum/judge/order_fit.hpp"
 #include "support/error_points.hpp"
 
-namespace odeum::judge {
+namespace odeum::judge::order_denial_test {
 namespace {
 
 /// Errors of runs over a horizon of 10 on a solution of size 5.
@@ -209,4 +209,4 @@ TEST(OrderDenial, ADipOfTheErrorIsNoLowerOrder) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::order_denial_test

@@ -7,7 +7,7 @@
 
 #include "support/error_points.hpp"
 
-namespace odeum::judge {
+namespace odeum::judge::order_fit_test {
 namespace {
 
 TEST(OrderFit, TellsNeighbouringOrdersApart) {
@@ -221,4 +221,4 @@ TEST(OrderFit, AScatterThatLeavesTheClaimOpenIsNotLower) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::order_fit_test

@@ -6,7 +6,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/amplification.hpp"
 
-namespace odeum::judge {
+namespace odeum::judge::rounding_test {
 namespace {
 
 // Of some cases no number of steps within the bounds of the study meets every stop.
@@ -18,4 +18,4 @@ TEST(Rounding, HasAGainForEveryCase) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::rounding_test

@@ -7,7 +7,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace odeum::judge {
+namespace odeum::judge::step_matrix_test {
 namespace {
 
 StepMatrix step_of(const std::string& id, const std::string& solver, double h) {
@@ -54,4 +54,4 @@ TEST(Powers, TellBoundedPolynomialAndExponentialGrowth) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::step_matrix_test

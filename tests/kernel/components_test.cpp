@@ -15,7 +15,7 @@
 #include "odeum/methods/rodas4.hpp"
 #include "odeum/problem/concepts.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::components_test {
 namespace {
 
 /// A ring of n unknowns, or of as many masses with springs that stiffen; N of them, or `dynamic`.
@@ -181,4 +181,4 @@ TEST(Components, EachIsVisitedOnce) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::components_test

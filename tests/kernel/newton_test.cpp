@@ -16,7 +16,7 @@
 #include "odeum/methods/sdirk4.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::newton_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -239,4 +239,4 @@ TEST(Newton, LeavesTheOrderToATolerance) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::newton_test

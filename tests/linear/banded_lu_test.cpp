@@ -6,7 +6,7 @@
 #include <complex>
 #include <random>
 
-namespace odeum {
+namespace odeum::banded_lu_test {
 namespace {
 
 // Narrow bands without exchanges of rows have a solution of their own.
@@ -54,4 +54,4 @@ TEST(BandedLu, SolvesWithAndWithoutExchangesOfRows) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::banded_lu_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace odeum::linear {
+namespace odeum::linear::dense_system_test {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -94,4 +94,4 @@ TEST(DenseSystem, RefusesSingularAndNonFiniteMatrices) {
 }
 
 }  // namespace
-}  // namespace odeum::linear
+}  // namespace odeum::linear::dense_system_test

@@ -11,7 +11,7 @@
 
 #include "odeum/linear/sparse_system.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::direct_solvers_test {
 namespace {
 
 class RandomPatterns : public testing::TestWithParam<unsigned> {
@@ -131,4 +131,4 @@ TEST_P(RandomPatterns, ValuesThatAreNotFiniteAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPatterns, testing::Range(1U, 21U));
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::direct_solvers_test

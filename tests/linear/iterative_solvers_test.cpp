@@ -12,7 +12,7 @@
 #include "odeum/solvers/case.hpp"
 #include "odeum/studies/elements/problems.hpp"
 
-namespace odeum::linear {
+namespace odeum::linear::iterative_solvers_test {
 namespace {
 
 using std::numbers::pi;
@@ -239,4 +239,4 @@ TEST(IterativeSolvers, RefuseWhatTheyCannotSolve) {
 }
 
 }  // namespace
-}  // namespace odeum::linear
+}  // namespace odeum::linear::iterative_solvers_test

@@ -10,7 +10,7 @@
 #include "odeum/linear/dense_lu.hpp"
 #include "odeum/linear/shifted_solver.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::linear_test {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -161,4 +161,4 @@ TEST(DenseShiftedSolver, SolvesWithTheJacobianOrItsDifferences) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::linear_test

@@ -7,7 +7,7 @@
 #include <complex>
 #include <random>
 
-namespace odeum {
+namespace odeum::narrow_lu_test {
 namespace {
 
 template <bool is_complex, std::size_t width>
@@ -67,4 +67,4 @@ TEST(NarrowLu, RefusesAPivotThatAnExchangeWouldReplace) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::narrow_lu_test

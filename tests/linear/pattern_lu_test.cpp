@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-namespace odeum::linear {
+namespace odeum::linear::pattern_lu_test {
 namespace {
 
 struct Random {
@@ -98,4 +98,4 @@ TEST(PatternLu, ChoosesAnOrderWithoutFill) {
 }
 
 }  // namespace
-}  // namespace odeum::linear
+}  // namespace odeum::linear::pattern_lu_test

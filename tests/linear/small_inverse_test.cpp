@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace odeum::tests {
+namespace odeum::tests::small_inverse_test {
 namespace {
 
 /// Entries in [-1/2, 1/2), the same in every run.
@@ -55,4 +55,4 @@ TEST(SmallInverse, SolvesWithAndWithoutPivots) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::small_inverse_test

@@ -10,7 +10,7 @@
 #include "odeum/linear/sparse_system.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::sparse_runs_test {
 namespace {
 
 /// y_i' = y_{i-1} - 2 y_i + y_{i+1} - y_i^3 + sin(t), with zeros beyond the ends.
@@ -132,4 +132,4 @@ TEST(Sparse, EverySolverMakesTheSameRun) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::sparse_runs_test

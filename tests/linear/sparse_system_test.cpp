@@ -13,7 +13,7 @@
 #include "odeum/linear/banded_lu.hpp"
 #include "odeum/linear/ordering.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::sparse_system_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -202,4 +202,4 @@ TEST(Colouring, ColumnsOfAColourShareNoRow) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::sparse_system_test

@@ -13,7 +13,7 @@
 #include "odeum/proof/verify.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::course_formulas_test {
 namespace {
 
 using State2 = std::array<double, 2>;
@@ -166,4 +166,4 @@ TEST(CourseFormulas, TheWeakFormAsPrintedSolvesForTheNegativeSolution) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::course_formulas_test

@@ -11,7 +11,7 @@
 #include "odeum_methods.hpp"
 #include "support/order.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::explicit_library_test {
 namespace {
 
 template <class Visit>
@@ -265,4 +265,4 @@ TEST(DenseOutput, ARowThatIsWrongIsSeen) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::explicit_library_test

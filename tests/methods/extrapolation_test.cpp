@@ -16,7 +16,7 @@
 #include "problems/kepler.hpp"
 #include "support/order.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::extrapolation_test {
 namespace {
 
 struct KeplerSeries : Kepler {
@@ -278,4 +278,4 @@ TEST(MatrixExponential, OfMatricesWhoseExponentialIsKnown) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::extrapolation_test

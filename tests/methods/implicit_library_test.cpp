@@ -20,7 +20,7 @@
 #include "odeum/methods/trapezoidal.hpp"
 #include "support/implicit_stage.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::implicit_library_test {
 namespace {
 
 template <class M>
@@ -134,4 +134,4 @@ TEST(Radau, EstimatesWithTheWeightsOfTheTextbook) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::implicit_library_test

@@ -20,7 +20,7 @@
 #include "odeum/methods/bdf_variable.hpp"
 #include "support/implicit_stage.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::multistep_library_test {
 namespace {
 
 template <class M>
@@ -103,4 +103,4 @@ TEST(BdfVariable, ReachesTheHighestOrders) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::multistep_library_test

@@ -8,7 +8,7 @@
 #include "odeum/core/guarded.hpp"
 #include "support/second_order_methods.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::nystroem_test {
 namespace {
 
 TEST(Nystroem, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
@@ -129,4 +129,4 @@ TEST(Nystroem, EstimateFallsWithThePowerOfTheLowerOrder) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::nystroem_test

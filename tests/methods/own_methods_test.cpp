@@ -8,7 +8,7 @@
 #include "support/catalogue.hpp"
 #include "support/field.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::own_methods_test {
 namespace {
 
 double one(double, double) { return 1; }
@@ -131,4 +131,4 @@ TEST(OwnMethods, ThatDoNotFitSayWhatTheyNeed) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::own_methods_test

@@ -10,7 +10,7 @@
 #include "support/catalogue.hpp"
 #include "support/field.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::own_steps_test {
 namespace {
 
 /// A nonlinear, non-autonomous acceleration, in which a wrong node or weight shows.
@@ -229,4 +229,4 @@ TEST(OwnSteps, LeapfrogIsVelocityVerletOnTheUndampedOscillator) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::own_steps_test

@@ -10,7 +10,7 @@
 #include "odeum/methods/seulex.hpp"
 #include "support/implicit_stage.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::rosenbrock_test {
 namespace {
 
 template <class M>
@@ -97,4 +97,4 @@ TEST(Seulex, HasTheOrderOfItsColumn) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::rosenbrock_test

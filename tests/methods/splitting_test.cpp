@@ -6,7 +6,7 @@
 
 #include "support/second_order_methods.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::splitting_test {
 namespace {
 
 TEST(Splitting, HasTheOrderThatItClaimsAlsoWhereTimeAppears) {
@@ -172,4 +172,4 @@ TEST(Splitting, SharesTheKickBetweenSteps) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::splitting_test

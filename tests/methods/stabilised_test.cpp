@@ -19,7 +19,7 @@
 #include "odeum/methods/rock2.hpp"
 #include "odeum/methods/rock4.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::stabilised_test {
 namespace {
 
 template <class Rule>
@@ -294,4 +294,4 @@ TEST(SpectralRadius, TakesTheNormOfAJacobianWhereThatIsNearIt) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::stabilised_test

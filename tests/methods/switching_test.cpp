@@ -6,7 +6,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace odeum {
+namespace odeum::switching_test {
 namespace {
 
 using tests::find_case;
@@ -95,4 +95,4 @@ TEST(RadauOfVariableOrder, HasItsAccuracyBetweenSteps) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::switching_test

@@ -19,7 +19,7 @@
 #include "support/catalogue.hpp"
 #include "support/implicit_stage.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::difference_jacobian_test {
 namespace {
 
 /// Robertson's reactions for concentrations in other units, the second one's `second` times that of
@@ -217,4 +217,4 @@ TEST(DifferenceJacobian, ServesProgramsOfOnesOwnInAnyUnit) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::difference_jacobian_test

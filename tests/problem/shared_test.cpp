@@ -12,7 +12,7 @@
 #include "odeum/core/guarded.hpp"
 #include "odeum/problem/difference_jacobian.hpp"
 
-namespace odeum {
+namespace odeum::shared_test {
 namespace {
 
 /// Prey and predator without a Jacobian.
@@ -164,4 +164,4 @@ TEST(Shared, ATimedRunIsTheSameRunUnwatched) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::shared_test

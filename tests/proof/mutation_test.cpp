@@ -6,7 +6,7 @@
 
 #include "odeum/proof/mutant.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::mutation_test {
 namespace {
 
 using proof::Mutant;
@@ -77,4 +77,4 @@ TEST(Mutation, RunningAloneCatchesNearlyAll) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::mutation_test

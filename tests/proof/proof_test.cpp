@@ -11,7 +11,7 @@
 #include "odeum/studies/proof/proof.hpp"
 #include "odeum/tableau/row_order.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::proof_test {
 namespace {
 
 using study::ProofRow;
@@ -184,4 +184,4 @@ TEST(Proofs, AnEstimateThatMeetsEveryConditionAndIsFarTooSmallIsSeen) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::proof_test

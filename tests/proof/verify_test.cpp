@@ -9,7 +9,7 @@
 #include "odeum/tableau/order_conditions.hpp"
 #include "odeum_methods.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::verify_test {
 namespace {
 
 double value_of(const std::string& text) { return parse_coefficient(text).value.get_d(); }
@@ -220,4 +220,4 @@ TEST(RootedTreesAtRunTime, AreAsManyAsThereAre) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::verify_test

@@ -11,7 +11,7 @@
 #include <locale>
 #include <random>
 
-namespace odeum::tests {
+namespace odeum::tests::csv_test {
 namespace {
 
 using record::format_number;
@@ -97,4 +97,4 @@ TEST(Csv, RecordsHaveOneLineARow) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::csv_test

@@ -13,7 +13,7 @@
 #include "support/full_disk.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -191,4 +191,4 @@ TEST(OutputFolder, AFailedWriteLeavesTheOldFileAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::output_folder_test

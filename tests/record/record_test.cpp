@@ -8,7 +8,7 @@
 #include "odeum/record/table.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::record {
+namespace odeum::record::record_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -216,4 +216,4 @@ TEST(Table, AResultShowsTheListsThatSaySoAndHaveRows) {
 }
 
 }  // namespace
-}  // namespace odeum::record
+}  // namespace odeum::record::record_test

@@ -11,7 +11,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST(Store, SaysWhyItKeepsNothingAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::store_test

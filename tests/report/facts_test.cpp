@@ -4,7 +4,7 @@
 #include "odeum/report/facts.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::report {
+namespace odeum::report::facts_test {
 namespace {
 
 // A text of mechanics was said to be in seconds, for its tag, whatever its equations are in.
@@ -19,4 +19,4 @@ TEST(Facts, TimeHasAUnitOnlyWhereTheProblemIsAScene) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::report::facts_test

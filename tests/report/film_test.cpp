@@ -7,7 +7,7 @@
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::trajectories {
+namespace odeum::trajectories::film_test {
 namespace {
 
 std::array<int, 3> pixel(const std::vector<std::uint8_t>& rgb, std::size_t width, std::size_t x,
@@ -70,4 +70,4 @@ TEST(Film, OfAScenesRunIsWrittenWithTheLineOfFfmpeg) {
 }
 
 }  // namespace
-}  // namespace odeum::trajectories
+}  // namespace odeum::trajectories::film_test

@@ -17,7 +17,7 @@
 #include "odeum/studies/stability/outline.hpp"
 #include "support/report_fixture.hpp"
 
-namespace odeum::study {
+namespace odeum::study::page_data_test {
 namespace {
 
 TEST(PageData, ColumnsKeepNumbersAndTexts) {
@@ -225,4 +225,4 @@ TEST(Spectrum, OfAClothHasItsFastestVibration) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::page_data_test

@@ -8,7 +8,7 @@
 #include "odeum/studies/runner.hpp"
 #include "odeum/trajectories/solutions.hpp"
 
-namespace odeum::trajectories {
+namespace odeum::trajectories::page_solutions_test {
 namespace {
 
 DrawnRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
@@ -118,4 +118,4 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
 }
 
 }  // namespace
-}  // namespace odeum::trajectories
+}  // namespace odeum::trajectories::page_solutions_test

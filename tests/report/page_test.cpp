@@ -13,7 +13,7 @@
 #include "support/full_disk.hpp"
 #include "support/report_fixture.hpp"
 
-namespace odeum::report {
+namespace odeum::report::page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -291,4 +291,4 @@ TEST(Manifest, SaysWithWhatAndWhatWasSkipped) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::report::page_test

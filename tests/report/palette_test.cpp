@@ -11,7 +11,7 @@
 
 #include "odeum/report/shared_files.hpp"
 
-namespace odeum::report {
+namespace odeum::report::palette_test {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -131,4 +131,4 @@ TEST(Palette, CurvesAndTextsStandOutFromThePaper) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::report::palette_test

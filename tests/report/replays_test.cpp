@@ -7,7 +7,7 @@
 #include "support/catalogue.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::trajectories {
+namespace odeum::trajectories::replays_test {
 namespace {
 
 /// The cloth of the replays with these of its solvers alone.
@@ -32,4 +32,4 @@ TEST(Replays, NoOtherRunStandsForTheExactOne) {
 }
 
 }  // namespace
-}  // namespace odeum::trajectories
+}  // namespace odeum::trajectories::replays_test

@@ -6,7 +6,7 @@
 #include "odeum/report/shared_files.hpp"
 #include "odeum/report/text.hpp"
 
-namespace odeum::report {
+namespace odeum::report::report_text_test {
 namespace {
 
 const std::string unknown = "\xEF\xBF\xBD";  // U+FFFD
@@ -61,4 +61,4 @@ TEST(SharedFiles, ATemplateIsFilledIn) {
 }
 
 }  // namespace
-}  // namespace odeum::report
+}  // namespace odeum::report::report_text_test

@@ -6,7 +6,7 @@
 #include "odeum/studies/convergence/summary.hpp"
 #include "support/report_fixture.hpp"
 
-namespace odeum::study {
+namespace odeum::study::summary_test {
 namespace {
 
 TEST(Summary, CountsAddUp) {
@@ -59,4 +59,4 @@ TEST(Summary, TableIsCountedByHand) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::summary_test

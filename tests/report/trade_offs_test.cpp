@@ -18,7 +18,7 @@
 #include "odeum/studies/reduction/reduction.hpp"
 #include "odeum/studies/stability/stability.hpp"
 
-namespace odeum::study {
+namespace odeum::study::trade_offs_test {
 namespace {
 
 /// A solve to all stops of a case, or to others.
@@ -251,4 +251,4 @@ TEST(TradeOffsText, ItsSentencesHaveTheNumbersOfItsTables) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::trade_offs_test

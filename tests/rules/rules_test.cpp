@@ -57,6 +57,16 @@ TEST(Rules, FilesAreShort) { expect_only_known(long_files(root), "file"); }
 
 TEST(Rules, FunctionsAreShort) { expect_only_known(long_functions(root), "function"); }
 
+// Several are compiled together.
+TEST(Rules, TestsHaveANamespaceOfTheirFile) {
+  for (const fs::directory_entry& each : fs::recursive_directory_iterator(root / "tests")) {
+    const std::string stem = each.path().stem(), room = each.path().parent_path().filename();
+    if (!each.path().string().ends_with("_test.cpp") || room == "rules" || room == "package")
+      continue;
+    EXPECT_NE(text_of(each.path()).find("::" + stem + " {\n"), std::string::npos) << each.path();
+  }
+}
+
 /// The first groups of all matches in a file.
 std::vector<std::string> matches_in(const std::string& file, const std::regex& pattern) {
   const std::string text = text_of(root / file);

@@ -15,7 +15,7 @@
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "support/scenes.hpp"
 
-namespace odeum::scene {
+namespace odeum::scene::grid_cloth_test {
 namespace {
 
 /// n x n particles a spacing apart, springs along rows and columns, one edge fixed.
@@ -215,4 +215,4 @@ TEST(GridCloth, RefusesScenesThatAreNoGrid) {
 }
 
 }  // namespace
-}  // namespace odeum::scene
+}  // namespace odeum::scene::grid_cloth_test

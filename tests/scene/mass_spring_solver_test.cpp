@@ -11,7 +11,7 @@
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "support/scenes.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::mass_spring_solver_test {
 namespace {
 
 using Eigen::Index;
@@ -154,4 +154,4 @@ TEST(ImplicitEulerLinearised, IsTheMechanicalFormulaOnANet) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::mass_spring_solver_test

@@ -10,7 +10,7 @@
 
 #include "support/scenes.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::mass_spring_test {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -154,4 +154,4 @@ TEST(SceneProblem, RefusesScenesThatItCannotModel) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::mass_spring_test

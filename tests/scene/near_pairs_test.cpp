@@ -10,7 +10,7 @@
 #include "odeum/scene/surface/surfaces.hpp"
 #include "support/wavy_sheet.hpp"
 
-namespace odeum {
+namespace odeum::near_pairs_test {
 namespace {
 
 using scene::Scene;
@@ -140,4 +140,4 @@ TEST(NearPairs, ForcesDoNotDependOnWhatWasComputedBefore) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::near_pairs_test

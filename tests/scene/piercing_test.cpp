@@ -12,7 +12,7 @@
 #include "odeum/scene/surface/surfaces.hpp"
 #include "support/wavy_sheet.hpp"
 
-namespace odeum {
+namespace odeum::piercing_test {
 namespace {
 
 using scene::Scene;
@@ -112,4 +112,4 @@ TEST(Piercing, AThicknessAboveTheEdgesIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::piercing_test

@@ -8,7 +8,7 @@
 #include "odeum/cases/scene_case.hpp"
 #include "support/damage.hpp"
 
-namespace odeum {
+namespace odeum::scene_fuzz_test {
 namespace {
 
 constexpr std::string_view pieces[] = {
@@ -31,4 +31,4 @@ TEST(SceneFuzz, DamagedScenesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::scene_fuzz_test

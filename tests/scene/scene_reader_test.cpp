@@ -9,7 +9,7 @@
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::scene_reader_test {
 namespace {
 
 using scene::read_scene;
@@ -181,4 +181,4 @@ TEST(SceneReader, ReadsEveryBuiltInScene) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::scene_reader_test

@@ -8,7 +8,7 @@
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::scene_refusal_test {
 namespace {
 
 using scene::read_scene;
@@ -294,4 +294,4 @@ TEST(SceneReader, RefusesWhatIsNoFile) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::scene_refusal_test

@@ -14,7 +14,7 @@
 #include "support/scene_texts.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum {
+namespace odeum::scene_run_test {
 namespace {
 
 using scene::RunResult;
@@ -247,4 +247,4 @@ TEST(SceneFiles, TheReplayPageHoldsItself) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::scene_run_test

@@ -10,7 +10,7 @@
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/springs/lanes.hpp"
 
-namespace odeum::scene {
+namespace odeum::scene::spring_grid_test {
 namespace {
 
 struct Grid {
@@ -295,4 +295,4 @@ TEST(Lanes, InverseSquareRootIsRightToTwoRoundings) {
 }
 
 }  // namespace
-}  // namespace odeum::scene
+}  // namespace odeum::scene::spring_grid_test

@@ -10,7 +10,7 @@
 
 #include "odeum/scene/springs/spring_grid.hpp"
 
-namespace odeum::scene {
+namespace odeum::scene::spring_kernels_test {
 namespace {
 
 /// The results of all functions of one compilation of the kernels, on the grid only: outside of it
@@ -91,4 +91,4 @@ TEST(SpringKernels, OfEveryInstructionSetAgree) {
 }
 
 }  // namespace
-}  // namespace odeum::scene
+}  // namespace odeum::scene::spring_kernels_test

@@ -10,7 +10,7 @@
 #include "odeum/scene/run/run.hpp"
 #include "odeum/trajectories/scene_verdict.hpp"
 
-namespace odeum {
+namespace odeum::surface_run_test {
 namespace {
 
 using scene::RunResult;
@@ -112,4 +112,4 @@ TEST(SurfaceRun, WhatPassesThroughIsSaid) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::surface_run_test

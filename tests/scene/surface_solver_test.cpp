@@ -7,7 +7,7 @@
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
 
-namespace odeum {
+namespace odeum::surface_solver_test {
 namespace {
 
 using scene::Scene;
@@ -89,4 +89,4 @@ TEST(SurfaceSolver, OneSystemAStepIsPositiveDefiniteAtAnyStep) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::surface_solver_test

@@ -10,7 +10,7 @@
 #include "support/catalogue.hpp"
 #include "support/own_runs.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::budget_test {
 namespace {
 
 study::ConvergenceResult within(std::uint64_t evaluations, Mode mode, const char* solver) {
@@ -105,4 +105,4 @@ TEST(Budget, IsNotBlamedForAFailure) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::budget_test

@@ -9,7 +9,7 @@
 #include "odeum/studies/cloth/cloth.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::study {
+namespace odeum::study::cloth_test {
 namespace {
 
 // Two particles; each part of the error moves the second along an axis of its own. RMS over two.
@@ -122,4 +122,4 @@ TEST(LongRun, VerletKeepsMomentumAndRungeKuttaDoesNot) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::cloth_test

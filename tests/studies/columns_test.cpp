@@ -13,7 +13,7 @@
 #include "odeum/studies/study.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::study {
+namespace odeum::study::columns_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST(Columns, AreDocumentedOnce) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::columns_test

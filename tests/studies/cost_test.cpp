@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace odeum::study {
+namespace odeum::study::cost_test {
 namespace {
 
 TEST(ClothSpeed, TimesEverySizeInBothPrecisions) {
@@ -35,4 +35,4 @@ TEST(ClothSpeed, ExplicitEnginesAreStableAtTheirSteps) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::cost_test

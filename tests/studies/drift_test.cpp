@@ -9,7 +9,7 @@
 #include "odeum/cases/reference.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::study {
+namespace odeum::study::drift_test {
 namespace {
 
 using tests::find_case;
@@ -157,4 +157,4 @@ TEST(Horizons, GrowWithTheLogarithmOfTheTolerance) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::drift_test

@@ -9,7 +9,7 @@
 #include "odeum/studies/elements/rows.hpp"
 #include "support/report_fixture.hpp"
 
-namespace odeum::study {
+namespace odeum::study::elements_test {
 namespace {
 
 using std::numbers::pi;
@@ -162,4 +162,4 @@ TEST(Elements, HaveATableAndRowsForAReport) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::elements_test

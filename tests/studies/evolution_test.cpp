@@ -7,7 +7,7 @@
 #include "odeum/studies/evolution/rows.hpp"
 #include "support/report_fixture.hpp"
 
-namespace odeum::study {
+namespace odeum::study::evolution_test {
 namespace {
 
 const EvolutionResult& result() {
@@ -98,4 +98,4 @@ TEST(Evolution, HandsItsRowsToAReport) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::evolution_test

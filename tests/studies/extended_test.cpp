@@ -12,7 +12,7 @@
 #include "odeum/solvers/case.hpp"
 #include "odeum/studies/convergence/pair_runs.hpp"
 
-namespace odeum {
+namespace odeum::extended_test {
 namespace {
 
 using Verner98 = ExplicitRungeKutta<methods::verner98_digits, ExtendedProblem>;
@@ -125,4 +125,4 @@ TEST(ExtendedPrecision, AnOrderWithoutANumberIsNoVerdict) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::extended_test

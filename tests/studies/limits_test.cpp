@@ -9,7 +9,7 @@
 #include "odeum/studies/stability/stability.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::study {
+namespace odeum::study::limits_test {
 namespace {
 
 TEST(FewestBoundedSteps, AreBisected) {
@@ -145,4 +145,4 @@ TEST(StabilityOfACase, IsKnownForALargeSystem) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::limits_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace odeum::study {
+namespace odeum::study::material_test {
 namespace {
 
 // The amplitude is 1e-5 m at heights of 1 m, known to 1e-16: 1e-11, which a fit makes 1e-9 at the
@@ -115,4 +115,4 @@ TEST(CommonUse, IsThatOfOneExplicitRungeKuttaMethodOfALibrary) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::material_test

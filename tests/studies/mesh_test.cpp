@@ -6,7 +6,7 @@
 
 #include "odeum/studies/mesh/rows.hpp"
 
-namespace odeum::study {
+namespace odeum::study::mesh_test {
 namespace {
 
 const std::vector<MeshRow>& rows() {
@@ -58,4 +58,4 @@ TEST(Mesh, AFinerSheetNeedsTheFactorThatItsScalingLacks) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::mesh_test

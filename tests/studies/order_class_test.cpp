@@ -8,7 +8,7 @@
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/convergence/order_reason.hpp"
 
-namespace odeum::study {
+namespace odeum::study::order_class_test {
 namespace {
 
 const OrderClass* class_of(const judge::OrderFit& fit) {
@@ -61,4 +61,4 @@ TEST(OrderClass, EveryCauseIsOneClassWithWords) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::order_class_test

@@ -12,7 +12,7 @@
 #include "odeum/studies/convergence/settings.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::order_reason_test {
 namespace {
 
 judge::OrderFit order_of(const Case& c, const std::string& solver) {
@@ -113,4 +113,4 @@ TEST(OrderReason, AnOpenOrderToAToleranceGetsTolerancesBetween) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::order_reason_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace odeum::study {
+namespace odeum::study::packing_test {
 namespace {
 
 PlannedTasks tasks_of(const std::vector<double>& seconds, std::size_t first_alone) {
@@ -62,4 +62,4 @@ TEST(PlannedTasks, TakeWhatIsKnownOrNearest) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::packing_test

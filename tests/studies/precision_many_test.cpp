@@ -8,7 +8,7 @@
 
 #include "odeum/studies/precision/precision.hpp"
 
-namespace odeum::study {
+namespace odeum::study::precision_many_test {
 namespace {
 
 std::vector<PrecisionRow> rows_of(const char* id, std::vector<std::string> solvers) {
@@ -49,4 +49,4 @@ TEST(PrecisionOfMany, OwnMethodsWithStepControlRunAtFixedStepsToo) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::precision_many_test

@@ -5,7 +5,7 @@
 
 #include "odeum/studies/precision/precision.hpp"
 
-namespace odeum::study {
+namespace odeum::study::precision_outputs_test {
 namespace {
 
 // Own methods, CVODE, ARKODE and odeint have states between their steps, GSL ends them on outputs.
@@ -34,4 +34,4 @@ TEST(Precision, HasOutputsBetweenStepsAndAtTheirEnds) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::precision_outputs_test

@@ -12,7 +12,7 @@
 
 #include "odeum/studies/stopwatch.hpp"
 
-namespace odeum::study {
+namespace odeum::study::precision_test {
 namespace {
 
 PrecisionRow row(const char* library, const char* solver, double error, double ns) {
@@ -272,4 +272,4 @@ TEST(Precision, SaysTolerancesAndJacobian) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::precision_test

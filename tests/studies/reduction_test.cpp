@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odeum::study {
+namespace odeum::study::reduction_test {
 namespace {
 
 const ReductionRow& row_at(const std::vector<ReductionRow>& rows, const std::string& solver,
@@ -56,4 +56,4 @@ TEST(Reduction, SaysWhyThereIsNoOrder) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::reduction_test

@@ -9,7 +9,7 @@
 #include "odeum/studies/study.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::study {
+namespace odeum::study::studies_test {
 namespace {
 
 using tests::text_of;
@@ -133,4 +133,4 @@ TEST(Studies, HaveNamesAndPlacesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::studies_test

@@ -5,7 +5,7 @@
 
 #include "odeum/studies/convergence/convergence.hpp"
 
-namespace odeum::study {
+namespace odeum::study::time_row_test {
 namespace {
 
 TEST(TimeRow, HasSixDigitsOfErrorsAndNineOfTheEnergy) {
@@ -25,4 +25,4 @@ TEST(TimeRow, HasSixDigitsOfErrorsAndNineOfTheEnergy) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::time_row_test

@@ -10,7 +10,7 @@
 #include "odeum/studies/foreseen.hpp"
 #include "odeum/studies/runner.hpp"
 
-namespace odeum::study {
+namespace odeum::study::timing_test {
 namespace {
 
 Entrant entrant_that(Status status) {
@@ -142,4 +142,4 @@ TEST(Timing, TheFastestAreRunsWhoseErrorIsTheOneAskedFor) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::timing_test

@@ -5,7 +5,7 @@
 
 #include "odeum/studies/material/material.hpp"
 
-namespace odeum::study {
+namespace odeum::study::vibration_test {
 namespace {
 
 std::vector<double> damped_cosine(double w, double fall, double rest, double h, std::size_t count) {
@@ -55,4 +55,4 @@ TEST(Vibration, SaysWhyThereIsNone) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::vibration_test

@@ -9,7 +9,7 @@
 #include "odeum/sweep/runner.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::sweep {
+namespace odeum::sweep::lanes_test {
 namespace {
 
 constexpr std::uint64_t many = 10'000;
@@ -177,4 +177,4 @@ TEST(SweepInLanes, RosenbrockMethodsKeepTheTolerance) {
 }
 
 }  // namespace
-}  // namespace odeum::sweep
+}  // namespace odeum::sweep::lanes_test

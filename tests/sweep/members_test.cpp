@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odeum::sweep {
+namespace odeum::sweep::members_test {
 namespace {
 
 TEST(SweepMembers, AGridHasEveryCombinationTheLastAxisFastest) {
@@ -88,4 +88,4 @@ TEST(SweepMembers, BadInputHasItsSentence) {
 }
 
 }  // namespace
-}  // namespace odeum::sweep
+}  // namespace odeum::sweep::members_test

@@ -9,7 +9,7 @@
 #include "odeum/cases/text_case.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::sweep {
+namespace odeum::sweep::sweep_test {
 namespace {
 
 Case case_of_text(const std::string& text) {
@@ -201,4 +201,4 @@ TEST(Sweep, QuantitiesAreOfTheSolution) {
 }
 
 }  // namespace
-}  // namespace odeum::sweep
+}  // namespace odeum::sweep::sweep_test

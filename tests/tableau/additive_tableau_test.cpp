@@ -9,7 +9,7 @@
 #include "odeum/methods/ars222.hpp"
 #include "odeum/methods/ars443.hpp"
 
-namespace odeum {
+namespace odeum::additive_tableau_test {
 namespace {
 
 /// Alters each coefficient that is not zero in turn, and expects the conditions to fail.
@@ -84,4 +84,4 @@ TEST(AdditiveTableau, TheSameTableauTwiceIsThatMethod) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::additive_tableau_test

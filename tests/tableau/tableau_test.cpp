@@ -11,7 +11,7 @@
 #include "odeum/tableau/order_conditions.hpp"
 #include "odeum_methods.hpp"
 
-namespace odeum::tests {
+namespace odeum::tests::tableau_test {
 namespace {
 
 // --- rooted trees, made another way: as nested brackets, by hanging a leaf on every node ---
@@ -207,4 +207,4 @@ TEST(Tableau, DerivesWhatFollowsFromItsCoefficients) {
 }
 
 }  // namespace
-}  // namespace odeum::tests
+}  // namespace odeum::tests::tableau_test

@@ -9,7 +9,7 @@
 #include "odeum/cases/text_case.hpp"
 #include "support/catalogue.hpp"
 
-namespace odeum::truth {
+namespace odeum::truth::certificate_test {
 namespace {
 
 using Said = Certificate::Said;
@@ -131,4 +131,4 @@ TEST_F(CertificateOf, IsOfTheEquationsThatAUsersTextStates) {
 }
 
 }  // namespace
-}  // namespace odeum::truth
+}  // namespace odeum::truth::certificate_test

@@ -7,7 +7,7 @@
 
 #include "odeum/truth/system.hpp"
 
-namespace odeum {
+namespace odeum::deadline_test {
 namespace {
 
 using std::chrono::steady_clock;
@@ -45,4 +45,4 @@ TEST(Deadline, EndsWhatIsNotFoundInTime) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::deadline_test

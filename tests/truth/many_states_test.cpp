@@ -8,7 +8,7 @@
 
 #include "odeum/truth/system.hpp"
 
-namespace odeum {
+namespace odeum::many_states_test {
 namespace {
 
 using truth::Real;
@@ -58,4 +58,4 @@ TEST(ManyStates, NoWorkIsSpentOnTolerancesBelowRounding) {
 }
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::many_states_test

@@ -10,7 +10,7 @@
 
 #include "odeum/cases/text_truth.hpp"
 
-namespace odeum {
+namespace odeum::narrow_test {
 namespace {
 
 using Real = long double;
@@ -108,4 +108,4 @@ INSTANTIATE_TEST_SUITE_P(Texts, NarrowFeature, testing::ValuesIn(narrow),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
-}  // namespace odeum
+}  // namespace odeum::narrow_test

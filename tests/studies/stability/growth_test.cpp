@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-namespace odeum::judge {
+namespace odeum::judge::growth_test {
 namespace {
 
 constexpr std::size_t count = 17;
@@ -86,4 +86,4 @@ TEST(Growth, NoiseCoversWhatThreeRootsHide) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::growth_test

@@ -9,7 +9,7 @@
 #include "odeum/solvers/case.hpp"
 #include "odeum/studies/stability/raster_lanes.hpp"
 
-namespace odeum::study {
+namespace odeum::study::lanes_test {
 namespace {
 
 Probe lambda_probe() {
@@ -62,4 +62,4 @@ TEST(Lanes, EqualOneSolveAtATime) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::lanes_test

@@ -15,7 +15,7 @@
 #include "odeum/studies/stability/raster_lanes.hpp"
 #include "odeum/studies/stability/stability.hpp"
 
-namespace odeum::study {
+namespace odeum::study::limits_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -245,4 +245,4 @@ TEST(Limits, AMutantIsCaught) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::limits_test

@@ -11,7 +11,7 @@
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
 
-namespace odeum::study {
+namespace odeum::study::multistep_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -110,4 +110,4 @@ TEST(Multistep, BackwardDifferences2IsAStable) {
 }
 
 }  // namespace
-}  // namespace odeum::study
+}  // namespace odeum::study::multistep_test

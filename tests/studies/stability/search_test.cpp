@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace odeum::judge {
+namespace odeum::judge::search_test {
 namespace {
 
 /// The last bisection interval has this relative width.
@@ -90,4 +90,4 @@ TEST(StabilitySearch, GrowthThatIsCertainAtTheFirstPointGivesZero) {
 }
 
 }  // namespace
-}  // namespace odeum::judge
+}  // namespace odeum::judge::search_test
