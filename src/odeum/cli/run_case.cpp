@@ -197,7 +197,9 @@ FirstRuns run_before_truth(RunOptions options) {
 
 int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_file = false,
                 const FirstRuns& first = {}) {
-  if (options.solvers.empty()) throw UsageError("--solver is required for a case");
+  if (options.solvers.empty())
+    throw UsageError(
+        "--solver is required; a scene's own is taken without --stops and --format json");
   options.settings = settings_for(c, options.settings);
   if (!has_setting(options.settings))
     throw UsageError("run needs --step or --tol, or --rtol and --atol");
