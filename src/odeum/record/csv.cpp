@@ -16,6 +16,11 @@ bool begins_a_formula(std::string_view text) {
          std::string_view("=+-@").find(text[begin]) != std::string_view::npos;
 }
 
+std::string csv_field(const Cell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  return text ? format_text(*text) : cell_text(cell);
+}
+
 }  // namespace
 
 std::string format_number(double value) {

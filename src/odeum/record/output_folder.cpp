@@ -38,6 +38,14 @@ void sweep(const std::filesystem::path& folder) {
   throw FileError(fmt::format("{} {}: {}", what, path.string(), std::strerror(errno)));
 }
 
+std::filesystem::path made_folder(std::filesystem::path path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error)
+    throw FileError(fmt::format("cannot make folder {}: {}", path.string(), error.message()));
+  return path;
+}
+
 int create(const std::filesystem::path& path) {
   ::unlink(path.c_str());
   const int file =
@@ -63,13 +71,10 @@ bool write_all(const OpenFile& file, std::string_view text) {
   return true;
 }
 
-OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
-  std::error_code error;
-  std::filesystem::create_directories(path_, error);
-  if (error)
-    throw FileError(fmt::format("cannot make folder {}: {}", path_.string(), error.message()));
+OutputFolder::OutputFolder(std::filesystem::path path)
+    : path_(made_folder(std::move(path))),
+      lock_(::open((path_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644)) {
   const auto lock_path = path_ / ".lock";
-  lock_.reset(::open(lock_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
   if (lock_.get() < 0) fail("cannot open", lock_path);
   // The lock ends with the process; the file's text only names the holder.
   if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -102,10 +107,7 @@ void OutputFolder::write(std::string_view name, std::string_view text) const {
       throw FileError(fmt::format("{} would leave the output folder", name));
     folder /= part;
   }
-  std::filesystem::create_directories(target.parent_path(), error);
-  if (error)
-    throw FileError(
-        fmt::format("cannot make folder {}: {}", target.parent_path().string(), error.message()));
+  made_folder(target.parent_path());
   // There is one run per folder, and each of its threads writes one file at a time.
   const auto temporary = path_ / unfinished();
   OpenFile file(create(temporary));

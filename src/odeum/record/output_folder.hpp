@@ -16,14 +16,10 @@ class FileError : public std::runtime_error {
 /// An open file, closed by its destructor.
 class OpenFile {
  public:
-  explicit OpenFile(int descriptor = -1) : descriptor_(descriptor) {}
+  explicit OpenFile(int descriptor) : descriptor_(descriptor) {}
   ~OpenFile() { close(); }
   OpenFile(const OpenFile&) = delete;
   OpenFile& operator=(const OpenFile&) = delete;
-  void reset(int descriptor) {
-    close();
-    descriptor_ = descriptor;
-  }
   /// False where the system reports that not all was written.
   bool close();
   int get() const { return descriptor_; }

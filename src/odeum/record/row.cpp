@@ -25,11 +25,6 @@ std::string cell_text(const Cell& cell) {
   return std::to_string(std::get<std::uint64_t>(cell));
 }
 
-std::string csv_field(const Cell& cell) {
-  const auto* text = std::get_if<std::string>(&cell);
-  return text ? format_text(*text) : cell_text(cell);
-}
-
 double number_of(std::string_view text) { return parsed<double>(text); }
 std::int64_t integer_of(std::string_view text) { return parsed<std::int64_t>(text); }
 

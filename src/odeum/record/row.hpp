@@ -78,19 +78,16 @@ using Cell = std::variant<std::string, double, std::int64_t, std::uint64_t>;
 struct Field {
   std::string column;
   Cell value;
-  bool derived = false;
 };
 using Fields = std::vector<Field>;
-/// A cell as plain text, and as a field of a CSV file.
+/// A cell as plain text.
 std::string cell_text(const Cell& cell);
-std::string csv_field(const Cell& cell);
 
 /// The source of a row's fields, by column or in their order.
 class FieldSource {
  public:
   virtual ~FieldSource() = default;
   virtual std::string next(const std::string& column) = 0;
-  virtual bool stores_all_fields() const = 0;
 };
 /// A field is not a value of its member.
 class BadField : public std::exception {
@@ -148,11 +145,10 @@ void visit_columns(auto& visit, const auto& names, auto&&... values) {
 
 struct Lister {
   Fields& fields;
-  bool unlisted = false;  ///< with what has no column
-  bool derived = false;
+  bool stored;  ///< as in the store, see fields_of
 
   void add(std::string column, Cell value) const {
-    fields.push_back({std::move(column), std::move(value), derived});
+    fields.push_back({std::move(column), std::move(value)});
   }
   void operator()(const char* column, const std::string& value) const { add(column, value); }
   void operator()(const char* column, const char* value) const { add(column, std::string(value)); }
@@ -182,11 +178,11 @@ struct Lister {
   }
   template <class T>
   void operator()(const char* column, const ComputedColumn<T>& value) const {
-    Lister{fields, unlisted, true}(column, value.value);
+    if (!stored) (*this)(column, value.value);
   }
   template <class T>
   void operator()(const char* column, const StoredOnly<T>& kept) const {
-    if (!unlisted) return;
+    if (!stored) return;
     add(column, static_cast<std::uint64_t>(kept.values.size()));
     for (const auto value : kept.values) add(column, static_cast<double>(value));
   }
@@ -194,6 +190,7 @@ struct Lister {
 
 struct Reader {
   FieldSource& source;
+  bool stored;
 
   void operator()(const char* column, std::string& value) const { value = source.next(column); }
   void operator()(const char* column, double& value) const {
@@ -234,7 +231,7 @@ struct Reader {
   void operator()(const char*, const ComputedColumn<T>&) const {}
   template <class T>
   void operator()(const char* column, const StoredOnly<T>& kept) const {
-    if (!source.stores_all_fields()) return;
+    if (!stored) return;
     std::size_t count = 0;
     (*this)(column, count);
     kept.values.clear();
@@ -245,11 +242,12 @@ struct Reader {
 
 }  // namespace detail
 
-/// The fields of a row in the order of its columns; `unlisted`: with what has no column.
+/// The fields of a row in the order of its columns; `stored`: as in the store, with what has no
+/// column and without what is computed.
 template <class Row>
-Fields fields_of(const Row& row, bool unlisted = false) {
+Fields fields_of(const Row& row, bool stored = false) {
   Fields fields;
-  row.each(detail::Lister{fields, unlisted});
+  row.each(detail::Lister{fields, stored});
   return fields;
 }
 template <class Row>
@@ -260,11 +258,11 @@ std::vector<Fields> fields_of(const std::vector<Row>& rows) {
   return all;
 }
 
-/// The row whose fields a source gives. Throws BadField.
+/// The row whose fields, or `stored` ones, a source gives. Throws BadField.
 template <class Row>
-Row row_of(FieldSource& source) {
+Row row_of(FieldSource& source, bool stored = false) {
   Row row;
-  row.each(detail::Reader{source});
+  row.each(detail::Reader{source, stored});
   return row;
 }
 

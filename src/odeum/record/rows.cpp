@@ -32,7 +32,6 @@ class CsvSource : public FieldSource {
   std::string next(const std::string& column) override {
     return text_of_field(row_[columns_.at(column)]);
   }
-  bool stores_all_fields() const override { return false; }
 
  private:
   bool read_row();
@@ -93,8 +92,7 @@ std::string read_csv(const std::filesystem::path& folder, const std::string& nam
 }
 
 void add_to_record(const Fields& fields, std::string& record) {
-  for (const Field& field : fields)
-    if (!field.derived) record += cell_text(field.value) + separator;
+  for (const Field& field : fields) record += cell_text(field.value) + separator;
 }
 
 std::string RecordSource::next(const std::string&) {

@@ -44,7 +44,6 @@ class RecordSource : public FieldSource {
  public:
   explicit RecordSource(std::string_view text) : rest_(text) {}
   std::string next(const std::string& column) override;
-  bool stores_all_fields() const override { return true; }
 
  private:
   std::string_view rest_;
@@ -186,7 +185,7 @@ Result from_record(std::string_view text) {
   detail::RecordSource source(text);
   for_each_list(result, [&]<class Row>(std::vector<Row>& rows) {
     for (std::int64_t left = integer_of(source.next("")); left > 0; --left)
-      rows.push_back(row_of<Row>(source));
+      rows.push_back(row_of<Row>(source, true));
   });
   return result;
 }

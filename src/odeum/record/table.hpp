@@ -9,7 +9,7 @@
 
 namespace odeum::record {
 
-/// A table for people: text in cells, ready to be printed or made into HTML.
+/// A table for people: text in cells, ready to be printed.
 struct Table {
   struct Column {
     std::string heading;

@@ -15,26 +15,19 @@ namespace {
 
 std::string quoted(const std::string& text) { return nlohmann::json(plain(text)).dump(); }
 
-double number_in(const record::Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell)) return *number;
-  if (const auto* count = std::get_if<std::uint64_t>(&cell)) return static_cast<double>(*count);
-  return static_cast<double>(std::get<std::int64_t>(cell));
-}
-
 std::string column_json(const std::vector<record::Fields>& rows, std::size_t index) {
   std::vector<std::string> items, words;
   std::map<std::string, std::size_t> known;
-  for (const auto& row : rows) {
-    const record::Cell& cell = row[index].value;
-    const auto* text = std::get_if<std::string>(&cell);
-    if (!text) {
-      items.push_back(json_number(number_in(cell)));
-      continue;
+  const auto add = [&]<class T>(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      items.push_back(json_number(static_cast<double>(value)));
+    } else {
+      const auto [place, is_new] = known.try_emplace(value, words.size());
+      if (is_new) words.push_back(quoted(value));
+      items.push_back(std::to_string(place->second));
     }
-    const auto [place, is_new] = known.try_emplace(*text, words.size());
-    if (is_new) words.push_back(quoted(*text));
-    items.push_back(std::to_string(place->second));
-  }
+  };
+  for (const auto& row : rows) std::visit(add, row[index].value);
   const std::string list = fmt::format("[{}]", fmt::join(items, ","));
   return known.empty() ? list
                        : fmt::format("{{\"words\":[{}],\"of\":{}}}", fmt::join(words, ","), list);

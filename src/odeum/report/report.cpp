@@ -33,14 +33,22 @@ std::string text_of(const ordered_json& json, int indent = -1) {
 
 std::string stem_of(const std::string& file) { return file.substr(0, file.find('.')); }
 
-/// The texts of a folder of pages, by the names of their files.
-std::map<std::string, std::string> texts_of(const fs::path& folder) {
-  std::map<std::string, std::string> texts;
+/// The names in a folder of the shared one; none where it is not there.
+std::set<fs::path> names_in(const fs::path& folder) {
+  std::set<fs::path> names;
   std::error_code none;
   if (const auto shared = shared_folder())
     for (const auto& entry : fs::directory_iterator(*shared / folder, none))
-      if (entry.path().extension() == ".md" || entry.path().extension() == ".js")
-        texts[entry.path().filename().string()] = shared_text(folder / entry.path().filename());
+      names.insert(entry.path().filename());
+  return names;
+}
+
+/// The texts of a folder of pages, by the names of their files.
+std::map<std::string, std::string> texts_of(const fs::path& folder) {
+  std::map<std::string, std::string> texts;
+  for (const fs::path& name : names_in(folder))
+    if (name.extension() == ".md" || name.extension() == ".js")
+      texts[name.string()] = shared_text(folder / name);
   return texts;
 }
 
@@ -53,12 +61,7 @@ std::map<std::string, std::string> documents() {
     for (const auto& [part, more] : texts_of(fs::path("documents") / stem_of(file)))
       document += "\n" + more;
   }
-  std::error_code none;
-  std::set<fs::path> studies;
-  if (const auto shared = shared_folder())
-    for (const auto& entry : fs::directory_iterator(*shared / "pages", none))
-      studies.insert(entry.path().filename());
-  for (const fs::path& study : studies)
+  for (const fs::path& study : names_in("pages"))
     all["columns"] += "\n" + shared_text("pages" / study / "columns.md");
   return all;
 }
@@ -88,12 +91,6 @@ ordered_json json_of(const StudyFacts& study) {
       json["pages"].push_back({{"id", stem == "page" ? study.name : stem}, {"text", text}});
   }
   return json;
-}
-
-std::vector<std::string> loaded_files(const std::vector<LibraryInfo>& libraries) {
-  std::vector<std::string> files;
-  for (const LoadedLibrary& each : loaded_of(libraries)) files.push_back(each.text());
-  return files;
 }
 
 std::string key_of(const ordered_json& entry) {
@@ -129,21 +126,18 @@ void Report::table(const std::string& study, const std::string& file, const reco
   const std::string name = stem_of(file);
   std::vector<std::string> columns;
   for (const record::Field& field : blank) columns.push_back(field.column);
-  ordered_json entry{{"name", name}, {"file", file},       {"study", study},
-                     {"rows", 0},    {"columns", columns}, {"parts", ordered_json::array()}};
   const auto data_name = [&](std::size_t i) {
     return parts.size() == 1 ? name : fmt::format("{}-{}", name, i);
   };
   std::size_t rows = 0;
-  std::mutex counting;
-  std::set<std::string> cases;
+  ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    ordered_json part{{"data", data_name(i)}, {"rows", parts[i].rows}};
-    if (!parts[i].case_id.empty()) part["case"] = plain(parts[i].case_id);
-    entry["parts"].push_back(part);
+    list.push_back({{"data", data_name(i)}, {"rows", parts[i].rows}});
+    if (!parts[i].case_id.empty()) list.back()["case"] = plain(parts[i].case_id);
     rows += parts[i].rows;
   }
-  entry["rows"] = rows;
+  std::mutex counting;
+  std::set<std::string> cases;
   parallel_for(parts.size(), jobs_, [&](std::size_t i) {
     const std::vector<record::Fields> fields = parts[i].fields();
     folder_.write(fmt::format("data/{}.js", data_name(i)),
@@ -159,8 +153,13 @@ void Report::table(const std::string& study, const std::string& file, const reco
           ++reasons_[record::cell_text(row[k + 1].value)];
       }
   });
-  entry["cases"] = cases;
-  tables_.push_back(text_of(entry));
+  tables_.push_back(text_of({{"name", name},
+                             {"file", file},
+                             {"study", study},
+                             {"rows", rows},
+                             {"columns", columns},
+                             {"parts", list},
+                             {"cases", cases}}));
 }
 
 void Report::table(const std::string& study, const std::string& file, const record::Records& rows) {
@@ -184,7 +183,7 @@ void Report::manifest(const std::string& key, const ordered_json& value) {
   manifest_[key] = text_of(value);
 }
 
-std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
+ordered_json Report::page_json(const RunFacts& run, bool keep_earlier) const {
   ordered_json page{
       {"schema", schema},
       {"odeum", {{"version", build::version}, {"revision", build::revision}}},
@@ -195,13 +194,15 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
         {"date", utc_text(run.finished)},
         {"compiler", fmt::format("{}, {}, {}", build::compiler, build::type, build::flags)},
         {"processor", cpu_model()},
-        {"loaded", loaded_files(facts_.libraries)}}},
+        {"loaded", ordered_json::array()}}},
       {"libraries", report::json_of(facts_.libraries)},
       {"cases", ordered_json::array()},
       {"solvers", ordered_json::array()},
       {"studies", ordered_json::array()},
       {"tables", ordered_json::array()},
       {"documents", ordered_json::array()}};
+  for (const LoadedLibrary& each : loaded_of(facts_.libraries))
+    page["run"]["loaded"].push_back(each.text());
   for (const CaseFacts& c : facts_.cases) page["cases"].push_back(report::json_of(c));
   for (const SolverInfo& solver : facts_.solvers)
     page["solvers"].push_back(report::json_of(solver));
@@ -211,16 +212,16 @@ std::string Report::page_json(const RunFacts& run, bool keep_earlier) const {
   for (const std::string& table : tables_) page["tables"].push_back(ordered_json::parse(table));
   for (const auto& [name, text] : documents()) page["documents"].push_back(name);
   for (const auto& [key, value] : facts_more_) page[key] = ordered_json::parse(value);
-  if (!keep_earlier) return text_of(page);
+  if (!keep_earlier) return page;
   const auto text = text_of_file((folder_.path() / "page.json").string());
   const auto earlier = ordered_json::parse(text.value_or(""), nullptr, false);
-  if (!earlier.is_object() || earlier.value("schema", 0) != schema) return text_of(page);
+  if (!earlier.is_object() || earlier.value("schema", 0) != schema) return page;
   for (const char* list : {"cases", "solvers", "tables"})
     if (earlier.contains(list)) add_missing(page[list], earlier[list]);
   if (earlier.contains("studies")) keep_origin(page["studies"], earlier["studies"]);
   for (const auto& [key, value] : earlier.items())
     if (!page.contains(key)) page[key] = value;
-  return text_of(page);
+  return page;
 }
 
 std::string Report::manifest_text(const RunFacts& run) const {
@@ -244,9 +245,9 @@ std::string Report::manifest_text(const RunFacts& run) const {
 }
 
 bool Report::write(const RunFacts& run, bool keep_earlier) {
-  const std::string page = page_json(run, keep_earlier);
-  folder_.write("data/facts.js", data_script("facts", page));
-  folder_.write("page.json", page + "\n");
+  const ordered_json page = page_json(run, keep_earlier);
+  data("facts", text_of(page));
+  folder_.write("page.json", text_of(page) + "\n");
   data("documents", text_of(ordered_json(documents())));
   for (const StudyFacts& study : studies_)
     if (const std::string view = shared_text(fs::path("pages") / study.name / "view.js");
@@ -254,8 +255,7 @@ bool Report::write(const RunFacts& run, bool keep_earlier) {
       folder_.write("viewer/view-" + study.name + ".js", view);
   folder_.write("manifest.json", manifest_text(run));
   std::vector<std::string> files;
-  const ordered_json tables = ordered_json::parse(page)["tables"];
-  for (const auto& table : tables)
+  for (const auto& table : page["tables"])
     if (const std::string file = table.value("file", "");
         table.value("rows", 0) > 0 && file.find('.') != std::string::npos)
       files.push_back(file);

@@ -5,7 +5,6 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -97,7 +96,7 @@ class Report {
  private:
   static constexpr std::size_t most_rows_together = 5000;
 
-  std::string page_json(const RunFacts& run, bool keep_earlier) const;
+  nlohmann::ordered_json page_json(const RunFacts& run, bool keep_earlier) const;
   std::string manifest_text(const RunFacts& run) const;
 
   Facts facts_;

@@ -2,6 +2,7 @@
 #include "odeum/report/text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 
 #include "odeum/input/utf8.hpp"
@@ -14,10 +15,6 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 bool turns_direction(std::uint32_t code) {
   return code == 0x200E || code == 0x200F || code == 0x061C || (code >= 0x202A && code <= 0x202E) ||
          (code >= 0x2066 && code <= 0x2069);
-}
-
-bool is_letter_or_digit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 }  // namespace
@@ -41,7 +38,7 @@ std::string plain(std::string_view text) {
 std::string file_stem(std::string_view text) {
   std::string stem;
   for (const char c : text.substr(0, 80))
-    stem += is_letter_or_digit(c) || c == '-' || c == '_' ? c : '_';
+    stem += std::isalnum(static_cast<unsigned char>(c)) || c == '-' ? c : '_';
   return stem.empty() ? "_" : stem;
 }
 
