@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/trajectories/film.hpp"
+#include "odeum/trajectories/raster.hpp"
 
 #include <gtest/gtest.h>
 
-#include "odeum/trajectories/raster.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -11,16 +11,21 @@
 namespace odeum::trajectories::page_solutions_test {
 namespace {
 
-DrawnRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
-  return {
-      .entrant = &study::find_solver(c.entrants, solver), .steps = steps, .end = c.stops.back()};
+CaseRun run_of(const Case& c, const std::string& solver, std::uint64_t steps) {
+  const double end = c.stops.back();
+  CaseRun run{.entrant = &study::find_solver(c.entrants, solver),
+              .request = drawn_request(c, Mode::fixed, (end - c.t0) / static_cast<double>(steps),
+                                       end, {.evaluations = 10'000, .seconds = 2}),
+              .outcome = {}};
+  run.outcome = run.entrant->solve(run.request);
+  return run;
 }
 
 TEST(PageSolutions, OutputsAreOnStepsAndEndAtTheHorizon) {
   const Case& c = study::find_case("kepler_e09");
   for (const std::uint64_t steps : {1, 7, 99, 100, 101, 320, 1777}) {
-    DrawnRun run = run_of(c, "odeum/rk4", steps);
-    const Request request = drawn_request(c, run, 10'000);
+    const Request request = run_of(c, "odeum/rk4", steps).request;
+    EXPECT_EQ(request.steps, steps);
     EXPECT_NO_THROW(require_sound(request, c.t0, c.y0.size())) << steps;
     EXPECT_TRUE(FixedGrid(c.t0, request).fits()) << steps;
     EXPECT_LE(request.stops.size(), 100U);
@@ -33,27 +38,28 @@ TEST(PageSolutions, OutputsAreOnStepsAndEndAtTheHorizon) {
 // pericentre.
 TEST(PageSolutions, AComputedExactCurveIsExact) {
   const Case& c = study::find_case("kepler_e09");
-  const ExactCurve exact = exact_curve(c, {0.25, 2, 5.5, 9.75});
+  const ExactStates exact = exact_curve(c, {0.25, 2, 5.5, 9.75});
   ASSERT_TRUE(exact.everywhere);
   EXPECT_LT(exact.floor, 1e-10);
   for (const double t : {0.25, 2.0, 5.5, 9.75}) {
     double anomaly = t;
     for (int i = 0; i < 100; ++i)
       anomaly -= (anomaly - 0.9 * std::sin(anomaly) - t) / (1 - 0.9 * std::cos(anomaly));
-    const double* const y = exact.at(t);
-    ASSERT_NE(y, nullptr);
+    ASSERT_TRUE(exact.states.contains(t));
+    const std::vector<double>& y = exact.states.at(t);
     // Rounding of the right-hand side, which e = 0.9 amplifies by some 1e3 in a period.
     EXPECT_NEAR(y[0], std::cos(anomaly) - 0.9, 1e-10) << t;
     EXPECT_NEAR(y[1], std::sqrt(1 - 0.81) * std::sin(anomaly), 1e-10) << t;
   }
-  EXPECT_EQ(exact.at(0.3), nullptr);
+  EXPECT_FALSE(exact.states.contains(0.3));
 }
 
 TEST(PageSolutions, OfALargeProblemTheTruthIsDrawnWhereItIsKnown) {
   const Case& c = study::find_case("cloth11_two_way");
-  const ExactCurve exact = exact_curve(c, {0.1, 0.25, 0.3, 1});
+  const ExactStates exact = exact_curve(c, {0.1, 0.25, 0.3, 1});
   EXPECT_FALSE(exact.everywhere);
-  EXPECT_EQ(exact.times, (std::vector<double>{0.25, 1}));
+  EXPECT_EQ(exact.states.size(), 2U);
+  EXPECT_TRUE(exact.states.contains(0.25) && exact.states.contains(1));
   const auto drawn = drawn_components(c);
   ASSERT_EQ(drawn.size(), 2U);
   EXPECT_EQ(drawn[1], c.y0.size() / 2 + drawn[0]);
@@ -83,16 +89,27 @@ TEST(PageSolutions, ATruthOfFewDigitsChecksNoCurve) {
   EXPECT_GT(evaluations, 0);
 }
 
+// Truth at more times than there are outputs made a line of marks.
+TEST(PageSolutions, ExactStatesAreALineOnlyWhereEachOutputHasOne) {
+  const Case& c = study::find_case("cloth11_two_way");
+  CaseRun run;
+  run.request.stops = {0.3, c.stops.back()};
+  const ExactStates exact = exact_states(c, {run});
+  EXPECT_GT(exact.states.size(), 3U);
+  EXPECT_FALSE(exact.everywhere);
+  run.request.stops = {c.stops.back()};
+  EXPECT_TRUE(exact_states(c, {run}).everywhere);
+}
+
 TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
   const Case& c = study::find_case("damped_oscillator_underdamped");
-  const DrawnRun run = run_of(c, "odeum/explicit_euler", 80), finer = run_of(c, "odeum/rk4", 80);
-  const Request request = drawn_request(c, run, 10'000);
-  const Outcome outcome = run.entrant->solve(request), better = finer.entrant->solve(request);
-  ASSERT_EQ(outcome.status, Status::ok);
-  Solutions solutions(c, run.end, exact_curve(c, request.stops));
-  solutions.add(run, request, outcome);
-  solutions.add(finer, request, better);
-  solutions.add(finer, request, better);
+  const CaseRun run = run_of(c, "odeum/explicit_euler", 80), finer = run_of(c, "odeum/rk4", 80);
+  const std::vector<double>& stops = run.request.stops;
+  ASSERT_EQ(run.outcome.status, Status::ok);
+  Solutions solutions(c, c.stops.back(), exact_curve(c, stops));
+  solutions.add(run);
+  solutions.add(finer);
+  solutions.add(finer);
   const auto json = solutions.json();
   EXPECT_TRUE(json["exact"]["everywhere"]);
   EXPECT_EQ(json["curves"].size(), 2U) << "equal curves are kept once";
@@ -103,9 +120,10 @@ TEST(PageSolutions, CurvesAndErrorsAreThoseOfTheRun) {
   std::vector<double> y(2);
   for (std::size_t k = 0; k < 80; ++k) {
     double error = 0;
-    ASSERT_TRUE(c.truth.at(request.stops[k], y.data()));
+    ASSERT_TRUE(c.truth.at(stops[k], y.data()));
     for (std::size_t i = 0; i < 2; ++i) {
-      const double low = json["low"][i], high = json["high"][i], value = outcome.states[2 * k + i];
+      const double low = json["low"][i], high = json["high"][i],
+                   value = run.outcome.states[2 * k + i];
       // A curve beyond half a range from the exact one's is cut.
       const double shown = low + (high - low) * curve[2 * k + i].get<double>() / 1000;
       const double cut = std::clamp(value, 1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low);

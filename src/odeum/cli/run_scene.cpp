@@ -13,7 +13,6 @@
 #include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/scene/run/run.hpp"
-#include "odeum/trajectories/film.hpp"
 #include "odeum/trajectories/run_page.hpp"
 #include "odeum/trajectories/scene_files.hpp"
 #include "odeum/trajectories/scene_verdict.hpp"

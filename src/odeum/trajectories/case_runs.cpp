@@ -53,6 +53,19 @@ void complete_outputs(const Entrant& entrant, Request request, const Outcome& al
       stops[reached], outcome.detail);
 }
 
+/// The states of the scheme's own closed form at the outputs of a run; none where none is known.
+std::vector<double> scheme_states(const Case& c, const CaseRun& run) {
+  if (!c.scheme || run.request.mode != Mode::fixed || run.outcome.states.empty()) return {};
+  const double h = step_of(run.request, c.t0);
+  std::vector<double> states(run.request.stops.size() * c.y0.size());
+  double* y = states.data();
+  for (const double t : run.request.stops) {
+    if (!c.scheme(run.entrant->info.id(), h, std::round((t - c.t0) / h), y)) return {};
+    y += c.y0.size();
+  }
+  return states;
+}
+
 }  // namespace
 
 Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
@@ -77,24 +90,24 @@ Outcome solve_with_outputs(const Entrant& entrant, const Request& request) {
   return outcome;
 }
 
-ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs) {
-  std::set<double> times{c.t0};
-  double end = c.t0;
-  for (const CaseRun& run : runs) {
-    times.insert(run.request.stops.begin(), run.request.stops.end());
-    end = std::max(end, run.request.stops.back());
-  }
-  const std::size_t outputs = times.size();
-  for (const double t : c.stops)
-    if (t <= end) times.insert(t);
-  ExactStates exact;
+ExactStates true_states(const Case& c, const std::vector<double>& times) {
+  ExactStates exact{.floor = c.truth.floor, .source = c.truth.source};
   for (const double t : times) {
     std::vector<double> y = exact_at(c, t);
-    if (std::isnan(y.front())) continue;
-    exact.times.push_back(t);
-    exact.states.push_back(std::move(y));
+    if (std::isnan(y.front()))
+      exact.everywhere = false;
+    else
+      exact.states.emplace(t, std::move(y));
   }
-  exact.everywhere = exact.times.size() >= outputs;
+  return exact;
+}
+
+ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs) {
+  std::set<double> times{c.t0};
+  for (const CaseRun& run : runs) times.insert(run.request.stops.begin(), run.request.stops.end());
+  ExactStates exact = true_states(c, {times.begin(), times.end()});
+  for (const double t : c.stops)
+    if (t <= *times.rbegin()) exact.states.merge(true_states(c, {t}).states);
   return exact;
 }
 
@@ -119,8 +132,7 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
       add(info.library, info.method, t, y, largest_error(c, y, exact_at(c, t)));
     }
   }
-  for (std::size_t k = 0; k < exact.times.size(); ++k)
-    add("truth", "exact", exact.times[k], exact.states[k].data(), 0);
+  for (const auto& [t, y] : exact.states) add("truth", "exact", t, y.data(), 0);
   return table;
 }
 
@@ -158,32 +170,24 @@ record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs) {
 record::Records case_schemes(const Case& c, const std::vector<CaseRun>& runs) {
   record::Records table{{"case", "library", "solver", "time"}};
   for (const std::string& name : component_names(c)) table.columns.push_back(name);
-  std::vector<double> state(c.y0.size());
+  const std::size_t n = c.y0.size();
   for (const CaseRun& run : runs) {
-    if (std::isnan(difference_to_scheme(c, run))) continue;
     const SolverInfo& info = run.entrant->info;
-    const double h = step_of(run.request, c.t0);
-    for (const double t : run.request.stops) {
-      c.scheme(info.id(), h, std::round((t - c.t0) / h), state.data());
+    const std::vector<double> states = scheme_states(c, run);
+    for (std::size_t k = 0; k * n < states.size(); ++k) {
       auto& row = table.rows.emplace_back();
-      row = {c.id, info.library, info.method, t};
-      row.insert(row.end(), state.begin(), state.end());
+      row = {c.id, info.library, info.method, run.request.stops[k]};
+      row.insert(row.end(), states.data() + k * n, states.data() + (k + 1) * n);
     }
   }
   return table;
 }
 
 double difference_to_scheme(const Case& c, const CaseRun& run) {
-  if (!c.scheme || run.request.mode != Mode::fixed) return nan;
-  const std::size_t n = c.y0.size();
-  std::vector<double> y(n);
+  const std::vector<double> states = scheme_states(c, run);
   double largest = nan;
-  for (std::size_t k = 0; k < run.reached(n); ++k) {
-    const double steps = std::round((run.request.stops[k] - c.t0) / step_of(run.request, c.t0));
-    if (!c.scheme(run.entrant->info.id(), step_of(run.request, c.t0), steps, y.data())) return nan;
-    for (std::size_t i = 0; i < n; ++i)
-      largest = std::fmax(largest, std::abs(run.outcome.states[k * n + i] - y[i]));
-  }
+  for (std::size_t i = 0; i < std::min(states.size(), run.outcome.states.size()); ++i)
+    largest = std::fmax(largest, std::abs(run.outcome.states[i] - states[i]));
   return largest;
 }
 

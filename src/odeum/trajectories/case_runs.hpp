@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,17 @@ struct CaseRun {
 /// those of runs of their own.
 Outcome solve_with_outputs(const Entrant& entrant, const Request& request);
 
-/// The exact states of a case at some times, those where the truth is known.
+/// The exact states of a case by time, where they are known.
 struct ExactStates {
-  std::vector<double> times;
-  std::vector<std::vector<double>> states;
-  bool everywhere = false;  ///< at each output: a line, not marks
+  std::map<double, std::vector<double>> states = {};
+  bool everywhere = true;  ///< at all the times that were asked for: a line, not marks
+  /// Bound of their error: the truth's, or the largest difference to it where they are computed.
+  double floor = 0;
+  std::string source = {};
 };
 
+/// Those of the truth at these times.
+ExactStates true_states(const Case& c, const std::vector<double>& times);
 /// At the outputs of all runs, and where a reference holds the truth at its times.
 ExactStates exact_states(const Case& c, const std::vector<CaseRun>& runs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/trajectories/film.hpp"
+#include "odeum/trajectories/scene_files.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "odeum/trajectories/raster.hpp"
-#include "odeum/trajectories/scene_files.hpp"
 
 namespace odeum::trajectories {
 namespace {
@@ -197,10 +196,6 @@ std::string picture_of(const View& view, const scene::Scene& scene, const scene:
 }
 
 }  // namespace
-
-std::string film_frame(const scene::Scene& scene, const scene::RunResult& run, std::size_t frame) {
-  return picture_of(View(scene, run), scene, run.frames[frame]);
-}
 
 std::string write_film(const record::OutputFolder& folder, const scene::Scene& scene,
                        const scene::RunResult& run, std::size_t most, const std::string& in) {

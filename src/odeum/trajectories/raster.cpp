@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/trajectories/raster.hpp"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string_view>
 
 #include "odeum/record/compress.hpp"
 
@@ -18,19 +19,11 @@ std::string big_endian(std::uint32_t number) {
   return bytes;
 }
 
-/// The cyclic redundancy check of PNG (ISO/IEC 15948, annex D).
-std::uint32_t check_of(std::string_view bytes) {
-  std::uint32_t check = 0xffffffffU;
-  for (const char byte : bytes) {
-    check ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) check = (check >> 1U) ^ ((check & 1U) != 0 ? 0xedb88320U : 0);
-  }
-  return ~check;
-}
-
 std::string chunk(const std::string& kind, const std::string& data) {
-  return big_endian(static_cast<std::uint32_t>(data.size())) + kind + data +
-         big_endian(check_of(kind + data));
+  const std::string checked = kind + data;
+  const auto check = ::crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size());
+  return big_endian(static_cast<std::uint32_t>(data.size())) + checked +
+         big_endian(static_cast<std::uint32_t>(check));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "odeum/core/parallel.hpp"
 #include "odeum/judge/errors.hpp"
@@ -13,6 +12,7 @@
 #include "odeum/scene/run/run.hpp"
 #include "odeum/studies/runner.hpp"
 #include "odeum/trajectories/scene_files.hpp"
+#include "odeum/trajectories/solutions.hpp"
 
 namespace odeum::trajectories {
 namespace {
@@ -35,25 +35,16 @@ constexpr Shown shown_runs[] = {
     {"bullet/soft_body_force", 320, 0, "Bullet, springs as forces"},
     {"bullet/deformable_implicit", 320, 0, "Bullet, implicit deformable body"}};
 
-struct Run {
+struct Run : CaseRun {
   const Shown* what;
-  const Entrant* entrant;
-  Request request;
-  Outcome outcome;
 };
 
 Request request_of(const Case& c, const Shown& what) {
-  Request request;
-  request.mode = what.steps ? Mode::fixed : Mode::adaptive;
-  request.steps = what.steps;
-  request.tolerance = what.tolerance;
-  request.over_stops = true;
-  request.budget.seconds = 20;
-  const double length = c.stops.back() - c.t0;
-  for (std::uint64_t k = 1; k <= frame_count; ++k)
-    request.stops.push_back(
-        k == frame_count ? c.stops.back() : c.t0 + static_cast<double>(k) * (length / frame_count));
-  return request;
+  const double end = c.stops.back();
+  const Mode mode = what.steps ? Mode::fixed : Mode::adaptive;
+  const double setting =
+      what.steps ? (end - c.t0) / static_cast<double>(what.steps) : what.tolerance;
+  return drawn_request(c, mode, setting, end, {.seconds = 20}, frame_count);
 }
 
 scene::RunResult frames_of(const Case& c, const scene::SceneProblem& problem, const Run& run) {
@@ -72,7 +63,7 @@ scene::RunResult frames_of(const Case& c, const scene::SceneProblem& problem, co
     result.t = t;
   };
   keep(c.t0, c.y0.data());
-  for (std::size_t k = 0; (k + 1) * c.y0.size() <= run.outcome.states.size(); ++k)
+  for (std::size_t k = 0; k < run.reached(c.y0.size()); ++k)
     keep(run.request.stops[k], run.outcome.states.data() + k * c.y0.size());
   return result;
 }
@@ -93,7 +84,7 @@ std::vector<std::vector<double>> distances(const scene::RunResult& run,
 double from_truth(const Case& c, const Run& run) {
   double largest = 0;
   std::vector<double> y(c.y0.size());
-  for (std::size_t k = 0; (k + 1) * y.size() <= run.outcome.states.size(); ++k) {
+  for (std::size_t k = 0; k < run.reached(y.size()); ++k) {
     if (!c.truth.at(run.request.stops[k], y.data())) continue;
     for (const std::size_t i : judge::measured_components(c))
       largest = std::fmax(largest, std::abs(run.outcome.states[k * y.size() + i] - y[i]));
@@ -116,7 +107,7 @@ std::vector<ReplayRow> write_replays(const Case& c, const record::OutputFolder& 
   for (const Shown& what : shown_runs)
     for (const Entrant& entrant : c.entrants)
       if (entrant.info.id() == what.solver && entrant.unfit.empty())
-        runs.push_back({&what, &entrant, request_of(c, what), {}});
+        runs.push_back({{&entrant, request_of(c, what), {}}, &what});
   parallel_for(runs.size(), jobs,
                [&](std::size_t i) { runs[i].outcome = runs[i].entrant->solve(runs[i].request); });
   scene::RunResult exact;

@@ -17,67 +17,42 @@
 namespace odeum::trajectories {
 namespace {
 
-/// A run by solver, mode, steps or tolerance.
-using Key = std::tuple<std::string, Mode, std::uint64_t, double>;
-
 /// What a run may cost: of large problems, whose evaluations are long, less.
 std::uint64_t budget_of(const Case& c) {
   return c.y0.size() > dense_dimension_limit ? 1'500 : 10'000;
 }
 
-class Chosen {
- public:
-  explicit Chosen(const Case& c) : case_(c) {
-    for (const Entrant& entrant : c.entrants) entrants_[entrant.info.id()] = &entrant;
-  }
-  void add(const std::string& id, const std::string& status, std::uint64_t evaluations,
-           DrawnRun run) {
-    const auto found = entrants_.find(id);
-    if (found == entrants_.end() || !found->second->unfit.empty()) return;
-    // Of a run that failed, what came before.
-    if (status == "not_applicable" || status == to_string(Status::over_budget) ||
-        status == to_string(Status::refused) || evaluations > budget_of(case_))
-      return;
-    run.entrant = found->second;
-    if (known_.insert({id, run.mode, run.steps, run.tolerance}).second) runs.push_back(run);
-  }
-  std::vector<DrawnRun> runs;
-
- private:
-  const Case& case_;
-  std::map<std::string, const Entrant*> entrants_;
-  std::set<Key> known_;
-};
-
-nlohmann::ordered_json drawn(const Case& c, double end, const std::vector<DrawnRun>& runs,
-                             unsigned jobs) {
-  std::vector<Request> requests;
-  std::set<double> times;
-  for (const DrawnRun& run : runs) {
-    requests.push_back(drawn_request(c, run, 4 * budget_of(c)));
-    times.insert(requests.back().stops.begin(), requests.back().stops.end());
-  }
-  std::vector<Outcome> outcomes(runs.size());
+nlohmann::ordered_json drawn(const Case& c, double end, std::vector<CaseRun> runs, unsigned jobs) {
   parallel_for(runs.size(), jobs,
-               [&](std::size_t i) { outcomes[i] = runs[i].entrant->solve(requests[i]); });
+               [&](std::size_t i) { runs[i].outcome = runs[i].entrant->solve(runs[i].request); });
+  std::set<double> times;
+  for (const CaseRun& run : runs) times.insert(run.request.stops.begin(), run.request.stops.end());
   Solutions solutions(c, end, exact_curve(c, {times.begin(), times.end()}));
-  for (std::size_t i = 0; i < runs.size(); ++i) solutions.add(runs[i], requests[i], outcomes[i]);
+  for (const CaseRun& run : runs) solutions.add(run);
   return solutions.json();
 }
 
-/// By where they end: timed runs may be longer.
-std::map<double, Chosen> chosen_of(const Case& c, const study::ConvergenceResult& converged,
-                                   const study::PrecisionResult& timed) {
-  std::map<double, Chosen> by_end;
+/// The runs to draw, by where they end: timed runs may be longer. Of a run that failed, what came
+/// before is drawn.
+std::map<double, std::vector<CaseRun>> chosen_of(const Case& c,
+                                                 const study::ConvergenceResult& converged,
+                                                 const study::PrecisionResult& timed) {
+  std::map<std::string, const Entrant*> entrants;
+  for (const Entrant& entrant : c.entrants)
+    if (entrant.unfit.empty()) entrants[entrant.info.id()] = &entrant;
+  std::map<double, std::vector<CaseRun>> by_end;
+  std::set<std::tuple<const Entrant*, double, Mode, double>> known;  // end, steps or 1 / tolerance
   const auto add = [&](const auto& row, double setting, double end) {
-    if (row.case_id != c.id || std::isnan(setting)) return;
-    DrawnRun run{.mode = row.mode, .end = end};
-    if (run.mode == Mode::fixed)
-      run.steps = static_cast<std::uint64_t>(std::llround((end - c.t0) / setting));
-    else
-      run.tolerance = setting;
-    by_end.try_emplace(end, c).first->second.add(row.library + "/" + row.solver, row.status,
-                                                 row.counters.rhs_evaluations, run);
+    if (row.case_id != c.id || std::isnan(setting) || row.status == "not_applicable" ||
+        row.status == to_string(Status::over_budget) || row.status == to_string(Status::refused) ||
+        row.counters.rhs_evaluations > budget_of(c))
+      return;
+    const auto found = entrants.find(row.library + "/" + row.solver);
+    if (found == entrants.end()) return;
+    const Request request =
+        drawn_request(c, row.mode, setting, end, {.evaluations = 4 * budget_of(c), .seconds = 2});
+    if (known.emplace(found->second, end, row.mode, fineness_of(request)).second)
+      by_end[end].push_back({found->second, request, {}});
   };
   for (const study::ConvergenceRow& row : converged.rows)
     add(row, row.mode == Mode::fixed ? row.step : row.tolerance, c.stops.back());
@@ -98,7 +73,7 @@ void add_solutions(report::Report& report, const std::vector<std::string>& cases
     const Case& c = study::find_case(facts.id);
     nlohmann::ordered_json sets = nlohmann::ordered_json::array();
     for (const auto& [end, chosen] : chosen_of(c, converged, timed))
-      if (!chosen.runs.empty()) sets.push_back(drawn(c, end, chosen.runs, jobs));
+      sets.push_back(drawn(c, end, chosen, jobs));
     if (sets.empty()) continue;
     const std::string name = fmt::format("solutions-{}", kept.size());
     report.data(name, nlohmann::ordered_json{{"sets", sets}}.dump());

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/trajectories/run_page.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -115,14 +112,13 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
                      const std::vector<CaseRun>& runs, const RunTexts& texts) {
   report::Report page(facts_of(runs), folder);
   const ExactStates exact = exact_states(c, runs);
-  const record::Records trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs),
-                        schemes = case_schemes(c, runs);
+  const record::Records trajectory = case_trajectory(c, runs, exact), steps = case_steps(c, runs);
   folder.write("solution.csv", case_solution(c, runs).csv());
   folder.write("trajectory.csv", trajectory.csv());
   folder.write("steps.csv", steps.csv());
   page.table("runs", "trajectory.csv", trajectory);
   page.table("runs", "steps.csv", steps);
-  page.table("runs", "schemes", schemes);
+  page.table("runs", "schemes", case_schemes(c, runs));
   page.table("runs", "why.csv", texts.bounds);
   std::vector<RunRow> rows;
   for (const CaseRun& run : runs) {
@@ -165,10 +161,8 @@ bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
   page.rows("runs", rows);
   page.table("runs", "energies", energies);
   ordered_json json = page_facts("scene", texts);
-  const auto plot = plot_of(scene);
-  const record::Records table = plot ? plotted(scene, problem, runs, *plot) : record::Records();
-  if (plot) {
-    page.table("runs", "plotted", table);
+  if (const auto plot = plot_of(scene)) {
+    page.table("runs", "plotted", plotted(scene, problem, runs, *plot));
     json["plot"] = {{"particle", plot->particle},
                     {"coordinate", std::string(1, "xyz"[plot->coordinate])}};
     if (plot->y_range) json["plot"]["range"] = *plot->y_range;

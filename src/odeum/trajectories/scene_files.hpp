@@ -32,8 +32,16 @@ std::string replay_page(const scene::Scene& scene, const scene::RunResult& run,
                         const std::vector<std::string>& facts,
                         const std::vector<std::vector<double>>& errors = {});
 
-/// All of these, into the subfolder `in`, which ends with a slash or is empty; the last frame where
-/// the run ended well. Throws FileError.
+/// Writes film/0001.png, ... of at most `most` frames, evenly chosen, into the subfolder `in`,
+/// which ends with a slash or is empty: pictures of 960 x 720 pixels, with cloths as faces, other
+/// springs as lines, particles as balls in the colour of their speed, planes as grids, spheres. The
+/// eye stands as on the replay page. Returns the command of ffmpeg that makes a film of them at the
+/// scene's own speed. Throws FileError.
+std::string write_film(const record::OutputFolder& folder, const scene::Scene& scene,
+                       const scene::RunResult& run, std::size_t most, const std::string& in);
+
+/// All of these but the film, into the subfolder `in`, which ends with a slash or is empty; the
+/// last frame where the run ended well. Throws FileError.
 void write_scene_files(const record::OutputFolder& folder, const std::string& in,
                        const scene::Scene& scene, const scene::RunResult& run,
                        const std::vector<std::string>& facts);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/judge/errors.hpp"
@@ -17,7 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t outputs = 100;
 constexpr int fine = 1000;     // levels over the range of a component
 constexpr int unknown = 9999;  // of a logarithm
 /// How far a computed curve may lie from the truth at the stops, over the largest component there.
@@ -42,12 +43,11 @@ double largest_of(const Case& c) {
 }
 
 // A run through the times by the extrapolation method of the computed references.
-ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
-  std::vector<double> all = times;
+ExactStates computed_curve(const Case& c, const std::vector<double>& times) {
+  std::set<double> with_stops(times.begin(), times.end());
   for (const double stop : c.stops)
-    if (stop <= times.back()) all.push_back(stop);
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (stop <= times.back()) with_stops.insert(stop);
+  const std::vector<double> all(with_stops.begin(), with_stops.end());
   const std::size_t n = c.y0.size();
   truth::System system;
   system.states = n;
@@ -65,21 +65,18 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
                tolerance = std::clamp(0.01 * c.truth.floor / scale, 1e-13, 1e-10);
   const truth::Run run = truth::extrapolation_run(system, {all.begin(), all.end()},
                                                   {.tolerance = tolerance, .budget = 1e9});
-  ExactCurve curve{
-      .times = {}, .states = {}, .source = "extrapolation in extended precision", .size = n};
+  ExactStates curve{.source = "extrapolation in extended precision"};
   const auto measured = judge::measured_components(c);
   double apart = 0;
   bool checked = false;
   for (std::size_t k = 0; k < run.states.size(); ++k) {
+    const std::vector<double> state(run.states[k].begin(), run.states[k].end());
     if (std::ranges::binary_search(c.stops, all[k]) && c.truth.at(all[k], y.data())) {
       checked = true;
       for (const std::size_t i : measured)
-        apart = std::fmax(apart,
-                          std::abs(static_cast<double>(run.states[k][i]) - y[i]) / c.scale_of(i));
+        apart = std::fmax(apart, std::abs(state[i] - y[i]) / c.scale_of(i));
     }
-    curve.times.push_back(all[k]);
-    for (const truth::Real value : run.states[k])
-      curve.states.push_back(static_cast<double>(value));
+    curve.states.emplace(all[k], state);
   }
   curve.floor = apart + c.truth.floor;
   curve.everywhere = checked && run.end.empty() && apart <= most_apart * scale;
@@ -88,76 +85,51 @@ ExactCurve computed_curve(const Case& c, const std::vector<double>& times) {
 
 }  // namespace
 
-Request drawn_request(const Case& c, const DrawnRun& run, std::uint64_t evaluations) {
+Request drawn_request(const Case& c, Mode mode, double setting, double end, const Budget& budget,
+                      std::uint64_t outputs) {
   Request request;
-  request.mode = run.mode;
-  request.steps = run.steps;
-  request.tolerance = run.tolerance;
+  request.mode = mode;
+  if (mode == Mode::fixed)
+    request.steps = static_cast<std::uint64_t>(std::llround((end - c.t0) / setting));
+  else
+    request.tolerance = setting;
   request.over_stops = true;
-  request.budget.evaluations = evaluations;
-  request.budget.seconds = 2;
-  const std::uint64_t parts = run.mode == Mode::fixed ? run.steps : outputs;
+  request.budget = budget;
+  const std::uint64_t parts = mode == Mode::fixed ? request.steps : outputs;
   const std::uint64_t apart = (parts + outputs - 1) / outputs;
   for (std::uint64_t i = apart; i < parts; i += apart)
-    request.stops.push_back(c.t0 + static_cast<double>(i) *
-                                       ((run.end - c.t0) / static_cast<double>(parts)));
-  request.stops.push_back(run.end);
+    request.stops.push_back(c.t0 +
+                            static_cast<double>(i) * ((end - c.t0) / static_cast<double>(parts)));
+  request.stops.push_back(end);
   return request;
 }
 
 std::vector<std::size_t> drawn_components(const Case& c) {
   const std::size_t n = c.y0.size();
   if (n > 4 && c.problem.view.second_order()) {
-    std::size_t most = 0;
-    double largest = -1;
-    std::vector<double> y(n);
-    for (std::size_t i = 0; i < n / 2; ++i) {
-      double moved = 0;
-      for (const double stop : c.stops)
-        if (c.truth.at(stop, y.data())) moved = std::fmax(moved, std::abs(y[i] - c.y0[i]));
-      if (moved > largest) {
-        largest = moved;
-        most = i;
-      }
-    }
+    std::vector<double> y(n), moved(n / 2);
+    for (const double stop : c.stops)
+      if (c.truth.at(stop, y.data()))
+        for (std::size_t i = 0; i < n / 2; ++i)
+          moved[i] = std::fmax(moved[i], std::abs(y[i] - c.y0[i]));
+    const auto most = static_cast<std::size_t>(std::ranges::max_element(moved) - moved.begin());
     return {most, n / 2 + most};
   }
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < std::min<std::size_t>(n, 4); ++i) all.push_back(i);
+  std::vector<std::size_t> all(std::min<std::size_t>(n, 4));
+  std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-const double* ExactCurve::at(double t) const {
-  const auto found = std::ranges::lower_bound(times, t);
-  return found == times.end() || *found != t
-             ? nullptr
-             : states.data() + static_cast<std::size_t>(found - times.begin()) * size;
-}
-
-ExactCurve exact_curve(const Case& c, std::vector<double> times) {
-  ExactCurve known{.times = {},
-                   .states = {},
-                   .everywhere = true,
-                   .floor = c.truth.floor,
-                   .source = c.truth.source,
-                   .size = c.y0.size()};
-  std::vector<double> y(c.y0.size());
-  for (const double t : times) {
-    if (!c.truth.at(t, y.data())) {
-      known.everywhere = false;
-      continue;
-    }
-    known.times.push_back(t);
-    known.states.insert(known.states.end(), y.begin(), y.end());
-  }
+ExactStates exact_curve(const Case& c, const std::vector<double>& times) {
+  ExactStates known = true_states(c, times);
   if (known.everywhere || times.empty()) return known;
   // A truth of fewer digits can't check the curve.
   if (c.y0.size() <= dense_dimension_limit && c.truth.floor <= most_apart * largest_of(c))
-    if (ExactCurve computed = computed_curve(c, times); computed.everywhere) return computed;
+    if (ExactStates computed = computed_curve(c, times); computed.everywhere) return computed;
   return known;
 }
 
-Solutions::Solutions(const Case& c, double end, ExactCurve exact)
+Solutions::Solutions(const Case& c, double end, ExactStates exact)
     : case_(c),
       end_(end),
       exact_(std::move(exact)),
@@ -167,14 +139,13 @@ Solutions::Solutions(const Case& c, double end, ExactCurve exact)
       high_(components_.size()) {
   for (std::size_t k = 0; k < components_.size(); ++k) low_[k] = high_[k] = c.y0[components_[k]];
   if (c.energy) energy_scale_ = std::abs(c.energy(c.y0.data()));
-  for (std::size_t j = 0; j < exact_.times.size(); ++j) {
-    const double* const y = exact_.states.data() + j * exact_.size;
+  for (const auto& [t, y] : exact_.states) {
     for (std::size_t k = 0; k < components_.size(); ++k) {
       if (!std::isfinite(y[components_[k]])) continue;
       low_[k] = std::min(low_[k], y[components_[k]]);
       high_[k] = std::max(high_[k], y[components_[k]]);
     }
-    if (c.energy) energy_scale_ = std::fmax(energy_scale_, std::abs(c.energy(y)));
+    if (c.energy) energy_scale_ = std::fmax(energy_scale_, std::abs(c.energy(y.data())));
   }
   for (std::size_t k = 0; k < components_.size(); ++k) {
     const double size = high_[k] - low_[k],
@@ -205,34 +176,38 @@ std::size_t Solutions::curve(std::vector<int> values) {
   return curves_.size() - 1;
 }
 
-void Solutions::add(const DrawnRun& run, const Request& request, const Outcome& outcome) {
-  const std::size_t n = case_.y0.size(), reached = outcome.states.size() / n;
+void Solutions::add(const CaseRun& run) {
+  const Request& request = run.request;
+  const std::size_t n = case_.y0.size(), reached = run.reached(n);
   if (reached == 0) return;
   std::vector<int> values, errors, energies;
   bool some_error = false;
   for (std::size_t k = 0; k < reached; ++k) {
-    const double* const y = outcome.states.data() + k * n;
-    const double* const exact = exact_.at(request.stops[k]);
+    const double* const y = run.outcome.states.data() + k * n;
     for (const int level : levels(y)) values.push_back(level);
-    double error = exact ? 0 : nan;
-    if (exact)
-      for (const std::size_t i : measured_)
-        if (const double e = std::abs(y[i] - exact[i]) / case_.scale_of(i); !(e <= error))
-          error = e;
-    some_error = some_error || exact;
+    const auto exact = exact_.states.find(request.stops[k]);
+    if (exact == exact_.states.end()) {
+      errors.push_back(unknown);
+      continue;
+    }
+    some_error = true;
+    double error = 0;
+    for (const std::size_t i : measured_)
+      if (const double e = std::abs(y[i] - exact->second[i]) / case_.scale_of(i); !(e <= error))
+        error = e;
     errors.push_back(logarithm(error));
-    if (case_.energy && exact)
-      energies.push_back(
-          logarithm(std::abs(case_.energy(y) - case_.energy(exact)) / energy_scale_));
+    if (case_.energy)
+      energies.push_back(logarithm(std::abs(case_.energy(y) - case_.energy(exact->second.data())) /
+                                   energy_scale_));
   }
-  const bool fixed = run.mode == Mode::fixed;
-  const std::string key =
-      fmt::format("{}:{}", report::plain(run.entrant->info.id()),
-                  fixed ? fmt::format("fixed:{}", run.steps)
-                        : fmt::format("adaptive:{}", std::lround(-std::log10(run.tolerance))));
+  const bool fixed = request.mode == Mode::fixed;
+  const std::string key = fmt::format(
+      "{}:{}:{}", report::plain(run.entrant->info.id()), to_string(request.mode),
+      fixed ? request.steps
+            : static_cast<std::uint64_t>(std::lround(-std::log10(request.tolerance.relative))));
   if (!some_error) errors.clear();
   if (energies.size() != reached) energies.clear();
-  runs_[key] = {fixed ? run.steps : outputs, curve(std::move(values)), errors, energies};
+  runs_[key] = {fixed ? request.steps : drawn_outputs, curve(std::move(values)), errors, energies};
 }
 
 Json Solutions::json() const {
@@ -247,14 +222,16 @@ Json Solutions::json() const {
   }
   std::vector<int> exact;
   // Some 400 of the exact states: between them the eye sees no corner.
-  const std::size_t known = exact_.times.size(), every = std::max<std::size_t>(1, known / 400);
-  for (std::size_t j = 0; j < known; j = j + 1 < known ? std::min(j + every, known - 1) : known) {
-    times.push_back(number(exact_.times[j]));
-    for (const int level : levels(exact_.states.data() + j * exact_.size)) exact.push_back(level);
+  const std::size_t known = exact_.states.size(), every = std::max<std::size_t>(1, known / 400);
+  std::size_t j = 0;
+  for (const auto& [t, y] : exact_.states) {
+    if (j++ % every != 0 && j < known) continue;
+    times.push_back(number(t));
+    for (const int level : levels(y.data())) exact.push_back(level);
   }
   return {{"start", number(case_.t0)},
           {"end", number(end_)},
-          {"outputs", outputs},
+          {"outputs", drawn_outputs},
           {"fine", fine},
           {"names", names},
           {"low", low},
