@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "odeum/studies/convergence/summary.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "support/report_fixture.hpp"
 
 namespace odeum::study::summary_test {

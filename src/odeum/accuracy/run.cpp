@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "odeum/accuracy/stepper.hpp"
-#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/record/table.hpp"
@@ -99,18 +98,14 @@ int check_stability(const std::string& axis, const std::string& claimed) {
   if ((axis != "real" && axis != "imaginary") || read.ec != std::errc() ||
       read.ptr != claimed.data() + claimed.size())
     throw std::invalid_argument("stability takes real or imaginary, and a number");
-  for (const Case& c : all_cases()) {
-    if (c.plane != "lambda") continue;
-    const Probe probe = c.probe();
-    study::GrowthMeter meter(probe, probe.entrants.back(), false, study::limit_length);
-    const judge::LimitFound found = judge::find_limit(
-        [&](double x) { return axis == "real" ? meter.measure(-x, 0) : meter.measure(0, x); });
-    const bool right = std::abs(found.limit - limit) <= last_digit(claimed);
-    fmt::print("stability limit on the {} axis: claimed {}, measured {:.6g}{}\n", axis, claimed,
-               found.limit, right ? "" : ", which is another");
-    return right ? holds : fails;
-  }
-  throw std::logic_error("no case has a plane of lambda");
+  const Probe probe = study::case_with_plane("lambda").probe();
+  study::GrowthMeter meter(probe, probe.entrants.back(), false, study::limit_length);
+  const judge::LimitFound found = judge::find_limit(
+      [&](double x) { return axis == "real" ? meter.measure(-x, 0) : meter.measure(0, x); });
+  const bool right = std::abs(found.limit - limit) <= last_digit(claimed);
+  fmt::print("stability limit on the {} axis: claimed {}, measured {:.6g}{}\n", axis, claimed,
+             found.limit, right ? "" : ", which is another");
+  return right ? holds : fails;
 }
 
 }  // namespace

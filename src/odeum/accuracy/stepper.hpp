@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "odeum/solvers/enroll_method.hpp"

@@ -83,13 +83,9 @@ study::ResultCache result_cache_of(record::Store* store, const study::Options& o
   study::Options settings = options;
   settings.cases.clear();
   settings.solvers.clear();
-  const auto of_pair = [run, of_built_in = build + settings.text()](const Case& c,
-                                                                    const SolverInfo&) {
-    return is_built_in(c) ? of_built_in : run;
-  };
   return {.store = store,
           .dependencies = run,
-          .dependencies_of_pair = of_pair,
+          .dependencies_of_built_in = build + settings.text(),
           .share = part().share,
           .seconds = seconds_of_tasks(),
           .settings = "seconds " + settings.text()};

@@ -15,7 +15,7 @@
 #include "odeum/core/glob.hpp"
 #include "odeum/report/report.hpp"
 #include "odeum/report/text.hpp"
-#include "odeum/studies/convergence/summary.hpp"
+#include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/questions.hpp"
 #include "odeum/studies/runner.hpp"
 #include "odeum/trajectories/report_parts.hpp"

@@ -142,7 +142,6 @@ int sweep_on(const SweepOptions& options, const CLI::App& command) {
       if (part().role != Role::alone)
         plan.kept = {.store = store.get(),
                      .dependencies = part().mark + mark_of_loaded(),
-                     .dependencies_of_pair = {},
                      .share = part().share};
       results.push_back(sweep::run(plan));
       if (part().role == Role::plan || part().role == Role::shard) continue;

@@ -22,13 +22,6 @@ ordered_json number(double value) {
 
 }  // namespace
 
-std::vector<std::string> Facts::library_names() const {
-  std::vector<std::string> names;
-  for (const SolverInfo& solver : solvers)
-    if (std::ranges::find(names, solver.library) == names.end()) names.push_back(solver.library);
-  return names;
-}
-
 bool is_closed_form(const SolverInfo& solver) { return solver.family == "exponential"; }
 
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries) {

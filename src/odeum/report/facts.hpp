@@ -32,9 +32,6 @@ struct Facts {
   std::vector<CaseFacts> cases;
   std::vector<SolverInfo> solvers;  ///< each once, in the order of enrolment
   std::vector<LibraryInfo> libraries;
-
-  /// The libraries whose solvers take part, in the order of the solvers.
-  std::vector<std::string> library_names() const;
 };
 
 /// Whether a solver evaluates a closed form of the solution, exact at any step: it stands beside

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <iterator>
 #include <queue>
 #include <sstream>
 #include <tuple>
@@ -39,9 +39,9 @@ void add_shards(const PlannedTasks& foreseen, std::vector<std::size_t> tasks, do
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
   for (std::size_t k = 0; k < count; ++k) loads.emplace(0, 0, k);
   for (const std::size_t task : tasks) {
-    Bin& bin = bins[std::get<2>(loads.top())];
-    const std::size_t at = std::get<2>(loads.top());
+    const auto [seconds, held, at] = loads.top();
     loads.pop();
+    Bin& bin = bins[at];
     bin.seconds += foreseen.seconds[task];
     bin.tasks.push_back(task);
     loads.emplace(bin.seconds, bin.tasks.size(), at);
@@ -79,10 +79,8 @@ std::string text_of_shares(const std::vector<std::uint32_t>& shares) {
 }
 
 std::vector<std::uint32_t> shares_of(const std::string& text) {
-  std::vector<std::uint32_t> shares;
   std::istringstream in(text);
-  for (std::uint32_t shard = 0; in >> shard;) shares.push_back(shard);
-  return shares;
+  return {std::istream_iterator<std::uint32_t>(in), {}};
 }
 
 }  // namespace odeum::study

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/record/csv.hpp"
 
 namespace odeum::study {
+
 void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t)>& earlier_of,
                        const std::function<void(std::size_t)>& work) {
   constexpr std::size_t most = 32, one_of = 64;
@@ -45,6 +45,11 @@ void PlannedTasks::add(std::size_t tasks, const std::function<double(std::size_t
     const bool nearer = last < tasks && (next >= tasks || i - last <= next - i);
     seconds.push_back(nearer ? known[last] : next < tasks ? known[next] : 1);
   }
+}
+
+const std::string& Runner::dependencies_of(const Pair& pair) const {
+  const bool built_in = !cache_.dependencies_of_built_in.empty() && is_built_in(*pair.c);
+  return built_in ? cache_.dependencies_of_built_in : cache_.dependencies;
 }
 
 double Runner::seconds_of(const std::string& name) const {

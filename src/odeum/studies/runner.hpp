@@ -60,6 +60,11 @@ Row not_applicable(Row row, const std::string& reason) {
   return row;
 }
 
+/// Adds a sentence to the detail of a row.
+void remark(auto& row, const std::string& sentence) {
+  row.detail += (row.detail.empty() ? "" : "; ") + sentence;
+}
+
 /// What a plan learns of the tasks of a command.
 struct PlannedTasks {
   std::vector<double> seconds = {};      ///< of the processor, by task, in the order of a run
@@ -96,8 +101,8 @@ struct ResultCache {
   record::Store* store = nullptr;  ///< null: nowhere
   /// What any result of the run depends on: the whole program and all options.
   std::string dependencies = {};
-  /// What a result of this case and solver depends on; empty: `dependencies` for them too.
-  std::function<std::string(const Case&, const SolverInfo&)> dependencies_of_pair = {};
+  /// What those of pairs on the project's own cases depend on; empty: `dependencies`, too.
+  std::string dependencies_of_built_in = {};
   Share share = {};
   record::Store* seconds = nullptr;  ///< where the seconds of tasks are kept, for plans
   std::string settings = {};         ///< by which these are: the options that are no globs
@@ -132,10 +137,7 @@ class Runner {
 
  private:
   const std::string& dependencies_of(const auto&) const { return cache_.dependencies; }
-  std::string dependencies_of(const Pair& pair) const {
-    return cache_.dependencies_of_pair ? cache_.dependencies_of_pair(*pair.c, pair.entrant->info)
-                                       : cache_.dependencies;
-  }
+  const std::string& dependencies_of(const Pair& pair) const;
 
   template <class Task, class Key, class Work>
   auto run_by(unsigned jobs, const std::string& what, const std::vector<Task>& tasks, Key&& key,

@@ -13,27 +13,23 @@ SpectrumAlong spectrum_along(const Case& c, double time) {
   SpectrumAlong along;
   const std::size_t n = c.y0.size();
   const bool small = n <= dense_dimension_limit;
+  const std::string explicit_pair = "odeum/dormand_prince54";
   const int points = small ? 32 : 8;
   Request request;
   request.mode = Mode::adaptive;
   for (int k = 1; k <= points; ++k) request.stops.push_back(c.t0 + time * k / points);
   Outcome outcome = refused("no solver fits");
-  const auto solve = [&](const char* solver, double tolerance) {
+  std::vector<std::string> solvers{"odeum/radau_iia5"};
+  if (!small) solvers.insert(c.has_tag("stiff") ? solvers.end() : solvers.begin(), explicit_pair);
+  for (const std::string& solver : solvers) {
     const Entrant& entrant = find_solver(c.entrants, solver);
-    if (!entrant.solve || outcome.status == Status::ok) return;
-    set_tolerance(request, c, tolerance);
-    outcome = entrant.solve(request);
-  };
-  const auto solve_explicitly = [&] {
-    request.over_stops = true;
-    request.budget.evaluations = 2 * c.settings.evaluation_budget;
-    solve("odeum/dormand_prince54", 1e-6);
-    request.over_stops = false;
+    if (!entrant.solve || outcome.status == Status::ok) continue;
+    set_tolerance(request, c, small ? 1e-8 : 1e-6);
+    request.over_stops = solver == explicit_pair;
     request.budget = {};
-  };
-  if (!small && !c.has_tag("stiff")) solve_explicitly();
-  solve("odeum/radau_iia5", small ? 1e-8 : 1e-6);
-  if (!small && c.has_tag("stiff")) solve_explicitly();
+    if (solver == explicit_pair) request.budget.evaluations = 2 * c.settings.evaluation_budget;
+    outcome = entrant.solve(request);
+  }
   if (outcome.status != Status::ok) {
     along.reason = "the solution could not be computed: " + outcome.detail;
     return along;

@@ -5,13 +5,10 @@
 #include <sched.h>
 #endif
 
-#include <ctime>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "odeum/core/machine.hpp"
 #include "odeum/core/numbers.hpp"
@@ -41,11 +38,10 @@ Pinned::Pinned() {
   if (sched_setaffinity(0, sizeof one, &one) != 0) return;
   before_.resize(sizeof before);
   std::memcpy(before_.data(), &before, sizeof before);
-  held_ = true;
 }
 
 Pinned::~Pinned() {
-  if (!held_) return;
+  if (before_.empty()) return;
   cpu_set_t before;
   std::memcpy(&before, before_.data(), sizeof before);
   sched_setaffinity(0, sizeof before, &before);
@@ -67,7 +63,7 @@ bool disturbed(const Conditions& conditions) {
 }
 
 double calibration_ns() {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (int run = 0; run < 9; ++run) {
     // Four chains of the logistic map: dependent arithmetic, as a trajectory is.
     double x[4] = {0.1, 0.2, 0.3, 0.4};

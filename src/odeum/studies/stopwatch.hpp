@@ -20,11 +20,9 @@ class Pinned {
   ~Pinned();
   Pinned(const Pinned&) = delete;
   Pinned& operator=(const Pinned&) = delete;
-  bool held() const { return held_; }
 
  private:
-  bool held_ = false;
-  std::vector<unsigned char> before_;
+  std::vector<unsigned char> before_;  ///< where it ran; empty: not pinned
 };
 
 /// Nanoseconds of a fixed piece of arithmetic, the least of several runs: a measure of the

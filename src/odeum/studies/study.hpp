@@ -39,6 +39,15 @@ struct Option {
   bool whole = false;  ///< the number has to be an integer
 };
 
+/// An option whose value is a whole number.
+inline Option whole_number(std::string name, double least, double most, std::string help) {
+  return {.name = std::move(name),
+          .help = std::move(help),
+          .least = least,
+          .most = most,
+          .whole = true};
+}
+
 /// A study as the command line needs it.
 struct Declaration {
   std::string name;         ///< of the command

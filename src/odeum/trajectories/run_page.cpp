@@ -29,15 +29,15 @@ struct RunRow {
                 result, replay)
 };
 
-RunRow row_of(const SolverInfo& info, const Request& request, double t0, Status status,
-              const std::string& detail, const Counters& counters) {
-  return {.library = info.library,
-          .solver = info.method,
-          .status = to_string(status),
-          .detail = detail,
-          .setting_kind = setting_kind(request.mode),
-          .setting = setting_of(request, t0),
-          .counters = counters};
+/// Of a CaseRun or a SceneRun.
+RunRow row_of(const auto& run, double t0) {
+  return {.library = run.entrant->info.library,
+          .solver = run.entrant->info.method,
+          .status = to_string(run.outcome.status),
+          .detail = run.outcome.detail,
+          .setting_kind = setting_kind(run.request.mode),
+          .setting = setting_of(run.request, t0),
+          .counters = run.outcome.counters};
 }
 
 report::Facts facts_of(const auto& runs) {
@@ -122,8 +122,7 @@ bool write_case_page(const record::OutputFolder& folder, const Case& c,
   page.table("runs", "why.csv", texts.bounds);
   std::vector<RunRow> rows;
   for (const CaseRun& run : runs) {
-    rows.push_back(row_of(run.entrant->info, run.request, c.t0, run.outcome.status,
-                          run.outcome.detail, run.outcome.counters));
+    rows.push_back(row_of(run, c.t0));
     if (run.outcome.status == Status::ok)
       rows.back().result = judge::Judge(c, run.request.stops).errors(run.outcome).back().error_max;
   }
@@ -151,8 +150,7 @@ bool write_scene_page(const record::OutputFolder& folder, const scene::Scene& sc
     for (const scene::Frame& frame : frames)
       energies.rows.push_back({info.library, info.method, frame.t, frame.kinetic, frame.potential,
                                frame.kinetic + frame.potential});
-    rows.push_back(
-        row_of(info, run.request, 0, run.outcome.status, run.outcome.detail, run.outcome.counters));
+    rows.push_back(row_of(run, 0));
     rows.back().result = frames.back().kinetic + frames.back().potential - frames.front().kinetic -
                          frames.front().potential;
     rows.back().replay = run.folder + "replay.html";

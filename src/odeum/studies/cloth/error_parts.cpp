@@ -45,7 +45,7 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
     const bool iterates = plan.converged.sweeps + plan.converged.newton > 0;
     const Reached half = iterates ? run(steps, plan.half) : at;
     for (const Iterations& iterations : plan.tried) {
-      ErrorPartsRow row;
+      ErrorPartsRow& row = rows.emplace_back(plan.blank);
       row.time = plan.time;
       row.step = plan.time / static_cast<double>(steps);
       row.sweeps = iterations.sweeps;
@@ -61,7 +61,6 @@ std::vector<ErrorPartsRow> split_error(const SplitPlan& plan, const RunCloth& ru
         row.iteration_left = distance(*at.positions, *half.positions);
       if (limit && at.positions) row.time_step = distance(*at.positions, *limit);
       if (limit) row.model = distance(*limit, truth);
-      rows.push_back(std::move(row));
     }
   }
   return rows;
@@ -83,6 +82,7 @@ ClothResult measure_error_parts(const Options& options, const Runner& runner) {
   for (const Entrant& entrant : cloth.entrants) {
     const SolverInfo& info = entrant.info;
     if (!is_compared(info, options)) continue;
+    plan.blank = named_row<ErrorPartsRow>(info);
     plan.order = std::isfinite(info.order) ? info.order : 1;
     plan.tried = {{}};
     plan.converged = plan.half = {};
@@ -110,16 +110,9 @@ ClothResult measure_error_parts(const Options& options, const Runner& runner) {
       outcome.states.resize(positions);
       return {std::move(outcome.states), {}};
     };
-    ClothResult result;
-    if (task.entrant->unfit.empty())
-      result.errors = split_error(task.plan, run, truth);
-    else
-      result.errors = {not_applicable(ErrorPartsRow(), task.entrant->unfit)};
-    for (ErrorPartsRow& row : result.errors) {
-      row.library = task.entrant->info.library;
-      row.solver = task.entrant->info.method;
-    }
-    return result;
+    if (!task.entrant->unfit.empty())
+      return ClothResult{.errors = {not_applicable(task.plan.blank, task.entrant->unfit)}};
+    return ClothResult{.errors = split_error(task.plan, run, truth)};
   });
 }
 

@@ -212,9 +212,7 @@ ClothResult measure_long_runs(const Options& options, const Runner& runner) {
     return fmt::format("{} {} {}", task.stage->name, task.entrant->info.id(), task.setting);
   };
   return runner.run("long runs", tasks, key, [](const Task& task) {
-    ClothResult result;
-    result.long_run = run(*task.stage, *task.entrant, task.mode, task.setting);
-    return result;
+    return ClothResult{.long_run = run(*task.stage, *task.entrant, task.mode, task.setting)};
   });
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/convergence/convergence.hpp"
 
-#include <array>
-#include <charconv>
-#include <cmath>
+#include <fmt/format.h>
+
 #include <map>
 #include <mutex>
 
@@ -41,13 +40,7 @@ class Measures {
 
 /// To so many significant digits.
 double rounded(double value, int digits) {
-  if (!std::isfinite(value)) return value;
-  std::array<char, 40> text{};
-  auto* const end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                  std::chars_format::scientific, digits - 1)
-                        .ptr;
-  std::from_chars(text.data(), end, value);
-  return value;
+  return record::number_of(fmt::format("{:.{}e}", value, digits - 1));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -69,14 +70,27 @@ struct OrderRow {
 };
 
 struct ConvergenceResult {
-  std::vector<ConvergenceRow> rows;
-  std::vector<TimeRow> times;
-  std::vector<OrderRow> orders;
+  std::vector<ConvergenceRow> rows = {};
+  std::vector<TimeRow> times = {};
+  std::vector<OrderRow> orders = {};
   static auto lists(auto& result) { return std::tie(result.rows, result.times, result.orders); }
 };
 
 /// Error against step for every fitting pair in both modes; `quick`: at fewer step sizes. Throws
 /// Interrupted.
 ConvergenceResult converge(const Options& options, const Runner& runner = Runner());
+
+/// How the solvers of one library did. A pair is a solver on a case in a mode.
+struct LibrarySummary {
+  std::string library;
+  std::size_t solvers = 0, pairs = 0;
+  std::array<std::size_t, static_cast<std::size_t>(judge::Verdict::not_applicable) + 1>
+      verdicts{};  ///< counts by Verdict
+};
+/// One entry a library, then one for all of them, with the name "all".
+std::vector<LibrarySummary> summarise(const report::Facts& facts,
+                                      const std::vector<OrderRow>& orders);
+/// The same for a terminal.
+std::string summary_text(const report::Facts& facts, const std::vector<OrderRow>& orders);
 
 }  // namespace odeum::study

@@ -147,8 +147,8 @@ class PairRuns {
 
   struct Run {
     ConvergenceRow row;
-    std::vector<TimeRow> times;
-    judge::ErrorPoint point;
+    std::vector<TimeRow> times = {};
+    judge::ErrorPoint point = {};
   };
 
   std::vector<Run>::const_iterator run_of_least_error() const {
@@ -164,8 +164,7 @@ class PairRuns {
     // Where runs are long, a low order that is clearly different needs no extra settings; high
     // orders converge late.
     const double claimed = claimed_order(pair_);
-    return claimed > 6 || !(std::abs(now.order - claimed) > 0.75) ||
-           pair_.c->y0.size() <= dense_dimension_limit;
+    return claimed > 6 || !(std::abs(now.order - claimed) > 0.75) || small_;
   }
 
   /// Those solved, down to the smallest error.
@@ -179,7 +178,6 @@ class PairRuns {
   }
 
   void run_between(const std::vector<Request>& requests, bool until_rounding) {
-    const bool small = pair_.c->y0.size() <= dense_dimension_limit;
     double spent = 0;
     for (const Request& request : requests) {
       const double left = static_cast<double>(request.budget.evaluations) - spent;
@@ -191,7 +189,7 @@ class PairRuns {
       });
       const Outcome outcome = pair_.entrant->solve(request);
       runs_.push_back(measure(request, outcome));
-      if (small && until_rounding) spent += static_cast<double>(outcome.counters.work);
+      if (small_ && until_rounding) spent += static_cast<double>(outcome.counters.work);
       if (pair_.mode == Mode::adaptive && outcome.status != Status::ok) break;
       if (!until_rounding || !near_rounding(runs_.back().point)) continue;
       at_floor_ = 1;
@@ -229,7 +227,7 @@ class PairRuns {
   }
 
   Run measure(const Request& request, const Outcome& outcome) const {
-    Run run{.row = make_row(pair_, request, outcome), .times = {}, .point = {}};
+    Run run{.row = make_row(pair_, request, outcome)};
     ConvergenceRow& row = run.row;
     run.point = {.step = row.step, .error = nan};
     row.judged.answer = judge::Answer::none;
@@ -256,6 +254,7 @@ class PairRuns {
   const judge::Amplification& amplification_;
   judge::Judge judge_;
   double rounding_unit_;
+  bool small_ = pair_.c->y0.size() <= dense_dimension_limit;
   std::vector<Run> runs_;
   int at_floor_ = 0;  ///< number of finest runs whose errors no longer fell, near rounding
   Foreseen foreseen_;
@@ -276,7 +275,7 @@ ConvergenceResult not_measured(const Pair& pair, const std::string& reason) {
   judge::OrderFit fit;
   fit.verdict = judge::Verdict::not_applicable;
   fit.reason = reason;
-  return {.rows = {row}, .times = {}, .orders = {make_order(pair, fit)}};
+  return {.rows = {row}, .orders = {make_order(pair, fit)}};
 }
 
 ConvergenceResult converge_pair(const Pair& pair, const CaseMeasures& measures, bool quick) {

@@ -7,6 +7,8 @@
 namespace odeum::study {
 namespace {
 
+bool is_small(const Case& c) { return c.y0.size() <= dense_dimension_limit; }
+
 // Where orders are measured, on the smooth cases and the cloths, the case sets the budget. Many
 // solvers cannot solve the hard ones at all: with this budget a full study spends five minutes on
 // them.
@@ -56,7 +58,7 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
   request.mode = pair.mode;
   request.stops = convergence_stops(*pair.c);
   request.budget.evaluations = pair.c->settings.evaluation_budget;
-  const bool many = pair.c->y0.size() > dense_dimension_limit;
+  const bool many = !is_small(*pair.c);
   if (!shows_orders(*pair.c))
     request.budget.evaluations =
         std::min(request.budget.evaluations, quick ? quick_hard_budget : hard_budget);
@@ -82,10 +84,8 @@ std::vector<Request> convergence_settings(const Pair& pair, bool quick) {
 
 std::vector<Request> settings_between(const Pair& pair, Request request,
                                       std::vector<std::uint64_t> informative, bool to_rounding) {
-  const bool small = pair.c->y0.size() <= dense_dimension_limit;
-  const bool smooth = pair.c->has_tag("smooth");
-  if (pair.mode != Mode::fixed || (small ? !smooth && !to_rounding : !smooth || !to_rounding))
-    return {};
+  const bool small = is_small(*pair.c), smooth = pair.c->has_tag("smooth");
+  if (small ? !smooth && !to_rounding : !smooth || !to_rounding) return {};
   constexpr std::size_t most_of_long_runs = 5;
   if (!small && informative.size() > most_of_long_runs)
     informative.erase(informative.begin(), informative.end() - most_of_long_runs);
@@ -108,9 +108,8 @@ std::vector<Request> settings_between(const Pair& pair, Request request,
 
 std::vector<Request> settings_beyond(const Pair& pair, Request request,
                                      const std::vector<std::uint64_t>& informative) {
-  const bool small = pair.c->y0.size() <= dense_dimension_limit;
-  const bool smooth = pair.c->has_tag("smooth");
-  if (pair.mode != Mode::fixed || informative.empty() || (!small && !smooth)) return {};
+  const bool small = is_small(*pair.c);
+  if (informative.empty() || (!small && !pair.c->has_tag("smooth"))) return {};
   // Where runs are cheap to a sixteenth of the step.
   std::uint64_t& budget = request.budget.evaluations;
   budget = small ? cheap_evaluations : 3 * budget;
@@ -135,8 +134,8 @@ std::vector<Request> tolerances_between(const Pair& pair, Request request,
 }
 
 std::vector<Request> tolerances_beyond(const Pair& pair, Request request, double finest) {
+  if (!is_small(*pair.c)) return {};
   std::vector<Request> requests;
-  if (pair.c->y0.size() > dense_dimension_limit) return requests;
   constexpr double tightest = 1e-13;  // methods in double can hardly ask for less
   request.budget.evaluations = cheap_evaluations;
   for (double tolerance = finest / std::sqrt(10); tolerance > 0.9 * tightest;

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "odeum/report/report.hpp"
+#include "odeum/report/text.hpp"
 #include "odeum/studies/convergence/convergence.hpp"
 #include "odeum/studies/convergence/order_reason.hpp"
-#include "odeum/studies/convergence/summary.hpp"
 #include "odeum/studies/questions.hpp"
 
 namespace odeum::study {
@@ -59,6 +59,38 @@ void show_more(report::Report& report, const ConvergenceResult& result) {
 }
 
 }  // namespace
+
+std::vector<LibrarySummary> summarise(const report::Facts& facts,
+                                      const std::vector<OrderRow>& orders) {
+  std::vector<LibrarySummary> list;
+  LibrarySummary all{.library = "all"};
+  const auto of = [&](const std::string& library) -> LibrarySummary& {
+    const auto found = std::ranges::find(list, library, &LibrarySummary::library);
+    return found == list.end() ? list.emplace_back(LibrarySummary{.library = library}) : *found;
+  };
+  for (const SolverInfo& solver : facts.solvers)
+    for (LibrarySummary* entry : {&of(solver.library), &all}) ++entry->solvers;
+  for (const OrderRow& row : orders)
+    for (LibrarySummary* entry : {&of(row.library), &all}) {
+      ++entry->pairs;
+      ++entry->verdicts[static_cast<std::size_t>(row.fit.verdict)];
+    }
+  list.push_back(all);
+  return list;
+}
+
+std::string summary_text(const report::Facts& facts, const std::vector<OrderRow>& orders) {
+  record::Table table{{{"library"}, {"solvers", true}, {"pairs", true}}, {}};
+  for (std::size_t i = 0; i < LibrarySummary().verdicts.size(); ++i)
+    table.columns.push_back({to_string(static_cast<judge::Verdict>(i)), true});
+  for (const LibrarySummary& entry : summarise(facts, orders)) {
+    auto& row = table.rows.emplace_back();
+    row = {report::plain(entry.library), std::to_string(entry.solvers),
+           std::to_string(entry.pairs)};
+    for (const std::size_t count : entry.verdicts) row.push_back(std::to_string(count));
+  }
+  return table.text();
+}
 
 std::unique_ptr<Study> make_convergence() {
   std::vector<std::string> quick = quick_cases();

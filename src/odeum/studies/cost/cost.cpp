@@ -17,8 +17,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+struct Turns {
+  std::vector<Times> times;  ///< by rival
+  Conditions conditions;
+};
+
 /// Interleaved runs of all, at least three times and for `seconds` each on average.
-std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, double seconds) {
+Turns take_turns(const std::vector<std::function<void()>>& rivals, double seconds) {
+  const Pinned pinned;
+  const ConditionsMeter meter;
   std::vector<Times> times(rivals.size());
   const auto start = Clock::now();
   const double all = seconds * static_cast<double>(rivals.size());
@@ -28,7 +35,7 @@ std::vector<Times> take_turns(const std::vector<std::function<void()>>& rivals, 
       if (interrupted) throw Interrupted();
       times[i].ns.push_back(time_call(rivals[i], 1e9));
     }
-  return times;
+  return {std::move(times), meter.end()};
 }
 
 constexpr double watched_for = timed_cloth_time;
@@ -131,11 +138,8 @@ std::vector<ClothCostRow> measure_cloth_cost(const std::vector<std::size_t>& sid
     const auto f32 = velocity_verlet_steps<float>(scene);
     // Some 5 ms a call; a step so short that nothing moves far.
     const std::size_t steps = 300'000 / (n * n) + 2;
-    const Pinned pinned;
-    const ConditionsMeter meter;
-    const auto times =
+    const auto [times, conditions] =
         take_turns({[&] { f64->run(1e-6, steps); }, [&] { f32->run(1e-6, steps); }}, seconds_each);
-    const Conditions conditions = meter.end();
     const auto each = static_cast<double>(steps * n * n);
     for (const auto& [name, time] : {std::pair{"f64", times[0]}, {"f32", times[1]}})
       rows.push_back({time.columns(each), n, name, conditions});
@@ -157,10 +161,7 @@ std::vector<ImplicitWinsRow> measure_implicit_wins(std::size_t side,
     std::vector<std::function<void()>> calls;
     calls.reserve(rivals.size());
     for (Rival& rival : rivals) calls.emplace_back([&rival] { rival.go(); });
-    const Pinned pinned;
-    const ConditionsMeter meter;
-    const auto times = take_turns(calls, seconds_each);
-    const Conditions conditions = meter.end();
+    const auto [times, conditions] = take_turns(calls, seconds_each);
     for (std::size_t i = 0; i < rivals.size(); ++i) {
       const Rival& rival = rivals[i];
       const double distance = rms_distance(rival.y, reference.y, scene.size());

@@ -49,8 +49,8 @@ inline constexpr std::uint64_t drift_steps = 10'000, drift_steps_of_large = 1'00
 inline constexpr std::size_t drift_most_unknowns = 12;
 
 struct DriftResult {
-  std::vector<DriftRow> rows;
-  std::vector<HorizonRow> horizons;
+  std::vector<DriftRow> rows = {};
+  std::vector<HorizonRow> horizons = {};
   static auto lists(auto& result) { return std::tie(result.rows, result.horizons); }
 };
 

@@ -48,29 +48,25 @@ ModelProblem mixed() {
   const auto gradient = [](Point p) {
     return Point{std::exp(p.x) * std::cos(2 * p.y), -2 * std::exp(p.x) * std::sin(2 * p.y)};
   };
+  const auto load = [](Point p) {
+    const double c = std::exp(p.x) * std::cos(2 * p.y), s = std::exp(p.x) * std::sin(2 * p.y);
+    // div(a grad u) = u_x + (1 + x) u_xx + 0.6 u_xy + 2 y u_y + (1 + y^2) u_yy
+    return -(c + (1 + p.x) * c - 1.2 * s - 4 * p.y * s - 4 * (1 + p.y * p.y) * c);
+  };
+  const auto flux = [=](Point p, Point normal) {
+    const fem::Tensor a = tensor(p);
+    const Point g = gradient(p);
+    return normal.x * (a.xx * g.x + a.xy * g.y) + normal.y * (a.xy * g.x + a.yy * g.y);
+  };
   return {.id = "poisson_unstructured_mixed",
           .title = "Varying tensor, two edges with a flux, an unstructured mesh",
           .equation = "-div(a grad u) = f, a = [[1 + x, 0.3], [0.3, 1 + y^2]]",
           .truth = "closed form: exp(x) cos(2 y)",
-          .problem = {.load =
-                          [](Point p) {
-                            const double c = std::exp(p.x) * std::cos(2 * p.y),
-                                         s = std::exp(p.x) * std::sin(2 * p.y);
-                            // div(a grad u) = u_x + (1 + x) u_xx + 0.6 u_xy + 2 y u_y + (1 + y^2)
-                            // u_yy
-                            return -(c + (1 + p.x) * c - 1.2 * s - 4 * p.y * s -
-                                     4 * (1 + p.y * p.y) * c);
-                          },
+          .problem = {.load = load,
                       .diffusion = tensor,
                       .is_dirichlet = [](Point p) { return p.x == 0 || p.y == 0; },
                       .boundary_value = value,
-                      .flux =
-                          [=](Point p, Point normal) {
-                            const fem::Tensor a = tensor(p);
-                            const Point g = gradient(p);
-                            return normal.x * (a.xx * g.x + a.xy * g.y) +
-                                   normal.y * (a.xy * g.x + a.yy * g.y);
-                          }},
+                      .flux = flux},
           .value = value,
           .gradient = gradient,
           .scale = std::numbers::e,
@@ -82,21 +78,21 @@ ModelProblem mixed() {
 
 /// No Dirichlet condition: the solution of mean 0.
 ModelProblem neumann() {
+  const auto load = [](Point p) {
+    return 5 * pi * pi * std::cos(pi * p.x) * std::cos(2 * pi * p.y);
+  };
+  const auto value = [](Point p) { return std::cos(pi * p.x) * std::cos(2 * pi * p.y); };
+  const auto gradient = [](Point p) {
+    return Point{-pi * std::sin(pi * p.x) * std::cos(2 * pi * p.y),
+                 -2 * pi * std::cos(pi * p.x) * std::sin(2 * pi * p.y)};
+  };
   return {.id = "poisson_square_neumann",
           .title = "A flux of 0 on the whole boundary",
           .equation = "-div grad u = 5 pi^2 cos(pi x) cos(2 pi y), mean of u is 0",
           .truth = "closed form: cos(pi x) cos(2 pi y)",
-          .problem = {.load =
-                          [](Point p) {
-                            return 5 * pi * pi * std::cos(pi * p.x) * std::cos(2 * pi * p.y);
-                          },
-                      .is_dirichlet = [](Point) { return false; }},
-          .value = [](Point p) { return std::cos(pi * p.x) * std::cos(2 * pi * p.y); },
-          .gradient =
-              [](Point p) {
-                return Point{-pi * std::sin(pi * p.x) * std::cos(2 * pi * p.y),
-                             -2 * pi * std::cos(pi * p.x) * std::sin(2 * pi * p.y)};
-              },
+          .problem = {.load = load, .is_dirichlet = [](Point) { return false; }},
+          .value = value,
+          .gradient = gradient,
           .coarsest = fem::unit_square(2),
           .undetermined = fem::Undetermined::mean_zero,
           .claims = smooth_claims_with_logarithm()};
@@ -134,6 +130,7 @@ ModelProblem corner() {
 }
 
 ModelProblem disc(bool follows_circle) {
+  const auto gradient = [](Point p) { return Point{-2 * p.x, -2 * p.y}; };
   ModelProblem model{.id = follows_circle ? "poisson_disc" : "poisson_disc_fixed_polygon",
                      .title = follows_circle ? "Disc, whose meshes follow its boundary"
                                              : "Disc as a hexagon, whose boundary is never refined",
@@ -141,10 +138,7 @@ ModelProblem disc(bool follows_circle) {
                      .truth = "closed form: 1 - x^2 - y^2",
                      .problem = {.load = [](Point) { return 4.; }},
                      .value = [](Point p) { return 1 - p.x * p.x - p.y * p.y; },
-                     .gradient =
-                         [](Point p) {
-                           return Point{-2 * p.x, -2 * p.y};
-                         },
+                     .gradient = gradient,
                      .coarsest = fem::polygon(6),
                      .divisions = 1,
                      .claims = smooth_claims(),
@@ -193,15 +187,12 @@ ModelProblem smooth_problem(const fem::Rule& rule) {
 }
 
 ModelProblem skewed_problem() {
+  const auto tensor = [](Point) { return fem::Tensor{1, -0.95, 1}; };
   return {.id = "poisson_square_skewed",
           .title = "Skewed tensor, for which Jacobi diverges",
           .equation = "-div(a grad u) = 1, a = [[1, -0.95], [-0.95, 1]]",
           .truth = "none: of the linear solvers alone",
-          .problem = {.load = [](Point) { return 1.; },
-                      .diffusion =
-                          [](Point) {
-                            return fem::Tensor{1, -0.95, 1};
-                          }},
+          .problem = {.load = [](Point) { return 1.; }, .diffusion = tensor},
           .coarsest = fem::unit_square(2),
           .claims = {}};
 }

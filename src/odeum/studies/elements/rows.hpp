@@ -117,12 +117,12 @@ struct ElementsTimeRow {
 };
 
 struct ElementsResult {
-  std::vector<ElementsRow> meshes;
-  std::vector<ElementsOrderRow> orders;
-  std::vector<ElementsFieldRow> fields;
-  std::vector<ElementsSolverRow> solvers;
-  std::vector<ElementsStoppingRow> stopping;
-  std::vector<ElementsTimeRow> times;
+  std::vector<ElementsRow> meshes = {};
+  std::vector<ElementsOrderRow> orders = {};
+  std::vector<ElementsFieldRow> fields = {};
+  std::vector<ElementsSolverRow> solvers = {};
+  std::vector<ElementsStoppingRow> stopping = {};
+  std::vector<ElementsTimeRow> times = {};
   static auto lists(auto& result) {
     return std::tie(result.meshes, result.orders, result.fields, result.solvers, result.stopping,
                     result.times);

@@ -16,6 +16,12 @@ using linear::SparseMatrix;
 constexpr double reduction = 1e-8;  // of the energy norm of the error
 constexpr std::size_t largest = 64;
 
+/// Energy norm of a - b.
+double energy_distance(const SparseMatrix& matrix, std::vector<double> a, const double* b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return linear::energy_norm(matrix, a);
+}
+
 /// A system with a known solution in which every eigenvector takes part.
 struct Trial {
   const SparseMatrix& a;
@@ -29,10 +35,11 @@ struct Trial {
     energy = linear::energy_norm(a, solution);
   }
   /// Energy norm of the error of x, against that of the guess 0.
-  double error(const double* x) const {
-    std::vector<double> e(solution);
-    for (std::size_t i = 0; i < e.size(); ++i) e[i] -= x[i];
-    return linear::energy_norm(a, e) / energy;
+  double error(const double* x) const { return energy_distance(a, solution, x) / energy; }
+  /// |b - A x| / |b|
+  double residual(const std::vector<double>& x) const {
+    return linear::residual_norm(a, x, b) /
+           linear::residual_norm(a, std::vector<double>(b.size()), b);
   }
 };
 
@@ -88,8 +95,7 @@ void measure(ElementsSolverRow& row, const Trial& trial, const Bound& bound, con
   const bool done = errors.back() <= reduction;
   row.status = done ? "ok" : to_string(outcome.status);
   row.iterations = outcome.iterations;
-  row.residual = linear::residual_norm(trial.a, outcome.x, trial.b) /
-                 linear::residual_norm(trial.a, std::vector<double>(trial.b.size()), trial.b);
+  row.residual = trial.residual(outcome.x);
   const std::size_t last = errors.size() - 1, half = last / 2;
   if (last > half)
     row.rate = std::pow(errors[last] / errors[half], 1 / static_cast<double>(last - half));
@@ -121,8 +127,7 @@ void measure_peer(ElementsSolverRow& row, const Trial& trial, const linear::Line
   row.status = done ? "ok" : info.direct ? "inaccurate" : "over_budget";
   if (info.direct) row.detail = "direct";
   row.iterations = high;
-  row.residual = linear::residual_norm(trial.a, x, trial.b) /
-                 linear::residual_norm(trial.a, std::vector<double>(trial.b.size()), trial.b);
+  row.residual = trial.residual(x);
 }
 
 struct Size {
@@ -217,9 +222,7 @@ std::vector<ElementsStoppingRow> stop_early(std::size_t divisions) {
       const linear::CgOutcome run = linear::preconditioned_cg(system.matrix, *tool->m, system.right,
                                                               {.relative_residual = row.tolerance});
       row.iterations = run.iterations, row.discretisation = h1_of(exact), row.total = h1_of(run.x);
-      std::vector<double> e(exact);
-      for (std::size_t i = 0; i < e.size(); ++i) e[i] -= run.x[i];
-      row.algebraic = linear::energy_norm(system.matrix, e);
+      row.algebraic = energy_distance(system.matrix, exact, run.x.data());
     }
   return rows;
 }
@@ -234,19 +237,12 @@ ElementsResult measure_solvers(std::size_t most, const Runner& runner) {
   ElementsResult result = runner.run(
       "solvers", sizes,
       [](const Size& size) { return fmt::format("{} {}", size.model->id, size.divisions); },
-      [](const Size& size) {
-        ElementsResult one;
-        one.solvers = Systems(size).rows();
-        return one;
-      });
-  record::append(result, runner.run(
-                             "stopping", std::vector{std::min(most, largest)},
-                             [](std::size_t n) { return std::to_string(n); },
-                             [](std::size_t n) {
-                               ElementsResult one;
-                               one.stopping = stop_early(n);
-                               return one;
-                             }));
+      [](const Size& size) { return ElementsResult{.solvers = Systems(size).rows()}; });
+  record::append(result,
+                 runner.run(
+                     "stopping", std::vector{std::min(most, largest)},
+                     [](std::size_t n) { return std::to_string(n); },
+                     [](std::size_t n) { return ElementsResult{.stopping = stop_early(n)}; }));
   return result;
 }
 

@@ -8,12 +8,9 @@ std::unique_ptr<Study> make_elements() {
        .help = "linear finite elements: error against mesh size, and linear solvers",
        .place = 78,
        .cases_help = "",
-       .options = {{.name = "most",
-                    .help = "divisions of a unit length in the finest mesh, of which the "
-                            "largest power of two is taken; default: 128",
-                    .least = 16,
-                    .most = 1024,
-                    .whole = true}}},
+       .options = {whole_number("most", 16, 1024,
+                                "divisions of a unit length in the finest mesh, of which the "
+                                "largest power of two is taken; default: 128")}},
       {.measure = measure_elements});
 }
 

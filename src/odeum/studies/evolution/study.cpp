@@ -9,12 +9,9 @@ std::unique_ptr<Study> make_evolution() {
                "the cheapest pair of both",
        .place = 79,
        .cases_help = "",
-       .options = {{.name = "most",
-                    .help = "divisions of the finest mesh, of which the largest power of "
-                            "two is taken; default: 128",
-                    .least = 16,
-                    .most = 512,
-                    .whole = true}},
+       .options = {whole_number("most", 16, 512,
+                                "divisions of the finest mesh, of which the largest power of two "
+                                "is taken; default: 128")},
        .figures = {{"rough_steps", rough_steps}, {"wave_divisions", wave_divisions}}},
       {.measure = measure_evolution});
 }

@@ -44,11 +44,6 @@ struct StiffWindow : SpectrumAlong {
   }
 };
 
-struct Prediction {
-  double step = nan;
-  std::complex<double> eigenvalue;
-};
-
 /// The limit of stability along the ray of an eigenvalue, as a multiple of 1 / |eigenvalue|; NaN
 /// without a theory.
 double limit_along(const SolverInfo& info, const std::complex<double>& z) {
@@ -66,21 +61,20 @@ double limit_along(const SolverInfo& info, const std::complex<double>& z) {
       .limit;
 }
 
-/// The smallest of the steps that the eigenvalues allow. Small eigenvalues never limit the step and
-/// are left out.
-Prediction predict(const StiffWindow& window, const SolverInfo& info) {
-  Prediction least{nan, window.largest};
+/// The smallest of the steps that the eigenvalues allow, and the one that limits it. Small
+/// eigenvalues never do and are left out.
+void predict(const StiffWindow& window, const SolverInfo& info, LargestStep& row) {
   std::map<double, double> by_angle;  // most eigenvalues are real or close in angle
   for (const std::complex<double>& z : window.eigenvalues) {
     if (std::abs(z) < 0.05 * std::abs(window.largest)) continue;
     const double angle = std::round(std::arg(z) * 1e4);
     const auto [place, is_new] = by_angle.try_emplace(angle, 0);
     if (is_new) place->second = limit_along(info, z);
-    if (std::isnan(place->second)) return {nan, window.largest};
     const double step = place->second / std::abs(z);
-    if (!(step >= least.step)) least = {step, z};
+    if (!(step >= row.predicted_step)) row.predicted_step = step, row.eigenvalue = z;
+    if (std::isnan(step)) break;
   }
-  return least;
+  if (std::isnan(row.predicted_step)) row.eigenvalue = window.largest;
 }
 
 /// Why a run is not bounded.
@@ -135,9 +129,7 @@ LargestStep measure(const StiffWindow& window, const Entrant& entrant) {
   if (!entrant.unfit.empty()) return not_applicable(row, entrant.unfit);
   if (!entrant.info.fixed) return not_applicable(row, "chooses its own steps only");
   if (!window.reason.empty()) return not_applicable(row, window.reason);
-  const Prediction prediction = predict(window, entrant.info);
-  row.predicted_step = prediction.step;
-  row.eigenvalue = prediction.eigenvalue;
+  predict(window, entrant.info, row);
   row.window = window.length;
   Failure failure;  // the last one
   Costs costs;

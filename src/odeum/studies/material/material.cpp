@@ -55,10 +55,6 @@ MaterialRow failed(MaterialRow row, const Outcome& outcome) {
   return row;
 }
 
-void remark(MaterialRow& row, const std::string& sentence) {
-  row.detail += (row.detail.empty() ? "" : "; ") + sentence;
-}
-
 /// Sets the start to heights, at rest.
 void start_from(const SceneStage& stage, const std::vector<double>& heights) {
   std::vector<double>& y = *stage.y0;

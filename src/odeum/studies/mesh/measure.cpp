@@ -167,7 +167,7 @@ MeshResult measure(const Family& family, std::size_t most) {
       settled = now.relax() && settled;
     }
     row.status = settled ? "ok" : "unsettled";
-    if (!settled) row.detail = "not at rest after 400,000 steps of relaxation";
+    if (!settled) remark(row, "not at rest after 400,000 steps of relaxation");
     const double hanging = sheets[0].lower_edge();
     row.extension = -hanging;
     row.period = Sheet(family, n, Hold::upper_edge).period_about(hanging);
@@ -178,8 +178,7 @@ MeshResult measure(const Family& family, std::size_t most) {
         lowest = std::min(lowest, sheets[2].positions()[i]);
       row.drape = 1 - lowest;
     } else {
-      row.detail += std::string(row.detail.empty() ? "" : "; ") +
-                    "no drape: without shear springs the sheet held by two corners is a mechanism";
+      remark(row, "no drape: without shear springs the sheet held by two corners is a mechanism");
     }
     row.factor = row.extension / result.rows.front().extension;
     coarser = std::move(sheets);

@@ -78,12 +78,12 @@ TimedRun blank_run(const TimedCase& stage, const Entrant& entrant, const Request
   return trial;
 }
 
-/// Tolerances looser than the first, while that still reaches the largest error compared: a solver
-/// that is more accurate than its tolerance gets there by a looser one.
+/// Tolerances looser than the first, up to 1e-1, while that still reaches the largest error
+/// compared: a solver that is more accurate than its tolerance gets there by a looser one.
 void run_looser(const TimedCase& stage, TimedSolver& solver) {
   for (int more = 0; more < 2; ++more) {
     const TimedRun& coarsest = solver.trials.front();
-    if (!coarsest.ok() || !(coarsest.row.error < largest_compared_error)) return;
+    if (!coarsest.ok() || !(coarsest.row.error < compared_errors().front())) return;
     Request request = coarsest.request;
     set_tolerance(request, stage.c, 10 * request.tolerance.relative);
     TimedRun looser = run_guarded(stage, *solver.entrant, request);

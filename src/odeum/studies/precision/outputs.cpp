@@ -3,7 +3,6 @@
 #include <set>
 
 #include "odeum/core/glob.hpp"
-#include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/studies/precision/timing.hpp"
 

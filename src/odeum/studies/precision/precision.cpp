@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <set>
 
 #include "odeum/core/glob.hpp"
 #include "odeum/core/machine.hpp"
@@ -83,13 +81,10 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
       row.processor = processor;
       row.measured = conditions.measured;
       if (row.repetitions && !trial.guarded()) static_cast<Conditions&>(row) = conditions;
-      if (disturbed(row)) {
-        if (!row.detail.empty()) row.detail += "; ";
-        row.detail += fmt::format(
-            "disturbed: the machine's speed drifted by {:.0f} %, and the timed runs had "
-            "the processor for {:.0f} % of the time",
-            100 * row.drift, 100 * row.processor_share);
-      }
+      if (disturbed(row))
+        remark(row, fmt::format("disturbed: the machine's speed drifted by {:.0f} %, and the timed "
+                                "runs had the processor for {:.0f} % of the time",
+                                100 * row.drift, 100 * row.processor_share));
       rows.push_back(std::move(row));
     }
   mark_pareto(rows);
@@ -97,15 +92,11 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
 }
 
 /// The rows of methods, without those of closed forms.
-std::vector<PrecisionRow> methods_of(const Case& c, const std::vector<PrecisionRow>& rows) {
-  std::set<std::string> closed_forms;
-  for (const Entrant& entrant : c.entrants)
-    if (report::is_closed_form(entrant.info)) closed_forms.insert(entrant.info.id());
-  std::vector<PrecisionRow> methods;
-  std::ranges::copy_if(rows, std::back_inserter(methods), [&](const auto& row) {
-    return !closed_forms.contains(row.library + "/" + row.solver);
+std::vector<PrecisionRow> methods_of(const Case& c, std::vector<PrecisionRow> rows) {
+  std::erase_if(rows, [&](const PrecisionRow& row) {
+    return report::is_closed_form(find_solver(c.entrants, row.library + "/" + row.solver).info);
   });
-  return methods;
+  return rows;
 }
 
 }  // namespace

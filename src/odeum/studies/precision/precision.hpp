@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -38,6 +39,8 @@ struct PrecisionRow : WallTimes, Conditions {
   bool pareto = false;         ///< no other row is both faster and more accurate
   std::string processor;       ///< its model; that of all rows of a case
   judge::JudgedAnswer judged;  ///< of a run to a tolerance
+
+  bool timed() const { return repetitions > 0 && !std::isnan(error); }
 
   static constexpr const char* file = "precision.csv";
   /// 2: the answer; 3: absolute tolerance, options, Jacobian; 4: guarded times; 5: near_error;
@@ -131,13 +134,6 @@ struct PrecisionResult {
     return std::tie(result.rows, result.tolerances, result.summary, result.fastest, result.outputs);
   }
 };
-
-/// Errors are compared from this down, and tolerances are loosened from 1e-3 on up to 1e-1 to reach
-/// it.
-inline constexpr double largest_compared_error = 1e-2;
-
-/// Limit of a solve in a report, in seconds.
-inline constexpr double report_seconds_per_solve = 0.05;
 
 /// Speed against error for every fitting pair. Timed runs go round robin over the solvers within a
 /// setting, on one pinned processor; a case during which the machine's own speed drifted by more

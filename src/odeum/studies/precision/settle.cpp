@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -131,8 +129,6 @@ class Search {
   std::map<double, TimedRun> runs_;  ///< those that are no trials
 };
 
-bool has_time(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
-
 /// The time in which a solver seems to reach an error: that of a run, or between two runs, where
 /// the logarithms of time and error are taken to be linear.
 double promised_ns(const TimedSolver& solver, double error) {
@@ -140,7 +136,7 @@ double promised_ns(const TimedSolver& solver, double error) {
   const PrecisionRow* coarse = nullptr;
   for (const TimedRun& trial : solver.trials) {
     const PrecisionRow& fine = trial.row;
-    if (!has_time(fine)) continue;
+    if (!fine.timed()) continue;
     if (fine.error <= error) least = std::min(least, fine.wall_ns_min);
     if (coarse && coarse->error > error && fine.error < error && fine.error > 0) {
       const double part = std::log(coarse->error / error) / std::log(coarse->error / fine.error);
@@ -197,7 +193,7 @@ std::pair<TimedSolver*, TimedRun*> unchecked(std::vector<TimedSolver>& solvers,
     if (!competes(solver, library)) continue;
     for (TimedRun& trial : solver.trials) {
       const PrecisionRow& row = trial.row;
-      if (!has_time(row) || !std::isnan(row.near_error)) continue;
+      if (!row.timed() || !std::isnan(row.near_error)) continue;
       if (!(row.error <= error && row.wall_ns_min < least)) continue;
       least = row.wall_ns_min;
       best = {&solver, &trial};

@@ -5,13 +5,10 @@
 #include <string>
 
 #include "odeum/core/numbers.hpp"
-
 #include "odeum/studies/precision/precision.hpp"
 
 namespace odeum::study {
 namespace {
-
-bool timed(const PrecisionRow& row) { return row.repetitions > 0 && !std::isnan(row.error); }
 
 std::string name_of(const FastestRow& row) {
   std::string how = row.mode == Mode::fixed ? "fixed step" : "";
@@ -28,13 +25,13 @@ std::vector<double> compared_errors() {
 }
 
 bool reaches(const PrecisionRow& row, double error) {
-  return timed(row) && row.error <= error && row.near_error <= 2 * error;
+  return row.timed() && row.error <= error && row.near_error <= 2 * error;
 }
 
 void mark_pareto(std::vector<PrecisionRow>& rows) {
   std::vector<PrecisionRow*> by_time;
   for (PrecisionRow& row : rows)
-    if (timed(row)) by_time.push_back(&row);
+    if (row.timed()) by_time.push_back(&row);
   std::ranges::stable_sort(by_time, [](const auto* a, const auto* b) {
     return a->wall_ns_min != b->wall_ns_min ? a->wall_ns_min < b->wall_ns_min : a->error < b->error;
   });

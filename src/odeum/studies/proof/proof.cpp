@@ -134,20 +134,6 @@ ProofResult prove_method(const MethodFacts& method, bool quick) {
 bool ProofRow::symplectic() const { return symplectic_defect <= proof::symplectic_rounding; }
 bool ProofRow::reversible() const { return return_defect <= proof::return_rounding; }
 
-std::vector<ProvenOrder> ProofResult::orders_of(const std::string& method) const {
-  std::vector<ProvenOrder> found;
-  for (const ProvenOrder& order : orders)
-    if (order.method == method) found.push_back(order);
-  return found;
-}
-
-std::vector<proof::EstimateQuality> ProofResult::estimates_of(const std::string& method) const {
-  std::vector<proof::EstimateQuality> found;
-  for (const ProvenEstimate& estimate : estimates)
-    if (estimate.method == method) found.push_back(estimate.quality);
-  return found;
-}
-
 ProofResult prove(const Options& options, const Runner& runner) {
   std::vector<const MethodFacts*> methods;
   for (const MethodFacts& method : proof::all_method_facts())

@@ -109,10 +109,6 @@ struct ProofResult {
   static auto lists(auto& result) {
     return std::tie(result.rows, result.orders, result.estimates, result.mutants);
   }
-
-  /// Of one method.
-  std::vector<ProvenOrder> orders_of(const std::string& method) const;
-  std::vector<proof::EstimateQuality> estimates_of(const std::string& method) const;
 };
 
 /// Proves every own method and mutates it; `quick`: with a hundredth of the periods for the energy.

@@ -79,18 +79,12 @@ ReductionResult measure_reduction(const Options& options, const Runner& runner) 
     double lambda;
     Entrant entrant;
   };
-  std::vector<std::vector<Task>> stages;
-  for (int k = 0; k <= decades; ++k) {
-    const double lambda = -std::pow(10.0, k);
-    std::vector<Task>& stage = stages.emplace_back();
-    const Entrants entrants = entrants_at(lambda);
-    for (std::size_t i = 0; i < entrants.size(); ++i)
-      if (any_glob_matches(options.solvers, entrants.info(i).id()))
-        stage.push_back({lambda, entrants[i]});
-  }
+  std::vector<Entrants> stages;
+  for (int k = 0; k <= decades; ++k) stages.push_back(entrants_at(-std::pow(10.0, k)));
   std::vector<Task> tasks;  // by solver, then by stiffness
   for (std::size_t i = 0; i < stages.front().size(); ++i)
-    for (const std::vector<Task>& stage : stages) tasks.push_back(stage[i]);
+    if (any_glob_matches(options.solvers, stages.front().info(i).id()))
+      for (int k = 0; k <= decades; ++k) tasks.push_back({-std::pow(10.0, k), stages[k][i]});
   return runner.run(
       "reduction", tasks,
       [](const Task& task) { return fmt::format("{} {}", task.entrant.info.id(), task.lambda); },

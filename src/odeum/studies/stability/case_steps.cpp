@@ -5,10 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <stdexcept>
-#include <string_view>
 
-#include "odeum/cases/catalogue.hpp"
 #include "odeum/judge/stability_search.hpp"
 #include "odeum/studies/spectrum.hpp"
 #include "odeum/studies/stability/growth_meter.hpp"
@@ -17,27 +14,24 @@
 namespace odeum::study {
 namespace {
 
-/// The eigenvalues of a case that can limit a step: the largest in each of the sectors into which
-/// the left half plane is cut. Small ones never do.
-struct Rays {
+/// Of the spectrum along the solution the eigenvalues that can limit a step: the largest in each
+/// of the sectors into which the left half plane is cut. Small ones never do.
+struct Rays : SpectrumAlong {
   const Case* c = nullptr;
-  std::string reason;  ///< why there are none; empty: there are
-  std::vector<std::complex<double>> eigenvalues;
-  double growing = 0;  ///< the largest real part that is positive; 0: none
 };
 
 Rays rays_of(const Case& c) {
   constexpr double sectors = 96, small = 0.05;
-  const SpectrumAlong along = spectrum_along(c, c.stops.back() - c.t0);
-  Rays rays{&c, along.reason, {}, along.growing};
+  Rays rays{spectrum_along(c, c.stops.back() - c.t0), &c};
   double largest = 0;
-  for (const auto& z : along.eigenvalues) largest = std::max(largest, std::abs(z));
+  for (const auto& z : rays.eigenvalues) largest = std::max(largest, std::abs(z));
   std::map<double, std::complex<double>> by_sector;
-  for (const auto& z : along.eigenvalues) {
+  for (const auto& z : rays.eigenvalues) {
     if (!(std::abs(z) > small * largest)) continue;
     auto& longest = by_sector[std::round(std::arg(z) / std::numbers::pi * 2 * sectors)];
     if (std::abs(z) > std::abs(longest)) longest = z;
   }
+  rays.eigenvalues.clear();
   for (const auto& [sector, z] : by_sector) rays.eigenvalues.push_back(z);
   if (rays.reason.empty() && rays.eigenvalues.empty())
     rays.reason =
@@ -60,9 +54,10 @@ struct Plane {
 
 std::vector<Plane> planes() {
   std::vector<Plane> found;
-  for (const char* name : {"lambda", "oscillator", "undamped"})
-    for (const Case& c : all_cases())
-      if (c.plane == name) found.push_back({&c, name != std::string_view("lambda"), c.probe()});
+  for (const std::string name : {"lambda", "oscillator", "undamped"}) {
+    const Case& c = case_with_plane(name);
+    found.push_back({&c, name != "lambda", c.probe()});
+  }
   return found;
 }
 
@@ -111,12 +106,10 @@ StableStep answer(const RayTask& task) {
     row.eigenvalue = z;
     row.detail = found.how;
   }
-  if (task.rays->growing > 0) {
-    if (!row.detail.empty()) row.detail += "; ";
-    row.detail +=
-        fmt::format("an eigenvalue of {:.3g} grows at one of the times, where no step is stable",
-                    task.rays->growing);
-  }
+  if (task.rays->growing > 0)
+    remark(row, fmt::format("an eigenvalue of {:.3g} grows at one of the times, where no step is "
+                            "stable",
+                            task.rays->growing));
   return row;
 }
 
@@ -127,7 +120,6 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
   std::vector<Rays> rays(cases.size());
   parallel_for(cases.size(), runner.jobs(), [&](std::size_t i) { rays[i] = rays_of(*cases[i]); });
   const std::vector<Plane> all = planes();
-  if (all.empty()) throw std::logic_error("no case has a plane");
   std::vector<RayTask> tasks;
   for (const Rays& each : rays)
     for (const Pair& pair : select_pairs({each.c}, options.solvers)) {
@@ -149,9 +141,7 @@ StabilityResult measure_steps(const Options& options, const Runner& runner) {
     }
   return runner.run(
       "steps", tasks, [](const RayTask& task) { return task.rays->c->id + " " + task.info.id(); },
-      [](const RayTask& task) {
-        return StabilityResult{{}, {}, {answer(task)}};
-      });
+      [](const RayTask& task) { return StabilityResult{.steps = {answer(task)}}; });
 }
 
 }  // namespace odeum::study

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <stdexcept>
+
+#include "odeum/cases/catalogue.hpp"
 
 namespace odeum::study {
 namespace {
@@ -28,6 +31,12 @@ std::optional<judge::Growth> decay(std::span<const judge::PlaneState> states, do
 }
 
 }  // namespace
+
+const Case& case_with_plane(const std::string& plane) {
+  for (const Case& c : all_cases())
+    if (c.plane == plane) return c;
+  throw std::logic_error("no case has the plane " + plane);
+}
 
 GrowthMeter::GrowthMeter(const Probe& probe, const Entrant& entrant, bool oscillator,
                          RunLength length)

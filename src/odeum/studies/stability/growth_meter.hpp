@@ -9,6 +9,9 @@
 
 namespace odeum::study {
 
+/// The case that has a plane of this kind, see Probe.
+const Case& case_with_plane(const std::string& plane);
+
 /// Lengths of runs: `first_steps`, then four times as many up to `last_steps` until the growth is
 /// clear.
 struct RunLength {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/studies/stability/stability.hpp"
-#include "odeum/cases/catalogue.hpp"
 
 #include <fmt/format.h>
 
@@ -18,24 +17,23 @@ namespace {
 
 /// A measurement: a limit along an axis or a region of a plane.
 struct Question {
-  const char* name;    ///< the axis or the plane, as in the files
-  const char* option;  ///< the value of --plane that asks for it
-  const char* probe;   ///< the plane of the probe
-  bool oscillator;
+  const char* name;             ///< the axis or the plane, as in the files
+  const char* probe;            ///< the plane of the probe
   judge::PlaneState direction;  ///< of an axis: its direction from zero; a region has none
   std::tuple<double, double, double, double> window{};  ///< of a region: first_low to second_high
 
+  bool oscillator() const { return probe != std::string_view("lambda"); }
   bool region() const { return direction == judge::PlaneState{}; }
 };
 
 // The window on z contains the regions of explicit methods up to order 8 and the unstable regions
 // of BDF.
 constexpr Question questions[] = {
-    {"real", "lambda", "lambda", false, {-1, 0}},
-    {"imaginary", "lambda", "lambda", false, {0, 1}},
-    {"oscillator", "oscillator", "undamped", true, {1, 0}},
-    {"lambda", "lambda", "lambda", false, {}, {-8, 4, -6, 6}},
-    {"oscillator", "oscillator", "oscillator", true, {}, {0, 4, 0, 2}},
+    {"real", "lambda", {-1, 0}},
+    {"imaginary", "lambda", {0, 1}},
+    {"oscillator", "undamped", {1, 0}},
+    {"lambda", "lambda", {}, {-8, 4, -6, 6}},
+    {"oscillator", "oscillator", {}, {0, 4, 0, 2}},
 };
 
 /// A unit of work, whose result is kept.
@@ -52,14 +50,13 @@ judge::PlaneState point_at(const Question& axis, double x) {
 
 /// Growth by the method's own stability function, along the axis of a question.
 std::function<judge::Growth(double)> theory_of(const Task& task) {
-  const bool known = task.question->oscillator ? bool(task.info.oscillator_amplification)
-                                               : bool(task.info.amplification);
-  if (!known) return {};
-  return [&task](double x) {
+  const bool oscillator = task.question->oscillator();
+  if (!(oscillator ? bool(task.info.oscillator_amplification) : bool(task.info.amplification)))
+    return {};
+  return [&task, oscillator](double x) {
     const auto [first, second] = point_at(*task.question, x);
-    const double amplification = task.question->oscillator
-                                     ? task.info.oscillator_amplification(first)
-                                     : task.info.amplification(first, second);
+    const double amplification = oscillator ? task.info.oscillator_amplification(first)
+                                            : task.info.amplification(first, second);
     return judge::Growth{std::log(amplification), judge::growth_rounding};
   };
 }
@@ -76,7 +73,7 @@ StabilityLimit limit_of(const Task& task) {
   row.axis = task.question->name;
   if (!task.unfit.empty()) return not_applicable(row, task.unfit);
   const Probe probe = task.c->probe();
-  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), task.question->oscillator,
+  GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), task.question->oscillator(),
                     limit_length);
   std::string failure, failure_detail;
   const judge::LimitFound found = judge::find_limit([&](double x) {
@@ -102,11 +99,10 @@ StabilityLimit limit_of(const Task& task) {
     const double x = between(row.limit, row.theory);
     const auto [first, second] = point_at(*task.question, x);
     const judge::Growth measured = meter.measure(first, second);
-    if (!row.detail.empty()) row.detail += "; ";
-    row.detail += fmt::format(
-        "at {:.4g}, between the two limits, a step grows by {:.1e} as measured (known to {:.1e}) "
-        "and by {:.1e} in theory",
-        x, std::expm1(measured.log_per_step), measured.noise, std::expm1(theory(x).log_per_step));
+    remark(row, fmt::format("at {:.4g}, between the two limits, a step grows by {:.1e} as measured "
+                            "(known to {:.1e}) and by {:.1e} in theory",
+                            x, std::expm1(measured.log_per_step), measured.noise,
+                            std::expm1(theory(x).log_per_step)));
   }
   return row;
 }
@@ -180,20 +176,20 @@ StabilityRegion region_of(const Task& task, const Options& options) {
   if (!task.unfit.empty()) return not_applicable(region, task.unfit);
   const bool own = task.info.library == "odeum";
   const LaneRunner runner =
-      own && !question.oscillator ? find_lane_runner(task.info.method) : nullptr;
+      own && !question.oscillator() ? find_lane_runner(task.info.method) : nullptr;
   const double points = options.number("grid", runner ? 257 : own ? 129 : 65);
   region.columns = static_cast<int>(own ? points : options.number("peer-grid", points));
   // The window on the oscillator is twice as wide as high: square cells there too.
-  region.rows = question.oscillator ? region.columns / 2 + 1 : region.columns;
+  region.rows = question.oscillator() ? region.columns / 2 + 1 : region.columns;
   std::tie(region.first_low, region.first_high, region.second_low, region.second_high) =
       question.window;
   if (runner) {
     map_region_in_lanes(runner, region);
   } else {
     const Probe probe = task.c->probe();
-    GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), question.oscillator,
+    GrowthMeter meter(probe, find_solver(probe.entrants, task.info.id()), question.oscillator(),
                       region_length);
-    map_region(meter, !question.oscillator, region);
+    map_region(meter, !question.oscillator(), region);
   }
   return region;
 }
@@ -202,16 +198,14 @@ std::vector<Task> select_tasks(const Options& options) {
   const std::string plane = options.word("plane");
   std::vector<Task> tasks;
   for (const Question& question : questions) {
-    if (!plane.empty() && plane != question.option) continue;
-    for (const Case& c : all_cases()) {
-      if (c.plane != question.probe) continue;
-      const Probe probe = c.probe();
-      for (const Entrant& entrant : probe.entrants) {
-        if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
-        Task task{&question, &c, entrant.info, entrant.unfit};
-        if (task.unfit.empty() && !entrant.info.fixed) task.unfit = "chooses its own steps only";
-        tasks.push_back(std::move(task));
-      }
+    if (!plane.empty() && (plane == "oscillator") != question.oscillator()) continue;
+    const Case& c = case_with_plane(question.probe);
+    const Probe probe = c.probe();
+    for (const Entrant& entrant : probe.entrants) {
+      if (!any_glob_matches(options.solvers, entrant.info.id())) continue;
+      Task task{&question, &c, entrant.info, entrant.unfit};
+      if (task.unfit.empty() && !entrant.info.fixed) task.unfit = "chooses its own steps only";
+      tasks.push_back(std::move(task));
     }
   }
   return tasks;
@@ -227,8 +221,8 @@ StabilityResult measure_stability(const Options& options, const Runner& runner) 
                        task.question->name, task.info.id());
   };
   return runner.run("stability", tasks, key, [&](const Task& task) {
-    return task.question->region() ? StabilityResult{{}, {region_of(task, options)}, {}}
-                                   : StabilityResult{{limit_of(task)}, {}, {}};
+    return task.question->region() ? StabilityResult{.regions = {region_of(task, options)}}
+                                   : StabilityResult{.limits = {limit_of(task)}};
   });
 }
 

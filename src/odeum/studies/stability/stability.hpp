@@ -72,9 +72,9 @@ struct StableStep {
 };
 
 struct StabilityResult {
-  std::vector<StabilityLimit> limits;
-  std::vector<StabilityRegion> regions;
-  std::vector<StableStep> steps;
+  std::vector<StabilityLimit> limits = {};
+  std::vector<StabilityRegion> regions = {};
+  std::vector<StableStep> steps = {};
   static auto lists(auto& result) { return std::tie(result.limits, result.regions, result.steps); }
 };
 
@@ -87,12 +87,8 @@ StabilityResult measure_stability(const Options& options, const Runner& runner =
 /// The part of it for the selected cases.
 StabilityResult measure_steps(const Options& options, const Runner& runner);
 
-/// Writes the file of a region's growth: a header and a line with schema, plane, columns, rows,
-/// first_low, first_high, second_low, second_high; then `rows` lines of `columns` growths per step
-/// to 4 digits, in the order of StabilityRegion.
-void write_growth(const StabilityRegion& region, const record::OutputFolder& folder);
-
-/// The lines of growths.
+/// The lines of a region's file: `rows` lines of `columns` growths per step to 4 digits, in the
+/// order of StabilityRegion.
 std::string growth_text(const StabilityRegion& region);
 
 }  // namespace odeum::study
