@@ -65,12 +65,10 @@ std::string names_of(const std::vector<Command>& commands) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-constexpr const char* list_ids =
-    "odeum list {} --format csv 2>/dev/null | cut -d, -f2 | tail -n +2";
-
-/// In bash, the command that lists what may follow.
-std::string listed_by(const Word& word) {
-  return "$(" + fmt::format(fmt::runtime(list_ids), word.listed) + ")";
+/// The command that lists what may follow.
+std::string listing(const Word& word) {
+  return fmt::format("odeum list {} --format csv 2>/dev/null | cut -d, -f2 | tail -n +2",
+                     word.listed);
 }
 
 std::string bash(const std::vector<Command>& commands) {
@@ -89,8 +87,9 @@ std::string bash(const std::vector<Command>& commands) {
     std::string named, others;
     text += fmt::format("    {})\n      case $prev in\n", command.name);
     for (const Word& word : command.words) {
-      const std::string values =
-          word.listed.empty() ? fmt::format("{}", fmt::join(word.values, " ")) : listed_by(word);
+      const std::string values = word.listed.empty()
+                                     ? fmt::format("{}", fmt::join(word.values, " "))
+                                     : "$(" + listing(word) + ")";
       if (word.names.empty()) {
         others += " " + values;
         continue;
@@ -141,8 +140,7 @@ std::string zsh(const std::vector<Command>& commands) {
     for (const Word& word : command.words) {
       std::string values = "_files";
       if (!word.listed.empty())
-        values = fmt::format("{{ compadd -- ${{(f)\"$({})\"}}; _files }}",
-                             fmt::format(fmt::runtime(list_ids), word.listed));
+        values = fmt::format("{{ compadd -- ${{(f)\"$({})\"}}; _files }}", listing(word));
       if (!word.values.empty()) values = fmt::format("({})", fmt::join(word.values, " "));
       const std::string value = word.takes_value ? ": :" + values : "";
       for (const std::string& name : word.names)
@@ -166,7 +164,7 @@ std::string fish(const std::vector<Command>& commands) {
             (name.starts_with("--") ? " -l " : " -s ") + name.substr(name.find_first_not_of('-'));
       if (word.takes_value && !word.names.empty()) text += " -r";
       if (!word.listed.empty())
-        text += " -a '(" + fmt::format(fmt::runtime(list_ids), word.listed) + ")'";
+        text += " -a '(" + listing(word) + ")'";
       else if (!word.values.empty())
         text += fmt::format(" -f -a '{}'", fmt::join(word.values, " "));
       text += " -d " + quoted(word.meaning) + "\n";

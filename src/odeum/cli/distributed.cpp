@@ -15,6 +15,8 @@
 
 namespace odeum::cli {
 
+constexpr const char* cache_variable = "XDG_CACHE_HOME";  // of formula::cache_folder
+
 Part& part() {
   static Part one;
   return one;
@@ -24,12 +26,6 @@ std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64
                                    bool done) {
   return run / "shards" / fmt::format("{}{}", shard, done ? "" : ".part");
 }
-
-namespace {
-
-constexpr const char* cache_variable = "XDG_CACHE_HOME";  // of formula::cache_folder
-
-}  // namespace
 
 void keep_code_in(const std::filesystem::path& run) {
   ::setenv(cache_variable, (std::filesystem::absolute(run) / "code").c_str(), 1);
@@ -79,14 +75,8 @@ void require_kept(const record::Store* store) {
 }
 
 std::string output_of_part(const std::string& given) {
-  switch (part().role) {
-    case Role::alone:
-      return given;
-    case Role::merge:
-      return part().out.string();
-    default:
-      return "";
-  }
+  if (part().role == Role::alone) return given;
+  return part().role == Role::merge ? part().out.string() : "";
 }
 
 void require_same_content(const std::string& content) {

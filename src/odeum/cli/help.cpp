@@ -23,6 +23,7 @@ std::size_t width_of_terminal() {
   return width == 0 ? 0 : std::max(width, least);
 }
 
+/// A line that begins with two spaces goes on below the explanations.
 std::string wrapped_line(std::string line, std::size_t width) {
   constexpr std::size_t explanations = 30;  // CLI11's column
   const std::size_t indent = !line.starts_with("  ") ? 0 : std::min(explanations, width / 2);
@@ -43,17 +44,15 @@ std::string wrapped_line(std::string line, std::size_t width) {
 
 }  // namespace
 
-std::string wrapped(const std::string& text, std::size_t width) {
+std::string WrappedHelp::make_help(const CLI::App* app, std::string name,
+                                   CLI::AppFormatMode mode) const {
+  const std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+  const std::size_t width = width_of_terminal();
   if (width == 0) return text;
   std::istringstream lines(text);
   std::string out;
   for (std::string line; std::getline(lines, line);) out += wrapped_line(line, width);
   return out;
-}
-
-std::string WrappedHelp::make_help(const CLI::App* app, std::string name,
-                                   CLI::AppFormatMode mode) const {
-  return wrapped(CLI::Formatter::make_help(app, std::move(name), mode), width_of_terminal());
 }
 
 std::string hint_of(const CLI::App& app) {

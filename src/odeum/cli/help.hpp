@@ -5,12 +5,8 @@
 
 namespace odeum::cli {
 
-/// Text whose lines are at most `width` characters long where words allow it; 0: as it is. A line
-/// that begins with two spaces goes on below the explanations of CLI11's help.
-std::string wrapped(const std::string& text, std::size_t width);
-
-/// CLI11's help in lines of the terminal's width, of $COLUMNS where there is no terminal, else as
-/// long as they are.
+/// CLI11's help in lines of the terminal's width where words allow it, of $COLUMNS where there is
+/// no terminal, else as long as they are.
 class WrappedHelp : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,

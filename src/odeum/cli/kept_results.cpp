@@ -16,7 +16,7 @@
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/checksum.hpp"
 #include "odeum/core/machine.hpp"
-#include "odeum/formula/compile.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
 namespace odeum::cli {
@@ -41,18 +41,6 @@ std::uint64_t sum_of_program() {
   return checksum(all);
 }
 
-}  // namespace
-
-std::string mark_of_program() {
-  static const std::string program =
-      fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags, sum_of_program());
-  std::string mark = program;
-  for (const RuntimeLibrary& library : runtime_libraries()) mark += " " + library.mark;
-  return mark;
-}
-
-namespace {
-
 /// The processor, and the shared libraries (the C library's functions among them).
 std::string mark_of_machine() {
   std::string mark = cpu_model();
@@ -67,6 +55,14 @@ std::string mark_of_machine() {
 }
 
 }  // namespace
+
+std::string mark_of_program() {
+  static const std::string program =
+      fmt::format("{} {} {} {:x}", build::version, build::revision, build::flags, sum_of_program());
+  std::string mark = program;
+  for (const RuntimeLibrary& library : runtime_libraries()) mark += " " + library.mark;
+  return mark;
+}
 
 record::Store* seconds_of_tasks() {
   static const std::string folder = formula::cache_folder();

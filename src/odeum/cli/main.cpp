@@ -10,6 +10,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/input/yaml_tree.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 #include "odeum/studies/study.hpp"
@@ -96,6 +97,11 @@ int run(const std::vector<std::string>& words) {
   return result;
 }
 
+int ended(ExitCode code, const std::string& why) {
+  fmt::print(stderr, "odeum: {}\n", why);
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -106,25 +112,20 @@ int main(int argc, char** argv) {
   try {
     return run({argv + 1, argv + argc});
   } catch (const odeum::LoadError& error) {
-    fmt::print(stderr, "odeum: --plugin {}\n", error.what());
-    return usage;
+    return ended(usage, fmt::format("--plugin {}", error.what()));
   } catch (const UsageError& error) {
-    fmt::print(stderr, "odeum: {}\n", error.what());
-    return usage;
+    return ended(usage, error.what());
+  } catch (const odeum::InputError& error) {
+    return ended(usage, error.what());
   } catch (const odeum::record::FileError& error) {
-    fmt::print(stderr, "odeum: {}\n", error.what());
-    return file_failed;
+    return ended(file_failed, error.what());
   } catch (const Stopped& stopped) {
-    fmt::print(stderr, "odeum: interrupted; {}\n", stopped.what());
-    return interrupted_code;
+    return ended(interrupted_code, fmt::format("interrupted; {}", stopped.what()));
   } catch (const odeum::Interrupted&) {
-    fmt::print(stderr, "odeum: interrupted; no file was written\n");
-    return interrupted_code;
+    return ended(interrupted_code, "interrupted; no file was written");
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "odeum: out of memory\n");
-    return solver_failed;
+    return ended(solver_failed, "out of memory");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "odeum: {}\n", error.what());
-    return solver_failed;
+    return ended(solver_failed, error.what());
   }
 }

@@ -17,7 +17,6 @@
 #include "odeum/fem/plane_function.hpp"
 #include "odeum/fem/shapes.hpp"
 #include "odeum/formula/parser.hpp"
-#include "odeum/input/yaml_tree.hpp"
 #include "odeum/linear/iterative_solvers.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/report/report.hpp"
@@ -42,13 +41,7 @@ using Middles = std::set<std::pair<double, double>>;
 fem::GmshMesh read_mesh(const std::string& name) {
   const std::size_t colon = name.find(':');
   const std::string shape = name.substr(0, colon);
-  if (shape != "square" && shape != "l_shape" && shape != "disc") {
-    try {
-      return fem::read_gmsh_file(name);
-    } catch (const InputError& error) {
-      throw UsageError(error.what());
-    }
-  }
+  if (shape != "square" && shape != "l_shape" && shape != "disc") return fem::read_gmsh_file(name);
   std::size_t n = 16;
   if (colon != std::string::npos) {
     const char* const end = name.data() + name.size();

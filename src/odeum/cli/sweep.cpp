@@ -170,22 +170,16 @@ void add_sweep(CLI::App& app, int& result) {
   const auto options = std::make_shared<SweepOptions>();
   CLI::App* command =
       app.add_subcommand("sweep", "many runs of a problem with other values of its parameters");
-  command->add_option("problem", options->what, "a case, or a problem's file")
-      ->required()
-      ->type_name("CASE|PROBLEM.yaml");
-  command
-      ->add_option("--over", options->over,
-                   "values of a parameter: k=0..5:6, k=1e2..1e6:log20, k=1,2,5, or drawn: "
-                   "k~uniform(0,5), k~loguniform(1,1e6), k~normal(1,0.1); several combine")
-      ->type_name("NAME=RANGE")
+  add_option(*command, "problem CASE|PROBLEM.yaml", options->what, "a case, or a problem's file")
+      ->required();
+  add_option(*command, "--over NAME=RANGE", options->over,
+             "values of a parameter: k=0..5:6, k=1e2..1e6:log20, k=1,2,5, or drawn: "
+             "k~uniform(0,5), k~loguniform(1,1e6), k~normal(1,0.1); several combine")
       ->allow_extra_args(false);
-  command
-      ->add_option("--over-file", options->over_file,
-                   "the members themselves: a line of names, then a line of numbers for each")
-      ->type_name("FILE.csv");
-  command->add_option("--sample", options->sample, "how many values are drawn")->type_name("N");
-  command->add_option("--seed", options->seed, "of the draws; default: 1")
-      ->type_name("N")
+  add_option(*command, "--over-file FILE.csv", options->over_file,
+             "the members themselves: a line of names, then a line of numbers for each");
+  add_option(*command, "--sample N", options->sample, "how many values are drawn");
+  add_option(*command, "--seed N", options->seed, "of the draws; default: 1")
       ->check(CLI::Range(0, 1'000'000'000));
   add_option(*command, "--solver ID", options->solvers,
              "a solver; several run on the same members. For advice, a glob")
@@ -199,31 +193,21 @@ void add_sweep(CLI::App& app, int& result) {
       *command, "--seconds S", options->seconds,
       "with --study advise: for each answer; with precision: for the timed runs of a member");
   add_step_and_tolerances(*command, options->settings);
-  command->add_option("--until", options->settings.until, "end time; default: the horizon")
-      ->type_name("T");
-  command
-      ->add_option("--quantity", options->quantities,
-                   "what is kept of each member: max(x), min(x), x(end), energy; default: the "
-                   "state at the end")
-      ->type_name("LIST");
-  command
-      ->add_option("--check", options->check,
-                   "how many members are compared with a truth of their own, in at most 20 s; "
-                   "default: 100. With a closed form all are, and have a column error, unless N "
-                   "is 0")
-      ->type_name("N")
+  add_option(*command, "--until T", options->settings.until, "end time; default: the horizon");
+  add_option(*command, "--quantity LIST", options->quantities,
+             "what is kept of each member: max(x), min(x), x(end), energy; default: the state at "
+             "the end");
+  add_option(*command, "--check N", options->check,
+             "how many members are compared with a truth of their own, in at most 20 s; default: "
+             "100. With a closed form all are, and have a column error, unless N is 0")
       ->check(CLI::Range(0, 1'000'000'000));
   add_problem_options(*command, options->problems, false);
-  command->add_option("--jobs", options->common.jobs, "threads; default: one a core")
-      ->type_name("N")
+  add_option(*command, "--jobs N", options->common.jobs, "threads; default: one a core")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--format", options->format, "text or json; default: text")
-      ->check(CLI::IsMember({"text", "json"}))
-      ->type_name("FORMAT");
-  command
-      ->add_option("--out", options->out,
-                   "folder for the files: members.csv, sweep.json and a page with a map")
-      ->type_name("DIR");
+  add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
+      ->check(CLI::IsMember({"text", "json"}));
+  add_option(*command, "--out DIR", options->out,
+             "folder for the files: members.csv, sweep.json and a page with a map");
   command->callback([options, command, &result] { result = sweep_on(*options, *command); });
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/proof/verify.hpp"
 
-#include <algorithm>
-
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
@@ -34,13 +32,8 @@ void add_verify(CLI::App& app, int& result) {
              "a YAML file, see cases/tableaus/README.md; or a problem: a case or a file")
       ->required();
   command->callback([what, &result] {
-    const std::vector<std::string> ids = known_ids();
-    const bool problem = is_problem_file(*what) || std::ranges::find(ids, *what) != ids.end();
-    try {
-      result = problem ? verify_truth(case_of(*what, ProblemOptions{})) : verify_tableau(*what);
-    } catch (const InputError& error) {
-      throw UsageError(error.what());
-    }
+    const bool problem = is_problem_file(*what) || knows_case(*what);
+    result = problem ? verify_truth(case_of(*what, ProblemOptions{})) : verify_tableau(*what);
   });
 }
 
