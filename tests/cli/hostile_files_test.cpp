@@ -94,5 +94,15 @@ TEST(HostileFiles, AreRefusedWithTheirPlaceAndLeaveNothing) {
   }
 }
 
+// A scene that could not be read was taken for a failed solver where only its solvers were asked
+// for.
+TEST(HostileFiles, OneThatCannotBeReadIsTwoForEveryCommand) {
+  for (const std::string command : {"list solvers", "run", "why --solver rk4 --step 1", "verify"}) {
+    const Result result = shell("odeum " + command + " nosuch.yaml");
+    EXPECT_EQ(result.code, 2) << result.output;
+    EXPECT_NE(result.output.find("cannot be read"), std::string::npos) << result.output;
+  }
+}
+
 }  // namespace
 }  // namespace odeum::tests::hostile_files_test

@@ -155,9 +155,10 @@ TEST(Catalogue, ARunOfOneSolverMakesOneCaseAndOneEntrant) {
 // user gives.
 TEST(CaseTexts, FollowTheirParameters) {
   const Case c = tests::find_case("rigid_body_hlw").with_values({3, 1.5, 0.8, 0.7});
+  const std::string file = ODEUM_SOURCE_DIR "/cases/rigid_body.yaml";
   const formula::TextOde text(
-      formula::read_problem_file(ODEUM_SOURCE_DIR "/cases/rigid_body.yaml",
-                                 {{"I1", "3"}, {"I2", "1.5"}, {"I3", "0.8"}, {"angle", "0.7"}}));
+      formula::read_problem(file, formula::problem_text(file),
+                            {{"I1", "3"}, {"I2", "1.5"}, {"I3", "0.8"}, {"angle", "0.7"}}));
   const double y[] = {0.3, 0.5, 0.7};
   double f[3], expected[3];
   c.problem.view.rhs(c.problem.view.problem, 0, y, f);

@@ -28,6 +28,9 @@ std::string path_of(const std::string& name) {
       return path.string();
   return name;
 }
+formula::Problem problem_of(const std::string& file, const formula::Overrides& set = {}) {
+  return formula::read_problem(file, formula::problem_text(file), set);
+}
 
 struct Twin {
   const char* file;
@@ -84,7 +87,7 @@ TEST(ShippedProblems, HaveTheFunctionsOfTheCompiledCases) {
   for (const Twin& twin : twins) {
     SCOPED_TRACE(twin.file);
     const Case& c = tests::find_case(twin.id);
-    const TextOde ode(formula::read_problem_file(path_of(twin.file), twin.set));
+    const TextOde ode(problem_of(path_of(twin.file), twin.set));
     ASSERT_EQ(ode.size(), c.y0.size());
     for (std::size_t i = 0; i < c.y0.size(); ++i)
       EXPECT_DOUBLE_EQ(static_cast<double>(ode.problem().y0[i]), c.y0[i]);
@@ -133,7 +136,7 @@ TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
     if (entry.path().extension() != ".yaml") continue;
     SCOPED_TRACE(entry.path().string());
     ++count;
-    const formula::Problem problem = formula::read_problem_file(entry.path().string());
+    const formula::Problem problem = problem_of(entry.path().string());
     const cases::TextTruth known = truth_of(problem);
     const Truth& truth = known.truth;
     std::vector<double> y(problem.y0.size());
@@ -158,7 +161,7 @@ TEST(ShippedProblems, AllOfThemAreReadAndHaveATruth) {
 
 /// The computed truth of a shipped problem at its end.
 std::vector<double> truth_at_end(const std::string& file) {
-  const formula::Problem problem = formula::read_problem_file(path_of(file));
+  const formula::Problem problem = problem_of(path_of(file));
   std::vector<double> y(problem.y0.size());
   EXPECT_TRUE(truth_of(problem).truth.at(problem.stops.back(), y.data())) << file;
   return y;

@@ -250,8 +250,8 @@ TEST(ProblemReader, FilesThatAreNone) {
                "");
   expect_fault("states: {x: {y: 1}}\nequations: {x: 1}\ntime: {end: 1}\n",
                "1:13: ", "not an expression");
-  EXPECT_THROW(formula::read_problem_file("/"), InputError);
-  EXPECT_THROW(formula::read_problem_file("/dev/null"), InputError);
+  EXPECT_THROW(formula::problem_text("/"), InputError);
+  EXPECT_THROW(formula::problem_text("/dev/null"), InputError);
 }
 
 }  // namespace

@@ -11,7 +11,10 @@ namespace {
 
 const std::string folder = ODEUM_SOURCE_DIR "/cases/problems/";
 
-Problem problem_of(const std::string& stem) { return read_problem_file(folder + stem + ".yaml"); }
+Problem problem_of(const std::string& stem) {
+  const std::string file = folder + stem + ".yaml";
+  return read_problem(file, problem_text(file));
+}
 
 std::vector<long double> slope_of(const Problem& p, long double t, std::vector<long double> y) {
   std::vector<long double> f(p.states.size());

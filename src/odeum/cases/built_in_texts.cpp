@@ -35,6 +35,11 @@ const BuiltInText* built_in_text_of(const std::string& id) {
   return nullptr;
 }
 
+TextSource source_of(const BuiltInText& text, const std::string& id,
+                     const formula::Overrides& set) {
+  return {"cases/" + text.stem + ".yaml", text.text, id, set};
+}
+
 const std::vector<SceneText>& all_scenes() {
   static const std::vector<SceneText> all{
 #include "lists/scenes.inc"

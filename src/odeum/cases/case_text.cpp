@@ -13,29 +13,28 @@
 
 namespace odeum::cases {
 
-CaseText::CaseText(const std::string& file, const std::string& text, const std::string& id,
-                   const formula::Overrides& set)
-    : CaseSection(file, text), id_(id) {
-  enter(id);
-  values_ = own_values(file, text);
-  problem_ = formula::read_problem(file, text, values_);
+CaseText::CaseText(const TextSource& source)
+    : CaseSection(source.file, source.text), source_(source) {
+  enter(source.id);
+  values_ = own_values();
+  problem_ = formula::read_problem(source.file, source.text, values_);
   usual_ = problem_.parameters;
   read_offered();
-  if (set.empty()) return;
-  for (const auto& [name, value] : set) {
+  if (source.set.empty()) return;
+  for (const auto& [name, value] : source.set) {
     if (problem_.parameters.contains(name) && std::ranges::find(offered_, name) == offered_.end())
-      throw std::invalid_argument(
-          fmt::format("{} has no parameter {}; expected {}", id, name, one_of(offered_, name)));
+      throw std::invalid_argument(fmt::format("{} has no parameter {}; expected {}", source.id,
+                                              name, one_of(offered_, name)));
     values_[name] = value;
   }
-  take_values(set);
+  take_values();
   require_signs();
-  problem_ = formula::read_problem(file, text, values_);
+  problem_ = formula::read_problem(source.file, source.text, values_);
 }
 
 // Numbers alone, so that signs are checked before the problem is made of them.
-void CaseText::take_values(const formula::Overrides& set) {
-  for (const auto& [name, value] : set) {
+void CaseText::take_values() {
+  for (const auto& [name, value] : source_.set) {
     formula::Graph graph;
     try {
       const formula::Id id = formula::parse_expression(value, {}, graph);
@@ -47,10 +46,10 @@ void CaseText::take_values(const formula::Overrides& set) {
   }
 }
 
-formula::Overrides CaseText::own_values(const std::string& file, const std::string& text) {
+formula::Overrides CaseText::own_values() {
   const std::vector<Item> given = mapping("set");
   if (given.empty()) return {};
-  const auto known = formula::read_problem(file, text).parameters;
+  const auto known = formula::read_problem(source_.file, source_.text).parameters;
   std::vector<std::string> names;
   for (const auto& [name, value] : known) names.push_back(name);
   formula::Overrides values;
@@ -156,47 +155,27 @@ OdeView offered(OdeView view, const formula::Offers& offers) {
   return view;
 }
 
-std::pair<double, double> span_of_text(const std::string& file, const std::string& text,
-                                       const std::string& id, const formula::Overrides& set) {
-  class OfText : CaseText {
-   public:
-    OfText(const std::string& file, const std::string& text, const std::string& id,
-           const formula::Overrides& set)
-        : CaseText(file, text, id, set) {}
-    std::pair<double, double> span() { return {static_cast<double>(problem_.t0), stops().back()}; }
-  };
-  return OfText(file, text, id, set).span();
+formula::Problem CaseText::with_names() const {
+  return formula::read_problem(source_.file, source_.text, values_, formula::Parameters::names);
 }
 
-std::string struct_of_text(const std::string& file, const std::string& text, const std::string& id,
-                           const formula::Overrides& set, bool series) {
-  class OfText : CaseText {
-   public:
-    OfText(const std::string& file, const std::string& text, const std::string& id,
-           const formula::Overrides& set)
-        : CaseText(file, text, id, set) {}
-    std::string print(const std::string& file, const std::string& text, bool series) const {
-      constexpr std::size_t most_states = 200;
-      // Parameters are the struct's members, but where the number of states follows from one.
-      formula::Problem problem = problem_;
-      try {
-        problem = formula::read_problem(file, text, values_, formula::Parameters::names);
-      } catch (const InputError&) {
-        ;  // the text is sound: it was read before
-      }
-      const std::size_t n = problem.states.size();
-      if (n > most_states || problem.kinetic_energy != formula::no_node)
-        throw InputError(
-            file, {},
-            fmt::format("got {}, expected at most {} states and no mass matrix, since "
-                        "a program spells out each equation",
-                        n > most_states ? fmt::format("{} states", n) : "a mass matrix",
-                        most_states));
-      const formula::Analysis analysis = formula::analyse(problem);
-      return print::print_struct("Problem", problem, analysis, {.series = series});
-    }
-  };
-  return OfText(file, text, id, set).print(file, text, series);
+std::string CaseText::as_struct(bool series) const {
+  constexpr std::size_t most_states = 200;
+  // Parameters are the struct's members, but where the number of states follows from one.
+  formula::Problem problem = problem_;
+  try {
+    problem = with_names();
+  } catch (const InputError&) {
+    ;  // the text is sound: it was read before
+  }
+  const std::size_t n = problem.states.size();
+  if (n > most_states || problem.kinetic_energy != formula::no_node)
+    fail({},
+         "got {}, expected at most {} states and no mass matrix, since a program spells out each "
+         "equation",
+         n > most_states ? fmt::format("{} states", n) : "a mass matrix", most_states);
+  const formula::Analysis analysis = formula::analyse(problem);
+  return print::print_struct("Problem", problem, analysis, {.series = series});
 }
 
 }  // namespace odeum::cases

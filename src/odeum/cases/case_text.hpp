@@ -13,14 +13,28 @@
 
 namespace odeum::cases {
 
+/// The case `id` of a problem file. `set` replaces parameters that the case offers.
+struct TextSource {
+  std::string file, text, id;
+  formula::Overrides set;
+};
+
 /// One case of a problem file while it is read: its keys, the problem with the case's parameters,
 /// and numbers that are given as expressions of these.
 class CaseText : protected formula::CaseSection {
- protected:
-  /// `set` replaces parameters that the case offers; throws std::invalid_argument for another one.
-  CaseText(const std::string& file, const std::string& text, const std::string& id,
-           const formula::Overrides& set);
+ public:
+  /// Throws InputError, and std::invalid_argument for a parameter that is not offered.
+  explicit CaseText(const TextSource& source);
 
+  /// The start and the end, for which no truth is computed.
+  std::pair<double, double> span() { return {static_cast<double>(problem_.t0), stops().back()}; }
+  /// The equations as a struct `Problem` of plain C++17, see print/print_problem.hpp, with these
+  /// values of the parameters. Throws InputError for what is not printed: a mass matrix, and more
+  /// than 200 states.
+  std::string as_struct(bool series) const;
+  formula::Problem& problem() { return problem_; }
+
+ protected:
   /// The number, or the entries of the list, of a key; none where it is not given.
   std::vector<double> numbers(const std::string& key);
   template <class Number>
@@ -46,7 +60,10 @@ class CaseText : protected formula::CaseSection {
   /// Gives the parameters offered these values; one that stays `as_read` keeps all digits.
   void place(const std::vector<double>& values, const std::map<std::string, long double>& as_read);
 
-  std::string id_;
+  /// The problem with parameters that keep their names.
+  formula::Problem with_names() const;
+
+  TextSource source_;
   formula::Problem problem_;
   formula::Overrides values_;         ///< with which it was read
   std::vector<std::string> offered_;  ///< parameters that a user may change
@@ -54,25 +71,14 @@ class CaseText : protected formula::CaseSection {
  private:
   double number(const YamlNode& value, const std::string& key);
   /// The values of `set` below the case.
-  formula::Overrides own_values(const std::string& file, const std::string& text);
+  formula::Overrides own_values();
   void read_offered();
-  void take_values(const formula::Overrides& set);
+  void take_values();
 
   std::map<std::string, long double> usual_;
 };
 
 /// A view without what the file does not offer.
 OdeView offered(OdeView view, const formula::Offers& offers);
-
-/// The start and the end of the case `id` of a problem file, for which no truth is computed. Throws
-/// InputError and std::invalid_argument.
-std::pair<double, double> span_of_text(const std::string& file, const std::string& text,
-                                       const std::string& id, const formula::Overrides& set);
-
-/// The equations of the case `id` as a struct `Problem` of plain C++17, see
-/// print/print_problem.hpp, with these values of the parameters. Throws as above, and InputError
-/// for what is not printed: a mass matrix, and more than 200 states.
-std::string struct_of_text(const std::string& file, const std::string& text, const std::string& id,
-                           const formula::Overrides& set, bool series);
 
 }  // namespace odeum::cases

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "odeum/solvers/case.hpp"
@@ -14,5 +15,8 @@ struct PrintedText {
   /// all invariants that the text has.
   void (*put)(const double* values, Case& c);
 };
+
+/// What was printed of a built-in text when Odeum was built; null where there is none of that stem.
+const PrintedText* printed_of(std::string_view stem);
 
 }  // namespace odeum::cases

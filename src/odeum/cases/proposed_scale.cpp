@@ -11,8 +11,6 @@ namespace {
 
 double power_above(double size) { return std::pow(10, std::ceil(std::log10(size) - 1e-9)); }
 
-}  // namespace
-
 std::vector<double> proposed_scale(const Case& c) {
   std::vector<double> largest(c.y0.size()), state(c.y0.size());
   const auto extend = [&](const std::vector<double>& y) {
@@ -37,6 +35,8 @@ std::vector<double> proposed_scale(const Case& c) {
   if (std::ranges::all_of(largest, near_one)) return {};
   return largest;
 }
+
+}  // namespace
 
 std::vector<double> take_proposed_scale(Case& c, double& floor) {
   std::vector<double> scale = proposed_scale(c);

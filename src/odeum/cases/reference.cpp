@@ -2,7 +2,6 @@
 #include "odeum/cases/reference.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>

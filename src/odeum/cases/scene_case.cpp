@@ -112,19 +112,13 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   const TextTruth known = scene_truth(problem, c.stops, text, file);
   c.truth = known.truth;
   c.facts.emplace_back("truth", known.words);
-  if (known.stops.empty()) {
-    c.settings.no_convergence = "no truth is known: " + known.words;
-    choose_steps(c, structure.order_kept > scene::order_at_kinks, false);
-    return c;
-  }
+  if (known.stops.empty()) c.settings.no_convergence = "no truth is known: " + known.words;
   cut_stops(c, known.stops);
   // A trial step of an implicit method factors a large matrix: only where explicit ones have
   // failed.
   constexpr std::size_t small = 64;
-  if (problem->size() <= small)
-    choose_steps(c, structure.order_kept > scene::order_at_kinks, true);
-  else
-    choose_steps(c, structure.order_kept > scene::order_at_kinks, true, most_trial_steps);
+  choose_steps(c, structure.order_kept > scene::order_at_kinks, !known.stops.empty(),
+               problem->size() <= small ? many_trial_steps : most_trial_steps);
   c.settings.evaluation_budget = budget_of(*problem, c.settings.evaluation_budget);
   return c;
 }

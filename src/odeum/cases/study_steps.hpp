@@ -10,12 +10,12 @@ namespace odeum::cases {
 /// The smallest number of equal steps, up to 1000, that has every stop on a step; 0: more.
 std::uint64_t steps_multiple(double t0, const std::vector<double>& stops);
 
-/// The most steps of an explicit method that are tried.
-inline constexpr std::uint64_t most_trial_steps = 40'000;
+/// The most steps of an explicit method that are tried, and those above which implicit ones are.
+inline constexpr std::uint64_t most_trial_steps = 40'000, many_trial_steps = 1000;
 
 /// Sets the steps with which studies run a case that has its entrants, by trial runs against its
 /// truth, and tags it `stiff` or, where its right-hand side is, `smooth`. Without a known truth
-/// only the multiple. `many`: steps of an explicit method above which implicit ones are tried.
-void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many = 1000);
+/// only the multiple.
+void choose_steps(Case& c, bool smooth, bool known, std::uint64_t many = many_trial_steps);
 
 }  // namespace odeum::cases

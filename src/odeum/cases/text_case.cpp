@@ -2,15 +2,12 @@
 #include "odeum/cases/text_case.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "odeum/cases/case_text.hpp"
-#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/parameters.hpp"
-#include "odeum/cases/printed_list.hpp"
+#include "odeum/cases/printed_text.hpp"
 #include "odeum/cases/proposed_scale.hpp"
 #include "odeum/cases/reference.hpp"
 #include "odeum/cases/set_problem.hpp"
@@ -18,7 +15,6 @@
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_family.hpp"
 #include "odeum/cases/text_truth.hpp"
-#include "odeum/formula/implicit_text.hpp"
 
 namespace odeum::cases {
 
@@ -26,9 +22,8 @@ namespace {
 
 using formula::TextOde;
 
-/// A file with what is known of it before it is read as a problem.
+/// What is known of a file before it is read as a problem.
 struct File {
-  std::string name, text;
   const PrintedText* printed = nullptr;  ///< null: no built-in text has its equations
   std::string folder = {};               ///< of its references; empty: they are built in
   bool computes_truth = true;            ///< false: it stays unknown where it has to be computed
@@ -36,8 +31,7 @@ struct File {
 
 class TextCase : CaseText {
  public:
-  TextCase(const File& file, const std::string& id, const formula::Overrides& set)
-      : CaseText(file.name, file.text, id, set), file_(file), set_(set) {}
+  TextCase(const File& file, const TextSource& source) : CaseText(source), file_(file) {}
 
   Case make() {
     require_signs();
@@ -72,15 +66,15 @@ class TextCase : CaseText {
       case_.parameters.push_back({name, value, meaning ? scalar(*meaning->value, name) : ""});
     }
     if (offered_.empty()) return;
-    case_.family = TextFamilies(file_.name, file_.text, id_, set_);
+    case_.family = TextFamilies{source_};
     // What stays as it is keeps all digits of the file.
-    case_.with_values = [file = file_, id = id_, now = case_.parameters,
-                         given = set_](const Values& values) {
-      formula::Overrides set = given;
+    case_.with_values = [file = file_, source = source_,
+                         now = case_.parameters](const Values& values) {
+      TextSource other = source;
       for (std::size_t k = 0; k < now.size(); ++k)
         if (values[k] != now[k].value)
-          set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
-      return TextCase(file, id, set).make();
+          other.set[now[k].name] = fmt::format("{:.21g}", static_cast<long double>(values[k]));
+      return TextCase(file, other).make();
     };
   }
 
@@ -152,7 +146,7 @@ class TextCase : CaseText {
     take_number("floor", floor);
     if (!files.empty() && !(floor > 0))
       fail(find("reference")->place, "{}: floor: got none, expected the error of the reference",
-           id_);
+           source_.id);
     if (!files.empty() && is_usual()) {
       case_.truth = reference(files.front(), floor);
       for (std::size_t k = 1; k < files.size(); ++k)
@@ -240,7 +234,6 @@ class TextCase : CaseText {
   }
 
   File file_;
-  formula::Overrides set_;
   std::shared_ptr<const TextOde> ode_;
   std::shared_ptr<const formula::Analysis> analysis_;
   TextTruth truth_;
@@ -253,22 +246,22 @@ File user_file(const std::string& file, const std::string& text) {
   const std::string code = formula::code_of_problem(file, text);
   for (const BuiltInText& each : built_in_texts())
     if (formula::code_of_problem(each.stem, each.text) == code)
-      return {file, text, printed_of(each.stem), folder};
-  return {file, text, nullptr, folder};
+      return {printed_of(each.stem), folder};
+  return {nullptr, folder};
 }
 
-std::vector<Statement> statements_of(File file, const std::string& id,
-                                     const formula::Overrides& set) {
-  formula::CaseSection keys(file.name, file.text);
+std::vector<Statement> statements_of(const File& file, TextSource source) {
+  formula::CaseSection keys(source.file, source.text);
   std::vector<std::string> ids = keys.ids();
-  if (ids.empty()) ids = {id};
+  if (ids.empty()) ids = {source.id};
   std::vector<Statement> all;
-  for (const std::string& each : ids) {
-    keys.enter(each);
-    all.push_back({.id = each,
-                   .title = keys.text("title", keys.name().empty() ? each : keys.name()),
+  for (const std::string& id : ids) {
+    keys.enter(id);
+    source.id = id;
+    all.push_back({.id = id,
+                   .title = keys.text("title", keys.name().empty() ? id : keys.name()),
                    .tags = keys.tags(),
-                   .make = [file, each, set] { return TextCase(file, each, set).make(); }});
+                   .make = [file, source] { return TextCase(file, source).make(); }});
   }
   return all;
 }
@@ -277,15 +270,14 @@ std::vector<Statement> statements_of(File file, const std::string& id,
 
 std::vector<Statement> text_statements(const std::string& file, const std::string& text,
                                        const std::string& id, const formula::Overrides& set) {
-  return statements_of(user_file(file, text), id, set);
+  return statements_of(user_file(file, text), {file, text, id, set});
 }
 
-std::optional<Case> case_before_truth(const std::string& file, const std::string& text,
-                                      const std::string& id, const formula::Overrides& set) {
-  File user = user_file(file, text);
+std::optional<Case> case_before_truth(const TextSource& source) {
+  File user = user_file(source.file, source.text);
   user.computes_truth = false;
-  const std::vector<Statement> all = statements_of(user, id, set);
-  const auto chosen = std::ranges::find(all, id, &Statement::id);
+  const std::vector<Statement> all = statements_of(user, source);
+  const auto chosen = std::ranges::find(all, source.id, &Statement::id);
   if (chosen == all.end()) return std::nullopt;
   Case c = case_of(*chosen);
   std::vector<double> y(c.y0.size());
@@ -293,8 +285,7 @@ std::optional<Case> case_before_truth(const std::string& file, const std::string
 }
 
 std::vector<Statement> text_statements(const BuiltInText& text) {
-  return statements_of({"cases/" + text.stem + ".yaml", text.text, printed_of(text.stem)},
-                       text.stem, {});
+  return statements_of({printed_of(text.stem)}, source_of(text, text.stem));
 }
 
 }  // namespace odeum::cases

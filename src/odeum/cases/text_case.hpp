@@ -2,11 +2,10 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "odeum/cases/case_text.hpp"
 #include "odeum/cases/catalogue.hpp"
-#include "odeum/formula/problem.hpp"
 
 namespace odeum::cases {
 
@@ -22,6 +21,8 @@ struct BuiltInText {
 const std::vector<BuiltInText>& built_in_texts();
 /// The one that states the case of that id; null where none does.
 const BuiltInText* built_in_text_of(const std::string& id);
+TextSource source_of(const BuiltInText& text, const std::string& id,
+                     const formula::Overrides& set = {});
 
 /// The cases that a problem file states: those below its `cases`, or one of the name `id`. Each has
 /// its closed form, its reference, or a computed one for truth (kept in the cache folder by
@@ -37,10 +38,8 @@ std::vector<Statement> text_statements(const BuiltInText& text);
 /// user's text says by itself. Of a built-in text it takes up to two seconds, the first time.
 std::string with_proof(const Case& c);
 
-/// The case `id` of a problem file before its truth is computed, without a proposed scale; none
-/// where the truth needs no computation, or where there is no such case. Throws as a Statement's
-/// make().
-std::optional<Case> case_before_truth(const std::string& file, const std::string& text,
-                                      const std::string& id, const formula::Overrides& set);
+/// The case before its truth is computed, without a proposed scale; none where the truth needs no
+/// computation, or where there is no such case. Throws as a Statement's make().
+std::optional<Case> case_before_truth(const TextSource& source);
 
 }  // namespace odeum::cases

@@ -63,7 +63,7 @@ void add_invariants(const formula::Problem& problem, Case& c) {
       (*value)(0, state, &result);
       return result;
     };
-    if (!c.energy && (invariant.name == "energy" || invariant.name == "H"))
+    if (!c.energy && invariant.is_energy())
       c.energy = function;
     else
       c.invariants.push_back({invariant.name, function});

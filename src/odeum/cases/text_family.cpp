@@ -7,8 +7,8 @@
 #include <cmath>
 #include <memory>
 
-#include "odeum/cases/case_text.hpp"
 #include "odeum/cases/set_problem.hpp"
+#include "odeum/formula/exact.hpp"
 #include "odeum/formula/lane_code.hpp"
 
 namespace odeum::cases {
@@ -24,18 +24,14 @@ bool near(double a, double b) {
 
 class TextFamily : CaseText {
  public:
-  TextFamily(const std::string& file, const std::string& text, const std::string& id,
-             const formula::Overrides& set)
-      : CaseText(file, text, id, set),
-        file_(file),
-        text_(text),
+  explicit TextFamily(const TextSource& source)
+      : CaseText(source),
         usual_stops_(stops()),
         usual_(problem_.parameters),
         y0_(std::make_shared<std::vector<double>>(problem_.states.size())),
-        ode_(std::make_shared<formula::TextOde>(
-            formula::read_problem(file, text, values_, formula::Parameters::names))) {
+        ode_(std::make_shared<formula::TextOde>(with_names())) {
     for (const formula::Invariant& invariant : ode_->problem().invariants)
-      if (!energy_ && (invariant.name == "energy" || invariant.name == "H"))
+      if (!energy_ && invariant.is_energy())
         energy_.emplace(ode_->problem().graph, std::vector<formula::Id>{invariant.value});
   }
 
@@ -54,7 +50,7 @@ class TextFamily : CaseText {
     formula::Overrides all = values_;
     for (const std::string& name : offered_)
       all[name] = fmt::format("{:.21g}", problem_.parameters.at(name));
-    const Problem read = formula::read_problem(file_, text_, all);
+    const Problem read = formula::read_problem(source_.file, source_.text, all);
     problem_.stops = read.stops;
     const std::size_t n = y0_->size();
     if (read.states.size() != n || read.t0 != problem_.t0 || stops() != usual_stops_) return false;
@@ -99,7 +95,6 @@ class TextFamily : CaseText {
   }
 
  private:
-  std::string file_, text_;
   std::vector<double> usual_stops_;
   std::map<std::string, long double> usual_;
   std::shared_ptr<std::vector<double>> y0_;
@@ -107,24 +102,53 @@ class TextFamily : CaseText {
   std::optional<formula::Evaluator<double>> energy_;
 };
 
-}  // namespace
+/// The closed form for any values of the parameters.
+class TextExact : CaseText {
+ public:
+  explicit TextExact(const TextSource& source) : CaseText(source), named_(with_names()) {
+    if (!named_.exact.empty()) exact_.emplace(named_);
+  }
 
-TextFamilies::TextFamilies(std::string file, std::string text, std::string id,
-                           formula::Overrides set)
-    : file_(std::move(file)), text_(std::move(text)), id_(std::move(id)), set_(std::move(set)) {}
+  bool known() const { return exact_.has_value(); }
+
+  bool operator()(const std::vector<double>& values, double t, double* y) {
+    place(values, named_.parameters);
+    exact_->define(formula::definitions_of(named_.graph, problem_.parameters));
+    // A formula may hold for some values only, as one with a root does.
+    const long double t0 = named_.t0, end = t;
+    for (const long double at : {t0, t0 + (end - t0) * 0.4375L, end})
+      if (exact_->flaw_at(at, t0, end)) return false;
+    std::copy_n(exact_->state(), named_.states.size(), y);
+    return true;
+  }
+
+ private:
+  Problem named_;
+  std::optional<formula::Exact> exact_;
+};
+
+}  // namespace
 
 std::optional<Family> TextFamilies::operator()(
     const std::vector<std::vector<double>>& samples) const {
-  const auto family = std::make_shared<TextFamily>(file_, text_, id_, set_);
+  const auto family = std::make_shared<TextFamily>(source);
   for (const std::vector<double>& values : samples)
     if (!family->agrees(values)) return std::nullopt;
   return TextFamily::make(family);
 }
 
 FamilyInLanes TextFamilies::in_lanes() const {
-  const auto family = std::make_shared<TextFamily>(file_, text_, id_, set_);
+  const auto family = std::make_shared<TextFamily>(source);
   return {family->in_lanes(),
           [family](const std::vector<double>& values) { return family->place(values); }};
+}
+
+MemberTruth TextFamilies::exact() const {
+  const auto exact = std::make_shared<TextExact>(source);
+  if (!exact->known()) return {};
+  return [exact](const std::vector<double>& values, double t, double* y) {
+    return (*exact)(values, t, y);
+  };
 }
 
 }  // namespace odeum::cases

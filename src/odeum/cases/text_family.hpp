@@ -2,10 +2,9 @@
 #pragma once
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "odeum/formula/problem.hpp"
+#include "odeum/cases/case_text.hpp"
 #include "odeum/solvers/case.hpp"
 #include "odeum/solvers/lane_run.hpp"
 
@@ -22,11 +21,11 @@ struct FamilyInLanes {
 /// closed form does not hold for them. For one thread.
 using MemberTruth = std::function<bool(const std::vector<double>& values, double t, double* y)>;
 
-/// What Case::family is of the case `id` of a problem file, whose code is compiled once with the
+/// What Case::family is of a case of a problem file, whose code is compiled once with the
 /// parameters as variables.
-class TextFamilies {
- public:
-  TextFamilies(std::string file, std::string text, std::string id, formula::Overrides set);
+struct TextFamilies {
+  TextSource source;
+
   /// None where no compiler is, and where values move the start, the end or the number of states,
   /// or masses.
   std::optional<Family> operator()(const std::vector<std::vector<double>>& samples) const;
@@ -34,10 +33,6 @@ class TextFamilies {
   FamilyInLanes in_lanes() const;
   /// Empty where the file has no closed form.
   MemberTruth exact() const;
-
- private:
-  std::string file_, text_, id_;
-  formula::Overrides set_;
 };
 
 }  // namespace odeum::cases

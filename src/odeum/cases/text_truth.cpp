@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "odeum/cases/case_text.hpp"
+#include "odeum/cases/text_case.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/formula/cache.hpp"
 #include "odeum/formula/text_ode.hpp"
@@ -23,6 +25,22 @@ using truth::Real;
 
 Real scale_of(const formula::Problem& problem, std::size_t i) {
   return problem.scale.empty() ? 1 : problem.scale[i];
+}
+
+/// What the solution depends on, as text.
+std::string content_of(const formula::Problem& problem, const formula::Analysis& analysis) {
+  std::string content = formula::print_c(problem, analysis);
+  content += fmt::format("\n{}", problem.t0);
+  for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
+  return content;
+}
+
+/// The place of a time in a reference, which was computed from the same problem: a time that
+/// differs by rounding alone is the same.
+std::size_t place_of(const truth::Reference& reference, double t) {
+  for (std::size_t k = 0; k < reference.times.size(); ++k)
+    if (std::abs(reference.times[k] - t) <= 4e-16 * std::abs(t)) return k;
+  return reference.times.size();
 }
 
 }  // namespace
@@ -69,26 +87,6 @@ TextTruth closed_form(const formula::Problem& problem) {
       fmt::format("closed form, which fulfils the equations; known to {:.1e}", result.truth.floor);
   return result;
 }
-
-namespace {
-
-/// What the solution depends on, as text.
-std::string content_of(const formula::Problem& problem, const formula::Analysis& analysis) {
-  std::string content = formula::print_c(problem, analysis);
-  content += fmt::format("\n{}", problem.t0);
-  for (const Real y : problem.y0) content += fmt::format(" {:.21Lg}", y);
-  return content;
-}
-
-/// The place of a time in a reference, which was computed from the same problem: a time that
-/// differs by rounding alone is the same.
-std::size_t place_of(const truth::Reference& reference, double t) {
-  for (std::size_t k = 0; k < reference.times.size(); ++k)
-    if (std::abs(reference.times[k] - t) <= 4e-16 * std::abs(t)) return k;
-  return reference.times.size();
-}
-
-}  // namespace
 
 TextTruth truth_from(truth::Reference computed, const std::vector<double>& stops,
                      const std::vector<double>& scale, const std::string& what) {
@@ -171,6 +169,20 @@ std::string proof_of(const formula::Problem& problem, const formula::Analysis& a
   std::string text = to_text(*certificate);
   formula::keep_text(name, text);
   return text;
+}
+
+std::string with_proof(const Case& c) {
+  const BuiltInText* const text = built_in_text_of(c.id);
+  if (!text) return c.truth.source;
+  TextSource source = source_of(*text, c.id);
+  const auto usual = CaseText(source).problem().parameters;
+  for (const auto& [name, value, meaning] : c.parameters)
+    if (static_cast<double>(usual.at(name)) != value)
+      source.set[name] = fmt::format("{:.21g}", value);
+  CaseText now(source);
+  const std::string proof =
+      proof_of(now.problem(), formula::analyse(now.problem()), c.truth, c.stops);
+  return c.truth.source + (proof.empty() ? "" : "; ") + proof;
 }
 
 }  // namespace odeum::cases

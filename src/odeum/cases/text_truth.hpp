@@ -2,7 +2,6 @@
 #pragma once
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "odeum/formula/text_ode.hpp"
 #include "odeum/solvers/case.hpp"

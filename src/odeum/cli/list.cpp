@@ -9,7 +9,6 @@
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/problems.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/input/text_file.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/table.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -65,10 +64,9 @@ std::string modes(const SolverInfo& info) {
 Entrants entrants_of(const std::string& problem) {
   const auto source = is_problem_file(problem) ? std::nullopt : find_scene(problem);
   if (!source) return case_of(problem, ProblemOptions()).entrants;
-  const std::string text =
-      source->text ? *source->text
-                   : read_text_file(source->file, "scene", scene::ReadOptions().most_bytes);
-  const scene::ReadScene read = scene::read_scene(source->file, text, {.need_solver = false});
+  const scene::ReadOptions options{.need_solver = false};
+  const scene::ReadScene read =
+      scene::read_scene(source->file, source->read(options.most_bytes), options);
   return cases::enroll_scene(
       std::make_shared<const scene::SceneProblem>(scene::at_start(read.scene)));
 }
@@ -78,7 +76,6 @@ Listing list_solvers(const std::string& problem) {
   std::optional<Entrants> entrants;
   if (!problem.empty()) {
     listing.columns.insert(listing.columns.begin() + 1, "fits");
-    listing.shown = 5;
     entrants = entrants_of(problem);
   }
   const auto add = [&](const SolverInfo& info, const std::string& unfit) {
@@ -135,10 +132,6 @@ std::string as_table(const Listing& listing) {
   return table.text();
 }
 
-std::string as_csv(const Listing& listing) {
-  return record::Records{listing.columns, listing.rows}.csv();
-}
-
 /// Numbers as numbers; where a number is to be and a word stands in its place, null.
 std::string as_json(const Listing& listing) {
   nlohmann::ordered_json array = nlohmann::ordered_json::array();
@@ -188,7 +181,7 @@ void add_list(CLI::App& app) {
                             : options->what == "cases"  ? list_cases()
                             : options->what == "scenes" ? list_scenes()
                                                         : list_solvers(options->problem);
-    print(options->format == "csv"    ? as_csv(listing)
+    print(options->format == "csv"    ? record::Records{listing.columns, listing.rows}.csv()
           : options->format == "json" ? as_json(listing)
                                       : as_table(listing));
   });

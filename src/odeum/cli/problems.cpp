@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/cli/problems.hpp"
-#include "odeum/cases/catalogue.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
 
-#include "odeum/cases/case_text.hpp"
 #include "odeum/cases/foreign_case.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cases/text_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/session.hpp"
-#include "odeum/formula/compile.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/text_file.hpp"
 #include "odeum/report/text.hpp"
@@ -94,7 +91,7 @@ const Case& load_fmu(const std::string& path, const std::vector<std::string>& se
 Cases load_text(const std::string& path, const std::vector<std::string>& sets,
                 const Choice& choose) {
   try {
-    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
+    const std::string text = formula::problem_text(path);
     std::vector<Statement> statements =
         cases::text_statements(path, text, stem_of(path), overrides_of(sets));
     if (choose) choose(text, statements);
@@ -136,17 +133,21 @@ std::string struct_of(const std::string& what, const ProblemOptions& options, co
   const formula::Overrides set = overrides_of(options.sets);
   try {
     if (is_problem_file(what) && !is_fmu(what)) {
-      const std::string text = read_text_file(what, "problem", formula::most_problem_bytes);
+      const std::string text = formula::problem_text(what);
       std::vector<Statement> statements = cases::text_statements(what, text, stem_of(what), set);
       keep_chosen(what, options.chosen, statements);
-      return cases::struct_of_text(what, text, statements.front().id, set, series);
+      return cases::CaseText({what, text, statements.front().id, set}).as_struct(series);
     }
     if (const cases::BuiltInText* const text = cases::built_in_text_of(c.id))
-      return cases::struct_of_text("cases/" + text->stem + ".yaml", text->text, c.id, set, series);
+      return cases::CaseText(cases::source_of(*text, c.id, set)).as_struct(series);
   } catch (const std::exception& error) {
     throw UsageError("--code: {}", error.what());
   }
   return {};
+}
+
+std::string SceneSource::read(std::size_t most_bytes, const std::string& raise) const {
+  return text ? *text : read_text_file(file, "scene", most_bytes, raise);
 }
 
 std::optional<SceneSource> find_scene(const std::string& what) {
@@ -177,8 +178,7 @@ bool is_problem_file(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
   try {
-    return formula::looks_like_problem(
-        path, read_text_file(path, "problem", formula::most_problem_bytes));
+    return formula::looks_like_problem(path, formula::problem_text(path));
   } catch (const InputError&) {
     return false;
   }
@@ -204,8 +204,9 @@ const Case& load_problem(const std::string& path, const ProblemOptions& options,
                     [&](const std::string& text, std::vector<Statement>& statements) {
                       keep_chosen(path, options.chosen, statements);
                       if (!check) return;
-                      const auto [t0, end] = cases::span_of_text(path, text, statements.front().id,
-                                                                 overrides_of(options.sets));
+                      const auto [t0, end] = cases::CaseText({path, text, statements.front().id,
+                                                              overrides_of(options.sets)})
+                                                 .span();
                       check(t0, end);
                     })
               .front();
@@ -214,10 +215,9 @@ const Case& load_problem(const std::string& path, const ProblemOptions& options,
 std::optional<Case> load_before_truth(const std::string& path, const ProblemOptions& options) {
   if (is_fmu(path)) return std::nullopt;
   try {
-    const std::string text = read_text_file(path, "problem", formula::most_problem_bytes);
-    return cases::case_before_truth(path, text,
-                                    options.chosen.empty() ? stem_of(path) : options.chosen,
-                                    overrides_of(options.sets));
+    return cases::case_before_truth({path, formula::problem_text(path),
+                                     options.chosen.empty() ? stem_of(path) : options.chosen,
+                                     overrides_of(options.sets)});
   } catch (const std::exception&) {
     return std::nullopt;  // what is wrong is said when the problem is loaded
   }
@@ -225,19 +225,13 @@ std::optional<Case> load_before_truth(const std::string& path, const ProblemOpti
 
 const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets) {
   if (!sets.empty()) throw UsageError("--set: a scene has no parameters; change its file");
-  scene::ReadOptions options;
-  options.need_solver = false;
-  try {
-    const std::string text =
-        source.text ? *source.text : read_text_file(source.file, "scene", options.most_bytes);
-    scene::ReadScene read = scene::read_scene(source.file, text, options);
-    for (const std::string& warning : read.warnings) remark(warning + " (warning)");
-    mark() += " " + formula::content_key(text);
-    return add_user_case(cases::scene_statement(unused_id(stem_of(source.file), "_scene"),
-                                                source.file, text, std::move(read.scene)));
-  } catch (const InputError& error) {
-    throw UsageError(error.what());
-  }
+  const scene::ReadOptions options{.need_solver = false};
+  const std::string text = source.read(options.most_bytes);
+  scene::ReadScene read = scene::read_scene(source.file, text, options);
+  for (const std::string& warning : read.warnings) remark(warning + " (warning)");
+  mark() += " " + formula::content_key(text);
+  return add_user_case(cases::scene_statement(unused_id(stem_of(source.file), "_scene"),
+                                              source.file, text, std::move(read.scene)));
 }
 
 Case case_of(const std::string& what, const ProblemOptions& options, const SpanCheck& check) {
@@ -264,8 +258,8 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
          scene ? Cases{&load_scene(*scene, options.sets)} : load_problems_of(word, options.sets)) {
       remark("{:<9}  {} ({})", scene ? "scene" : "problem", c->title, c->source);
       for (const auto& [name, fact] : c->facts) remark("{:<9}  {}", name, fact);
-      std::string& words = loaded_words()[c->id] = shell_word(word);
-      for (const std::string& set : options.sets) words += " --set " + shell_word(set);
+      std::string& name = loaded_words()[c->id] = shell_word(word);
+      for (const std::string& set : options.sets) name += " --set " + shell_word(set);
       globs.push_back(c->id);
     }
     loaded = true;

@@ -29,6 +29,9 @@ bool is_problem_file(const std::string& path);
 struct SceneSource {
   std::string file;                 ///< the name in errors
   std::optional<std::string> text;  ///< empty: read the file
+
+  /// Throws InputError; `raise` is the option that allows a larger file.
+  std::string read(std::size_t most_bytes, const std::string& raise = "") const;
 };
 
 /// The scene of that name: a file name with a scene's extension, else a built-in scene unless a

@@ -5,12 +5,10 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
-#include "odeum/input/text_file.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/scene/run/run.hpp"
 #include "odeum/trajectories/run_page.hpp"
@@ -280,10 +278,7 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
     throw UsageError("--set: a scene has no parameters; change its file");
   if (options.settings.every) require_positive("--every", *options.settings.every);
   try {
-    const std::string text = source.text
-                                 ? *source.text
-                                 : read_text_file(source.file, "scene", read_options.most_bytes,
-                                                  "--max-megabytes raises it");
+    const std::string text = source.read(read_options.most_bytes, "--max-megabytes raises it");
     return run_read(scene::read_scene(source.file, text, read_options), source, text, options);
   } catch (const std::length_error& error) {
     throw UsageError(error.what());

@@ -69,11 +69,12 @@ std::string content_key(const std::string& text) {
   return fmt::format("{:016x}{:016x}", a, b);
 }
 
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
 std::string cache_folder() {
-  const auto environment = [](const char* name) {
-    const char* const value = std::getenv(name);
-    return std::string(value ? value : "");
-  };
   fs::path base = environment("XDG_CACHE_HOME");
   if (base.empty() && !environment("HOME").empty()) base = environment("HOME") + "/.cache";
   if (!base.is_absolute()) return "";
@@ -103,14 +104,8 @@ void keep_text(const std::string& name, const std::string& text) {
   std::string part = unfinished_in(folder);
   const int file = ::mkstemp(part.data());
   if (file < 0) return;
-  const std::string all = sealed(name, text);
-  std::size_t done = 0;
-  while (done < all.size()) {
-    const ssize_t written = ::write(file, all.data() + done, all.size() - done);
-    if (written < 0 && errno != EINTR) break;
-    if (written > 0) done += static_cast<std::size_t>(written);
-  }
-  if (::close(file) != 0 || done < all.size() ||
+  ::close(file);
+  if (!write_text(part, sealed(name, text)) ||
       ::rename(part.c_str(), (fs::path(folder) / name).c_str()) != 0)
     ::unlink(part.c_str());
 }

@@ -10,6 +10,8 @@ namespace odeum::formula {
 /// $HOME/.cache/odeum, made for its owner alone. Empty where there is none that can be used: not
 /// one of another user, nor one in which others may write.
 std::string cache_folder();
+/// A variable of the environment; empty where there is none of that name.
+std::string environment(const char* name);
 /// 32 hexadecimal digits that identify a text.
 std::string content_key(const std::string& text);
 

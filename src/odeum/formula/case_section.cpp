@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "odeum/formula/names.hpp"
@@ -46,8 +45,6 @@ CaseSection::CaseSection(const std::string& file, const std::string& text) : Sou
     items(*item.value, item.key, known_keys);
   }
 }
-
-std::string CaseSection::name() const { return name_; }
 
 std::vector<std::string> CaseSection::ids() const {
   std::vector<std::string> ids;
@@ -106,16 +103,15 @@ Offers CaseSection::offers() const {
   const Item* const given = entry_of(common_, "offers");
   if (!given) return {};
   Offers offers{.jacobian = false, .second_order = false, .series = false};
-  const std::pair<const char*, bool*> known[] = {{"jacobian", &offers.jacobian},
-                                                 {"second_order", &offers.second_order},
-                                                 {"series", &offers.series}};
-  for (const std::string& name : texts_of(given->value, "offers")) {
-    const auto* const at = std::find_if(std::begin(known), std::end(known),
-                                        [&](const auto& each) { return each.first == name; });
-    if (at == std::end(known))
+  for (const std::string& name : texts_of(given->value, "offers"))
+    if (name == "jacobian")
+      offers.jacobian = true;
+    else if (name == "second_order")
+      offers.second_order = true;
+    else if (name == "series")
+      offers.series = true;
+    else
       fail(given->value->place, "offers: got {}, expected jacobian, second_order or series", name);
-    *at->second = true;
-  }
   return offers;
 }
 

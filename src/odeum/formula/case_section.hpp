@@ -22,8 +22,8 @@ class CaseSection : protected reading::Source {
   /// Throws InputError with the place of an unknown key, and of an id that is no name.
   CaseSection(const std::string& file, const std::string& text);
 
-  std::string name() const;              ///< of the problem; empty: none
-  std::vector<std::string> ids() const;  ///< empty: the file has no `cases`
+  const std::string& name() const { return name_; }  ///< of the problem; empty: none
+  std::vector<std::string> ids() const;              ///< empty: the file has no `cases`
   /// Reads the keys of that case from here on.
   void enter(const std::string& id);
 

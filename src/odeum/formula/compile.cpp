@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -23,11 +22,6 @@ namespace fs = std::filesystem;
 // Optimised less, and not at all: the compiler's time grows faster than the text. At -O1 a product
 // of 3,000 factors with its derivatives, 4.8 MB, takes it 60 s, at -O0 three.
 constexpr std::size_t large_text = 2'000'000, huge_text = 4'000'000;
-
-std::string environment(const char* name) {
-  const char* const value = std::getenv(name);
-  return value ? value : "";
-}
 
 /// The path of a program: itself where it has a slash, else the first in $PATH.
 std::string find_program(const std::string& name) {
@@ -64,13 +58,6 @@ std::vector<std::string> flags_for(const std::string& text) {
           "-fno-trapping-math"};
 }
 
-bool write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  return out.good();
-}
-
 std::shared_ptr<const Library> load(const fs::path& path) {
   void* const handle = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   return handle ? std::make_shared<const Library>(handle) : nullptr;
@@ -105,7 +92,7 @@ Compiled build(const std::string& compiler, const std::string& text, const fs::p
   const WorkFolder work(cache.empty() ? fs::temp_directory_path() : cache);
   const fs::path source = work.path() / "problem.c", object = work.path() / "problem.so",
                  log = work.path() / "log";
-  if (work.path().empty() || !write_file(source, text))
+  if (work.path().empty() || !write_text(source, text))
     return {nullptr,
             "no folder to compile in: neither the cache nor the temporary folder can be "
             "written"};

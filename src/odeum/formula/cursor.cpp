@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/formula/cursor.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -26,8 +27,7 @@ void Cursor::unexpected(char c) const {
 }
 
 char Cursor::peek() {
-  while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n'))
-    ++at_;
+  at_ = std::min(text_.find_first_not_of(" \t\n", at_), text_.size());
   return at_ < text_.size() ? text_[at_] : '\0';
 }
 bool Cursor::take(char c) {

@@ -16,11 +16,8 @@ struct Rules {
   std::vector<std::array<Id, 2>> of;  ///< by operation and argument
 
   Rules() {
-    const Scope scope{
-        .names = {{"a", graph.state(0)}, {"b", graph.state(1)}, {"w", graph.state(2)}},
-        .arrays = {},
-        .refused = {},
-        .index = {}};
+    Scope scope;
+    scope.names = {{"a", graph.state(0)}, {"b", graph.state(1)}, {"w", graph.state(2)}};
     for (std::size_t op = leaves; op <= static_cast<std::size_t>(Op::choose); ++op) {
       std::array<Id, 2> roots{no_node, no_node};
       for (std::size_t k = 0; k < 2; ++k)

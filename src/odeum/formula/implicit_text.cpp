@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/formula/implicit_text.hpp"
-
 #include <algorithm>
 #include <mutex>
 #include <optional>
 #include <utility>
 
-#include "odeum/formula/compile.hpp"
 #include "odeum/formula/printer.hpp"
 #include "odeum/formula/reduction.hpp"
+#include "odeum/formula/text_ode.hpp"
 
 namespace odeum::formula {
 namespace {

@@ -121,6 +121,7 @@ Interval of_two(Op op, const Interval& a, const Interval& b) {
 }  // namespace
 
 Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c) {
+  const auto f = [op](double x) { return apply(op, x, 0.0, 0.0); };
   switch (op) {
     case Op::negate:
       return {-a.high, -a.low};
@@ -140,23 +141,21 @@ Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c)
       return tangent(a);
     case Op::acos:
       return rising(
-          {-a.high, -a.low}, [](double x) { return std::acos(-x); }, -1, 1);
+          {-a.high, -a.low}, [&](double x) { return f(-x); }, -1, 1);
     case Op::cosh:
-      return rising(magnitude(a), [](double x) { return std::cosh(x); });
+      return rising(magnitude(a), f);
     case Op::asin:
-      return rising(
-          a, [](double x) { return std::asin(x); }, -1, 1);
+      return rising(a, f, -1, 1);
     case Op::log:
     case Op::log10:
     case Op::sqrt:
-      return rising(
-          a, [op](double x) { return apply(op, x, 0.0, 0.0); }, 0);
+      return rising(a, f, 0);
     case Op::atan:
     case Op::sinh:
     case Op::tanh:
     case Op::exp:
     case Op::sign:
-      return rising(a, [op](double x) { return apply(op, x, 0.0, 0.0); });
+      return rising(a, f);
     case Op::abs:
       return magnitude(a);
     case Op::choose:

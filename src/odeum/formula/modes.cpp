@@ -35,12 +35,12 @@ class Selection {
     }
     return found;
   }
-
- private:
   int sign_of(Id id) const {
     const auto found = signs_.find(id);
     return found == signs_.end() ? 0 : found->second;
   }
+
+ private:
   Id selected(Graph& graph, Id id) {
     const Node& node = from_[id];
     if (node.op == Op::constant) return graph.constant(constant_(node.value));
@@ -104,8 +104,7 @@ Mode mode_of(const Problem& problem, const Signs& signs,
   Selection selection(problem.graph, signs, constant);
   p.equations = selection.select(p.graph, problem.equations);
   for (const auto& [id, condition] : selection.conditions(problem.equations)) {
-    const auto found = signs.find(id);
-    mode.signs[id] = found == signs.end() ? 0 : found->second;
+    mode.signs[id] = selection.sign_of(id);
     mode.ids.push_back(id);
     mode.switches.push_back(condition);
   }

@@ -4,9 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "odeum/formula/graph.hpp"
+#include "odeum/formula/operations.hpp"
 
 namespace odeum::formula {
 

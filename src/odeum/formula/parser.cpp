@@ -7,7 +7,6 @@
 
 #include "odeum/formula/cursor.hpp"
 #include "odeum/formula/names.hpp"
-#include "odeum/formula/sum_index.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/input/yaml_tree.hpp"
 
@@ -216,12 +215,12 @@ class Parser : Cursor {
     const std::size_t begin = at_;
     while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
     const std::string_view index = text_.substr(begin, at_ - begin);
-    if (std::ranges::count(counters_, index, &Counter::name) > 0 || !is_free_index(index, scope_))
+    if (std::ranges::count(counters_, index, &Counter::name) > 0 || !scope_.is_free_index(index))
       fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])",
            index.empty() ? "none" : shown(index));
     if (!take(',')) fail(where, "a sum without an index; expected it and a comma: sum(j, x[j])");
     const Level level(*this);
-    const Array& array = counted_by(index, text_, at_, scope_);
+    const Array& array = scope_.counted_by(index, text_, at_);
     const std::size_t body = at_, size = array.elements.size(),
                       repeats = counters_.empty() ? scope_.repeats : counters_.back().repeats;
     if (graph_.count_terms(size) + (repeats - 1) * size > most_terms)

@@ -40,6 +40,13 @@ struct Scope {
   std::map<std::string, std::string, std::less<>> refused;
   std::optional<std::int64_t> index;  ///< the value of i
   std::size_t repeats = 1;            ///< of the expression: this one and those for larger i
+
+  /// Whether a sum's index may have this name: nothing else has it.
+  bool is_free_index(std::string_view name) const;
+  /// The array whose elements an index counts in the sum whose terms begin at `at`: the one, or
+  /// one of those of the same indices, that stands there with the index alone. Throws
+  /// ExpressionError where there is none, or where they have different indices.
+  const Array& counted_by(std::string_view counter, std::string_view text, std::size_t at) const;
 };
 
 inline constexpr std::size_t longest_expression = 100'000;  ///< in bytes

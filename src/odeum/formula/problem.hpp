@@ -16,6 +16,8 @@ struct Invariant {
   std::string name;
   Id value = no_node;
   Place place;
+
+  bool is_energy() const { return name == "energy" || name == "H"; }
 };
 
 /// An initial value problem that was read from a file: y' = equations, all in one graph.
@@ -50,7 +52,6 @@ struct Problem {
 };
 
 inline constexpr std::size_t most_states = 100'000;  ///< each is an equation of the C code
-inline constexpr std::size_t most_problem_bytes = 8'000'000;
 
 /// Values that replace those of parameters: name and expression.
 using Overrides = std::map<std::string, std::string>;
@@ -67,7 +68,8 @@ enum class Parameters { numbers, names };
 /// the start.
 Problem read_problem(const std::string& file, const std::string& text,
                      const Overrides& overrides = {}, Parameters kind = Parameters::numbers);
-Problem read_problem_file(const std::string& file, const Overrides& overrides = {});
+/// The text of a problem file. Throws InputError for a file that cannot be read or is too large.
+std::string problem_text(const std::string& file);
 
 /// Whether the text is a YAML mapping with a key that problem files have and scenes have not.
 bool looks_like_problem(const std::string& file, const std::string& text);

@@ -175,8 +175,9 @@ Problem read_problem(const std::string& file, const std::string& text, const Ove
   return Reader(file, text, overrides, kind).read();
 }
 
-Problem read_problem_file(const std::string& file, const Overrides& overrides) {
-  return read_problem(file, read_text_file(file, "problem", most_problem_bytes), overrides);
+std::string problem_text(const std::string& file) {
+  constexpr std::size_t most_bytes = 8'000'000;
+  return read_text_file(file, "problem", most_bytes);
 }
 
 bool looks_like_problem(const std::string& file, const std::string& text) {

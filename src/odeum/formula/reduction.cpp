@@ -67,10 +67,10 @@ class Elimination {
   }
 
   Reduction solve(const std::vector<Id>& residuals) {
-    Reduction result{.rates = {}, .constraints = take_all(residuals), .by = {}};
+    Reduction result{.rates = std::vector<Id>(names_.size(), no_node),
+                     .constraints = take_all(residuals),
+                     .by = std::vector<std::size_t>(names_.size())};
     for (const Constraint& constraint : result.constraints) differentiate(constraint);
-    result.rates.assign(names_.size(), no_node);
-    result.by.assign(names_.size(), 0);
     for (std::size_t k = done_.size(); k-- > 0;) substitute(done_[k], pivots_[k], result);
     return result;
   }

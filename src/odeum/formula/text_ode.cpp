@@ -38,6 +38,12 @@ struct TextOde::Interpreted {
         extended_entries(problem.graph, jacobian_roots(analysis)) {}
 };
 
+/// One of them as a function of the view.
+template <auto values, class Real>
+void TextOde::interpreted(const void* handle, Real t, const Real* y, Real* out) {
+  ((*of(handle).interpreted_).*values)(t, y, out);
+}
+
 TextOde::TextOde(Problem problem, Code code)
     : problem_(std::move(problem)),
       analysis_(analyse(problem_)),
@@ -99,23 +105,13 @@ void TextOde::use(const Library& library) {
 
 void TextOde::interpret() {
   interpreted_ = std::make_shared<const Interpreted>(problem_, analysis_);
-  view_.rhs = [](const void* p, double t, const double* y, double* f) {
-    of(p).interpreted_->rhs(t, y, f);
-  };
-  entries_ = [](const void* p, double t, const double* y, double* values) {
-    of(p).interpreted_->entries(t, y, values);
-  };
+  view_.rhs = interpreted<&Interpreted::rhs>;
+  entries_ = interpreted<&Interpreted::entries>;
   if (!analysis_.time_derivative.empty())
-    view_.time_derivative = [](const void* p, double t, const double* y, double* d) {
-      of(p).interpreted_->time_derivative(t, y, d);
-    };
+    view_.time_derivative = interpreted<&Interpreted::time_derivative>;
   if (!problem_.implicit_part.empty()) {
-    view_.explicit_part = [](const void* p, double t, const double* y, double* f) {
-      of(p).interpreted_->explicit_part(t, y, f);
-    };
-    view_.implicit_part = [](const void* p, double t, const double* y, double* f) {
-      of(p).interpreted_->implicit_part(t, y, f);
-    };
+    view_.explicit_part = interpreted<&Interpreted::explicit_part>;
+    view_.implicit_part = interpreted<&Interpreted::implicit_part>;
   }
   if (analysis_.structure.second_order)
     view_.acceleration = [](const void* p, double t, const double* q, const double* v, double* a) {
@@ -131,12 +127,8 @@ void TextOde::interpret() {
       const auto& self = of(p);
       Series<double>(self.problem_.graph, *self.analysis_.series, self.size())(t, y, order, c);
     };
-  extended_rhs_ = [](const void* p, long double t, const long double* y, long double* f) {
-    of(p).interpreted_->extended_rhs(t, y, f);
-  };
-  extended_entries_ = [](const void* p, long double t, const long double* y, long double* values) {
-    of(p).interpreted_->extended_entries(t, y, values);
-  };
+  extended_rhs_ = interpreted<&Interpreted::extended_rhs>;
+  extended_entries_ = interpreted<&Interpreted::extended_entries>;
 }
 
 bool TextOde::set_parameters(const std::map<std::string, long double>& values) {

@@ -8,6 +8,7 @@
 #include "odeum/formula/analysis.hpp"
 #include "odeum/formula/compile.hpp"
 #include "odeum/problem/concepts.hpp"
+#include "odeum/problem/implicit_form.hpp"
 
 namespace odeum::formula {
 
@@ -16,6 +17,10 @@ namespace odeum::formula {
 /// in the order in which the user wrote it. The text has no name and no character that the user
 /// wrote: nodes and states are numbers.
 std::string print_c(const Problem& problem, const Analysis& analysis);
+
+/// The residuals of a problem with their derivatives as compiled code, interpreted where there is
+/// no compiler; null where the problem has none that stay implicit.
+std::shared_ptr<const ImplicitForm> implicit_form(const Problem& problem);
 
 /// A problem that was read from text, with all that was found in it, as compiled code; interpreted
 /// where there is no compiler.
@@ -77,6 +82,8 @@ class TextOde {
   std::string how_;
   std::shared_ptr<const Library> library_;
   struct Interpreted;
+  template <auto values, class Real>
+  static void interpreted(const void* handle, Real t, const Real* y, Real* out);
   std::shared_ptr<const Interpreted> interpreted_;
   OdeView view_;
   decltype(OdeView::jacobian_entries) entries_ = nullptr;

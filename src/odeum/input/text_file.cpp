@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <vector>
+#include <sstream>
 
 #include "odeum/input/yaml_tree.hpp"
 
@@ -58,15 +58,14 @@ std::string read_text_file(const std::string& path, const std::string& name, std
 std::optional<std::string> text_of_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
-  std::string text;
-  std::error_code unknown;
-  if (const auto size = std::filesystem::file_size(path, unknown); !unknown) text.reserve(size);
-  std::vector<char> block(1 << 16);
-  do {
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  } while (in);
-  return text;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+bool write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  return !(out << text).flush().fail();
 }
 
 }  // namespace odeum

@@ -15,5 +15,7 @@ std::string read_text_file(const std::string& path, const std::string& name, std
 
 /// The bytes of a file that Odeum itself wrote; nothing where it cannot be opened.
 std::optional<std::string> text_of_file(const std::filesystem::path& path);
+/// Whether the file could be written.
+bool write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace odeum

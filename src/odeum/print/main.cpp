@@ -3,7 +3,6 @@
 // and `cases` of a folder. A file is written only where its text changes.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "odeum/formula/problem.hpp"
@@ -15,8 +14,7 @@ namespace {
 void write(const std::filesystem::path& path, const std::string& text) {
   if (odeum::text_of_file(path) == text) return;
   std::filesystem::create_directories(path.parent_path());
-  std::ofstream out(path, std::ios::binary);
-  if (!(out << text).flush()) throw std::runtime_error("cannot write " + path.string());
+  if (!odeum::write_text(path, text)) throw std::runtime_error("cannot write " + path.string());
 }
 
 }  // namespace
@@ -26,8 +24,8 @@ int main(int argc, char** argv) {
   try {
     const std::filesystem::path file = argv[1], folder = argv[2];
     const std::string stem = file.stem().string();
-    const odeum::print::Printed printed = odeum::print::print_text(
-        argv[1], odeum::read_text_file(argv[1], "problem", odeum::formula::most_problem_bytes));
+    const odeum::print::Printed printed =
+        odeum::print::print_text(argv[1], odeum::formula::problem_text(argv[1]));
     write(folder / "problems" / (stem + ".hpp"), printed.header);
     write(folder / "cases" / (stem + ".cpp"), printed.unit);
     return 0;

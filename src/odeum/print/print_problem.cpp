@@ -125,7 +125,7 @@ class ProblemPrinter {
 
   void print_invariant(const Invariant& invariant) {
     out_.line("  double {}(const double* y) const {{",
-              is_energy(invariant.name) ? "energy" : "kept_" + invariant.name);
+              invariant.is_energy() ? "energy" : "kept_" + invariant.name);
     print_nodes(out_, {}, {invariant.value}, in_double);
     out_.line("  return {};\n  }}", out_.name(invariant.value, in_double));
   }
@@ -137,30 +137,9 @@ class ProblemPrinter {
 
 }  // namespace
 
-std::string type_name(const std::string& stem) {
-  std::string name;
-  for (std::size_t k = 0; k < stem.size(); ++k) {
-    if (stem[k] == '_') continue;
-    const bool first = k == 0 || stem[k - 1] == '_';
-    name += first && stem[k] >= 'a' && stem[k] <= 'z' ? static_cast<char>(stem[k] - 'a' + 'A')
-                                                      : stem[k];
-  }
-  return name;
-}
-
 std::string print_struct(const std::string& name, const Problem& problem, const Analysis& analysis,
                          const Offers& offers) {
   return ProblemPrinter(problem, analysis).print(name, offers);
-}
-
-std::string print_problem(const std::string& stem, const Problem& problem, const Analysis& analysis,
-                          const Offers& offers) {
-  // Members are named as the file names its parameters, also where an argument has that name.
-  return fmt::format(
-      "// Printed from cases/{}.yaml.\n#pragma once\n#include <cmath>\n#include <cstddef>\n\n"
-      "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wshadow\"\n"
-      "namespace odeum::cases {{\n{}}}\n#pragma GCC diagnostic pop\n",
-      stem, print_struct(type_name(stem), problem, analysis, offers));
 }
 
 }  // namespace odeum::print

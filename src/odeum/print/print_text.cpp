@@ -2,7 +2,6 @@
 #include "odeum/print/print_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <filesystem>
 
@@ -10,6 +9,21 @@
 #include "odeum/print/print_problem.hpp"
 
 namespace odeum::print {
+namespace {
+
+/// VanDerPol for van_der_pol.
+std::string type_name(const std::string& stem) {
+  std::string name;
+  for (std::size_t k = 0; k < stem.size(); ++k) {
+    if (stem[k] == '_') continue;
+    const bool first = k == 0 || stem[k - 1] == '_';
+    name += first && stem[k] >= 'a' && stem[k] <= 'z' ? static_cast<char>(stem[k] - 'a' + 'A')
+                                                      : stem[k];
+  }
+  return name;
+}
+
+}  // namespace
 
 Printed print_text(const std::string& file, const std::string& text) {
   constexpr std::size_t most_states = 40;
@@ -31,21 +45,29 @@ Printed print_text(const std::string& file, const std::string& text) {
     ++count;
   }
   for (const formula::Invariant& invariant : problem.invariants)
-    if (!is_energy(invariant.name))
+    if (!invariant.is_energy())
       invariants += fmt::format(
           "            c.invariants.push_back({{\"{0}\", [problem](const double* y) {{ return "
           "problem.kept_{0}(y); }}}});\n",
           invariant.name);
-  return {print_problem(stem, problem, formula::analyse(problem),
-                        formula::CaseSection(file, text).offers()),
-          fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
-                      "#include \"odeum/cases/printed_text.hpp\"\n"
-                      "#include \"odeum/cases/set_problem.hpp\"\n\nnamespace odeum::cases {{\n"
-                      "PrintedText printed_{0}() {{\n"
-                      "  return {{{{{1}}}, []([[maybe_unused]] const double* values, Case& c) {{\n"
-                      "            const {2} problem{{{3}}};\n"
-                      "            set_problem(c, problem);\n{4}          }}}};\n}}\n}}\n",
-                      stem, names, type_name(stem), fields, invariants)};
+  const formula::Analysis analysis = formula::analyse(problem);
+  // Members are named as the file names its parameters, also where an argument has that name.
+  return {
+      fmt::format(
+          "// Printed from cases/{}.yaml.\n#pragma once\n#include <cmath>\n#include <cstddef>\n\n"
+          "#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wshadow\"\n"
+          "namespace odeum::cases {{\n{}}}\n#pragma GCC diagnostic pop\n",
+          stem,
+          print_struct(type_name(stem), problem, analysis,
+                       formula::CaseSection(file, text).offers())),
+      fmt::format("// Printed from cases/{0}.yaml.\n#include \"problems/{0}.hpp\"\n\n"
+                  "#include \"odeum/cases/printed_text.hpp\"\n"
+                  "#include \"odeum/cases/set_problem.hpp\"\n\nnamespace odeum::cases {{\n"
+                  "PrintedText printed_{0}() {{\n"
+                  "  return {{{{{1}}}, []([[maybe_unused]] const double* values, Case& c) {{\n"
+                  "            const {2} problem{{{3}}};\n"
+                  "            set_problem(c, problem);\n{4}          }}}};\n}}\n}}\n",
+                  stem, names, type_name(stem), fields, invariants)};
 }
 
 }  // namespace odeum::print

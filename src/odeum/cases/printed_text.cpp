@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "odeum/cases/printed_list.hpp"
+#include "odeum/cases/printed_text.hpp"
 
 namespace odeum::cases {
 
