@@ -52,7 +52,9 @@ TEST(Sums, MistakesHaveTheirPlace) {
   expect("sum(z, x[z])", "3:16: ", "expected a new name");
   expect("sum(j, sum(j, x[j]))", "3:23: ", "expected a new name");
   expect("sum(, x[j])", "3:16: ", "got none");
-  expect("sum(j x[j])", "3:12: ", "a sum without an index");
+  expect("sum(j x[j])", "3:18: ", "a sum has an index and a term, sum(j, x[j]); got");
+  // What a comma leaves of an expression within { }.
+  expect("sum(j", "3:17: ", "quote an expression with a comma");
   expect("sum(j, x[j]*u[j])", "3:24: ", "got 1 to 3 and 1 to 2");
   expect("sum(j, x[j+1] + x[j])", "3:19: ", "out of range");
   expect("sum(j, x[j]", "3:23: ", "an open parenthesis");

@@ -218,7 +218,7 @@ class Parser : Cursor {
     if (std::ranges::count(counters_, index, &Counter::name) > 0 || !scope_.is_free_index(index))
       fail(begin, "the index of a sum; got {}, expected a new name: sum(j, x[j])",
            index.empty() ? "none" : shown(index));
-    if (!take(',')) fail(where, "a sum without an index; expected it and a comma: sum(j, x[j])");
+    expect(',', "a sum has an index and a term, sum(j, x[j])");
     const Level level(*this);
     const Array& array = scope_.counted_by(index, text_, at_);
     const std::size_t body = at_, size = array.elements.size(),

@@ -55,9 +55,9 @@ class ConjugateGradients {
       each_block([&](std::size_t begin, std::size_t end) {
         double *r = r_.data(), *p = p_.data(), *ap = ap_.data();
         parts_[begin / block] = sum_over(begin, end, [=](std::size_t i, auto& sum) {
-          at(x + i, sum) += alpha * at(p + i, sum);
-          at(r + i, sum) -= alpha * at(ap + i, sum);
-          sum += at(r + i, sum) * at(r + i, sum);
+          at(x[i], sum) += alpha * at(p[i], sum);
+          at(r[i], sum) -= alpha * at(ap[i], sum);
+          sum += at(r[i], sum) * at(r[i], sum);
         });
       });
       const double residual_squared = sum_of_parts();
@@ -98,7 +98,7 @@ class ConjugateGradients {
   double dot(const double* a, const double* b) {
     each_block([&](std::size_t begin, std::size_t end) {
       parts_[begin / block] = sum_over(
-          begin, end, [=](std::size_t i, auto& sum) { sum += at(a + i, sum) * at(b + i, sum); });
+          begin, end, [=](std::size_t i, auto& sum) { sum += at(a[i], sum) * at(b[i], sum); });
     });
     return sum_of_parts();
   }
@@ -112,12 +112,14 @@ class ConjugateGradients {
   using Anywhere
       [[gnu::vector_size(4 * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
           double;
-  /// What stands at p, as many numbers as `like` has.
-  static double& at(double* p, const double& /*like*/) { return *p; }
-  static const double& at(const double* p, const double& /*like*/) { return *p; }
-  static Anywhere& at(double* p, const Vector& /*like*/) { return *reinterpret_cast<Anywhere*>(p); }
-  static const Anywhere& at(const double* p, const Vector& /*like*/) {
-    return *reinterpret_cast<const Anywhere*>(p);
+  /// The number x, or as many from it on as `like` has.
+  static double& at(double& x, const double& /*like*/) { return x; }
+  static const double& at(const double& x, const double& /*like*/) { return x; }
+  static Anywhere& at(double& x, const Vector& /*like*/) {
+    return *reinterpret_cast<Anywhere*>(&x);
+  }
+  static const Anywhere& at(const double& x, const Vector& /*like*/) {
+    return *reinterpret_cast<const Anywhere*>(&x);
   }
   /// `add(i, sum)` adds the term at i, or those at i, i + 1, i + 2 and i + 3. Sixteen independent
   /// sums, since one would be bound by the latency of additions; of plain loops over them g++ 12
