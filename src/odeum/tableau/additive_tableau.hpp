@@ -21,10 +21,8 @@ struct AdditiveTableau {
   }
   /// Both parts are evaluated at the same times, so that problems that depend on t keep the order.
   constexpr bool has_common_nodes() const {
-    for (std::size_t i = 0; i < S; ++i) {
-      const double apart = explicit_half.c(i) - implicit_half.c(i);
-      if (!(apart < order_rounding && -apart < order_rounding)) return false;
-    }
+    for (std::size_t i = 0; i < S; ++i)
+      if (!is_rounding(explicit_half.c(i) - implicit_half.c(i))) return false;
     return true;
   }
 };
@@ -64,30 +62,21 @@ constexpr void for_each_condition(const AdditiveTableau<S>& tableau, Row&& row, 
 /// The first condition up to the order stated (at most 4) that a row of both halves does not meet,
 /// or that it meets all of the next order.
 template <std::size_t S, class Row>
-constexpr OrderFault additive_order_fault(const AdditiveTableau<S>& tableau, Row&& row, int order) {
-  OrderFault fault;
-  bool no_higher = false;
+constexpr OrderFault order_fault(const AdditiveTableau<S>& tableau, Row&& row, int order) {
+  FaultSearch search{.order = order};
   for_each_condition<5>(tableau, row, [&](std::size_t tau, double residual) {
-    if (residual < order_rounding && -residual < order_rounding) return;
-    const int nodes = rooted_trees<5>.nodes[tau];
-    if (nodes <= order && fault.order == 0) fault = {WeightRow::b, nodes, tau, residual};
-    if (nodes == order + 1) no_higher = true;
+    search.take(WeightRow::b, rooted_trees<5>.nodes[tau], tau, residual);
   });
-  if (fault.order == 0 && !no_higher) fault.order = order + 1;
-  return fault;
+  return search.result();
 }
 
 /// Nodes that differ count as a condition of order 2, that of the tree of two nodes.
 template <std::size_t S>
 constexpr OrderFault first_fault(const AdditiveTableau<S>& tableau) {
   if (!tableau.has_common_nodes()) return {WeightRow::b, 2, 1, 1};
-  OrderFault fault = additive_order_fault(
-      tableau, [&](std::size_t part) { return tableau.half(part).b; }, tableau.order);
-  if (fault.order != 0 || !tableau.embedded()) return fault;
-  fault = additive_order_fault(
-      tableau, [&](std::size_t part) { return tableau.half(part).b_hat; }, tableau.order_hat);
-  fault.row = WeightRow::b_hat;
-  return fault;
+  return first_fault(
+      tableau, [&](std::size_t part) { return tableau.half(part).b; },
+      [&](std::size_t part) { return tableau.half(part).b_hat; });
 }
 
 }  // namespace odeum

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "odeum/tableau/collocation.hpp"
 #include "odeum/tableau/proof_message.hpp"
 
 /// Coefficients of linear multistep formulas, derived at compile time (Hairer, Norsett, Wanner,
@@ -20,22 +21,9 @@ struct MultistepCoefficients {
 /// Integrals from 0 to 1 of Lagrange's polynomials on the nodes first, first - 1, ...
 template <std::size_t Count>
 constexpr std::array<double, Count> lagrange_integrals(int first) {
-  std::array<double, Count> integrals{};
-  for (std::size_t j = 0; j < Count; ++j) {
-    std::array<long double, Count> l{1};
-    for (std::size_t m = 0, degree = 0; m < Count; ++m) {
-      if (m == j) continue;
-      const long double node = first - static_cast<int>(m);
-      const long double scale = 1 / (static_cast<long double>(m) - static_cast<long double>(j));
-      ++degree;
-      for (std::size_t k = degree + 1; k-- > 0;)
-        l[k] = ((k > 0 ? l[k - 1] : 0) - (k < degree ? node * l[k] : 0)) * scale;
-    }
-    long double sum = 0;
-    for (std::size_t k = 0; k < Count; ++k) sum += l[k] / static_cast<long double>(k + 1);
-    integrals[j] = static_cast<double>(sum);
-  }
-  return integrals;
+  Nodes<Count> nodes{};
+  for (std::size_t m = 0; m < Count; ++m) nodes[m] = first - static_cast<int>(m);
+  return collocation<Count>(nodes, 0).b;
 }
 
 /// Adams-Bashforth: y_{n+1} = y_n + h times the integral of the polynomial through f_n, ...,

@@ -109,17 +109,12 @@ template <std::size_t S>
 constexpr OrderFault order_fault(const NystroemTableau<S>& tableau,
                                  const std::array<double, S>& row_q,
                                  const std::array<double, S>& row_v, int order) {
-  OrderFault fault;
-  bool no_higher = false;
+  FaultSearch search{.order = order};
   for_each_condition<9>(tableau, row_q, row_v,
                         [&](WeightRow row, int n, std::size_t tau, double residual) {
-                          if (residual < order_rounding && -residual < order_rounding) return;
-                          if (n <= order && (fault.order == 0 || n < fault.order))
-                            fault = {row, n, tau, residual};
-                          if (n == order + 1) no_higher = true;
+                          search.take(row, n, tau, residual);
                         });
-  if (fault.order == 0 && !no_higher) fault.order = order + 1;
-  return fault;
+  return search.result();
 }
 
 /// The first fault of either pair of rows; order 0 where there is none.

@@ -52,6 +52,9 @@ constexpr void for_each_condition(const Tableau<S>& tableau, const std::array<do
 /// double: a hundred roundings. The largest of the published pairs is 1e-14 (Tsitouras 5(4), whose
 /// coefficients reach 13).
 inline constexpr double order_rounding = 1e-13;
+constexpr bool is_rounding(double residual) {
+  return residual < order_rounding && -residual < order_rounding;
+}
 
 /// Why a row of weights does not have exactly the order stated for it.
 struct OrderFault {
@@ -61,19 +64,35 @@ struct OrderFault {
   double residual = 0;   ///< of that condition; 0: none fails, the row has a higher order
 };
 
+/// Finds, from all conditions up to the order after the one stated, the fault of a row.
+struct FaultSearch {
+  int order;                         ///< that is stated
+  double rounding = order_rounding;  ///< a residual below it is none
+  double certain = order_rounding;   ///< one above it shows that the order is no higher
+  bool no_higher = false;
+  OrderFault fault = {};
+
+  constexpr void take(WeightRow row, int nodes, std::size_t tau, double residual) {
+    const double size = residual < 0 ? -residual : residual;
+    if (size < rounding) return;
+    if (nodes <= order && (fault.order == 0 || nodes < fault.order))
+      fault = {row, nodes, tau, residual};
+    if (nodes == order + 1 && !(size < certain)) no_higher = true;
+  }
+  constexpr OrderFault result() const {
+    return fault.order != 0 || no_higher ? fault : OrderFault{.order = order + 1};
+  }
+};
+
 template <int Order, std::size_t S>
 constexpr OrderFault order_fault_up_to(const Tableau<S>& tableau, const std::array<double, S>& row,
                                        int order) {
-  OrderFault fault;
-  bool no_higher = order == 10;  // the conditions of order 11 are not evaluated
+  // The conditions of order 11 are not evaluated.
+  FaultSearch search{.order = order, .no_higher = order == 10};
   for_each_condition<Order>(tableau, row, [&](std::size_t tau, double residual) {
-    if (residual < order_rounding && -residual < order_rounding) return;
-    const int nodes = rooted_trees<Order>.nodes[tau];
-    if (nodes <= order && fault.order == 0) fault = {WeightRow::b, nodes, tau, residual};
-    if (nodes == order + 1) no_higher = true;
+    search.take(WeightRow::b, rooted_trees<Order>.nodes[tau], tau, residual);
   });
-  if (fault.order == 0 && !no_higher) fault.order = order + 1;
-  return fault;
+  return search.result();
 }
 
 /// The first condition up to `order` (at most 10) that the row does not meet, or that it meets all

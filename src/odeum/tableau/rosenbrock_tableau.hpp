@@ -146,17 +146,12 @@ constexpr void for_each_condition(const RosenbrockTableau<S>& tableau,
 template <std::size_t S>
 constexpr OrderFault order_fault(const RosenbrockTableau<S>& tableau,
                                  const std::array<double, S>& m, int order) {
-  OrderFault fault;
-  bool no_higher = false;
+  FaultSearch search{
+      .order = order, .rounding = tableau.rounding, .certain = 10 * tableau.rounding};
   for_each_condition<6>(tableau, tableau.weights(m), [&](std::size_t tau, double residual) {
-    const double size = residual < 0 ? -residual : residual;
-    const int nodes = rooted_trees<6>.nodes[tau];
-    if (nodes <= order && fault.order == 0 && !(size < tableau.rounding))
-      fault = {WeightRow::b, nodes, tau, residual};
-    if (nodes == order + 1 && size > 10 * tableau.rounding) no_higher = true;
+    search.take(WeightRow::b, rooted_trees<6>.nodes[tau], tau, residual);
   });
-  if (fault.order == 0 && !no_higher) fault.order = order + 1;
-  return fault;
+  return search.result();
 }
 
 template <std::size_t S>

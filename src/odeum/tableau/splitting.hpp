@@ -62,8 +62,7 @@ struct Splitting {
 /// The first fault: the drifts do not add up to one step, or a condition of the order stated fails.
 template <std::size_t S>
 constexpr OrderFault first_fault(const Splitting<S>& splitting) {
-  const double rest = splitting.c(S - 1) + splitting.drift[S - 1] - 1;
-  if (!(rest < order_rounding && -rest < order_rounding))
+  if (const double rest = splitting.c(S - 1) + splitting.drift[S - 1] - 1; !is_rounding(rest))
     return {.row = WeightRow::drift, .order = 1, .tree = 0, .residual = rest};
   return first_fault(splitting.as_nystroem());
 }

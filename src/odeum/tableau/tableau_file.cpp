@@ -13,12 +13,7 @@ namespace {
 
 using input::Value;
 
-/// A tableau of numbers as written in the file.
-struct Written {
-  std::size_t stages = 0;
-  int order = 0, order_hat = 0;
-  std::vector<Coefficient> a, b, c, b_hat;
-};
+using Written = DynamicTableau<Coefficient>;  // as in the file; without nodes where it has none
 
 class Reader {
  public:
@@ -42,7 +37,12 @@ class Reader {
     if (w.order_hat != 0 && w.b_hat.empty())
       root_.at("order_embedded").fail("claim without the row", "b_hat");
 
-    const bool exact = all_of(w, [](const Coefficient& x) { return x.rational; });
+    bool exact = true;
+    for (const auto* list : {&w.a, &w.b, &w.c, &w.b_hat})
+      for (const Coefficient& x : *list) {
+        exact = exact && x.rational;
+        result.rounding.absolute = std::max(result.rounding.absolute, x.uncertainty);
+      }
     if (exact)
       result.tableau = convert<mpq_class>(w, [](const Coefficient& x) { return x.exact; });
     else
@@ -50,10 +50,6 @@ class Reader {
     result.rounded = convert<double>(w, [](const Coefficient& x) { return x.value.get_d(); });
     // Rounding of a root to 512 bits, with a margin for the sums that it enters.
     if (!exact) result.rounding.relative = 1e-140;
-    all_of(w, [&](const Coefficient& x) {
-      result.rounding.absolute = std::max(result.rounding.absolute, x.uncertainty);
-      return true;
-    });
     return result;
   }
 
@@ -94,14 +90,6 @@ class Reader {
       a.resize((i + 1) * w.stages, zero);
     }
     return a;
-  }
-
-  template <class Test>
-  static bool all_of(const Written& w, Test&& test) {
-    bool all = true;
-    for (const auto* list : {&w.a, &w.b, &w.c, &w.b_hat})
-      for (const Coefficient& x : *list) all = test(x) && all;
-    return all;
   }
 
   template <class Number, class Pick>
