@@ -12,7 +12,7 @@
 #include "goals.hpp"
 #include "odeum/api/ensemble.hpp"
 #include "odeum/core/machine.hpp"
-#include "odeum/core/thread_time.hpp"
+#include "odeum/core/clocks.hpp"
 #include "odeum/methods/dormand_prince54.hpp"
 #include "odeum/methods/rk4.hpp"
 #include "odeum/methods/rodas4.hpp"

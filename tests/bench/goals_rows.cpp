@@ -11,7 +11,7 @@
 
 #include "goals.hpp"
 #include "odeum/core/machine.hpp"
-#include "odeum/core/thread_time.hpp"
+#include "odeum/core/clocks.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::bench {

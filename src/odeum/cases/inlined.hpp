@@ -37,7 +37,7 @@ void add_if(const Case& c, std::vector<Entrant>& all) {
     Entrant entrant;
     enroll_as<M>(contest, entrant);
     if (!entrant.solve) return;
-    entrant.info = own_info(M::info.id);
+    entrant.info = own_solver(M::info.id).info;
     all.push_back(std::move(entrant));
   }
 }

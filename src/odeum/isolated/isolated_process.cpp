@@ -19,9 +19,9 @@
 
 #include <fmt/format.h>
 
+#include "odeum/core/clocks.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/machine.hpp"
-#include "odeum/core/thread_time.hpp"
 #include "odeum/isolated/child_process.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 
@@ -29,10 +29,6 @@ namespace odeum::isolated {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// What the process hands back, in memory that both share; states follow it.
 struct Report {
   std::atomic<std::uint64_t> signs{0};  ///< of work
@@ -55,17 +51,9 @@ struct Report {
 
 Report* own_report = nullptr;
 
-/// A report in shared memory.
-class Shared {
- public:
-  explicit Shared(std::size_t states)
-      : memory_(sizeof(Report) + states * sizeof(double)), report_(new (memory_.get()) Report) {}
-  Report& report() { return *report_; }
-
- private:
-  SharedMemory memory_;
-  Report* report_;
-};
+SharedMemory room_for_report(std::size_t states) {
+  return SharedMemory(sizeof(Report) + states * sizeof(double));
+}
 
 /// Waits a little for a process to end; true: it has.
 bool ended(pid_t process, int descriptor, int& state) {
@@ -95,12 +83,12 @@ std::string wait_for(pid_t process, Report& report, double seconds, bool& over_b
     }
     if (interrupted)
       why = "interrupted";
-    else if (since(last_sign) > silence)
+    else if (seconds_since(last_sign) > silence)
       why = fmt::format(
           "foreign code evaluated no right-hand side within its budget for {} s, or went on at one "
           "time for ever, and was ended",
           silence);
-    else if (since(start) > seconds + silence)
+    else if (seconds_since(start) > seconds + silence)
       why = fmt::format("foreign code did not return within {} s after the budget and was ended",
                         silence);
     if (why.empty()) continue;
@@ -148,7 +136,7 @@ std::string run_isolated(Report& report, double seconds, bool& over_budget,
 void warm_up(const std::function<Outcome(const Request&)>& solve, const Request& request) {
   const auto start = Clock::now();
   do solve(request);
-  while (since(start) < 3e-4);
+  while (seconds_since(start) < 3e-4);
 }
 
 void write_result(const Outcome& outcome, std::size_t room, Report& report) {
@@ -176,15 +164,15 @@ Outcome read_result(Report& report, std::size_t room) {
 /// See solve_isolated; `solve_ns` and `processor_s` become the times of the solve.
 Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, const Request& request,
                        std::size_t room, double& solve_ns, double& processor_s, Ended& ended) {
-  Shared shared(room);
-  Report& report = shared.report();
+  const SharedMemory memory = room_for_report(room);
+  Report& report = *new (memory.get()) Report;
   bool over_budget = false;
   const std::string why = run_isolated(report, request.budget.seconds, over_budget, [&] {
     if (!request.budget.watched) warm_up(solve, request);
     const double used = processor_seconds();
     const auto begun = Clock::now();
     const Outcome outcome = solve(request);
-    report.solve_ns = 1e9 * since(begun);
+    report.solve_ns = 1e9 * seconds_since(begun);
     report.processor_s = processor_seconds() - used;
     write_result(outcome, room, report);
   });
@@ -236,7 +224,7 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
   double solve_ns = 0, processor_s = 0;
   Outcome outcome = solve_in_child(solve, request, request.stops.size() * dimension, solve_ns,
                                    processor_s, ended);
-  const double isolation = 1e9 * since(start) - solve_ns;
+  const double isolation = 1e9 * seconds_since(start) - solve_ns;
   isolated_times.isolation_ns += isolation;
   isolated_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;
   return outcome;
@@ -244,8 +232,8 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
 
 std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
                                            std::size_t room, double seconds) {
-  Shared shared(room / sizeof(double) + 1);
-  Report& report = shared.report();
+  const SharedMemory memory = room_for_report(room / sizeof(double) + 1);
+  Report& report = *new (memory.get()) Report;
   bool over_budget = false;
   const std::string why = run_isolated(report, seconds, over_budget, [&] {
     const std::string text = work();

@@ -55,20 +55,17 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
                     .dimension = all.dimension,
                     .rhs = all.rhs,
                     .jacobian = all.jacobian,
-                    .time_derivative = all.time_derivative};
-    contest.view.jacobian_entries = all.jacobian_entries;
-    contest.view.sparsity = all.sparsity;
+                    .jacobian_entries = all.jacobian_entries,
+                    .time_derivative = all.time_derivative,
+                    .sparsity = all.sparsity};
   }
-  for (const Solver& own : own_methods()) {
-    if (own.info.method != method) continue;
-    Entrant entrant{.info = own.info, .unfit = {}, .solve = {}};
-    own.enroll(contest, entrant);
-    Outcome outcome = entrant.solve(request);
-    if (times)
-      for (double& t : *times) t += shift;
-    return outcome;
-  }
-  throw std::logic_error("no method " + std::string(method));
+  const Solver& own = own_solver(method);
+  Entrant entrant{.info = own.info, .unfit = {}, .solve = {}};
+  own.enroll(contest, entrant);
+  Outcome outcome = entrant.solve(request);
+  if (times)
+    for (double& t : *times) t += shift;
+  return outcome;
 }
 
 /// Of the explicit method to the end, where its run ended over budget; the implicit method's budget

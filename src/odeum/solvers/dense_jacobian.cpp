@@ -11,13 +11,16 @@ int DenseJacobian::operator()(double t, const double* y, double* j) {
   if (problem_.view().jacobian) return problem_.jacobian(t, y, j);
   if (problem_.guard().tripped()) return 1;
   problem_.guard().count_jacobian();
-  work_.resize(3 * problem_.view().dimension);
-  return problem_.view().jacobian_times ? from_products(t, y, j) : from_differences(t, y, j);
-}
-
-int DenseJacobian::from_products(double t, const double* y, double* j) {
   const std::size_t n = problem_.view().dimension;
-  double *const unit = work_.data(), *const column = unit + n;
+  work_.resize(3 * n);
+  double *const a = work_.data(), *const b = a + n;
+  if (!problem_.view().jacobian_times) {
+    const auto rhs = [this](double time, const double* at, double* f) {
+      return problem_.rhs(time, at, f) == 0;
+    };
+    return difference_jacobian(rhs, n, t, y, j, {a, b, b + n}, problem_.guard().weights()) ? 0 : 1;
+  }
+  double *const unit = a, *const column = b;
   std::fill(unit, unit + n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     unit[k] = 1;
@@ -26,17 +29,6 @@ int DenseJacobian::from_products(double t, const double* y, double* j) {
     for (std::size_t i = 0; i < n; ++i) j[i * n + k] = column[i];
   }
   return 0;
-}
-
-int DenseJacobian::from_differences(double t, const double* y, double* j) {
-  const std::size_t n = problem_.view().dimension;
-  const auto rhs = [this](double time, const double* at, double* f) {
-    return problem_.rhs(time, at, f) == 0;
-  };
-  double* const f = work_.data();
-  return difference_jacobian(rhs, n, t, y, j, {f, f + n, f + 2 * n}, problem_.guard().weights())
-             ? 0
-             : 1;
 }
 
 }  // namespace odeum

@@ -18,9 +18,6 @@ class DenseJacobian {
   int operator()(double t, const double* y, double* j);
 
  private:
-  int from_products(double t, const double* y, double* j);
-  int from_differences(double t, const double* y, double* j);
-
   GuardedView& problem_;
   std::vector<double> work_;
 };

@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "odeum/control/run_method.hpp"
 #include "odeum/core/guarded.hpp"

@@ -24,9 +24,9 @@ const std::vector<Solver>& own_methods() {
   return all;
 }
 
-const SolverInfo& own_info(std::string_view method) {
-  const auto named = [&](const Solver& own) { return own.info.method == method; };
-  return std::find_if(own_methods().begin(), own_methods().end(), named)->info;
+const Solver& own_solver(std::string_view method) {
+  return *std::ranges::find(own_methods(), method,
+                            [](const Solver& own) -> std::string_view { return own.info.method; });
 }
 
 }  // namespace odeum

@@ -12,7 +12,7 @@ namespace odeum {
 /// changed is compiled there and nowhere else.
 const std::vector<Solver>& own_methods();
 
-/// What the file of one of them says.
-const SolverInfo& own_info(std::string_view method);
+/// The one of that name, which there has to be.
+const Solver& own_solver(std::string_view method);
 
 }  // namespace odeum

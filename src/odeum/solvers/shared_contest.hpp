@@ -17,12 +17,6 @@ Contest<P> shared_contest(const ErasedContest& erased) {
           erased.scene};
 }
 
-/// The same contest without its second-order side.
-template <Shared P>
-Contest<SharedOde> as_first_order(const Contest<P>& contest) {
-  return {contest.problem, contest.t0, contest.y0, contest.scene};
-}
-
 /// Calls visit.template operator()<P>() with the shared type that shows most of a problem.
 template <class Visit>
 void with_shared_type(const OdeView& view, Visit&& visit) {

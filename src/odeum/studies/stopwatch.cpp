@@ -12,7 +12,7 @@
 
 #include "odeum/core/machine.hpp"
 #include "odeum/core/numbers.hpp"
-#include "odeum/core/thread_time.hpp"
+#include "odeum/core/clocks.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 #include "odeum/record/row.hpp"
 
