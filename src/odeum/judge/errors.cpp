@@ -70,4 +70,10 @@ std::vector<StopError> Judge::errors(const Outcome& outcome) const {
   return errors;
 }
 
+double error_at(const Case& c, double time, const double* state) {
+  Outcome outcome;
+  outcome.record(time, state, c.y0.size());
+  return Judge(c, {time}).errors(outcome).front().error_max;
+}
+
 }  // namespace odeum::judge

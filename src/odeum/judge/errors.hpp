@@ -18,6 +18,9 @@ struct StopError {
 /// The components whose error is measured: those that the case names, or all.
 std::vector<std::size_t> measured_components(const Case& c);
 
+/// The largest error of a component of the state at a time; see Judge.
+double error_at(const Case& c, double time, const double* state);
+
 /// Compares solves of one case with its truth, which is evaluated once.
 class Judge {
  public:

@@ -29,18 +29,14 @@ std::string scale_of(const std::vector<ErrorPoint>& points, const ErrorFloor& fl
     return "about what single precision leaves, 6e-08 in each step";
   if (growth > 0.75)
     return fmt::format(
-        "proportional to the number of steps, {:.0e} of the solution in each: a "
-        "tolerance of the solver's own",
+        "proportional to the number of steps, {:.0e} of the solution in each: a tolerance of the "
+        "solver's own",
         size / at.steps);
   if (growth > 0.25)
     return fmt::format(
-        "proportional to the root of the number of steps: random errors of {:.0e} "
-        "in each",
-        noise);
+        "proportional to the root of the number of steps: random errors of {:.0e} in each", noise);
   return fmt::format(
-      "{:.0e} of the solution at all steps: coefficients or a tolerance of so many "
-      "digits",
-      size);
+      "{:.0e} of the solution at all steps: coefficients or a tolerance of so many digits", size);
 }
 
 }  // namespace

@@ -66,13 +66,15 @@ class Fitting {
   OrderFit held(const OrderFit& order) {
     const double share = rejected_share(points_);
     if (!tolerance_.at_least || !(share > most_rejected)) return order;
-    return undetermined(
-        NoOrder::rejections,
-        fmt::format("order {:.2f}, with {:.0f} % of the tries rejected", order.order, 100 * share));
+    return undetermined(NoOrder::rejections, "order {:.2f}, with {:.0f} % of the tries rejected",
+                        order.order, 100 * share);
   }
-  OrderFit undetermined(NoOrder why, std::string reason) {
+  template <class... Arguments>
+  OrderFit undetermined(NoOrder why, fmt::format_string<Arguments...> reason,
+                        Arguments&&... arguments) {
     fit_.why = why;
-    return verdict(Verdict::undetermined, std::move(reason));
+    return verdict(Verdict::undetermined,
+                   fmt::format(reason, std::forward<Arguments>(arguments)...));
   }
 
   /// The first of points [first, certain_end_) that is no rounding and not what `law` predicts;
@@ -202,33 +204,30 @@ class Fitting {
     if (points_.size() < fewest_points)
       return undetermined(
           reached_rounding_ ? NoOrder::few_points : NoOrder::few_solved,
-          fmt::format("{} steps give an error that is solved, converging and clear of "
-                      "rounding; {} are needed",
-                      points_.size(), fewest_points));
+          "{} steps give an error that is solved, converging and clear of rounding; {} are needed",
+          points_.size(), fewest_points);
     const auto moving = [&] {
-      return undetermined(
-          NoOrder::unsettled,
-          fmt::format("local slopes do not settle: {:.2f} at the finest steps", finest_slope()));
+      return undetermined(NoOrder::unsettled,
+                          "local slopes do not settle: {:.2f} at the finest steps", finest_slope());
     };
     if (!window.count) return moving();
     const PowerLaw law = law_of(window);
     if (const std::size_t i = first_stray(window.end(), law); i < certain_end_)
       return undetermined(NoOrder::denied,
-                          fmt::format("order {:.2f} down to steps of {:.2g}, but at {:.2g} the "
-                                      "error is {:.2g} times what that predicts",
-                                      law.order, fit_.step_finest, points_[i].step,
-                                      points_[i].error / law.at(points_[i].step)));
+                          "order {:.2f} down to steps of {:.2g}, but at {:.2g} the error is {:.2g} "
+                          "times what that predicts",
+                          law.order, fit_.step_finest, points_[i].step,
+                          points_[i].error / law.at(points_[i].step));
     const double finest = points_[std::max<std::size_t>(certain_end_, 1) - 1].step;
     if (fit_.step_finest > finest_end * finest) return moving();
     // Rounding lowers a slope: a lower one must be seen where errors are no rounding.
     const bool rounding = fit_.order < claimed_ && window.end() > certain_end_;
     if (fit_.high - fit_.low > claimed_ / 2 || rounding ||
         (fit_.low <= claimed_ && claimed_ <= fit_.high))
-      return undetermined(
-          NoOrder::wide_interval,
-          fmt::format("the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which does not "
-                      "settle whether it is {:g}",
-                      fit_.order, fit_.low, fit_.high, claimed_));
+      return undetermined(NoOrder::wide_interval,
+                          "the slope {:.2f} is known to lie in [{:.2f}, {:.2f}] only, which does "
+                          "not settle whether it is {:g}",
+                          fit_.order, fit_.low, fit_.high, claimed_);
     return denial(window);
   }
 
@@ -236,27 +235,25 @@ class Fitting {
   OrderFit denial(const Window& window) {
     if (std::abs(fit_.order - claimed_) <= tolerance_.apart)
       return undetermined(NoOrder::unsettled,
-                          fmt::format("the slope {:.2f} is near {:g} but has not settled there",
-                                      fit_.order, claimed_));
+                          "the slope {:.2f} is near {:g} but has not settled there", fit_.order,
+                          claimed_);
     const double whole = tolerance_.at_least ? slope_of_resolved(points_, window.end()) : nan;
     if (fit_.order < claimed_ && window.count < fewest_points + 2 && whole >= claimed_)
       return undetermined(NoOrder::unsettled,
-                          fmt::format("the slope {:.2f} over {} tolerances; {:.2f} over all",
-                                      fit_.order, window.count, whole));
+                          "the slope {:.2f} over {} tolerances; {:.2f} over all", fit_.order,
+                          window.count, whole);
     if (moves_towards(points_, window, claimed_, tolerance_.order) && !denied_by_two_terms())
-      return undetermined(
-          NoOrder::unsettled,
-          fmt::format("the slope {:.2f} has not settled: local slopes move towards {:g}, "
-                      "to {:.2f} at the finest steps",
-                      fit_.order, claimed_,
-                      local_slope(points_[window.end() - 2], points_[window.end() - 1])));
+      return undetermined(NoOrder::unsettled,
+                          "the slope {:.2f} has not settled: local slopes move towards {:g}, to "
+                          "{:.2f} at the finest steps",
+                          fit_.order, claimed_,
+                          local_slope(points_[window.end() - 2], points_[window.end() - 1]));
     if ((tolerance_.at_least && fit_.order > claimed_) ||
         (!is_an_order(window) && !(fit_.order < claimed_ && took_over(window))))
       return undetermined(
           NoOrder::unsettled,
-          fmt::format("the slope {:.2f} has not settled: over a factor of {:.2g} in "
-                      "the steps it is no order",
-                      fit_.order, span(window)));
+          "the slope {:.2f} has not settled: over a factor of {:.2g} in the steps it is no order",
+          fit_.order, span(window));
     return verdict(
         fit_.order > claimed_ ? Verdict::higher : Verdict::lower,
         fmt::format("converges with order {:.2f} where {:g} is claimed", fit_.order, claimed_));

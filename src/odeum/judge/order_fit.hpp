@@ -128,8 +128,7 @@ inline constexpr FitTolerance adaptive_tolerance(double claimed_order) {
 ///   halving of the step to the next, so that over few steps any number can be read from them.
 ///   `higher` with an order of NaN: the errors are rounding at all steps.
 /// - `undetermined`: none of these, or confirmed while over a third of the tries are rejected at
-/// the
-///   finest clear tolerances (no sound control that was measured rejects that many there);
+///   the finest clear tolerances (no sound control that was measured rejects that many there);
 ///   `failed`: nothing was solved. Whoever makes the runs says `over_budget` instead where the
 ///   budget ended all of them.
 /// A claimed order of NaN gives not_applicable with the measured slope.

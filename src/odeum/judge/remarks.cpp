@@ -4,63 +4,40 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
+#include <ranges>
 
 namespace odeum::judge {
 namespace {
 
 constexpr std::size_t most_unknowns = 64, most_named = 5;
 
-/// Slopes at random states in units of the scale, one a row, its largest 1.
-std::vector<std::vector<double>> sampled_slopes(const Case& c) {
+/// Slopes at random states in units of the scale, one a row, its largest 1; fewer rows where slopes
+/// are zero or not finite.
+Eigen::MatrixXd sampled_slopes(const Case& c) {
   const std::size_t n = c.y0.size();
   std::mt19937 random(1);
   std::uniform_real_distribution<double> near(0.5, 2);
-  std::vector<std::vector<double>> rows;
-  for (std::size_t k = 0; k < 3 * n + 8; ++k) {
+  Eigen::MatrixXd rows(3 * n + 8, n);
+  Eigen::Index found = 0;
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     std::vector<double> y(n), f(n);
     for (std::size_t i = 0; i < n; ++i)
       // A start that rounding alone sets apart from zero has no size.
       y[i] = near(random) *
              (std::abs(c.y0[i]) > 1e-9 * c.scale_of(i) ? std::abs(c.y0[i]) : c.scale_of(i));
     c.problem.view.rhs(c.problem.view.problem, c.t0 + near(random) - 1, y.data(), f.data());
-    double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      f[i] /= c.scale_of(i);
-      largest = std::max(largest, std::abs(f[i]));
-    }
-    if (!(largest > 0) || !std::isfinite(largest)) continue;
-    for (double& each : f) each /= largest;
-    rows.push_back(std::move(f));
+    for (std::size_t i = 0; i < n; ++i) f[i] /= c.scale_of(i);
+    const Eigen::Map<const Eigen::RowVectorXd> slopes(f.data(), static_cast<Eigen::Index>(n));
+    const double largest = slopes.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (largest > 0 && std::isfinite(largest)) rows.row(found++) = slopes / largest;
   }
-  return rows;
-}
-
-/// Brings rows to reduced echelon form, with the largest pivot of all; returns the pivots' columns.
-std::vector<std::size_t> reduce(std::vector<std::vector<double>>& rows, std::size_t n,
-                                double negligible) {
-  std::vector<std::size_t> pivots;
-  for (std::size_t rank = 0; rank < rows.size() && pivots.size() < n; ++rank) {
-    std::size_t row = rank, column = n;
-    double largest = negligible;
-    for (std::size_t r = rank; r < rows.size(); ++r)
-      for (std::size_t j = 0; j < n; ++j)
-        if (std::abs(rows[r][j]) > largest) largest = std::abs(rows[r][j]), row = r, column = j;
-    if (column == n) break;
-    std::swap(rows[rank], rows[row]);
-    const double pivot = rows[rank][column];
-    for (double& each : rows[rank]) each /= pivot;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const double factor = rows[r][column];
-      if (r == rank || factor == 0) continue;
-      for (std::size_t j = 0; j < n; ++j) rows[r][j] -= factor * rows[rank][j];
-    }
-    pivots.push_back(column);
-  }
-  return pivots;
+  return rows.topRows(found);
 }
 
 std::string sum_text(const std::vector<double>& weights, const std::vector<std::string>& names) {
@@ -87,16 +64,15 @@ std::string joined(std::vector<std::string> names) {
 std::vector<std::vector<double>> linear_invariants(const Case& c) {
   const std::size_t n = c.y0.size();
   if (n < 2 || n > most_unknowns || !c.problem.view.rhs) return {};
-  std::vector<std::vector<double>> rows = sampled_slopes(c);
-  if (rows.size() < 2 * n) return {};
-  constexpr double rounding = 1e-11;  // of slopes of 1, after as many eliminations as unknowns
-  const std::vector<std::size_t> pivots = reduce(rows, n, rounding);
-  std::vector<std::vector<double>> kept;
-  for (std::size_t free = 0; free < n; ++free) {
-    if (std::ranges::find(pivots, free) != pivots.end()) continue;
-    std::vector<double> weights(n);
-    weights[free] = 1;
-    for (std::size_t r = 0; r < pivots.size(); ++r) weights[pivots[r]] = -rows[r][free];
+  const Eigen::MatrixXd slopes = sampled_slopes(c);
+  if (slopes.rows() < 2 * slopes.cols()) return {};
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(slopes);
+  lu.setThreshold(1e-11);  // rounding of slopes of 1, after as many eliminations as unknowns
+  const Eigen::MatrixXd kernel = lu.kernel();
+  // In the order of the components whose weights are free.
+  std::map<int, std::vector<double>> kept;
+  for (Eigen::Index k = 0; k < lu.dimensionOfKernel(); ++k) {
+    std::vector<double> weights(kernel.col(k).begin(), kernel.col(k).end());
     double first = 0;
     for (std::size_t i = 0; i < n; ++i) {
       weights[i] = std::abs(weights[i]) > 1e-9 ? weights[i] / c.scale_of(i) : 0;
@@ -106,9 +82,10 @@ std::vector<std::vector<double>> linear_invariants(const Case& c) {
       w /= first;
       if (std::abs(w - std::round(w)) < 1e-7) w = std::round(w);
     }
-    kept.push_back(std::move(weights));
+    kept[lu.permutationQ().indices()(lu.rank() + k)] = std::move(weights);
   }
-  return kept;
+  const auto all = std::views::values(kept);
+  return {all.begin(), all.end()};
 }
 
 std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome) {

@@ -53,26 +53,22 @@ Attempt best_attempt(const Logarithms& log) {
   // Evenly in log(1 + u), which is how much the factor bends the curve.
   const double low = std::log(0.03), high = std::log(31.0);
   const double coarsest = *std::ranges::max_element(log.h);
-  const auto at = [&](double s) { return attempt(log, std::expm1(s) / coarsest); };
   constexpr int pieces = 64;
   Attempt best;
   double best_s = 0;
-  for (int i = 0; i <= pieces; ++i) {
-    const double s = low + (high - low) * i / pieces;
-    if (const Attempt here = at(s); here.squares < best.squares) {
+  const auto look_at = [&](double s) {
+    if (const Attempt here = attempt(log, std::expm1(s) / coarsest); here.squares < best.squares) {
       best = here;
       best_s = s;
     }
-  }
+  };
+  for (int i = 0; i <= pieces; ++i) look_at(low + (high - low) * i / pieces);
   // Halving: to a 1e-4 of log(1 + u) after ten.
   double step = (high - low) / pieces;
   for (int halving = 0; halving < 10; ++halving) {
     step /= 2;
     for (const double s : {best_s - step, best_s + step})
-      if (const Attempt here = at(s); here.squares < best.squares && s >= low && s <= high) {
-        best = here;
-        best_s = s;
-      }
+      if (s >= low && s <= high) look_at(s);
   }
   return best;
 }
