@@ -116,35 +116,15 @@ inline Ball convolution(const Ball* a, const Ball* b, std::size_t from, std::siz
 /// The value of an operation without kinks, as formula::apply(); not finite outside of its domain.
 inline Ball apply(formula::Op op, const Ball& a, const Ball& b, int /*none*/) {
   using formula::Op;
+  static constexpr std::pair<Op, void (*)(arb_t, const arb_struct*, slong)> functions[] = {
+      {Op::sin, arb_sin},   {Op::cos, arb_cos},   {Op::tan, arb_tan},   {Op::asin, arb_asin},
+      {Op::acos, arb_acos}, {Op::atan, arb_atan}, {Op::sinh, arb_sinh}, {Op::cosh, arb_cosh},
+      {Op::tanh, arb_tanh}, {Op::exp, arb_exp},   {Op::log, arb_log},   {Op::sqrt, arb_sqrt}};
   switch (op) {
     case Op::negate:
       return -a;
-    case Op::sin:
-      return Ball::of(arb_sin, a);
-    case Op::cos:
-      return Ball::of(arb_cos, a);
-    case Op::tan:
-      return Ball::of(arb_tan, a);
-    case Op::asin:
-      return Ball::of(arb_asin, a);
-    case Op::acos:
-      return Ball::of(arb_acos, a);
-    case Op::atan:
-      return Ball::of(arb_atan, a);
-    case Op::sinh:
-      return Ball::of(arb_sinh, a);
-    case Op::cosh:
-      return Ball::of(arb_cosh, a);
-    case Op::tanh:
-      return Ball::of(arb_tanh, a);
-    case Op::exp:
-      return Ball::of(arb_exp, a);
-    case Op::log:
-      return Ball::of(arb_log, a);
     case Op::log10:
       return Ball::of(arb_log, a) / Ball::of(arb_log, 10);
-    case Op::sqrt:
-      return Ball::of(arb_sqrt, a);
     case Op::add:
       return a + b;
     case Op::subtract:
@@ -161,6 +141,8 @@ inline Ball apply(formula::Op op, const Ball& a, const Ball& b, int /*none*/) {
     case Op::hypot:
       return Ball::of(arb_sqrt, a * a + b * b);
     default:
+      for (const auto& [each, function] : functions)
+        if (each == op) return Ball::of(function, a);
       return Ball::of(arb_log, -1);  // no number
   }
 }

@@ -22,12 +22,6 @@ bool has_kinks(const formula::Problem& problem) {
       nodes, [&](formula::Id id) { return formula::has_kinks(problem.graph[id].op); });
 }
 
-Certificate not_proved(std::string why) {
-  Certificate result;
-  result.why = std::move(why);
-  return result;
-}
-
 /// Compares the enclosure at a time with what is claimed there; false: nothing more is to be done.
 bool compare(const Claim& claim, const formula::Problem& problem, const std::vector<Ball>& box,
              double time, Certificate& result) {
@@ -77,9 +71,9 @@ std::optional<Certificate> certify([[maybe_unused]] const formula::Problem& prob
                                    [[maybe_unused]] const Claim& claim) {
 #ifdef ODEUM_HAS_ARB
   if (problem.states.size() > most_states)
-    return not_proved(fmt::format("it has {} states, and proofs take {} at most",
-                                  problem.states.size(), most_states));
-  if (has_kinks(problem)) return not_proved("it has kinks");
+    return Certificate{.why = fmt::format("it has {} states, and proofs take {} at most",
+                                          problem.states.size(), most_states)};
+  if (has_kinks(problem)) return Certificate{.why = "it has kinks"};
   Certificate result;
   EnclosedFlow flow(problem);
   for (const double time : claim.times) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "odeum/problem/shared.hpp"
 #include "odeum/truth/system.hpp"
 
 namespace odeum::truth {
@@ -19,16 +20,11 @@ System system_of(const Case& c) {
   system.rhs = c.extended->f;
   system.smooth = !c.has_tag("kinked");
   system.work = 10 * static_cast<double>(system.states);
-  // Full matrices in extended precision take too long beyond this.
-  const OdeView& view = c.problem.view;
-  if (!view.jacobian || system.states > 64) return system;
-  // In double: Newton's method corrects what it is off, and so does the extrapolation.
-  system.jacobian = [view, alive = c.problem.keep_alive, n = system.states](Real t, const Real* y,
-                                                                            Real* j) {
-    std::vector<double> rounded(y, y + n), matrix(n * n);
-    view.jacobian(view.problem, static_cast<double>(t), rounded.data(), matrix.data());
-    std::ranges::copy(matrix, j);
-  };
+  const SharedOde problem(c.problem.view, c.problem.keep_alive);
+  if (problem.offers_jacobian() && system.states <= most_in_matrix)
+    system.jacobian =
+        widened(system.states, system.states * system.states,
+                [problem](double t, const double* y, double* j) { problem.jacobian(t, y, j); });
   return system;
 }
 
@@ -91,6 +87,11 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
     truth.source += fmt::format(", up to t = {:.6g}: {}", reference.known_until, reference.end);
   truth.floor = std::max(c.truth.floor, static_cast<double>(floor + 0x1p-53L * largest));
   return truth;
+}
+
+void know_truth(Case& c, const std::vector<double>& times) {
+  std::vector<double> state(c.y0.size());
+  if (!c.truth.at || !c.truth.at(times.back(), state.data())) c.truth = truth_at(c, times);
 }
 
 }  // namespace odeum::truth

@@ -12,4 +12,7 @@ namespace odeum::truth {
 /// extended precision it is the case's own.
 Truth truth_at(const Case& c, const std::vector<double>& times);
 
+/// Gives it to the case, unless its own is known at the last of the times.
+void know_truth(Case& c, const std::vector<double>& times);
+
 }  // namespace odeum::truth

@@ -5,8 +5,10 @@
 #include <arb_mat.h>
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "odeum/formula/series_rules.hpp"
@@ -50,57 +52,23 @@ Ball sum_of(const Balls& c, std::size_t states, std::size_t i, const Ball& h, co
   return sum + rest;
 }
 
-/// The factor Q of a matrix in double, its columns taken by descending length; near enough.
-std::vector<double> orthogonal(const std::vector<double>& a, const std::vector<double>& lengths) {
-  const std::size_t n = lengths.size();
-  std::vector<std::size_t> by_length(n);
-  std::iota(by_length.begin(), by_length.end(), std::size_t{0});
-  std::ranges::stable_sort(by_length,
-                           [&](std::size_t x, std::size_t y) { return lengths[x] > lengths[y]; });
-  std::vector<double> q(n * n);
-  std::size_t found = 0;
-  // After the columns the unit vectors, in place of those that depend on columns before.
-  for (std::size_t k = 0; k < 2 * n && found < n; ++k) {
-    std::vector<double> column(n);
-    for (std::size_t i = 0; i < n; ++i)
-      column[i] = k < n ? a[i * n + by_length[k]] : static_cast<double>(i == k - n);
-    const double before =
-        std::sqrt(std::inner_product(column.begin(), column.end(), column.begin(), 0.0));
-    for (int twice = 0; twice < 2; ++twice)
-      for (std::size_t j = 0; j < found; ++j) {
-        double along = 0;
-        for (std::size_t i = 0; i < n; ++i) along += q[i * n + j] * column[i];
-        for (std::size_t i = 0; i < n; ++i) column[i] -= along * q[i * n + j];
-      }
-    const double length =
-        std::sqrt(std::inner_product(column.begin(), column.end(), column.begin(), 0.0));
-    if (!(length > 1e-9 * before)) continue;
-    for (std::size_t i = 0; i < n; ++i) q[i * n + found] = column[i] / length;
-    ++found;
-  }
-  return q;
-}
-
-/// With columns of length 1.
-std::vector<double> normalised(std::vector<double> a, std::size_t n) {
-  for (std::size_t j = 0; j < n; ++j) {
-    double squares = 0;
-    for (std::size_t i = 0; i < n; ++i) squares += a[i * n + j] * a[i * n + j];
-    for (std::size_t i = 0; i < n; ++i) a[i * n + j] /= std::sqrt(squares);
-  }
-  return a;
+/// The factor Q of a matrix, its columns taken by descending length; near enough.
+Eigen::MatrixXd orthogonal(const Eigen::MatrixXd& a, const std::vector<double>& lengths) {
+  std::vector<Eigen::Index> by_length(lengths.size());
+  std::iota(by_length.begin(), by_length.end(), 0);
+  std::ranges::stable_sort(by_length, std::greater(), [&](Eigen::Index j) { return lengths[j]; });
+  return a(Eigen::all, by_length).householderQr().householderQ();
 }
 
 /// The inverse of a matrix, enclosed.
-Balls inverse_of(const std::vector<double>& q, std::size_t n) {
-  const auto size = static_cast<slong>(n);
+Balls inverse_of(const Eigen::MatrixXd& q) {
+  const slong size = q.rows();
   arb_mat_t a, inverse;
   arb_mat_init(a, size, size);
   arb_mat_init(inverse, size, size);
   for (slong i = 0; i < size; ++i)
-    for (slong j = 0; j < size; ++j)
-      arb_set_d(arb_mat_entry(a, i, j), q[static_cast<std::size_t>(i * size + j)]);
-  Balls result(n * n);
+    for (slong j = 0; j < size; ++j) arb_set_d(arb_mat_entry(a, i, j), q(i, j));
+  Balls result(static_cast<std::size_t>(size * size));
   const bool regular = arb_mat_inv(inverse, a, Ball::bits) != 0;
   for (slong i = 0; i < size; ++i)
     for (slong j = 0; j < size; ++j) {
@@ -118,7 +86,10 @@ Balls inverse_of(const std::vector<double>& q, std::size_t n) {
 }  // namespace
 
 EnclosedFlow::EnclosedFlow(const formula::Problem& problem)
-    : n_(problem.states.size()), all_(n_ + n_ * n_), t_(problem.t0), matrix_(n_ * n_) {
+    : n_(problem.states.size()),
+      all_(n_ + n_ * n_),
+      t_(problem.t0),
+      matrix_(Eigen::MatrixXd::Identity(n_, n_)) {
   formula::Graph graph = problem.graph;
   const auto series = [&](const std::vector<formula::Id>& equations) {
     formula::SeriesPlan plan = formula::make_series_plan(graph, equations);
@@ -131,7 +102,6 @@ EnclosedFlow::EnclosedFlow(const formula::Problem& problem)
     const Ball start(problem.y0[i]);
     middle_.push_back(start.midpoint());
     rest_.push_back(start - middle_.back());
-    matrix_[i * n_ + i] = 1;
   }
 }
 EnclosedFlow::~EnclosedFlow() = default;
@@ -139,7 +109,7 @@ EnclosedFlow::~EnclosedFlow() = default;
 Balls EnclosedFlow::box() const {
   Balls result = middle_;
   for (std::size_t i = 0; i < n_; ++i)
-    for (std::size_t j = 0; j < n_; ++j) result[i] += Ball(matrix_[i * n_ + j]) * rest_[j];
+    for (std::size_t j = 0; j < n_; ++j) result[i] += Ball(matrix_(i, j)) * rest_[j];
   return result;
 }
 
@@ -240,21 +210,22 @@ void EnclosedFlow::turn(const Balls& derivative, const Balls& flow_of_middle) {
   for (std::size_t i = 0; i < n_; ++i)
     for (std::size_t j = 0; j < n_; ++j)
       for (std::size_t k = 0; k < n_; ++k)
-        moved[i * n_ + j] += derivative[i * n_ + k] * Ball(matrix_[k * n_ + j]);
-  std::vector<double> near(n_ * n_), lengths(n_);
+        moved[i * n_ + j] += derivative[i * n_ + k] * Ball(matrix_(k, j));
+  Eigen::MatrixXd near(n_, n_);
+  std::vector<double> lengths(n_);
   for (std::size_t i = 0; i < n_; ++i)
     for (std::size_t j = 0; j < n_; ++j) {
-      near[i * n_ + j] = moved[i * n_ + j].middle();
-      lengths[j] += std::pow(near[i * n_ + j] * rest_[j].radius(), 2);
+      near(i, j) = moved[i * n_ + j].middle();
+      lengths[j] += std::pow(near(i, j) * rest_[j].radius(), 2);
     }
   // As they lie, as long as they point to different sides.
   constexpr double most_oblique = 300;
-  matrix_ = normalised(near, n_);
-  Balls inverse = inverse_of(matrix_, n_);
+  matrix_ = near.colwise().normalized();
+  Balls inverse = inverse_of(matrix_);
   if (std::ranges::any_of(inverse,
                           [](const Ball& each) { return !(each.largest() < most_oblique); })) {
     matrix_ = orthogonal(near, lengths);
-    inverse = inverse_of(matrix_, n_);
+    inverse = inverse_of(matrix_);
   }
   Balls off(n_), rest(n_);
   for (std::size_t i = 0; i < n_; ++i) {

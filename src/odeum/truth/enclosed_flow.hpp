@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,8 +42,8 @@ class EnclosedFlow {
   std::size_t n_, all_;  ///< states, and with the flow's derivative
   std::unique_ptr<Series> plain_, both_;
   Ball t_;
-  Balls middle_, rest_;         ///< m and r
-  std::vector<double> matrix_;  ///< A, row-major
+  Balls middle_, rest_;     ///< m and r
+  Eigen::MatrixXd matrix_;  ///< A
   double cost_ = 0, spent_ = 0;
   double h_ = 0, grown_ = 0;  ///< the next step, and by how much it may be longer than the last
 };

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
-
 #include "odeum/methods/verner98.hpp"
 #include "odeum/problem/extended_problem.hpp"
 #include "odeum/truth/march.hpp"
@@ -67,7 +65,6 @@ Run extrapolation_run(const System& system, const std::vector<Real>& times, cons
   constexpr int lines = 7;
   const std::size_t n = system.states;
   std::array<State, lines> table;
-  for (State& entry : table) entry.resize(n);
   State f0(n), line(n), difference(n);
   MidpointStates states(n);
   Noise noise(system);
@@ -80,19 +77,10 @@ Run extrapolation_run(const System& system, const std::vector<Real>& times, cons
           const int parts = 2 * (j + 1);
           midpoint_rule(system, t, h, parts, y, f0, states, line);
           trial.work += system.work * parts;
-          // Neville's scheme in h^2; table[k] holds the entry of the line above.
-          for (int k = 0; k < j; ++k) {
+          extrapolate(table, j, line, difference, [&](int k) {  // in h^2
             const Real ratio = static_cast<Real>(parts) / (2 * (j - k));
-            const Real weight = 1 / (ratio * ratio - 1);
-            for (std::size_t i = 0; i < n; ++i) {
-              const Real left = line[i],
-                         change = weight * (left - table[static_cast<std::size_t>(k)][i]);
-              table[static_cast<std::size_t>(k)][i] = left;
-              line[i] = left + change;
-              difference[i] = change;
-            }
-          }
-          table[static_cast<std::size_t>(j)] = line;
+            return 1 / (ratio * ratio - 1);
+          });
         }
         for (std::size_t i = 0; i < n; ++i) trial.y[i] += line[i];
         trial.error = noise.ratio(t, h, y, difference, sizes, effort.tolerance);

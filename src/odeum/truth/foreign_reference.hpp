@@ -2,7 +2,6 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "odeum/solvers/foreign_problem.hpp"
 #include "odeum/truth/system.hpp"
@@ -10,7 +9,7 @@
 namespace odeum::truth {
 
 /// A solution that changes and is the same again within less than this part of the horizon may be
-/// passed over: the right-hand side is sampled at such distances (truth/samples.hpp).
+/// passed over: the right-hand side is sampled at such distances.
 inline constexpr double shortest_seen = 1e-4;
 
 /// The reference of a problem without an exact solution (compute_reference): steps in

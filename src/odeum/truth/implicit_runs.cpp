@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <vector>
 
 #include "odeum/kernel/stage_transform.hpp"
@@ -186,17 +185,9 @@ Run implicit_extrapolation_run(const System& system, const std::vector<Real>& ti
             for (std::size_t i = 0; i < line.size(); ++i) line[i] += d[i];
           }
           trial.work += factors.factor_work() + parts * (system.work + factors.solve_work());
-          for (int k = 0; k < row; ++k) {
-            const Real weight = 1 / (static_cast<Real>(parts) / (row - k - 1 + 2) - 1);
-            State& above = table[static_cast<std::size_t>(k)];
-            for (std::size_t i = 0; i < line.size(); ++i) {
-              const Real left = line[i], change = weight * (left - above[i]);
-              above[i] = left;
-              line[i] = left + change;
-              difference[i] = change;
-            }
-          }
-          table[static_cast<std::size_t>(row)] = line;
+          extrapolate(table, row, line, difference, [&](int k) {
+            return 1 / (static_cast<Real>(parts) / (row - k - 1 + 2) - 1);
+          });
         }
         for (std::size_t i = 0; i < line.size(); ++i) trial.y[i] += line[i];
         trial.error = largest_ratio(difference, sizes) / tolerance;

@@ -109,33 +109,27 @@ const std::vector<Intervals>& Inspector::over_cells(Real from, Real to) {
   return enclosure_(time_, states_);
 }
 
-const std::vector<Intervals>& Inspector::at_ends(Real from, Real to) {
-  const Real width = (to - from) / lanes;
-  for (std::size_t s = 0; s < lanes; ++s) {
-    const Real part = from + width * (s + 1);
-    time_[s] = box_of(t_ + h_ * part, t_ + h_ * part);
-    for (std::size_t i = 0; i < path_.size(); ++i) states_[i][s] = box_of(at(part, i), at(part, i));
-  }
-  return enclosure_(time_, states_);
-}
-
-std::size_t Inspector::first_undecided(const std::vector<Intervals>& values) const {
-  std::size_t first = lanes;
+std::array<bool, lanes> Inspector::undecided(const std::vector<Intervals>& values) const {
+  std::array<bool, lanes> cells{};
   for (const std::uint32_t k : conditions_)
-    for (std::size_t s = 0; s < first; ++s)
-      if (!(values[k][s].low > 0)) first = s;
-  return first;
+    for (std::size_t s = 0; s < lanes; ++s) cells[s] = cells[s] || !(values[k][s].low > 0);
+  return cells;
 }
 
 std::size_t Inspector::first_changed(Real from, Real to) {
-  const auto& values = at_ends(from, to);
   const Real width = (to - from) / lanes;
+  const auto end_of = [&](std::size_t s) { return from + width * (s + 1); };
+  for (std::size_t s = 0; s < lanes; ++s) {
+    const Real part = end_of(s);
+    time_[s] = box_of(t_ + h_ * part, t_ + h_ * part);
+    for (std::size_t i = 0; i < path_.size(); ++i) states_[i][s] = box_of(at(part, i), at(part, i));
+  }
+  const auto& values = enclosure_(time_, states_);
   std::size_t first = lanes;
   for (const std::uint32_t k : conditions_)
     for (std::size_t s = 0; s < first; ++s)
       // It has just become positive where the solution begins at a change.
-      if (values[k][s].middle() <= 0 &&
-          t_ + h_ * (from + width * (s + 1)) > t0_ + 2 * shortest_inspected * span_)
+      if (values[k][s].middle() <= 0 && t_ + h_ * end_of(s) > t0_ + 2 * shortest_inspected * span_)
         first = s;
   return first;
 }
@@ -144,13 +138,10 @@ Inside Inspector::find_change(Real from, Real to, int& cells) {
   constexpr int most_cells = 2000;
   constexpr Real finest = 0x1p-24L;
   const Real width = (to - from) / lanes;
-  const auto& values = over_cells(from, to);
-  std::array<bool, lanes> undecided{};
-  for (const std::uint32_t k : conditions_)
-    for (std::size_t s = 0; s < lanes; ++s) undecided[s] = undecided[s] || !(values[k][s].low > 0);
+  const std::array<bool, lanes> open = undecided(over_cells(from, to));
   const std::size_t changed = first_changed(from, to);
   for (std::size_t s = 0; s < lanes; ++s) {
-    if (!undecided[s]) continue;
+    if (!open[s]) continue;
     const Real left = from + width * s, right = from + width * (s + 1);
     if (s == changed) return {Inside::Kind::change, left, right};
     cells += lanes;
@@ -195,7 +186,8 @@ Inside Inspector::look(Real t, Real h, const State& y, const State& slope, const
   }
   if (h <= shortest_inspected * span_) unresolved = lanes;
   int cells = 0;
-  if (first_undecided(values) < unresolved) {
+  const std::array<bool, lanes> open = undecided(values);
+  if (std::find(open.begin(), open.begin() + unresolved, true) != open.begin() + unresolved) {
     const Inside inside = find_change(0, static_cast<Real>(unresolved) / lanes, cells);
     if (inside.kind != Inside::Kind::nothing) return inside;
   }

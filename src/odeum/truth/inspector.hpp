@@ -26,11 +26,11 @@ class Inspector {
   void rounding(Real t, const State& y, State& bound);
 
  private:
-  /// Values over the cells of a part of the step, or at the right ends of these cells.
+  /// Values over the cells of a part of the step.
   const std::vector<formula::Intervals>& over_cells(Real from, Real to);
-  const std::vector<formula::Intervals>& at_ends(Real from, Real to);
-  /// The first cell in which a condition changes or may change; all: none.
-  std::size_t first_undecided(const std::vector<formula::Intervals>& values) const;
+  /// By cell, whether a condition changes or may change in it.
+  std::array<bool, formula::lanes> undecided(const std::vector<formula::Intervals>& values) const;
+  /// The first cell of a part at whose right end a condition has changed; all: none.
   std::size_t first_changed(Real from, Real to);
   /// Looks for changes in a part of the step; `cells` counts them.
   Inside find_change(Real from, Real to, int& cells);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -99,6 +100,25 @@ class Noise {
   State f_, moved_, above_, below_, rounding_;
   std::unique_ptr<Insight> insight_;
 };
+
+/// Fills a row of an extrapolation table by Neville's scheme: `line`, its first entry, becomes its
+/// last, and `difference` by how much the last two differ. table[k] has the entries of the row
+/// above and gets those of this one.
+template <std::size_t rows, class Weight>
+void extrapolate(std::array<State, rows>& table, int row, State& line, State& difference,
+                 const Weight& weight_of) {
+  for (int k = 0; k < row; ++k) {
+    const Real weight = weight_of(k);
+    State& above = table[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Real left = line[i];
+      difference[i] = weight * (left - above[i]);
+      above[i] = left;
+      line[i] = left + difference[i];
+    }
+  }
+  table[static_cast<std::size_t>(row)] = line;
+}
 
 /// By how much a step may change for an error of an order. Double suffices for it, and its power
 /// takes a tenth of the time.
@@ -224,9 +244,7 @@ Run march(const System& system, const std::vector<Real>& times, const Effort& ef
       }
       if (!(h > 4 * std::numeric_limits<Real>::epsilon() * std::abs(t)) || !(h > 1e-300L)) {
         run.end = fmt::format(
-            "the steps vanish at t = {:.9Lg}: the solution or the equations end "
-            "there",
-            t);
+            "the steps vanish at t = {:.9Lg}: the solution or the equations end there", t);
         system.rhs(t, y.data(), f.data());
         // At a kink, where steps vanish too, it is bounded.
         constexpr Real unbounded = 1e6L;

@@ -269,8 +269,7 @@ class Search {
     const std::size_t both = std::min(best.a.states.size(), best.b.states.size());
     if (best.known < both)
       return fmt::format(
-          "at t = {:.6Lg} two methods agree on less than 1e-6 of the scale: chaos, or "
-          "kinks",
+          "at t = {:.6Lg} two methods agree on less than 1e-6 of the scale: chaos, or kinks",
           times_[best.known]);
     return best.a.states.size() <= best.b.states.size() ? best.a.end : best.b.end;
   }

@@ -12,9 +12,6 @@ namespace {
 using scene::SceneProblem;
 
 constexpr std::size_t few_springs = 64;  // of more, sums in extended precision take too long
-constexpr std::size_t dense = 64;        // unknowns; full matrices take too long beyond this
-
-std::vector<double> rounded(const Real* y, std::size_t n) { return {y, y + n}; }
 
 /// Springs in line or in a grid pull a particle to both sides, so that their forces cancel, and
 /// moving all coordinates in one proportion, as for other systems, tells nothing about the rounding
@@ -61,24 +58,19 @@ System system_of(const std::shared_ptr<const SceneProblem>& problem) {
     system.rhs = scene::extended_problem(*problem->scene()).f;
   } else {
     system.rounding = 0x1p-53L;
-    system.rhs = [problem, n](Real t, const Real* y, Real* f) {
-      const std::vector<double> state = rounded(y, n);
-      std::vector<double> rates(n);
-      problem->rhs(static_cast<double>(t), state.data(), rates.data());
-      std::ranges::copy(rates, f);
-    };
+    system.rhs =
+        widened(n, n, [problem](double t, const double* y, double* f) { problem->rhs(t, y, f); });
   }
-  if (n <= dense)
-    system.jacobian = [problem, n](Real t, const Real* y, Real* j) {
-      const std::vector<double> state = rounded(y, n);
+  if (n <= most_in_matrix)
+    system.jacobian = widened(n, n * n, [problem, n](double t, const double* y, double* j) {
       std::vector<double> unit(n), column(n);
       for (std::size_t k = 0; k < n; ++k) {
         unit[k] = 1;
-        problem->jacobian_times(static_cast<double>(t), state.data(), unit.data(), column.data());
+        problem->jacobian_times(t, y, unit.data(), column.data());
         unit[k] = 0;
         for (std::size_t i = 0; i < n; ++i) j[i * n + k] = column[i];
       }
-    };
+    });
   system.work = work_of(*problem);
   system.insight = [rhs = system.rhs, rounding = system.rounding](Real) {
     return std::make_unique<SceneInsight>(rhs, rounding);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -58,7 +58,7 @@ struct System {
   /// For a run of the length `span`; empty: there is none.
   std::function<std::unique_ptr<Insight>(Real span)> insight;
   /// Of equations with kinks: a smooth system that holds from (t, y) on until `holds` is not
-  /// positive,  /// on constants that are moved or not; null: none does, since the solution stays
+  /// positive, on constants that are moved or not; null: none does, since the solution stays
   /// where a condition changes.
   std::function<std::shared_ptr<System>(Real t, const State& y, Real span, bool moved)> mode_at;
   std::function<Real(Real t, const Real* y)> holds;
@@ -69,6 +69,22 @@ struct System {
 
   bool has_jacobian() const { return jacobian || entries; }
 };
+
+/// Unknowns: full matrices of more take too long in extended precision.
+inline constexpr std::size_t most_in_matrix = 64;
+
+/// A function of a problem in double, of n unknowns, for numbers of extended precision. The runs
+/// allow for a Jacobian of double: Newton's method corrects what it is off, and the extrapolated
+/// Euler method has its order with any matrix.
+template <class Function>
+auto widened(std::size_t n, std::size_t results, Function function) {
+  return [=](Real t, const Real* y, Real* out) {
+    const std::vector<double> state(y, y + n);
+    std::vector<double> values(results);
+    function(static_cast<double>(t), state.data(), values.data());
+    std::ranges::copy(values, out);
+  };
+}
 
 /// The states at times, as far as a run came.
 struct Run {

@@ -75,9 +75,7 @@ System smooth_system(const std::shared_ptr<const TextOde>& ode) {
   system.smooth = ode->analysis().structure.smooth;
   system.concurrent = true;
   system.rhs = [ode](Real t, const Real* y, Real* f) { ode->rhs_extended(t, y, f); };
-  // Full matrices in extended precision take too long beyond this, and bands beyond that.
-  constexpr std::size_t most_in_matrix = 64;
-  constexpr double widest_band = 200;
+  constexpr double widest_band = 200;  // a wider one takes too long
   if (ode->view().sparsity && narrowest_band(ode->sparsity()) <= widest_band) {
     system.sparsity = {ode, &ode->sparsity()};
     system.entries = [ode](Real t, const Real* y, Real* v) { ode->entries_extended(t, y, v); };
