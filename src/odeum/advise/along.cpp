@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "odeum/advise/inquiry.hpp"
@@ -74,8 +75,9 @@ std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
   return {};
 }
 
-std::string text_of(const Inquiry& q, const std::optional<std::size_t>& component) {
-  return component ? q.names[*component] : "the state";
+template <class Key, class Number>
+Key key_of_most(const std::map<Key, Number>& numbers) {
+  return std::ranges::max_element(numbers, {}, [](const auto& each) { return each.second; })->first;
 }
 
 /// The component whose error a single step has most of, at most of the samples.
@@ -91,13 +93,14 @@ std::string deciding_component(const Inquiry& q) {
         step_error(q.c, q.why.solver, chosen[k]->at, q.run.request.tolerance, Mode::adaptive);
     if (!error.empty()) ++votes[std::ranges::max_element(error) - error.begin()];
   }
-  if (votes.empty()) return {};
-  const auto first = std::ranges::max_element(
-      votes, [](const auto& a, const auto& b) { return a.second < b.second; });
-  return q.names[first->first];
+  return votes.empty() ? std::string() : q.names[key_of_most(votes)];
 }
 
-double middle(std::vector<double> values) {
+/// The middle one of a number of the samples, of those where it is known.
+template <class NumberOf>
+double middle(const std::vector<const Sample*>& samples, const NumberOf& number_of) {
+  std::vector<double> values;
+  for (const Sample* s : samples) values.push_back(std::invoke(number_of, *s));
   std::erase_if(values, [](double x) { return std::isnan(x); });
   if (values.empty()) return nan;
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
@@ -110,31 +113,23 @@ std::optional<std::size_t> who(const std::vector<const Sample*>& samples) {
   std::map<std::size_t, double> weights;
   for (const Sample* s : samples)
     if (s->spectrum.component) weights[*s->spectrum.component] += s->weight;
-  if (weights.empty()) return {};
-  return std::ranges::max_element(weights,
-                                  [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->first;
+  return weights.empty() ? std::nullopt : std::optional(key_of_most(weights));
 }
+
+double fastness(const Sample& s) { return std::abs(s.binding); }
 
 Segment segment_of(const Inquiry& q, const std::vector<const Sample*>& samples, double to) {
   std::map<std::optional<Cause>, double> causes;
-  for (const Sample* s : samples) causes[s->cause] += s->weight;
-  const auto most = std::ranges::max_element(
-      causes, [](const auto& a, const auto& b) { return a.second < b.second; });
   Segment segment{.from = samples.front()->at.t, .to = to};
-  segment.cause = most->first;
-  std::vector<double> h, fastest, rate, used;
   for (const Sample* s : samples) {
+    causes[s->cause] += s->weight;
     segment.steps += s->weight;
-    h.push_back(s->at.h);
-    fastest.push_back(std::abs(s->binding));
-    rate.push_back(s->rate);
-    used.push_back(s->used);
   }
-  segment.h = middle(h);
-  segment.fastest = middle(fastest);
-  segment.rate = middle(rate);
-  segment.used = middle(used);
+  segment.cause = key_of_most(causes);
+  segment.h = middle(samples, [](const Sample& s) { return s.at.h; });
+  segment.fastest = middle(samples, fastness);
+  segment.rate = middle(samples, &Sample::rate);
+  segment.used = middle(samples, &Sample::used);
   if (const auto component = who(samples)) segment.component = q.names[*component];
   return segment;
 }
@@ -176,18 +171,12 @@ std::vector<Segment> segments_of(const Inquiry& q, double least) {
 }
 
 std::string stability_text(const Inquiry& q, const std::vector<const Sample*>& bound) {
-  std::vector<double> size, real, rate, used;
-  for (const Sample* s : bound) {
-    size.push_back(std::abs(s->binding));
-    real.push_back(std::abs(s->binding.real()));
-    rate.push_back(s->rate);
-    used.push_back(s->used);
-  }
-  const double fastest = middle(size);
+  const auto decay_of = [](const Sample& s) { return std::abs(s.binding.real()); };
+  const double fastest = middle(bound, fastness), decay = middle(bound, decay_of);
   std::string text = fmt::format(
-      "{} {} at {:.2g} per unit of time, the solution changes at {:.2g}", text_of(q, who(bound)),
-      middle(real) > 0.5 * fastest ? "decays" : "oscillates", fastest, middle(rate));
-  if (const double share = middle(used); !std::isnan(share))
+      "{} {} at {:.2g} per unit of time, the solution changes at {:.2g}", q.name_of(who(bound)),
+      decay > 0.5 * fastest ? "decays" : "oscillates", fastest, middle(bound, &Sample::rate));
+  if (const double share = middle(bound, &Sample::used); !std::isnan(share))
     text += fmt::format(", and a step takes {:.2g} of the stability region", share);
   return text;
 }
@@ -265,14 +254,13 @@ void share_out(Inquiry& q) {
       q.add(cause, share, bound.front()->at.t, stability_text(q, bound));
       continue;
     }
-    std::vector<double> longer;
-    for (const Sample* s : bound) longer.push_back(s->looser);
+    const double longer = middle(bound, &Sample::looser);
     const std::string component = deciding_component(q);
     q.add(cause, share, bound.front()->at.t,
           fmt::format("{}under {} the tolerance they are {:.2g} times as long",
                       component.empty() ? "" : component + " has the largest error of a step; ",
                       q.looser_by > 1 ? "100 times" : "a hundredth of",
-                      q.looser_by > 1 ? middle(longer) : 1 / middle(longer)));
+                      q.looser_by > 1 ? longer : 1 / longer));
   }
 }
 

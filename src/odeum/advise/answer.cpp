@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -32,18 +31,14 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
   const double least = winner_of(advice).times.min();
   std::string text;
   for (const auto& [other, why] : runners_up(advice)) {
-    if (advice.run_ns > 0) {
-      text += fmt::format("behind    {} --{} {:.3g}: {:.3g} times the error in {} ({})\n",
-                          other->entrant->info.id(), setting_kind(other->mode),
-                          setting_of(other->found->request(), c.t0),
-                          other->found->state_error() / winner_of(advice).found->state_error(),
-                          text_of_ns(other->times.min()), why);
-      continue;
-    }
-    text += fmt::format("behind    {} --{} {:.3g}: {:.2f} times the time, error {:.2g} ({})\n",
-                        other->entrant->info.id(), setting_kind(other->mode),
-                        setting_of(other->found->request(), c.t0), other->times.min() / least,
-                        other->found->state_error(), why);
+    const double error = other->found->state_error(), ns = other->times.min();
+    text += fmt::format("behind    {} {:.3g}: ", name_of(*other),
+                        setting_of(other->found->request(), c.t0));
+    text += advice.run_ns > 0
+                ? fmt::format("{:.3g} times the error in {}",
+                              error / winner_of(advice).found->state_error(), text_of_ns(ns))
+                : fmt::format("{:.2f} times the time, error {:.2g}", ns / least, error);
+    text += fmt::format(" ({})\n", why);
   }
   for (const std::size_t k : advice.timed)
     if (const Candidate& candidate = advice.candidates[k]; candidate.closed_form())
@@ -81,7 +76,7 @@ std::string text_of_rest(const Advice& advice) {
     const bool within = advice.run_ns > 0;
     const char* left = within ? "far behind within the time" : "too slow before they had the error";
     dropped[candidate.dropped.empty() ? reason_of(candidate, within) : left].push_back(
-        fmt::format("{} --{}", candidate.entrant->info.id(), setting_kind(candidate.mode)));
+        name_of(candidate));
   });
   std::string text;
   for (const auto& [reason, ids] : dropped)
@@ -159,11 +154,10 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
   const Trial& found = *winner.found;
   std::string text = fmt::format(
-      "{} --{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n",
-      winner.entrant->info.id(), setting_kind(winner.mode), setting_of(found.request(), c.t0),
-      found.state_error(), advice.floor, c.scale.empty() ? "absolute" : "in the units of the scale",
-      text_of_ns(winner.times.min()), text_of_ns(winner.times.median()), winner.times.ns.size(),
-      sureness(advice));
+      "{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n", name_of(winner),
+      setting_of(found.request(), c.t0), found.state_error(), advice.floor,
+      c.scale.empty() ? "absolute" : "in the units of the scale", text_of_ns(winner.times.min()),
+      text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
   if (advice.frames > 0)
     text += fmt::format("frame     {:g} steps of it a frame, {} of the {} given\n",
                         static_cast<double>(found.request().steps) / advice.frames,

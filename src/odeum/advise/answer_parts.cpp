@@ -4,19 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <set>
-#include <sstream>
 
 namespace odeum::advise {
-namespace {
-
-std::vector<std::string> words_in(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
-}  // namespace
 
 std::string text_of_ns(double ns) {
   if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
@@ -25,16 +15,19 @@ std::string text_of_ns(double ns) {
                     : fmt::format("{:.3g} s", ns / 1e9);
 }
 
+std::string name_of(const Candidate& candidate) {
+  return candidate.entrant->info.id() + " --" + setting_kind(candidate.mode);
+}
+
 std::string command_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
   // Of a box, at the parameters of the largest error.
   std::string sets;
   if (!asked.points.empty())
-    for (const std::string& set : words_in(asked.points[winner.found->worst()]))
-      sets += " --set " + set;
-  return fmt::format("odeum run {}{}{} --solver {} --{} {}", asked.problem, asked.more, sets,
-                     winner.entrant->info.id(), setting_kind(winner.mode),
-                     setting_of(winner.found->request(), c.t0));
+    for (const char letter : ' ' + asked.points[winner.found->worst()])
+      sets += letter == ' ' ? " --set " : std::string(1, letter);
+  return fmt::format("odeum run {}{}{} --solver {} {}", asked.problem, asked.more, sets,
+                     name_of(winner), setting_of(winner.found->request(), c.t0));
 }
 
 std::vector<std::string> same_within_noise(const Advice& advice) {
@@ -44,8 +37,7 @@ std::vector<std::string> same_within_noise(const Advice& advice) {
     const Candidate& winner = winner_of(advice);
     const bool same = advice.run_ns > 0 ? advice.same_error(*other.found, *winner.found)
                                         : other.times.min() <= winner.times.median();
-    if (k != advice.winner && !other.closed_form() && same)
-      ids.push_back(fmt::format("{} --{}", other.entrant->info.id(), setting_kind(other.mode)));
+    if (k != advice.winner && !other.closed_form() && same) ids.push_back(name_of(other));
   }
   return ids;
 }

@@ -14,6 +14,9 @@ inline const Candidate& winner_of(const Advice& advice) { return advice.candidat
 
 std::string text_of_ns(double ns);
 
+/// Its solver and the kind of its setting, as options have them: `odeum/rk4 --step`.
+std::string name_of(const Candidate& candidate);
+
 std::string command_of(const Advice& advice, const Case& c, const Asked& asked);
 
 /// Others that the times do not tell from the winner; within a time, others of about its error.

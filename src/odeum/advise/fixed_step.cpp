@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "odeum/advise/inquiry.hpp"
 
@@ -94,12 +93,10 @@ void look_at_edge(Inquiry& q) {
   }
   if (!first) return;
   const double decays = std::abs(worst->binding.real());
-  const std::string who =
-      worst->spectrum.component ? q.names[*worst->spectrum.component] : "the state";
   const double step = worst->at.h;
-  std::string text = fmt::format("{} {} at {:.3g} per unit of time, ", who,
-                                 decays > 0.5 * std::abs(worst->binding) ? "decays" : "oscillates",
-                                 std::abs(worst->binding));
+  std::string text = fmt::format(
+      "{} {} at {:.3g} per unit of time, ", q.name_of(worst->spectrum.component),
+      decays > 0.5 * std::abs(worst->binding) ? "decays" : "oscillates", std::abs(worst->binding));
   text += worst->used < infinity
               ? fmt::format("a step of {:.3g} is {:.3g} times what is stable ({:.3g})", step,
                             worst->used, step / worst->used)
@@ -144,11 +141,10 @@ void look_at_fixed_step(Inquiry& q) {
   }
   double rate = 0;
   for (const Sample& s : q.samples) rate = std::max(rate, s.rate);
-  q.add(
-      Cause::too_coarse, 1, q.c.t0,
-      fmt::format("the solution changes at up to {:.3g} per unit of time, {:.3g} of its size in a "
-                  "step; {} times the steps have {:.2g} of the error",
-                  rate, rate * step, times, 1 / ratio));
+  q.add(Cause::too_coarse, 1, q.c.t0,
+        fmt::format("the solution changes at up to {:.3g} per unit of time, {:.3g} of its size in "
+                    "a step; {} times the steps have {:.2g} of the error",
+                    rate, rate * step, times, 1 / ratio));
 }
 
 }  // namespace odeum::advise

@@ -46,6 +46,10 @@ struct Inquiry {
   bool trust_jacobian = true;
   Region region;
 
+  /// Of a component that may not be known.
+  std::string name_of(const std::optional<std::size_t>& component) const {
+    return component ? names[*component] : "the state";
+  }
   bool adaptive() const { return run.request.mode == Mode::adaptive; }
   double left() const;  ///< seconds
   Run make(const Case& on, const std::string& solver, Request request, std::size_t moments,

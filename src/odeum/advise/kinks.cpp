@@ -11,8 +11,7 @@
 namespace odeum::advise {
 namespace {
 
-/// How f between the states differs from a straight line, at `parts` + 1 points of [from, to] of
-/// the path between them.
+/// f along the path from one state to another, by the part of the time between them.
 class Path {
  public:
   Path(const Case& c, const Moment& from, const Moment& to)

@@ -53,7 +53,6 @@ Spectrum spectrum_at(const Case& c, double t, const Vector& y, const Vector& siz
   }
   for (const auto& [value, vector] : pairs) {
     found.all.push_back(value);
-    found.growth = std::max(found.growth, value.real());
     // Rounding may put an imaginary one to the right.
     if (value.real() > 1e-6 * std::abs(value) || !(std::abs(value) > std::abs(found.fastest)))
       continue;

@@ -44,7 +44,6 @@ class Region {
 struct Spectrum {
   std::complex<double> fastest;          ///< of those that do not grow
   std::optional<std::size_t> component;  ///< the largest of its eigenvector, by the sizes given
-  double growth = 0;                     ///< the largest real part, where it is positive
   std::vector<std::complex<double>> all;
 };
 /// Of the problem's own Jacobian, or by differences; empty `all`: it is not finite.

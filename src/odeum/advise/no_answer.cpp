@@ -45,33 +45,24 @@ std::string unknown(const Case& c, const Wishes& wishes) {
   return {};
 }
 
-std::string nobody_within(const Advice& advice) {
-  double least = infinity;
-  std::string id;
-  for (const Candidate& candidate : advice.candidates)
-    for (const Trial& trial : candidate.trials)
-      if (trial.status == Status::ok && trial.ns < least && !candidate.closed_form()) {
-        least = trial.ns;
-        id = candidate.entrant->info.id();
-      }
-  if (advice.cut && (id.empty() || least <= advice.run_ns))
-    return "not known: no run ended within its share of the seconds; --seconds gives more";
-  if (id.empty()) return "nobody here ends a run within ten times that time";
-  return fmt::format("nobody here ends a run within that time: the shortest took {:.3g} ms, by {}",
-                     1e-6 * least, id);
-}
-
 std::string nobody(const Advice& advice) {
+  const bool within = advice.run_ns > 0;
   double least = infinity;
   std::string id;
   for (const Candidate& candidate : advice.candidates)
     for (const Trial& trial : candidate.trials)
-      if (trial.status == Status::ok && trial.error < least && !candidate.closed_form()) {
-        least = trial.error;
+      if (const double value = within ? trial.ns : trial.error;
+          trial.status == Status::ok && value < least && !candidate.closed_form()) {
+        least = value;
         id = candidate.entrant->info.id();
       }
-  if (id.empty())
+  if (within ? advice.cut && (id.empty() || least <= advice.run_ns) : id.empty())
     return "not known: no run ended within its share of the seconds; --seconds gives more";
+  if (within && id.empty()) return "nobody here ends a run within ten times that time";
+  if (within)
+    return fmt::format(
+        "nobody here ends a run within that time: the shortest took {:.3g} ms, by {}", 1e-6 * least,
+        id);
   return fmt::format("nobody here reaches that{}: best is {} with an error of {:.3g}",
                      advice.cut ? " within the seconds given" : "", id, least);
 }

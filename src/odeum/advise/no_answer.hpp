@@ -16,10 +16,7 @@ std::string words_of_truth(const Case& c);
 /// Why there is no answer, before any run; empty: there may be one.
 std::string unknown(const Case& c, const Wishes& wishes);
 
-/// Why there is none after a race within a time.
-std::string nobody_within(const Advice& advice);
-
-/// Why there is none after a race to an error.
+/// Why there is none after a race.
 std::string nobody(const Advice& advice);
 
 }  // namespace odeum::advise

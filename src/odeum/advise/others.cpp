@@ -58,13 +58,9 @@ bool is_better(const Inquiry& q, const Other& other) {
 
 double Inquiry::error_at_end(const Request& request, const Outcome& outcome) const {
   if (outcome.status != Status::ok || !c.truth.at) return nan;
-  std::vector<double> exact(c.y0.size());
-  const double end = request.stops.back();
-  if (!c.truth.at(end, exact.data()) || !is_finite(exact.data(), exact.size())) return nan;
-  Outcome last = outcome;
-  last.states.erase(last.states.begin(),
-                    last.states.end() - static_cast<std::ptrdiff_t>(c.y0.size()));
-  return judge::Judge(c, {end}).errors(last).front().error_max;
+  const double* const last = outcome.states.data() + outcome.states.size() - c.y0.size();
+  const double error = judge::error_at(c, request.stops.back(), last);
+  return std::isinf(error) ? nan : error;  // the solution has ended before
 }
 
 void Inquiry::find_sizes(const Run& from) {
@@ -162,7 +158,6 @@ void choose(Inquiry& q) {
   }
 }
 
-/// What the causes themselves suggest: the same solver with another setting, or a shorter run.
 void try_settings(Inquiry& q) {
   Request request = q.run.request;
   request.record_steps = false;

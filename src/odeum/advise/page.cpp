@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "odeum/advise/answer_parts.hpp"
 #include "odeum/record/rows.hpp"
 #include "odeum/report/report.hpp"

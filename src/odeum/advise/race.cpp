@@ -78,9 +78,8 @@ std::vector<std::size_t> finalists(const std::vector<Candidate>& candidates, boo
   std::vector<std::size_t> by_cost;
   for (std::size_t k = 0; k < candidates.size(); ++k)
     if (candidates[k].found) by_cost.push_back(k);
-  std::ranges::stable_sort(by_cost, [&](std::size_t a, std::size_t b) {
-    const Trial &one = *candidates[a].found, &other = *candidates[b].found;
-    return within ? one.error < other.error : one.ns < other.ns;
+  std::ranges::stable_sort(by_cost, {}, [&](std::size_t k) {
+    return within ? candidates[k].found->error : candidates[k].found->ns;
   });
   double least = infinity, least_error = infinity;
   std::size_t racing = 0;
@@ -147,6 +146,10 @@ double bare_ns(const Candidate& candidate, const Trial& trial) {
 
 namespace {
 
+auto time_of(const Advice& advice) {
+  return [&](std::size_t k) { return advice.candidates[k].times.min(); };
+}
+
 /// Races to an error.
 void race_to_error(Advice& advice, Search& search) {
   search.all(advice.candidates);
@@ -157,9 +160,7 @@ void race_to_error(Advice& advice, Search& search) {
   }
   advice.timed = finalists(advice.candidates, false);
   time_them(advice, search, search.seconds());
-  std::ranges::stable_sort(advice.timed, [&](std::size_t a, std::size_t b) {
-    return advice.candidates[a].times.min() < advice.candidates[b].times.min();
-  });
+  std::ranges::stable_sort(advice.timed, {}, time_of(advice));
 }
 
 /// Races within a time: those whose bare runs take longer get a coarser setting.
@@ -195,9 +196,8 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
     if (slow) advice.candidates[k].dropped = "it takes longer at its coarsest good setting";
     return slow;
   });
-  std::ranges::stable_sort(advice.timed, [&](std::size_t a, std::size_t b) {
-    return advice.candidates[a].found->error < advice.candidates[b].found->error;
-  });
+  std::ranges::stable_sort(advice.timed, {},
+                           [&](std::size_t k) { return advice.candidates[k].found->error; });
   // Of those of the least error the fastest comes first.
   const auto counts = [&](std::size_t k) { return !advice.candidates[k].closed_form(); };
   const auto least = std::ranges::find_if(advice.timed, counts);
@@ -206,9 +206,7 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   const auto same = std::stable_partition(least, advice.timed.end(), [&](std::size_t k) {
     return advice.same_error(*advice.candidates[k].found, best);
   });
-  std::stable_sort(least, same, [&](std::size_t a, std::size_t b) {
-    return advice.candidates[a].times.min() < advice.candidates[b].times.min();
-  });
+  std::ranges::stable_sort(least, same, {}, time_of(advice));
 }
 
 /// The frames of a run; 0: they do not divide it.
@@ -251,7 +249,7 @@ Advice advise(const std::vector<const Case*>& cases, const Wishes& asked) {
   std::vector<std::size_t> order = advice.timed;
   std::erase_if(order, [&](std::size_t k) { return advice.candidates[k].closed_form(); });
   if (order.empty()) {
-    advice.failure = wishes.time_ns > 0 ? nobody_within(advice) : nobody(advice);
+    advice.failure = nobody(advice);
     return advice;
   }
   // The command's run has no stop but the end, and other steps: it must have about the error too.

@@ -2,11 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "odeum/judge/errors.hpp"
@@ -95,7 +93,6 @@ struct Advice {
   double frames = 0;    ///< in a run; 0: it has none
   std::string failure;  ///< why there is no answer, a sentence; empty: there is one
   double floor = 0;     ///< error of the truth
-  double seconds = 0;   ///< that it had
   std::vector<Candidate> candidates;
   std::size_t winner = 0;          ///< in `candidates`
   std::vector<std::size_t> timed;  ///< the same, by least time, or by least error within the time

@@ -70,6 +70,16 @@ std::set<std::size_t> chosen(const std::vector<double>& ends, std::size_t most) 
   return at;
 }
 
+Outcome solve_recorded(const Case& c, const std::string& solver, const Request& request,
+                       Trace* trace) {
+  const Recording recording(c, c.t0, c.y0);
+  const Entrant* const entrant = recording.solver(solver);
+  Outcome outcome = (entrant ? entrant : c.entrants.find(solver))->solve(request);
+  if (interrupted) throw Interrupted();
+  if (trace) *trace = recording.trace();
+  return outcome;
+}
+
 }  // namespace
 
 bool Recording::Log::note(double t, const double* values, std::size_t n, std::size_t first) {
@@ -81,16 +91,9 @@ bool Recording::Log::note(double t, const double* values, std::size_t n, std::si
   return true;
 }
 
-Recording::Recording(const Case& c) { enroll(c.problem, c.t0, c.y0); }
-
-Recording::Recording(const Case& c, double t0, const std::vector<double>& y0) {
-  enroll(c.problem, t0, y0);
-}
-
-void Recording::enroll(const ErasedContest& contest, double t0, const std::vector<double>& y0) {
-  log_ = std::make_shared<Log>();
-  log_->inner = contest.view;
-  log_->keep_alive = contest.keep_alive;
+Recording::Recording(const Case& c, double t0, const std::vector<double>& y0)
+    : log_(std::make_shared<Log>(Log{c.problem.view, c.problem.keep_alive, {}})) {
+  const ErasedContest& contest = c.problem;
   OdeView view = contest.view;
   view.problem = log_.get();
 #define ODEUM_FORWARD(concept_name, function, charge, ...) \
@@ -154,14 +157,7 @@ double Run::step_at(double t) const {
 Run record(const Case& c, const std::string& solver, const Request& request, std::size_t most) {
   Run run{.solver = solver, .request = request};
   run.request.record_steps = true;
-  {
-    const Recording recording(c);
-    const Entrant* const entrant = recording.solver(solver);
-    const Entrant* const known = entrant ? entrant : c.entrants.find(solver);
-    run.outcome = known->solve(run.request);
-    run.trace = recording.trace();
-  }
-  if (interrupted) throw Interrupted();
+  run.outcome = solve_recorded(c, solver, run.request, &run.trace);
   set_ends(run, c.t0);
   const std::size_t last = run.steps();
   const auto moment = [&](std::size_t k, const double* y) {
@@ -178,10 +174,7 @@ Run record(const Case& c, const std::string& solver, const Request& request, std
   for (const std::size_t k : at)
     if (k > 0 && run.ends[k] < request.stops.back()) again.stops.push_back(run.ends[k]);
   again.stops.push_back(request.stops.back());
-  const Recording recording(c);
-  const Entrant* const entrant = recording.solver(solver);
-  const Outcome outcome = (entrant ? entrant : c.entrants.find(solver))->solve(again);
-  if (interrupted) throw Interrupted();
+  const Outcome outcome = solve_recorded(c, solver, again, nullptr);
   const std::size_t reached = outcome.states.size() / c.y0.size();
   std::size_t stop = 0;
   for (const std::size_t k : at) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,7 +28,6 @@ struct Trace {
 /// A case's problem from a state of its own, whose evaluations are noted.
 class Recording {
  public:
-  explicit Recording(const Case& c);
   Recording(const Case& c, double t0, const std::vector<double>& y0);
   /// The solver on it; null where there is none of that id.
   const Entrant* solver(const std::string& id) const { return entrants_.find(id); }
@@ -43,7 +41,6 @@ class Recording {
     /// Whether it is the first that is not finite.
     bool note(double t, const double* values, std::size_t n, std::size_t first);
   };
-  void enroll(const ErasedContest& contest, double t0, const std::vector<double>& y0);
 
   std::shared_ptr<Log> log_;
   Entrants entrants_;
@@ -61,9 +58,9 @@ struct Run {
   std::string solver;
   Request request;
   Outcome outcome = {};
-  std::vector<double> ends =
-      {};             ///< t0, and the ends of the steps; estimated for a peer, see `exact`
-  bool exact = true;  ///< `ends` are the solver's own
+  /// t0, and the ends of the steps: the solver's own, or with `exact` off estimated for a peer.
+  std::vector<double> ends = {};
+  bool exact = true;
   Trace trace = {};
   std::vector<Moment> moments = {};  ///< in the order of time
 

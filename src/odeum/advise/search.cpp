@@ -62,13 +62,7 @@ void Search::take(Candidate& candidate, double fineness) {
   const Trial& trial = candidate.trials.back();
   if (trial.reaches(wishes_.error) && !candidate.closed_form())
     best_ns_ = std::min(best_ns_, trial.ns);
-  drop_if_slow(candidate);
-}
-
-void Search::drop_if_slow(Candidate& candidate) const {
-  const Trial& trial = candidate.trials.back();
-  const Bracket bracket = bracket_of(candidate, wishes_.error);
-  if (bracket.reaches || !std::isfinite(best_ns_)) return;
+  if (bracket_of(candidate, wishes_.error).reaches || !std::isfinite(best_ns_)) return;
   if (trial.status == Status::ok && trial.ns > slow_factor * best_ns_ + slow_ns)
     candidate.dropped =
         fmt::format("it took {:.2g} times the time of the best run so far to an error of {:.2g}",

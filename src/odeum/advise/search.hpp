@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "odeum/advise/race.hpp"
+#include "odeum/core/clocks.hpp"
 
 /// The setting of each candidate for the error asked.
 namespace odeum::advise {
@@ -39,7 +40,6 @@ class Search {
   double left() const;
   /// Wall time over processor time since the race began, 1 to 10.
   double crowding() const;
-  static double seconds_since(std::chrono::steady_clock::time_point start);
   double seconds() const { return seconds_; }
 
  private:
@@ -60,6 +60,7 @@ class Search {
   /// At the time, by its last run and its order; NaN where that failed.
   double foreseen_error(const Candidate& candidate) const;
   double next_within(const Candidate& candidate, double share) const;
+  /// A run, after which one that is too slow is dropped.
   void take(Candidate& candidate, double fineness);
   void search(Candidate& candidate, std::size_t most, double decades);
   double next(const Candidate& candidate, double decades) const;
@@ -70,7 +71,6 @@ class Search {
   /// The time, or the least error within the time, of the best run; infinite without one.
   double best_cost() const { return wishes_.time_ns > 0 ? least_error_ : best_ns_; }
   double in_range(const Candidate& candidate, double fineness) const;
-  void drop_if_slow(Candidate& candidate) const;
   void settle(Candidate& candidate) const;
 
   /// A case with its judges, by the stops of a run.

@@ -42,10 +42,6 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
                        c->energy ? c->energy(c->y0.data()) : nan});
 }
 
-double Search::seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 double Search::left() const { return seconds_ - std::min(before_, 0.5 * seconds_); }
 
 bool Search::late(double share) const { return seconds_since(start_) > share * left(); }

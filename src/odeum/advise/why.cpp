@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "odeum/advise/inquiry.hpp"
+#include "odeum/core/clocks.hpp"
 
 namespace odeum::advise {
 const char* name_of(Cause cause) {
@@ -25,9 +26,7 @@ Inquiry::Inquiry(const Case& given, const std::string& solver, const Request& re
   run.request = request;
 }
 
-double Inquiry::left() const {
-  return seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+double Inquiry::left() const { return seconds - seconds_since(start); }
 
 Run Inquiry::make(const Case& on, const std::string& solver, Request request, std::size_t moments,
                   double share) const {
@@ -128,7 +127,6 @@ Why why(const Case& c, const std::string& solver, const Request& request, double
   try_settings(q);
   choose(q);
   q.why.difference = q.difference(q.run);
-  q.why.seconds = seconds - q.left();
   return q.why;
 }
 

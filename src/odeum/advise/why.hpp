@@ -74,7 +74,6 @@ struct Why {
   std::vector<Other> others;
   std::optional<std::size_t> better;  ///< in `others`: what to do
   std::string advice;                 ///< what no option of `odeum run` can say; may be empty
-  double seconds = 0;
 };
 
 /// `solver` is one that the case has; `request` that of `odeum run`, its budget aside. Throws

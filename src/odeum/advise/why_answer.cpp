@@ -192,17 +192,12 @@ Json json_of(const Why& why, const Case& c, const Asked& asked) {
                               {"from", finding.from},
                               {"text", finding.text}});
   json["segments"] = Json::array();
-  for (const Segment& s : why.segments)
-    json["segments"].push_back({{"from", s.from},
-                                {"to", s.to},
-                                {"steps", s.steps},
-                                {"evaluations", s.evaluations},
-                                {"bound_by", word_of(why, s.cause)},
-                                {"step", s.h},
-                                {"fastest", s.fastest},
-                                {"rate", s.rate},
-                                {"of_edge", s.used},
-                                {"component", s.component}});
+  const record::Records segments = segments_of(why);
+  for (const std::vector<record::Cell>& row : segments.rows) {
+    Json& segment = json["segments"].emplace_back();
+    for (std::size_t k = 0; k < row.size(); ++k)
+      std::visit([&](const auto& value) { segment[segments.columns[k]] = value; }, row[k]);
+  }
   json["steps_left"] = why.steps_left;
   json["exact_steps"] = why.exact_steps;
   json["others"] = Json::array();
