@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,54 +16,52 @@ class Side {
  public:
   Side(const Plan& plan, std::size_t name) : name_(name) {
     const auto& axes = plan.members.axes();
-    if (!axes.empty() && axes[name].kind == Axis::Kind::grid && axes[name].values.size() <= most) {
-      values_ = axes[name].values;
-      std::ranges::sort(values_);
-      low_ = values_.front(), high_ = values_.back();
+    const bool grid = !axes.empty() && axes[name].kind == Axis::Kind::grid &&
+                      axes[name].values.size() <= most_values;
+    std::vector<double> values{infinity, -infinity};  // of a grid, else the least and the greatest
+    if (grid) {
+      values = axes[name].values;
+      std::ranges::sort(values);
     } else {
-      low_ = infinity, high_ = -infinity;
       for (std::uint64_t member = 0; member < plan.members.size(); ++member) {
         const double value = plan.members.values(member)[name];
-        low_ = std::min(low_, value), high_ = std::max(high_, value);
+        values = {std::min(values[0], value), std::max(values[1], value)};
       }
     }
-    log_ = low_ > 0 && high_ >= 20 * low_;
-  }
-  bool varies() const { return high_ > low_; }
-  bool log() const { return log_; }
-  std::size_t cells() const { return values_.empty() ? most_bins : values_.size(); }
-  std::size_t cell_of(double value) const {
-    if (!values_.empty())
-      return static_cast<std::size_t>(std::ranges::lower_bound(values_, value) - values_.begin());
-    const double part = (scaled(value) - scaled(low_)) / (scaled(high_) - scaled(low_));
-    return std::min(most_bins - 1, static_cast<std::size_t>(part * static_cast<double>(most_bins)));
-  }
-  /// The ends of a cell: halfway to its neighbours.
-  std::pair<double, double> ends(std::size_t cell) const {
-    if (values_.empty()) {
-      const double width = (scaled(high_) - scaled(low_)) / static_cast<double>(most_bins);
-      return {unscaled(scaled(low_) + width * static_cast<double>(cell)),
-              unscaled(scaled(low_) + width * static_cast<double>(cell + 1))};
+    if (!(values.back() > values.front())) return;
+    log_ = values.front() > 0 && values.back() >= 20 * values.front();
+    for (double& value : values) value = scaled(value);
+    if (!grid) {
+      for (int k = 0; k <= bins; ++k)
+        ends_.push_back(std::lerp(values[0], values[1], k * 1. / bins));
+      return;
     }
-    const auto between = [&](std::size_t k) {
-      return unscaled(0.5 * (scaled(values_[k]) + scaled(values_[k + 1])));
-    };
-    const std::size_t last = values_.size() - 1;
-    const double at = scaled(values_[cell]);
-    const double below = cell > 0 ? scaled(between(cell - 1)) : 2 * at - scaled(between(0)),
-                 above = cell < last ? scaled(between(cell)) : 2 * at - scaled(between(last - 1));
-    return {unscaled(below), unscaled(above)};
+    // Halfway to the neighbours.
+    const std::size_t last = values.size() - 1;
+    ends_.push_back(1.5 * values[0] - 0.5 * values[1]);
+    for (std::size_t k = 0; k < last; ++k) ends_.push_back(0.5 * (values[k] + values[k + 1]));
+    ends_.push_back(1.5 * values[last] - 0.5 * values[last - 1]);
+  }
+  bool varies() const { return !ends_.empty(); }
+  bool log() const { return log_; }
+  std::size_t cells() const { return ends_.size() - 1; }
+  std::size_t cell_of(double value) const {
+    const auto above = std::ranges::upper_bound(ends_.begin() + 1, ends_.end() - 1, scaled(value));
+    return static_cast<std::size_t>(above - ends_.begin()) - 1;
+  }
+  std::pair<double, double> ends(std::size_t cell) const {
+    const auto unscaled = [&](double end) { return log_ ? std::exp(end) : end; };
+    return {unscaled(ends_[cell]), unscaled(ends_[cell + 1])};
   }
   std::size_t name() const { return name_; }
 
  private:
-  static constexpr std::size_t most = 400, most_bins = 40;
+  static constexpr std::size_t most_values = 400;
+  static constexpr int bins = 40;
   double scaled(double value) const { return log_ ? std::log(value) : value; }
-  double unscaled(double value) const { return log_ ? std::exp(value) : value; }
 
   std::size_t name_;
-  std::vector<double> values_;
-  double low_ = 0, high_ = 0;
+  std::vector<double> ends_;  ///< of the cells, scaled; none where the parameter does not vary
   bool log_ = false;
 };
 

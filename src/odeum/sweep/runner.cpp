@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/sweep/runner.hpp"
 
-#include <fmt/format.h>
-
 #include <stdexcept>
 
 #include "odeum/judge/errors.hpp"
@@ -13,10 +11,10 @@ namespace {
 /// Some members from the first to the last, on which a family is checked.
 std::vector<std::vector<double>> samples_of(const Plan& plan) {
   constexpr std::uint64_t most = 8;
-  const std::uint64_t size = plan.members.size(), count = std::min(size, most);
+  const std::uint64_t count = std::min(plan.members.size(), most);
   std::vector<std::vector<double>> samples;
   for (std::uint64_t k = 0; k < count; ++k)
-    samples.push_back(parameters_of(plan, count == 1 ? 0 : k * (size - 1) / (count - 1)));
+    samples.push_back(parameters_of(plan, spread(plan, k, count)));
   return samples;
 }
 
@@ -73,12 +71,7 @@ Outcome Runner::run(const std::vector<double>& values, const Request& request) {
       energy_ = case_.energy;
       y0_ = std::make_shared<const std::vector<double>>(case_.y0);
     }
-    const Entrants& entrants = family_ ? family_->entrants : case_.entrants;
-    const Entrant* const entrant = entrants.find(plan_.solver);
-    if (!entrant || !entrant->solve)
-      throw std::invalid_argument("the solver does not fit: " +
-                                  (entrant ? entrant->unfit : plan_.solver));
-    outcome = entrant->solve(request);
+    outcome = fitting(family_ ? family_->entrants : case_.entrants, plan_.solver).solve(request);
   });
   if (fault) outcome.status = Status::refused, outcome.detail = *fault;
   return outcome;
@@ -112,10 +105,7 @@ double Runner::error(const std::vector<double>& values, const double* last) {
     judged_.scale = base.scale;
   }
   if (exact_) judged_.truth.at = [&](double t, double* y) { return exact_(values, t, y); };
-  Outcome end;
-  end.states.assign(last, last + y0_->size());
-  const judge::Judge judge(exact_ ? judged_ : case_, {plan_.request.stops.back()});
-  return judge.errors(end).back().error_max;
+  return judge::error_at(exact_ ? judged_ : case_, plan_.request.stops.back(), last);
 }
 
 Runners::Runners(const Plan& plan) : plan_(plan) {

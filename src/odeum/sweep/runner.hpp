@@ -3,7 +3,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -60,6 +59,11 @@ class Runners {
   std::mutex mutex_;
   std::vector<std::unique_ptr<Runner>> free_;
 };
+
+/// Holds some members, evenly spread, against a truth of their own each (checks.cpp).
+void check_members(const Plan& plan, Result& result);
+/// The quantiles of every component at the plan's stops, over at most 500 members.
+void add_over_time(const Plan& plan, Result& result);
 
 /// A runner until the end of the scope.
 class Lent {

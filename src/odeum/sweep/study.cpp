@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,26 +23,11 @@ std::vector<Quantity> measured(const std::vector<std::string>& names) {
   return all;
 }
 
-void know_truth(Case& c, const std::vector<double>& stops) {
-  std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(stops.back(), state.data())) c.truth = truth::truth_at(c, stops);
-}
-
-/// The solver on the case; null where it does not fit, which the row then says.
-const Entrant* fitting(const Case& c, MemberRow& row) {
-  const Entrant* const entrant = c.entrants.find(row.solver);
-  if (entrant && entrant->solve) return entrant;
-  row.status = row.answer = to_string(Status::refused);
-  row.detail = "the solver does not fit: " + (entrant ? entrant->unfit : row.solver);
-  return nullptr;
-}
-
 MemberRow order_of(Case& c, const StudyWishes& wishes) {
   MemberRow row{.solver = wishes.solver};
-  const Entrant* const entrant = fitting(c, row);
-  if (!entrant) return row;
-  know_truth(c, study::convergence_stops(c));
-  const study::Pair pair{&c, entrant, entrant->info.fixed ? Mode::fixed : Mode::adaptive};
+  const Entrant& entrant = fitting(c.entrants, wishes.solver);
+  truth::know_truth(c, study::convergence_stops(c));
+  const study::Pair pair{&c, &entrant, entrant.info.fixed ? Mode::fixed : Mode::adaptive};
   study::CaseMeasures measures{.gain = judge::perturbation_gain(c)};
   if (pair.mode == Mode::adaptive)
     measures.amplification = judge::measure_amplification(c, study::convergence_stops(c));
@@ -68,14 +52,13 @@ constexpr std::array compared{1e-3, 1e-6, 1e-9};
 
 MemberRow times_of(Case& c, const StudyWishes& wishes) {
   MemberRow row{.solver = wishes.solver};
-  const Entrant* const entrant = fitting(c, row);
-  if (!entrant) return row;
-  know_truth(c, c.timed_stops());
+  const Entrant& entrant = fitting(c.entrants, wishes.solver);
+  truth::know_truth(c, c.timed_stops());
   constexpr double usual = 0.5, seconds_of_solve = 2;
   const double seconds = wishes.seconds > 0 ? wishes.seconds : usual;
   const study::TimedCase stage(c);
   std::vector<study::TimedSolver> solvers{
-      {entrant, entrant->info.adaptive ? Mode::adaptive : Mode::fixed, nullptr}};
+      {&entrant, entrant.info.adaptive ? Mode::adaptive : Mode::fixed, nullptr}};
   study::run_guarded(stage, solvers.front(), seconds_of_solve);
   study::time_all(stage, solvers, seconds / 2);
   if (study::settle_errors(stage, solvers, 1)) study::time_all(stage, solvers, seconds / 2);
@@ -104,7 +87,7 @@ MemberRow advice_for(Case& c, const StudyWishes& wishes) {
   asked.error = wishes.error;
   asked.seconds = wishes.seconds;
   if (!wishes.solver.empty()) asked.solvers = {wishes.solver};
-  know_truth(c, c.stops);
+  truth::know_truth(c, c.stops);
   const advise::Advice advice = advise::advise({&c}, asked);
   MemberRow row{.solver = wishes.solver};
   row.values.assign(2, nan);

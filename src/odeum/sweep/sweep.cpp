@@ -10,10 +10,10 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "odeum/core/clocks.hpp"
 #include "odeum/core/parallel.hpp"
 #include "odeum/core/progress.hpp"
 #include "odeum/input/near_words.hpp"
-#include "odeum/sweep/checks.hpp"
 #include "odeum/sweep/part.hpp"
 #include "odeum/sweep/runner.hpp"
 
@@ -69,8 +69,7 @@ class Sweep {
         values.push_back(result_.results[member * plan_.quantities.size() + q]);
       result_.quantiles.push_back(quantiles(std::move(values)));
     }
-    result_.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result_.seconds = seconds_since(start);
     return std::move(result_);
   }
 
@@ -202,6 +201,16 @@ std::vector<double> parameters_of(const Plan& plan, std::uint64_t member) {
     values[static_cast<std::size_t>(at - all.begin())] = own[k];
   }
   return values;
+}
+
+std::uint64_t spread(const Plan& plan, std::uint64_t k, std::uint64_t count) {
+  return count < 2 ? 0 : k * (plan.members.size() - 1) / (count - 1);
+}
+
+const Entrant& fitting(const Entrants& entrants, const std::string& solver) {
+  const Entrant* const entrant = entrants.find(solver);
+  if (entrant && entrant->solve) return *entrant;
+  throw std::invalid_argument("the solver does not fit: " + (entrant ? entrant->unfit : solver));
 }
 
 std::string sets_of(const Plan& plan, std::uint64_t member) {

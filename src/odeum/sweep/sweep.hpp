@@ -89,6 +89,10 @@ Result run(const Plan& plan);
 
 /// The values of all of the case's parameters for a member.
 std::vector<double> parameters_of(const Plan& plan, std::uint64_t member);
+/// The k-th of `count` members that are evenly spread over all.
+std::uint64_t spread(const Plan& plan, std::uint64_t k, std::uint64_t count);
+/// The solver of that id. Throws std::invalid_argument where it does not fit, or there is none.
+const Entrant& fitting(const Entrants& entrants, const std::string& solver);
 /// ` --set a=1 --set b=2`: what makes a member of the problem.
 std::string sets_of(const Plan& plan, std::uint64_t member);
 
