@@ -17,12 +17,9 @@ class AnyStepper {
   virtual ~AnyStepper() = default;
   /// Call it before the first step, and where (t, y, h) do not continue the last one.
   virtual void start(double /*t*/, double /*h*/, const std::vector<double>& /*y*/) {}
-  virtual Status step(double t, double h, std::vector<double>& y) = 0;
-  /// With the error estimate; refused where the method has none.
-  virtual Status step(double /*t*/, double /*h*/, std::vector<double>& /*y*/,
-                      std::vector<double>& /*error*/) {
-    return Status::refused;
-  }
+  /// With the error estimate where one is asked for; refused where the method has none.
+  virtual Status step(double t, double h, std::vector<double>& y,
+                      std::vector<double>* error = nullptr) = 0;
 };
 
 /// Makes a new stepper on a problem, which must outlive it. Empty: the method does not fit.
@@ -37,16 +34,13 @@ class ErasedStepper : public AnyStepper {
   void start(double t, double h, const std::vector<double>& y) override {
     if constexpr (requires { stepper_.start(t, h, y); }) stepper_.start(t, h, y);
   }
-  Status step(double t, double h, std::vector<double>& y) override {
-    return stepper_.step(t, h, y);
-  }
-  Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
-    if constexpr (requires { stepper_.step(t, h, y, error); }) {
-      error.resize(y.size());
-      return stepper_.step(t, h, y, error);
-    } else {
-      return Status::refused;
+  Status step(double t, double h, std::vector<double>& y, std::vector<double>* error) override {
+    if (!error) return stepper_.step(t, h, y);
+    if constexpr (requires { stepper_.step(t, h, y, *error); }) {
+      error->resize(y.size());
+      return stepper_.step(t, h, y, *error);
     }
+    return Status::refused;
   }
 
  private:
@@ -57,11 +51,9 @@ class InterpretedStepper : public AnyStepper {
  public:
   InterpretedStepper(const DynamicTableau<double>& tableau, const FunctionProblem& problem)
       : embedded_(tableau.embedded()), interpreter_(tableau, problem) {}
-  Status step(double t, double h, std::vector<double>& y) override {
-    return interpreter_.step(t, h, y);
-  }
-  Status step(double t, double h, std::vector<double>& y, std::vector<double>& error) override {
-    return embedded_ ? interpreter_.step(t, h, y, error) : Status::refused;
+  Status step(double t, double h, std::vector<double>& y, std::vector<double>* error) override {
+    if (!error) return interpreter_.step(t, h, y);
+    return embedded_ ? interpreter_.step(t, h, y, *error) : Status::refused;
   }
 
  private:

@@ -45,11 +45,17 @@ double difference_on(const MakeStepper<P>& one, const MakeStepper<P>& other,
     }
   }
   // The error estimate is compared too.
-  if (a->step(test.t0, h, y, error_y) == Status::ok &&
-      b->step(test.t0, h, z, error_z) == Status::ok)
+  if (a->step(test.t0, h, y, &error_y) == Status::ok &&
+      b->step(test.t0, h, z, &error_z) == Status::ok)
     for (std::size_t k = 0; k < y.size(); ++k)
       difference = std::max(difference, std::abs(error_y[k] - error_z[k]));
   return difference;
+}
+
+std::vector<EstimateQuality> estimates_of(const Code& code, const MethodInfo& info) {
+  if (info.order_embedded == 0) return {};
+  return code.on_problem ? estimate_quality(code.on_problem, info.order, info.order_embedded)
+                         : estimate_quality(code.on_separable, info.order, info.order_embedded);
 }
 
 }  // namespace
@@ -109,37 +115,32 @@ CodeChecks::CodeChecks(const MethodFacts& sound) : sound_(sound) {
   for_each_test(sound, [&](const auto& make, const auto& test) {
     orders_.push_back(measure_order(make, sound.info.order, test, sound.rounding));
   });
-  stability_ = sound.on_problem && (sound.info.one_step || sound.recurrence) &&
-               agrees_with_stability_function(sound);
-  map_ = sound.on_separable && agrees_with_oscillator_map(sound);
-  tableau_ = sound.on_problem && sound.tableau && agrees_with_tableau(sound);
-  estimates_ = estimates(sound);
-  frame_ = moving_frame_defect(sound) <= stability_tolerance(sound);
-  if (const auto mechanics = sound.on_mechanics()) {
-    symplectic_ = symplectic_defect(mechanics, structure_step) <= symplectic_rounding;
-    returns_ = return_defect(mechanics, structure_step) <= return_rounding;
-  }
-}
-
-bool CodeChecks::agrees_with_stability_function(const Code& code) const {
-  const auto compare = sound_.recurrence ? compare_recurrence : compare_stability;
-  return compare(code.on_problem, sound_).difference <= stability_tolerance(sound_);
-}
-bool CodeChecks::agrees_with_oscillator_map(const Code& code) const {
-  return compare_oscillator_map(code.on_separable, sound_).difference <=
-         stability_tolerance(sound_);
-}
-bool CodeChecks::agrees_with_tableau(const Code& code) const {
-  return compare_with_tableau(code.on_problem, *sound_.tableau,
-                              sound_.tableau->order_hat == sound_.info.order_embedded) <=
-         tableau_rounding;
-}
-
-std::vector<EstimateQuality> CodeChecks::estimates(const Code& code) const {
-  const MethodInfo& info = sound_.info;
-  if (info.order_embedded == 0) return {};
-  return code.on_problem ? estimate_quality(code.on_problem, info.order, info.order_embedded)
-                         : estimate_quality(code.on_separable, info.order, info.order_embedded);
+  estimates_ = estimates_of(sound, sound.info);
+  const double tolerance = stability_tolerance(sound);
+  const auto add = [&](const char* name, bool applies, std::function<bool(const Code&)> passes) {
+    if (applies && passes(sound)) checks_.push_back({name, std::move(passes)});
+  };
+  const bool any_problem{sound.on_problem}, mechanics{sound.on_mechanics()};
+  add("stability function", any_problem && (sound.info.one_step || sound.recurrence),
+      [&sound, tolerance](const Code& code) {
+        const auto compare = sound.recurrence ? compare_recurrence : compare_stability;
+        return compare(code.on_problem, sound).difference <= tolerance;
+      });
+  add("map of the oscillator", bool(sound.on_separable), [&sound, tolerance](const Code& code) {
+    return compare_oscillator_map(code.on_separable, sound).difference <= tolerance;
+  });
+  add("interpreted tableau", any_problem && sound.tableau, [&sound](const Code& code) {
+    const bool with_estimate = sound.tableau->order_hat == sound.info.order_embedded;
+    return compare_with_tableau(code.on_problem, *sound.tableau, with_estimate) <= tableau_rounding;
+  });
+  add("moving frame", true,
+      [tolerance](const Code& code) { return moving_frame_defect(code) <= tolerance; });
+  add("symplectic form", mechanics, [](const Code& code) {
+    return symplectic_defect(code.on_mechanics(), structure_step) <= symplectic_rounding;
+  });
+  add("return", mechanics, [](const Code& code) {
+    return return_defect(code.on_mechanics(), structure_step) <= return_rounding;
+  });
 }
 
 std::string CodeChecks::first_failure(const Code& code) const {
@@ -152,15 +153,9 @@ std::string CodeChecks::first_failure(const Code& code) const {
       failure = fmt::format("order on {}: {}", test.id, to_string(fit.verdict));
   });
   if (!failure.empty()) return failure;
-  if (stability_ && !agrees_with_stability_function(code)) return "stability function";
-  if (map_ && !agrees_with_oscillator_map(code)) return "map of the oscillator";
-  if (tableau_ && !agrees_with_tableau(code)) return "interpreted tableau";
-  if (frame_ && !(moving_frame_defect(code) <= stability_tolerance(sound_))) return "moving frame";
-  const auto mechanics = code.on_mechanics();
-  if (symplectic_ && !(symplectic_defect(mechanics, structure_step) <= symplectic_rounding))
-    return "symplectic form";
-  if (returns_ && !(return_defect(mechanics, structure_step) <= return_rounding)) return "return";
-  const std::vector<EstimateQuality> found = estimates(code);
+  for (const Check& check : checks_)
+    if (!check.passes(code)) return check.name;
+  const std::vector<EstimateQuality> found = estimates_of(code, sound_.info);
   for (std::size_t i = 0; i < found.size(); ++i)
     if (estimates_[i].right_exponent() && !found[i].right_exponent())
       return "order of the error estimate";

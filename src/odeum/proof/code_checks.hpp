@@ -33,16 +33,15 @@ class CodeChecks {
   std::string first_failure(const Code& code) const;
 
  private:
-  bool agrees_with_stability_function(const Code& code) const;
-  bool agrees_with_oscillator_map(const Code& code) const;
-  bool agrees_with_tableau(const Code& code) const;
-  std::vector<EstimateQuality> estimates(const Code& code) const;
+  struct Check {
+    const char* name;
+    std::function<bool(const Code&)> passes;
+  };
 
   const MethodFacts& sound_;
   std::vector<judge::OrderFit> orders_;  ///< of the unaltered method, by test problem
   std::vector<EstimateQuality> estimates_;
-  bool stability_ = false, map_ = false, tableau_ = false, frame_ = false, symplectic_ = false,
-       returns_ = false;
+  std::vector<Check> checks_;  ///< those that it passes
 };
 
 /// The largest difference between the results of two codes on the non-autonomous test problems in

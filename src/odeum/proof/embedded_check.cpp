@@ -51,7 +51,7 @@ Sizes sizes_at(AnyStepper& stepper, const TestProblem<P>& test, double h, bool k
     test.truth(t, y.data());
     test.truth(t + h, exact.data());
     stepper.start(t, h, y);
-    if (stepper.step(t, h, y, error) != Status::ok) return {h, nan, nan, nan, nan};
+    if (stepper.step(t, h, y, &error) != Status::ok) return {h, nan, nan, nan, nan};
     for (std::size_t i = 0; i < n; ++i) {
       kept[i] = y[i] - exact[i];
       lower[i] = kept_is_lower ? kept[i] : kept[i] - error[i];

@@ -12,12 +12,13 @@ namespace odeum::proof {
 /// A mutant and the result of its checks.
 struct Mutant {
   std::string method;
-  std::string
-      kind;  ///< coefficient, sign, stage, node, time, evaluation, derivative, update, start
-  std::string change;      ///< "a[3][2] by 1e-06", "the velocity first"
-  double size = 0;         ///< relative, of a changed coefficient; 0 otherwise
-  std::string caught_by;   ///< the first check that detected it; empty: none
-  std::string equivalent;  ///< why no check can detect it; empty where it was caught, or survived
+  /// coefficient, sign, stage, node, time, evaluation, derivative, update, start
+  std::string kind;
+  std::string change;          ///< "a[3][2] by 1e-06", "the velocity first"
+  double size = 0;             ///< relative, of a changed coefficient; 0 otherwise
+  std::string caught_by = {};  ///< the first check that detected it; empty: none
+  /// Why no check can detect it; empty where it was caught, or survived.
+  std::string equivalent = {};
   bool caught() const { return !caught_by.empty(); }
   bool survived() const { return !caught() && equivalent.empty(); }
 };

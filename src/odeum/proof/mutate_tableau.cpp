@@ -127,7 +127,7 @@ class Maker {
       double& value = entry(m);
       value = change(value);
       m.set_nodes_to_row_sums();
-      judge(m, {id_, kind, text, size, {}, {}});
+      judge(m, {id_, kind, text, size});
     };
     for (const double size : mutation_sizes) {
       if (checks_ == Checks::running_only && size < 1e-3) break;
@@ -143,13 +143,13 @@ class Maker {
     if (m.embedded()) m.b_hat[stage] = 0;
     for (std::size_t i = 0; i < m.stages; ++i) m.at(i, stage) = 0;
     m.set_nodes_to_row_sums();
-    judge(m, {id_, "stage", fmt::format("stage {} dropped", stage + 1), 0, {}, {}});
+    judge(m, {id_, "stage", fmt::format("stage {} dropped", stage + 1)});
   }
 
   void move_node(std::size_t i, double c, const char* how) {
     Coefficients m = sound_.tableau;
     m.c[i] = c;
-    judge(m, {id_, "node", fmt::format("c[{}] {}", i + 1, how), 0, {}, {}});
+    judge(m, {id_, "node", fmt::format("c[{}] {}", i + 1, how)});
   }
 
   void judge(const Coefficients& m, Mutant mutant) {

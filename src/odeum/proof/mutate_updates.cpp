@@ -20,7 +20,8 @@ class Update : public AnyStepper {
     y = from;
     start_(*this, t, h);
   }
-  Status step(double t, double h, Vector& state) override {
+  Status step(double t, double h, Vector& state, Vector* error) override {
+    if (error) return Status::refused;
     y = state;
     step_(*this, t, h);
     state = y;
@@ -174,12 +175,10 @@ std::vector<Mutant> mutate_updates(const std::vector<MethodFacts>& methods) {
     for (const MethodFacts& method : methods) {
       if (method.info.id != slip.method) continue;
       if (!method.on_second_order) slip.code.on_second_order = {};
-      mutants.push_back({slip.method,
-                         slip.kind,
-                         slip.change,
-                         0,
-                         CodeChecks(method).first_failure(slip.code),
-                         {}});
+      mutants.push_back({.method = slip.method,
+                         .kind = slip.kind,
+                         .change = slip.change,
+                         .caught_by = CodeChecks(method).first_failure(slip.code)});
     }
   return mutants;
 }

@@ -22,9 +22,19 @@ double symmetry(std::size_t tree) {
   return copies * symmetry(trees.left[tree]) * symmetry(right);
 }
 
-/// Norm over the trees of one order of |sum_i row_i Phi_i - exact / gamma| / sigma.
-double norm_of(const DynamicTableau<double>& tableau, const std::vector<double>& row, double exact,
-               int order) {
+double largest(const std::vector<double>& numbers) {
+  double size = 0;
+  for (const double x : numbers) size = std::max(size, std::abs(x));
+  return size;
+}
+
+/// Whether an estimate is zero where the error is not.
+bool vanishes(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
+
+}  // namespace
+
+double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row, int order,
+                  double exact) {
   constexpr const auto& trees = all_rooted_trees;
   const std::size_t s = tableau.stages;
   std::vector<std::vector<double>> phi;
@@ -47,22 +57,6 @@ double norm_of(const DynamicTableau<double>& tableau, const std::vector<double>&
   return std::sqrt(squares);
 }
 
-double largest(const std::vector<double>& numbers) {
-  double size = 0;
-  for (const double x : numbers) size = std::max(size, std::abs(x));
-  return size;
-}
-
-/// Whether an estimate is zero where the error is not.
-bool vanishes(const EstimateQuality& quality) { return !(quality.ratio > 1e-3); }
-
-}  // namespace
-
-double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row,
-                  int order) {
-  return norm_of(tableau, row, 1, order);
-}
-
 PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int order_hat) {
   PairQuality quality;
   quality.largest_coefficient = std::max(
@@ -81,10 +75,10 @@ PairQuality pair_quality(const DynamicTableau<double>& tableau, int order, int o
     for (std::size_t i = 0; i < lower.size(); ++i) difference.push_back(higher[i] - lower[i]);
     const double leading = error_norm(tableau, lower, q);
     quality.next_term_ratio = error_norm(tableau, lower, q + 1) / leading;
-    quality.difference_ratio = norm_of(tableau, difference, 0, q + 1) / leading;
+    quality.difference_ratio = error_norm(tableau, difference, q + 1, 0) / leading;
     quality.rows_ratio = error_norm(tableau, higher, q + 1) / leading;
     quality.solution_term_ratio =
-        leading / norm_of(tableau, std::vector<double>(tableau.stages), 1, q);
+        leading / error_norm(tableau, std::vector<double>(tableau.stages), q);
   }
   DynamicTableau<double> pair = tableau;
   pair.order = order;

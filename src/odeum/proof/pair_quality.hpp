@@ -11,8 +11,10 @@ namespace odeum::proof {
 
 /// The Euclidean norm of a row's error coefficients of one order,
 /// (sum_i b_i Phi_i(tau) - 1/gamma(tau)) / sigma(tau) over all trees tau with so many nodes: zero
-/// where the order's conditions hold, A(p+1) of Prince and Dormand for the first that do not.
-double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row, int order);
+/// where the order's conditions hold, A(p+1) of Prince and Dormand for the first that do not. With
+/// `exact` in place of the 1: 0 for a difference of two rows.
+double error_norm(const DynamicTableau<double>& tableau, const std::vector<double>& row, int order,
+                  double exact = 1);
 
 /// Quality measures of a method or a pair besides the orders (Prince, Dormand, J. Comput. Appl.
 /// Math. 7 (1981) 67-75). The lower row is the one of less order, of order q - 1.

@@ -86,8 +86,7 @@ void run_row(const char* name, const DynamicTableau<double>& tableau, int order,
       row.agrees = true;
       row.note = fmt::format(
           ": the next order's error terms are {:.1e} times the leading ones, which are too small "
-          "to "
-          "be seen",
+          "to be seen",
           next);
     }
     measured.push_back(std::move(row));
