@@ -94,10 +94,9 @@ class LastStep {
 
   /// Fills y with the state at a time in [t0, t1].
   Status at(double t, S& y) {
-    static_assert(
-        inside != Inside::none,
-        "between the fixed steps of an implicit multistep method, or one above order 4, no "
-        "state of its order is known: choose the step so that it ends on the times");
+    static_assert(inside != Inside::none,
+                  "between the fixed steps of an implicit multistep method, or one above order 4, "
+                  "no state of its order is known: choose the step so that it ends on the times");
     if (t == t1_ || t == t0_) {
       y = t == t1_ ? *y1_ : *y0_;
       return Status::ok;

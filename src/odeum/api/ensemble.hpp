@@ -29,10 +29,9 @@
 ///       }
 ///     };
 ///     std::vector<Lorenz<double>> members = ...;
-///     std::vector<std::array<double, 3>> states = ...;     // one a member, at the start, then at
-///     the end const auto ends = odeum::integrate_ensemble(members, odeum::methods::rk4{}, states,
-///     0, 10,
-///                                                 odeum::Step{1e-3});
+///     std::vector<std::array<double, 3>> states = ...;  // one a member, at the start
+///     const auto ends = odeum::integrate_ensemble(members, odeum::methods::rk4{}, states, 0, 10,
+///                                                 odeum::Step{1e-3});  // and then at the end
 ///
 /// The problem is a template on its number type, which is double or odeum::Lanes, and all of its
 /// data are numbers of that type, one a member. Functions are called without std:: after
