@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/judge/order_fit.hpp"
@@ -29,9 +30,7 @@ TestProblem<FunctionProblem> quadrature() {
 }
 
 double norm(const std::vector<double>& x) {
-  double sum = 0;
-  for (const double component : x) sum += component * component;
-  return std::sqrt(sum);
+  return std::sqrt(std::inner_product(x.begin(), x.end(), x.begin(), 0.0));
 }
 
 /// Sizes at one h, root mean square over several points of the solution, so that a zero of the

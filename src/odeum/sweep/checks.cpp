@@ -77,7 +77,7 @@ void add_over_time(const Plan& plan, Result& result) {
   Runners runners(plan);
   std::vector<std::vector<double>> states(count);
   parallel_for(count, plan.jobs, [&](std::size_t k) {
-    const Lent runner(runners);
+    const std::shared_ptr<Runner> runner = runners.lend();
     Outcome outcome = runner->run(parameters_of(plan, spread(plan, k, count)), plan.over_time);
     if (outcome.status != Status::ok) return;
     states[k] = runner->y0();

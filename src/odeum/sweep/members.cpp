@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -143,10 +143,9 @@ Members::Members(std::vector<Axis> axes, std::uint64_t sample, std::uint64_t see
 }
 
 void Members::require_names() const {
-  for (std::size_t k = 0; k < names_.size(); ++k)
-    if (std::find(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(k), names_[k]) !=
-        names_.begin() + static_cast<std::ptrdiff_t>(k))
-      fail("{} is given twice", names_[k]);
+  std::set<std::string> seen;
+  for (const std::string& name : names_)
+    if (!seen.insert(name).second) fail("{} is given twice", name);
 }
 
 Members Members::of_csv(const std::string& name, const std::string& text) {

@@ -117,21 +117,20 @@ Runners::Runners(const Plan& plan) : plan_(plan) {
   if (in_place_) free_.push_back(std::make_unique<Runner>(plan, std::move(family)));
 }
 
-std::unique_ptr<Runner> Runners::take() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!free_.empty()) {
-      std::unique_ptr<Runner> runner = std::move(free_.back());
-      free_.pop_back();
-      return runner;
-    }
+std::shared_ptr<Runner> Runners::lend() {
+  std::unique_lock lock(mutex_);
+  std::unique_ptr<Runner> runner;
+  if (!free_.empty()) {
+    runner = std::move(free_.back());
+    free_.pop_back();
   }
-  return std::make_unique<Runner>(plan_, in_place_ ? plan_.base->family({}) : std::nullopt);
-}
-
-void Runners::give(std::unique_ptr<Runner> runner) {
-  const std::lock_guard lock(mutex_);
-  free_.push_back(std::move(runner));
+  lock.unlock();
+  if (!runner)
+    runner = std::make_unique<Runner>(plan_, in_place_ ? plan_.base->family({}) : std::nullopt);
+  return {runner.release(), [this](Runner* used) {
+            const std::lock_guard taken(mutex_);
+            free_.emplace_back(used);
+          }};
 }
 
 }  // namespace odeum::sweep

@@ -45,13 +45,13 @@ class Runner {
   std::shared_ptr<const std::vector<double>> y0_;
 };
 
-/// The runners of several threads: each takes one that is free, or makes one.
+/// The runners of several threads.
 class Runners {
  public:
   explicit Runners(const Plan& plan);
   bool in_place() const { return in_place_; }
-  std::unique_ptr<Runner> take();
-  void give(std::unique_ptr<Runner> runner);
+  /// One that is free, or a new one; it is free again when the pointer ends.
+  std::shared_ptr<Runner> lend();
 
  private:
   const Plan& plan_;
@@ -64,20 +64,5 @@ class Runners {
 void check_members(const Plan& plan, Result& result);
 /// The quantiles of every component at the plan's stops, over at most 500 members.
 void add_over_time(const Plan& plan, Result& result);
-
-/// A runner until the end of the scope.
-class Lent {
- public:
-  explicit Lent(Runners& from) : from_(from), lent_(from.take()) {}
-  ~Lent() { from_.give(std::move(lent_)); }
-  Lent(const Lent&) = delete;
-  Lent& operator=(const Lent&) = delete;
-  Runner* operator->() const { return lent_.get(); }
-  Runner& operator*() const { return *lent_; }
-
- private:
-  Runners& from_;
-  std::unique_ptr<Runner> lent_;
-};
 
 }  // namespace odeum::sweep

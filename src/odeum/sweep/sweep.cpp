@@ -119,7 +119,7 @@ class Sweep {
   }
 
   Part run_part(std::uint64_t first, std::uint64_t last) {
-    const Lent runner(runners_);
+    const std::shared_ptr<Runner> runner = runners_.lend();
     Part part;
     std::vector<Outcome> in_lanes = runner->run_in_lanes(first, last);
     const bool needs_energy = std::ranges::any_of(
