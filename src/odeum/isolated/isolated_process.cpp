@@ -29,6 +29,7 @@ namespace odeum::isolated {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
 /// What the process hands back, in memory that both share; states follow it.
 struct Report {
   std::atomic<std::uint64_t> signs{0};  ///< of work
@@ -50,10 +51,6 @@ struct Report {
 };
 
 Report* own_report = nullptr;
-
-SharedMemory room_for_report(std::size_t states) {
-  return SharedMemory(sizeof(Report) + states * sizeof(double));
-}
 
 /// Waits a little for a process to end; true: it has.
 bool ended(pid_t process, int descriptor, int& state) {
@@ -161,39 +158,6 @@ Outcome read_result(Report& report, std::size_t room) {
   return outcome;
 }
 
-/// See solve_isolated; `solve_ns` and `processor_s` become the times of the solve.
-Outcome solve_in_child(const std::function<Outcome(const Request&)>& solve, const Request& request,
-                       std::size_t room, double& solve_ns, double& processor_s, Ended& ended) {
-  const SharedMemory memory = room_for_report(room);
-  Report& report = *new (memory.get()) Report;
-  bool over_budget = false;
-  const std::string why = run_isolated(report, request.budget.seconds, over_budget, [&] {
-    if (!request.budget.watched) warm_up(solve, request);
-    const double used = processor_seconds();
-    const auto begun = Clock::now();
-    const Outcome outcome = solve(request);
-    report.solve_ns = 1e9 * seconds_since(begun);
-    report.processor_s = processor_seconds() - used;
-    write_result(outcome, room, report);
-  });
-  solve_ns = report.solve_ns;
-  processor_s = report.processor_s;
-  if (over_budget && !interrupted)
-    ++ended;
-  else
-    ended = 0;
-  Outcome outcome = read_result(report, room);
-  if (why.empty()) return outcome;
-  outcome.status = over_budget ? Status::over_budget : Status::refused;
-  outcome.detail = why;
-  outcome.states.clear();
-  if (!report.done && request.budget.watched) {
-    outcome.counters.rhs_evaluations = outcome.counters.work = report.evaluations;
-    outcome.counters.jacobian_evaluations = report.jacobians;
-  }
-  return outcome;
-}
-
 }  // namespace
 
 double longest_silence() { return seconds_of_environment("ODEUM_SILENCE_SECONDS", 5); }
@@ -221,18 +185,43 @@ Outcome solve_isolated(const std::function<Outcome(const Request&)>& solve, cons
         most_ended));
   const auto start = Clock::now();
   const double used = processor_seconds();
-  double solve_ns = 0, processor_s = 0;
-  Outcome outcome = solve_in_child(solve, request, request.stops.size() * dimension, solve_ns,
-                                   processor_s, ended);
-  const double isolation = 1e9 * seconds_since(start) - solve_ns;
+  const std::size_t room = request.stops.size() * dimension;
+  const SharedMemory memory(sizeof(Report) + room * sizeof(double));
+  Report& report = *new (memory.get()) Report;
+  bool over_budget = false;
+  const std::string why = run_isolated(report, request.budget.seconds, over_budget, [&] {
+    if (!request.budget.watched) warm_up(solve, request);
+    const double used_before = processor_seconds();
+    const auto begun = Clock::now();
+    const Outcome outcome = solve(request);
+    report.solve_ns = 1e9 * seconds_since(begun);
+    report.processor_s = processor_seconds() - used_before;
+    write_result(outcome, room, report);
+  });
+  if (over_budget && !interrupted)
+    ++ended;
+  else
+    ended = 0;
+  Outcome outcome = read_result(report, room);
+  if (!why.empty()) {
+    outcome.status = over_budget ? Status::over_budget : Status::refused;
+    outcome.detail = why;
+    outcome.states.clear();
+    if (!report.done && request.budget.watched) {
+      outcome.counters.rhs_evaluations = outcome.counters.work = report.evaluations;
+      outcome.counters.jacobian_evaluations = report.jacobians;
+    }
+  }
+  const double isolation = 1e9 * seconds_since(start) - report.solve_ns;
   isolated_times.isolation_ns += isolation;
-  isolated_times.processor_s += 1e-9 * isolation - (processor_seconds() - used) + processor_s;
+  isolated_times.processor_s +=
+      1e-9 * isolation - (processor_seconds() - used) + report.processor_s;
   return outcome;
 }
 
 std::pair<bool, std::string> text_isolated(const std::function<std::string()>& work,
                                            std::size_t room, double seconds) {
-  const SharedMemory memory = room_for_report(room / sizeof(double) + 1);
+  const SharedMemory memory(sizeof(Report) + room);
   Report& report = *new (memory.get()) Report;
   bool over_budget = false;
   const std::string why = run_isolated(report, seconds, over_budget, [&] {
