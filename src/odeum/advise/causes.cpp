@@ -12,7 +12,7 @@ namespace {
 /// The time scale y_i / f_i at some of the last moments, where |y_i| is largest at the end.
 struct Growing {
   std::size_t component = 0;
-  std::vector<double> t, scale, size, slope;
+  std::vector<double> t, scale, size;
 };
 Growing growing(const Case& c, const Run& run) {
   Growing g;
@@ -25,7 +25,6 @@ Growing growing(const Case& c, const Run& run) {
     g.t.push_back(at.t);
     g.scale.push_back(y / f);
     g.size.push_back(std::abs(y));
-    g.slope.push_back(std::abs(f));
   }
   return g;
 }
