@@ -12,7 +12,7 @@
 namespace odeum::truth {
 namespace {
 
-System system_of(const Case& c) {
+System case_system(const Case& c) {
   System system;
   system.states = c.y0.size();
   system.t0 = c.t0;
@@ -56,7 +56,7 @@ Truth truth_at(const Case& c, const std::vector<double>& times) {
       std::ranges::all_of(times, [&](double t) { return c.truth.at(t, state.data()); });
   if (known || !c.extended) return c.truth;
   const Reference reference = *kept_or_computed(content_of(c), state.size(), times, c.scale, [&] {
-    return compute_reference(system_of(c), times, c.scale);
+    return compute_reference(case_system(c), times, c.scale);
   });
 
   const auto states = std::make_shared<std::map<double, std::vector<double>>>();
