@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "goals.hpp"
-#include "odeum/core/machine.hpp"
 #include "odeum/core/clocks.hpp"
+#include "odeum/core/machine.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
 namespace odeum::bench {

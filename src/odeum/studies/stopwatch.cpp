@@ -10,9 +10,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "odeum/core/clocks.hpp"
 #include "odeum/core/machine.hpp"
 #include "odeum/core/numbers.hpp"
-#include "odeum/core/clocks.hpp"
 #include "odeum/isolated/isolated_times.hpp"
 #include "odeum/record/row.hpp"
 
