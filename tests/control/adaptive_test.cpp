@@ -237,7 +237,7 @@ TEST(EmbeddedPairs, EstimateFallsWithThePowerOfTheLowerOrder) {
     const auto stepper = method.on_problem(problem);
     const auto estimate = [&](double h) {
       std::vector<double> y{1, 1}, error;
-      EXPECT_EQ(stepper->step(0, h, y, error), Status::ok);
+      EXPECT_EQ(stepper->step(0, h, y, &error), Status::ok);
       return std::hypot(error[0], error[1]);
     };
     const int power = std::min(method.info.order, method.info.order_embedded) + 1;
