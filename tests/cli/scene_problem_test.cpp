@@ -88,6 +88,15 @@ TEST(SceneCommands, AStudyNamesWhatASceneWithEmittersLacks) {
   EXPECT_NE(result.output.find("no contact between particles"), std::string::npos) << result.output;
 }
 
+// The reader of a problem computes its truth, which took a minute before the name was looked at.
+TEST(SceneCommands, AnUnknownSolverIsRefusedBeforeTheProblemIsRead) {
+  for (const char* command : {"converge", "report --out /dev/null/no"}) {
+    const Result result = shell(std::string("odeum ") + command + " none.yaml --solver rk5");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_NE(result.output.find("no solver matches"), std::string::npos) << result.output;
+  }
+}
+
 // Every particle in closed form, with births at the ends of steps where the step is fixed.
 TEST(SceneCommands, EmittedParticlesHaveATruth) {
   const Result exact = shell("odeum run fountain --solver closed_form --tol 1e-9 --until 2");

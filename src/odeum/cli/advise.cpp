@@ -105,12 +105,6 @@ Box box_of(const Case& c, const std::vector<std::string>& texts) {
   return box;
 }
 
-void know_truth(Case& c) {
-  std::vector<double> state(c.y0.size());
-  if (!c.truth.at || !c.truth.at(c.stops.back(), state.data()))
-    c.truth = truth::truth_at(c, c.stops);
-}
-
 std::string commented(const std::string& lines) {
   std::istringstream stream(lines);
   std::string text;
@@ -142,7 +136,7 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
     box.cases.push_back(given);
   else
     box = box_of(given, options.vary);
-  for (Case& each : box.cases) know_truth(each);
+  for (Case& each : box.cases) truth::know_truth(each, each.stops);
   const Case& c = box.cases.front();
   advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command),
                       box.points};

@@ -102,7 +102,6 @@ void run_studies(const study::Studies& studies, const Options& options,
 
 void run(const Options& options) {
   check_case_globs(options.cases);
-  check_solver_globs(options.solvers);
   const auto start = std::chrono::steady_clock::now();
   require_same_content(mark_of_loaded());
   std::optional<record::OutputFolder> out;
@@ -160,6 +159,7 @@ void add_report(CLI::App& app) {
   add_study_options(*command, *options);
   add_problem_options(*command, options->problems);
   command->callback([options] {
+    check_solver_globs(options->solvers);  // before truths are computed
     options->given = load_problems(options->problems, {});
     check_case_globs(options->given);
     run(*options);

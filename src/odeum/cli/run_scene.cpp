@@ -24,10 +24,15 @@ using Lines = std::vector<std::string>;
 /// The options that make a request.
 std::string setting_words(const Request& request) {
   const double end = request.stops.back();
-  return (request.mode == Mode::fixed
-              ? fmt::format("--step {}", end / static_cast<double>(request.steps))
-              : fmt::format("--tol {}", request.tolerance.relative)) +
-         fmt::format(" --until {}", end);
+  const std::vector<double>& absolutes = request.tolerance.absolutes();
+  std::string words;
+  if (request.mode == Mode::fixed)
+    words = fmt::format("--step {}", end / static_cast<double>(request.steps));
+  else if (absolutes.empty())
+    words = fmt::format("--tol {}", request.tolerance.relative);
+  else
+    words = fmt::format("--rtol {} --atol {}", request.tolerance.relative, absolutes.front());
+  return words + fmt::format(" --until {}", end);
 }
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
@@ -282,9 +287,6 @@ int run_scene(const SceneSource& source, const RunOptions& options) {
     return run_read(scene::read_scene(source.file, text, read_options), source, text, options);
   } catch (const std::length_error& error) {
     throw UsageError(error.what());
-  } catch (const InputError& error) {
-    remark(error.what());
-    return usage;
   }
 }
 

@@ -57,7 +57,6 @@ void run_study(study::Study& study, study::Options options, const StudyOptions& 
     throw UsageError("--resume: " + declaration.no_resume);
   check_case_globs(options.cases);
   options.solvers = common.solvers;
-  check_solver_globs(options.solvers);
   require_same_content(mark_of_loaded());
   std::optional<record::OutputFolder> out;
   if (const std::string path = output_of_part(common.out); !path.empty()) out.emplace(path);
@@ -147,6 +146,7 @@ void add_study(CLI::App& app, study::Study& study) {
   add_study_options(*command, given->common);
   add_format(*command, given->common.format);
   command->callback([given, &study] {
+    check_solver_globs(given->common.solvers);  // before truths are computed
     if (run_elements(study, given->study, given->problems, given->common)) return;
     given->study.cases = load_problems(given->problems, given->study.cases);
     run_study(study, given->study, given->common);

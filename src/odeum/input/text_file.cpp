@@ -65,7 +65,9 @@ std::optional<std::string> text_of_file(const std::filesystem::path& path) {
 
 bool write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
-  return !(out << text).flush().fail();
+  out << text;
+  out.close();
+  return out.good();
 }
 
 }  // namespace odeum

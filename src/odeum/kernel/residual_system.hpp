@@ -52,9 +52,6 @@ class ResidualSystem {
   }
   void solve(double* x) { lu_.solve(x); }
 
-  /// By rows, of the last linearise().
-  const std::vector<double>& by_rates() const { return m_; }
-
  private:
   const P& problem_;
   std::size_t n_;
