@@ -34,8 +34,8 @@ struct Radau {
 
 /// The stages z_i = Y_i - y of one step, by Newton's method with the Jacobian at the start, in the
 /// eigenvectors of A, where it is I - h lambda J for each eigenvalue (Bickart 1977; Butcher 1976).
-/// Of two that are conjugate, one stands for both. That they are known in double alone costs an
-/// iteration at most, since residuals are in extended precision.
+/// Of two that are conjugate, one stands for both. They are known in double, which is enough for
+/// corrections: residuals are in extended precision.
 class RadauStage {
   struct Mode {
     Complex value;
@@ -75,20 +75,23 @@ class RadauStage {
         system_.rhs(t + radau_.c[s] * h, stage.data(), f.data() + s * n);
       }
       work_ += static_cast<double>(stages) * system_.work;
-      for (std::size_t k = 0; k < z_.size(); ++k) {
-        residual[k] = -z_[k];
-        for (std::size_t c = 0; c < stages; ++c)
-          residual[k] += h * radau_.a[k / n * stages + c] * f[c * n + k % n];
-      }
+      for (std::size_t s = 0; s < stages; ++s)
+        for (std::size_t i = 0; i < n; ++i) {
+          Real sum = -z_[s * n + i];
+          for (std::size_t c = 0; c < stages; ++c)
+            sum += h * radau_.a[s * stages + c] * f[c * n + i];
+          residual[s * n + i] = sum;
+        }
       const State correction = correction_for(residual);
       Real size = 0;
-      for (std::size_t k = 0; k < z_.size(); ++k) {
-        z_[k] += correction[k];
-        const Real unit = sizes[k % n];
-        const Real ratio = std::abs(correction[k]) / (unit > 0 ? unit : 1);
-        if (!std::isfinite(ratio)) return false;
-        size = std::max(size, ratio);
-      }
+      for (std::size_t s = 0; s < stages; ++s)
+        for (std::size_t i = 0; i < n; ++i) {
+          const Real change = correction[s * n + i];
+          z_[s * n + i] += change;
+          const Real ratio = std::abs(change) / (sizes[i] > 0 ? sizes[i] : 1);
+          if (!std::isfinite(ratio)) return false;
+          size = std::max(size, ratio);
+        }
       if (size <= tolerance_) return true;
       // At the rounding of the residual the corrections no longer fall.
       if (iteration > 3 && size > before / 2) return size <= 1e3L * tolerance_;
@@ -104,15 +107,16 @@ class RadauStage {
 
  private:
   State correction_for(const State& residual) {
-    const std::size_t n = system_.states;
+    const std::size_t n = system_.states, stages = radau_.stages();
     State correction(residual.size());
     for (Mode& mode : modes_) {
       std::vector<Complex> part(n);
-      for (std::size_t k = 0; k < residual.size(); ++k)
-        part[k % n] += mode.from_stages[k / n] * residual[k];
+      for (std::size_t s = 0; s < stages; ++s)
+        for (std::size_t i = 0; i < n; ++i) part[i] += mode.from_stages[s] * residual[s * n + i];
       mode.factors.solve(part);
-      for (std::size_t k = 0; k < residual.size(); ++k)
-        correction[k] += (mode.to_stages[k / n] * part[k % n]).real();
+      for (std::size_t s = 0; s < stages; ++s)
+        for (std::size_t i = 0; i < n; ++i)
+          correction[s * n + i] += (mode.to_stages[s] * part[i]).real();
       work_ += mode.factors.solve_work();
     }
     return correction;
