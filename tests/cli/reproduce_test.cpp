@@ -84,6 +84,15 @@ TEST(Reproduce, ARunOfASceneToo) {
   EXPECT_EQ(made, (std::map<std::string, int>{{"adaptive", 2}, {"fixed", 2}}));
 }
 
+TEST(Reproduce, WhatAStudyDoesNotTakeIsRefusedForAScene) {
+  for (const char* option : {"--frames 3", "--max-particles 9", "--max-megabytes 1"}) {
+    const Result result =
+        shell(fmt::format("odeum run chain --solver rk4 --step 0.01 {} --format json", option));
+    EXPECT_EQ(result.code, 2) << result.output;
+    EXPECT_NE(result.output.find("as studies run it"), std::string::npos) << result.output;
+  }
+}
+
 TEST(Reproduce, OptionsThatTheLibraryDoesNotHaveAreRefused) {
   for (const auto& [arguments, sentence] :
        {std::pair{"--solver rk4 --step 0.1 --option sweeps=4", "has no option sweeps"},

@@ -69,6 +69,13 @@ TEST(Remarks, LookAtTheTimesBetween) {
     EXPECT_EQ(said.find("never exceed"), std::string::npos) << said;
 }
 
+TEST(Remarks, SayNothingOfAStateThatIsZero) {
+  const Case c = of_text(
+      "states: {x: 1, z: 0}\nequations: {x: -x, z: -z}\nscale: {x: 1, z: 1}\ntime: {end: 1}\n");
+  const Made run(c);
+  EXPECT_TRUE(judge::remarks(c, run.request, run.outcome).empty());
+}
+
 // Where the equations were looked at they keep v; the solution meets a wall beyond. Of a scene that
 // bounces it was said that a run keeps no sum of velocities.
 TEST(Remarks, SayNothingOfASumThatTheSolutionDoesNotKeep) {

@@ -173,9 +173,13 @@ void add_run(CLI::App& app, int& result) {
     if (scene && options->code) throw UsageError("--code takes a case, not a scene");
     // A study runs a scene as a case; so do rows, whose errors are those of studies.
     const bool as_case = !options->stops.empty() || options->format == "json";
-    if (scene && as_case && options->frames > 0)
-      throw UsageError(
-          "--frames: expected neither --stops nor --format json, which make no pictures");
+    if (scene && as_case)
+      for (const char* of_frames : {"--frames", "--max-particles", "--max-megabytes"})
+        if (command->count(of_frames) > 0)
+          throw UsageError(
+              "{}: expected neither --stops nor --format json, with which a scene is run as "
+              "studies run it",
+              of_frames);
     result = scene && !as_case ? run_scene(*scene, *options) : run_case(*options);
   });
 }

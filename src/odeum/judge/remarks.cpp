@@ -59,6 +59,28 @@ std::string joined(std::vector<std::string> names) {
                      more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
+/// Of the sums that the equations keep, those that the run broke and the solution keeps, which may
+/// not be so at a contact; `largest` has the size of each component.
+std::vector<std::string> broken_sums(const Case& c, const Request& request, const double* end,
+                                     const std::vector<double>& exact,
+                                     const std::vector<double>& largest) {
+  const double relative = request.mode == Mode::adaptive ? request.tolerance.relative : 1e-9;
+  std::vector<std::string> broken;
+  for (const std::vector<double>& weights : linear_invariants(c)) {
+    const auto of = [&](const double* y) {
+      return std::inner_product(weights.begin(), weights.end(), y, 0.0);
+    };
+    double size = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      size = std::max(size, std::abs(weights[i]) * std::max(largest[i], std::abs(end[i])));
+    const double before = of(c.y0.data()), allowed = std::max(relative, 1e-12) * size;
+    if (std::abs(of(end) - before) > allowed && std::abs(of(exact.data()) - before) <= allowed)
+      broken.push_back(fmt::format("the equations keep {}, which went from {:.6g} to {:.6g}",
+                                   sum_text(weights, component_names(c)), before, of(end)));
+  }
+  return broken;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> linear_invariants(const Case& c) {
@@ -116,7 +138,9 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
   for (const double stop : c.stops)  // and between those of the run
     if (stop <= request.stops[stops - 1]) take_truth_at(stop);
   for (std::size_t i = 0; i < n; ++i) {
-    if (request.mode == Mode::adaptive && largest[i] < request.tolerance.absolute(i))
+    // Of a component that is zero throughout, zero is the value.
+    if (request.mode == Mode::adaptive && largest[i] > 0 &&
+        largest[i] < request.tolerance.absolute(i))
       uncontrolled.push_back(names[i]);
     // Rounding and the truth's own error are no fault.
     const double meant = 1e-12 * largest[i] + 10 * c.truth.floor * c.scale_of(i);
@@ -132,20 +156,7 @@ std::vector<std::string> remarks(const Case& c, const Request& request, const Ou
                               negative.size() == 1 ? "falls" : "fall"));
   const double* end = outcome.states.data() + (stops - 1) * n;
   if (!take_truth_at(request.stops[stops - 1])) return all;
-  const double relative = request.mode == Mode::adaptive ? request.tolerance.relative : 1e-9;
-  for (std::size_t i = 0; i < n; ++i) largest[i] = std::max(largest[i], std::abs(end[i]));
-  for (const std::vector<double>& weights : linear_invariants(c)) {
-    const auto of = [&](const double* y) {
-      return std::inner_product(weights.begin(), weights.end(), y, 0.0);
-    };
-    double size = 0;
-    for (std::size_t i = 0; i < n; ++i) size = std::max(size, std::abs(weights[i]) * largest[i]);
-    const double before = of(c.y0.data()), allowed = std::max(relative, 1e-12) * size;
-    // The equations may keep the sum where they were looked at, and not at a contact.
-    if (std::abs(of(end) - before) > allowed && std::abs(of(exact.data()) - before) <= allowed)
-      all.push_back(fmt::format("the equations keep {}, which went from {:.6g} to {:.6g}",
-                                sum_text(weights, names), before, of(end)));
-  }
+  std::ranges::move(broken_sums(c, request, end, exact, largest), std::back_inserter(all));
   return all;
 }
 
