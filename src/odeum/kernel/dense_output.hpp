@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 
-#include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/tableau/order_conditions.hpp"
 
 /// States between the two ends of a step (Hairer, Norsett, Wanner, Solving ODEs I, II.6).

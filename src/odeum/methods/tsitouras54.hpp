@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeum/kernel/dense_output.hpp"
+#include "odeum/kernel/explicit_rk.hpp"
 
 namespace odeum::methods {
 

@@ -52,7 +52,8 @@ inline constexpr Tableau<16> verner98_tableau = rounded(verner98_digits);
 static_assert(proven<verner98_tableau>());
 
 struct verner98 : ForAnyProblem, ExplicitRungeKuttaMethod<verner98_tableau> {
-  static constexpr const auto& digits = verner98_digits;
+  template <class P>
+  using StepperOfDigits = ExplicitRungeKutta<verner98_digits, P>;
   static constexpr MethodInfo info =
       described({.id = "verner98",
                  .source = "Verner, Numer. Algorithms 53 (2010) 383-396; his page of "

@@ -5,8 +5,8 @@
 
 #include "odeum/control/run_method.hpp"
 #include "odeum/core/guarded.hpp"
-#include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/kernel/method.hpp"
+#include "odeum/solvers/lane_members.hpp"
 #include "odeum/solvers/own_methods.hpp"
 #include "odeum/solvers/shared_contest.hpp"
 
@@ -67,8 +67,8 @@ void enroll_as(const Contest<P>& contest, Entrant& entrant) {
 template <class M>
 void enroll_method(const ErasedContest& contest, Entrant& entrant) {
   entrant.unfit = "needs " + std::string(M::needs);
-  if constexpr (requires { M::digits; })
-    entrant.extended = run_extended<ExplicitRungeKutta<M::digits, ExtendedProblem>>;
+  if constexpr (requires { typename M::template StepperOfDigits<ExtendedProblem>; })
+    entrant.extended = run_extended<typename M::template StepperOfDigits<ExtendedProblem>>;
   if constexpr (M::template fits<SharedOde>)
     enroll_as<M>(shared_contest<SharedOde>(contest), entrant);
   else
@@ -79,7 +79,9 @@ void enroll_method(const ErasedContest& contest, Entrant& entrant) {
 
 template <class M>
 Solver own_method() {
-  return {info_of_own<M>(), enroll_method<M>};
+  Solver solver{info_of_own<M>(), enroll_method<M>};
+  if constexpr (RunsInLanes<M>) solver.lanes = lane_run_of<M>;
+  return solver;
 }
 
 }  // namespace odeum

@@ -8,6 +8,7 @@
 #include "odeum/core/lane_view.hpp"
 #include "odeum/core/outcome.hpp"
 #include "odeum/problem/ode_view.hpp"
+#include "odeum/solvers/solver.hpp"
 
 namespace odeum {
 
@@ -26,9 +27,6 @@ struct LaneMembers {
   std::size_t count;
   std::function<bool(std::size_t member)> place;
 };
-
-/// Runs members of a request with one stop.
-using LaneRun = std::vector<Outcome> (*)(const LaneMembers& members, const Request& request);
 
 /// Whether an own method has a run in lanes at all.
 bool runs_in_lanes(std::string_view method);

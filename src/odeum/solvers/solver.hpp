@@ -87,12 +87,20 @@ ErasedContest erase(const Contest<P>& contest) {
   return {view_of(*contest.problem), contest.problem, contest.t0, contest.y0, contest.scene};
 }
 
+struct LaneFamily;
+struct LaneMembers;
+/// Runs members of a request with one stop, see lane_run.hpp.
+using LaneRun = std::vector<Outcome> (*)(const LaneMembers& members, const Request& request);
+
 /// A solver of a library, which is known without any problem.
 struct Solver {
   SolverInfo info;
   /// Puts it on a problem: fills `unfit`, or `solve` and what else it can do there. The entrant
   /// comes with the solver's info, which may be completed from the problem.
   std::function<void(const ErasedContest&, Entrant&)> enroll;
+  /// An own method's run of many members in vector lanes: null where it has none, or none in this
+  /// mode, or where it needs what the problem does not offer.
+  LaneRun (*lanes)(Mode mode, const LaneFamily& family) = nullptr;
 };
 
 /// A solver of residuals R(t, y, y') = 0 with dense matrices.

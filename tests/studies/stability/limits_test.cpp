@@ -8,6 +8,7 @@
 #include <map>
 
 #include "odeum/judge/stability_search.hpp"
+#include "odeum/kernel/explicit_rk.hpp"
 #include "odeum/proof/facts.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/solvers/enroll_method.hpp"
