@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "odeint/inlined.hpp"
-#include "odeum/cases/inlined.hpp"
+#include "odeum/cases/inlined_contest.hpp"
 
 namespace odeum::cases::inlined {
 
