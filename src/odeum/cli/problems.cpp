@@ -271,8 +271,8 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
 
 std::string mark_of_loaded() { return mark(); }
 
-report::Facts facts_for(const std::vector<const Case*>& cases) {
-  report::Facts facts = report::describe(cases, all_libraries());
+report::Facts facts_for(const std::vector<const Case*>& cases, unsigned jobs) {
+  report::Facts facts = report::describe(cases, all_libraries(), jobs);
   for (report::CaseFacts& each : facts.cases)
     if (const auto loaded = loaded_words().find(each.id); loaded != loaded_words().end())
       each.words = loaded->second;

@@ -82,7 +82,7 @@ std::vector<std::string> load_problems(const ProblemOptions& options,
                                        const std::vector<std::string>& case_globs);
 
 /// What a report says of cases; each with the words that name it on a command line.
-report::Facts facts_for(const std::vector<const Case*>& cases);
+report::Facts facts_for(const std::vector<const Case*>& cases, unsigned jobs);
 
 /// A text that identifies the content of all that was loaded; empty: nothing was.
 std::string mark_of_loaded();

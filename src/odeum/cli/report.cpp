@@ -116,7 +116,8 @@ void run(const Options& options) {
   require_kept(store.get());
   if (!out) return;
   const record::OutputFolder& folder = *out;
-  report::Report report(facts_for(cases_of(options)), folder, options.jobs_or_cores());
+  const unsigned jobs = options.jobs_or_cores();
+  report::Report report(facts_for(cases_of(options), jobs), folder, jobs);
   for (const auto& study : studies)
     if (options.given.empty() || study->measured()) {
       report.study(study->facts());

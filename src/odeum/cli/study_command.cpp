@@ -41,8 +41,8 @@ void show(const study::Study& study, const study::Options& options,
           const record::OutputFolder& folder, unsigned jobs) {
   const bool on_cases = !study.declaration().cases_help.empty();
   report::Report report(
-      facts_for(on_cases ? study::select_cases(options.cases) : std::vector<const Case*>()), folder,
-      jobs);
+      facts_for(on_cases ? study::select_cases(options.cases) : std::vector<const Case*>(), jobs),
+      folder, jobs);
   for (const auto& other : study::make_studies())
     report.study(other->folder() == study.folder() ? study.facts() : other->facts());
   study.show(report);

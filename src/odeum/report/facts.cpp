@@ -9,6 +9,7 @@
 #include "odeum/cases/linear_form.hpp"
 #include "odeum/cases/spectrum.hpp"
 #include "odeum/cases/text_case.hpp"
+#include "odeum/core/parallel.hpp"
 #include "odeum/report/text.hpp"
 
 namespace odeum::report {
@@ -20,38 +21,42 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+CaseFacts facts_of(const Case& c) {
+  double scale = 0;
+  for (const double value : c.y0) scale = std::max(scale, std::abs(value));
+  cases::Spectrum spectrum = cases::spectrum_of(c);
+  const auto linear = cases::linear_form(c);
+  return {.id = c.id,
+          .title = c.title,
+          .equation = c.equation,
+          .source = c.source,
+          .truth = cases::with_proof(c),
+          .scaled = !c.scale.empty(),
+          .unit = c.problem.scene ? "s" : "",
+          .truth_floor = c.truth.floor,
+          .timed_floor = c.timed_floor(),
+          .start = c.t0,
+          .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
+          .scale = scale > 0 ? scale : 1,
+          .tags = c.tags,
+          .eigenvalues = std::move(spectrum.eigenvalues),
+          .eigenvalues_time = spectrum.time,
+          .linear = linear ? cases::facts_of(*linear, c) : odeum::Facts{}};
+}
+
 }  // namespace
 
 bool is_closed_form(const SolverInfo& solver) { return solver.family == "exponential"; }
 
-Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries) {
-  Facts facts{.cases = {}, .solvers = {}, .libraries = libraries};
+Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries,
+               unsigned jobs) {
+  Facts facts{.cases = std::vector<CaseFacts>(cases.size()), .solvers = {}, .libraries = libraries};
+  // A truth's proof takes up to seconds.
+  parallel_for(cases.size(), jobs, [&](std::size_t k) { facts.cases[k] = facts_of(*cases[k]); });
   std::set<std::string> known;
-  for (const Case* each : cases) {
-    const Case& c = *each;
-    double scale = 0;
-    for (const double value : c.y0) scale = std::max(scale, std::abs(value));
-    cases::Spectrum spectrum = cases::spectrum_of(c);
-    const auto linear = cases::linear_form(c);
-    facts.cases.push_back({.id = c.id,
-                           .title = c.title,
-                           .equation = c.equation,
-                           .source = c.source,
-                           .truth = cases::with_proof(c),
-                           .scaled = !c.scale.empty(),
-                           .unit = c.problem.scene ? "s" : "",
-                           .truth_floor = c.truth.floor,
-                           .timed_floor = c.timed_floor(),
-                           .start = c.t0,
-                           .timed_end = c.timed_stops().empty() ? c.t0 : c.timed_stops().back(),
-                           .scale = scale > 0 ? scale : 1,
-                           .tags = c.tags,
-                           .eigenvalues = std::move(spectrum.eigenvalues),
-                           .eigenvalues_time = spectrum.time,
-                           .linear = linear ? cases::facts_of(*linear, c) : odeum::Facts{}});
-    for (const Entrant& entrant : c.entrants)
+  for (const Case* each : cases)
+    for (const Entrant& entrant : each->entrants)
       if (known.insert(entrant.info.id()).second) facts.solvers.push_back(entrant.info);
-  }
   return facts;
 }
 

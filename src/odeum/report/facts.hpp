@@ -38,7 +38,8 @@ struct Facts {
 /// methods, and no ratio of times compares it with one.
 bool is_closed_form(const SolverInfo& solver);
 
-Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries);
+Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries,
+               unsigned jobs = 1);
 
 /// As entries of page.json. Texts are made plain (report/text.hpp), numbers that are not finite are
 /// null.
