@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -139,6 +140,36 @@ TEST(Timing, TheFastestAreRunsWhoseErrorIsTheOneAskedFor) {
   // Half a decade apart the settings of the study have no such error at most of them.
   EXPECT_GE(near, static_cast<int>(result.fastest.size() * 3 / 4));
   EXPECT_GE(result.fastest.size(), 8U);
+}
+
+/// A fixed-step solver whose runs are timed: steps, error and time of each.
+TimedSolver with_runs(const TimedCase& stage, const char* id,
+                      const std::vector<std::array<double, 3>>& runs) {
+  TimedSolver solver{&find_solver(stage.c.entrants, id), Mode::fixed, nullptr};
+  for (const auto& [steps, error, ns] : runs) {
+    TimedRun& trial = solver.trials.emplace_back();
+    trial.request.stops = stage.stops;
+    trial.request.steps = static_cast<std::uint64_t>(steps);
+    trial.row.setting = 1 / steps;
+    trial.row.status = "ok";
+    trial.row.error = error;
+    trial.row.wall_ns_min = ns;
+    trial.row.repetitions = 1;
+  }
+  return solver;
+}
+
+// The coarsest run of the second has far less than the error. Only its time counted, so that one
+// more or less decided whether it was given fewer steps.
+TEST(Timing, ASolverThatCanDoWithFewerStepsIsSearched) {
+  const TimedCase stage(find_case("damped_oscillator_undamped"));
+  const auto few = static_cast<double>(8 * stage.c.settings.steps_multiple);
+  std::vector<TimedSolver> solvers{
+      with_runs(stage, "odeum/rk4", {{few, 4e-3, 300}, {2 * few, 2.5e-4, 460}}),
+      with_runs(stage, "odeum/dormand_nystroem64", {{few, 5e-7, 413}, {2 * few, 3e-8, 800}})};
+  EXPECT_TRUE(settle_errors(stage, solvers, 1));
+  const auto is_asked = [](double error) { return std::abs(error / 1e-3 - 1) < 1e-9; };
+  EXPECT_TRUE(std::ranges::any_of(solvers[1].searched, is_asked));
 }
 
 }  // namespace

@@ -130,20 +130,27 @@ class Search {
 };
 
 /// The time in which a solver seems to reach an error: that of a run, or between two runs, where
-/// the logarithms of time and error are taken to be linear.
-double promised_ns(const TimedSolver& solver, double error) {
-  double least = infinity;
+/// the logarithms of time and error are taken to be linear; beyond the coarsest two, too, where
+/// both have less than the error, down to a step from stop to stop.
+double promised_ns(const TimedCase& stage, const TimedSolver& solver, double error) {
+  double least = infinity, bound = 0;
   const PrecisionRow* coarse = nullptr;
+  bool beyond = true;  // the two at hand are the coarsest
   for (const TimedRun& trial : solver.trials) {
     const PrecisionRow& fine = trial.row;
     if (!fine.timed()) continue;
     if (fine.error <= error) least = std::min(least, fine.wall_ns_min);
-    if (coarse && coarse->error > error && fine.error < error && fine.error > 0) {
+    if (!coarse && solver.mode == Mode::fixed)
+      bound = fine.wall_ns_min * static_cast<double>(stage.c.settings.steps_multiple) /
+              static_cast<double>(trial.request.steps);
+    if (coarse && (coarse->error > error || beyond) && fine.error < error && fine.error > 0 &&
+        fine.error < coarse->error) {
       const double part = std::log(coarse->error / error) / std::log(coarse->error / fine.error);
       const double log_ns =
           (1 - part) * std::log(coarse->wall_ns_min) + part * std::log(fine.wall_ns_min);
-      least = std::min(least, std::exp(log_ns));
+      least = std::min(least, std::max(bound, std::exp(log_ns)));
     }
+    beyond = !coarse;
     coarse = &fine;
   }
   return least;
@@ -167,13 +174,13 @@ double found_ns(const std::vector<TimedSolver>& solvers, const std::string& libr
 
 /// The solvers of a library that may be the fastest at an error and were not searched for it: those
 /// whose promises are within a tenth of the best, three at most.
-std::vector<std::size_t> promising(const std::vector<TimedSolver>& solvers,
+std::vector<std::size_t> promising(const TimedCase& stage, const std::vector<TimedSolver>& solvers,
                                    const std::string& library, double error) {
   const double found = found_ns(solvers, library, error);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < solvers.size(); ++i) {
     if (!competes(solvers[i], library) || solvers[i].searched.contains(error)) continue;
-    if (const double promised = promised_ns(solvers[i], error); promised < found)
+    if (const double promised = promised_ns(stage, solvers[i], error); promised < found)
       order.emplace_back(promised, i);
   }
   std::ranges::sort(order);
@@ -215,7 +222,8 @@ bool settle_errors(const TimedCase& stage, std::vector<TimedSolver>& solvers, un
   for (const std::string& library : libraries_of(solvers))
     for (const double error : compared_errors())
       if (error > stage.floor)
-        for (const std::size_t i : promising(solvers, library, error)) tasks[i].push_back(error);
+        for (const std::size_t i : promising(stage, solvers, library, error))
+          tasks[i].push_back(error);
   const std::vector<std::pair<std::size_t, std::vector<double>>> list(tasks.begin(), tasks.end());
   parallel_for(list.size(), jobs, [&](std::size_t k) {
     const auto& [i, errors] = list[k];
