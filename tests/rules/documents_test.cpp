@@ -12,7 +12,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace odeum::rules {
+namespace odeum::rules::documents_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ TEST(Documents, SpeedHasNoNumberTypedByHand) {
 }
 
 }  // namespace
-}  // namespace odeum::rules
+}  // namespace odeum::rules::documents_test

@@ -14,7 +14,7 @@
 #include "source_tree.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace odeum::rules {
+namespace odeum::rules::rules_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -257,4 +257,4 @@ TEST(LongFunctions, AreFoundWhateverStandsAround) {
 }
 
 }  // namespace
-}  // namespace odeum::rules
+}  // namespace odeum::rules::rules_test
