@@ -100,11 +100,16 @@ class LaneWalk {
   /// By the controller of each member; all lanes in one loop where it remembers nothing.
   Lanes next_steps(const Lanes& square) {
     Numbers squares = square.numbers(), next = clock_.used().numbers();
-    for (std::size_t lane = 0; lane < Lanes::count; ++lane)
-      if constexpr (!remembers)
-        next[lane] = controls_.front()(next[lane], squares[lane]).next_step;
-      else if (std::isfinite(squares[lane]))
-        next[lane] = controls_[lane](next[lane], squares[lane]).next_step;
+    if constexpr (!remembers) {
+      const Control& control = controls_.front();
+#pragma GCC unroll 1  // it becomes vector code, which an unrolled loop does not
+      for (std::size_t lane = 0; lane < Lanes::count; ++lane)
+        next[lane] = control(next[lane], squares[lane]).next_step;
+    } else {
+      for (std::size_t lane = 0; lane < Lanes::count; ++lane)
+        if (std::isfinite(squares[lane]))
+          next[lane] = controls_[lane](next[lane], squares[lane]).next_step;
+    }
     return Lanes::of(next);
   }
 
