@@ -39,50 +39,24 @@ class LaneOde {
 };
 
 /// Members of a family, see control/lanes_fixed_step.hpp.
-template <class M>
 class FamilyMembers {
  public:
   using Problem = LaneOde;
-  FamilyMembers(const LaneMembers& members, const Request& request)
-      : members_(members),
-        request_(request),
-        alone_(members.family.alone, nullptr),
-        outcomes_(members.count),
-        fails_(members.count) {
-    for (Outcome& outcome : outcomes_) outcome.status = Status::refused;
-  }
+  /// `order`: of the estimate by which a run to a tolerance finds its first step.
+  FamilyMembers(const LaneMembers& members, const Request& request, int order);
 
   Problem make() const { return LaneOde(members_.family.lanes); }
   bool next(std::size_t& member) { return (member = next_++) < members_.count; }
   std::uint64_t most_evaluations() const { return request_.budget.evaluations; }
-  double first_step(std::size_t) const {  // of the member seated last
-    constexpr int order = std::min(M::info.order, M::info.order_embedded);
-    return initial_step(alone_, members_.family.t0, *members_.family.y0, request_.stops.back(),
-                        order, request_.tolerance);
-  }
-  void seat(std::size_t member, std::size_t lane, Problem& problem, State<Problem>& y) {
-    fails_[member] = !members_.place(member);
-    for (std::size_t k = 0; k < members_.family.constants->size(); ++k)
-      problem.constant(k).set(lane, (*members_.family.constants)[k]);
-    for (std::size_t n = 0; n < y.size(); ++n) y[n].set(lane, (*members_.family.y0)[n]);
-  }
-  void leave(std::size_t member, const MemberEnd& end, const State<Problem>& y, std::size_t lane) {
-    if (fails_[member] || end.status != Status::ok || end.rhs_evaluations > most_evaluations())
-      return;
-    Outcome& outcome = outcomes_[member];
-    outcome.t = end.t;
-    for (const Lanes& each : y) outcome.states.push_back(each[lane]);
-    if (!is_finite(outcome.states.data(), y.size())) return;
-    outcome.status = Status::ok;
-    outcome.counters.steps = end.steps;
-    outcome.counters.rejected_steps = end.rejected_steps;
-    outcome.counters.rhs_evaluations = end.rhs_evaluations;
-  }
+  double first_step(std::size_t) const;  ///< of the member seated last
+  void seat(std::size_t member, std::size_t lane, Problem& problem, State<Problem>& y);
+  void leave(std::size_t member, const MemberEnd& end, const State<Problem>& y, std::size_t lane);
   std::vector<Outcome>& outcomes() { return outcomes_; }
 
  private:
   const LaneMembers& members_;
   const Request& request_;
+  int order_;
   SharedOde alone_;
   std::vector<Outcome> outcomes_;
   std::vector<bool> fails_;  ///< whose values make no problem
@@ -91,7 +65,7 @@ class FamilyMembers {
 
 template <class M>
 std::vector<Outcome> run_members(const LaneMembers& all, const Request& request) {
-  FamilyMembers<M> members(all, request);
+  FamilyMembers members(all, request, std::min(M::info.order, M::info.order_embedded));
   const double t0 = all.family.t0, t1 = request.stops.back();
   if (request.mode == Mode::adaptive) {
     if constexpr (M::info.order_embedded != 0)
