@@ -10,7 +10,6 @@
 #include <map>
 #include <numeric>
 #include <random>
-#include <ranges>
 
 namespace odeum::judge {
 namespace {
@@ -106,8 +105,9 @@ std::vector<std::vector<double>> linear_invariants(const Case& c) {
     }
     kept[lu.permutationQ().indices()(lu.rank() + k)] = std::move(weights);
   }
-  const auto all = std::views::values(kept);
-  return {all.begin(), all.end()};
+  std::vector<std::vector<double>> all;
+  for (auto& [place, weights] : kept) all.push_back(std::move(weights));
+  return all;
 }
 
 std::vector<std::string> remarks(const Case& c, const Request& request, const Outcome& outcome) {

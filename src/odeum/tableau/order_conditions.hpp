@@ -66,7 +66,7 @@ struct OrderFault {
 
 /// Finds, from all conditions up to the order after the one stated, the fault of a row.
 struct FaultSearch {
-  int order;                         ///< that is stated
+  int order = 0;                     ///< that is stated
   double rounding = order_rounding;  ///< a residual below it is none
   double certain = order_rounding;   ///< one above it shows that the order is no higher
   bool no_higher = false;
