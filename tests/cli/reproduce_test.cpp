@@ -84,6 +84,15 @@ TEST(Reproduce, ARunOfASceneToo) {
   EXPECT_EQ(made, (std::map<std::string, int>{{"adaptive", 2}, {"fixed", 2}}));
 }
 
+// It had --tol, which is another run.
+TEST(Reproduce, TheCommandThatSaysMoreOfASceneHasItsTolerances) {
+  const std::string setting = "chain --solver odeum/dormand_prince54 --rtol 2e-13 --atol 1e-300";
+  const Result result = shell("odeum run " + setting);
+  EXPECT_EQ(result.code, 3) << result.output;
+  EXPECT_NE(result.output.find("more       odeum why " + setting + "\n"), std::string::npos)
+      << result.output;
+}
+
 TEST(Reproduce, WhatAStudyDoesNotTakeIsRefusedForAScene) {
   for (const char* option : {"--frames 3", "--max-particles 9", "--max-megabytes 1"}) {
     const Result result =

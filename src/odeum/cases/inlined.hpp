@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "odeum/cases/inlined_contest.hpp"
-#include "odeum/solvers/enroll_method.hpp"
+#include "odeum/solvers/enroll_as.hpp"
+#include "odeum/solvers/own_methods.hpp"
 
 /// Solvers for timed runs only, with the right-hand side inlined and no guard. They compile slowly.
 /// CMake generates a unit for each method whose file says `inlined`, with all problems of

@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
   } catch (const Stopped& stopped) {
     return ended(interrupted_code, fmt::format("interrupted; {}", stopped.what()));
   } catch (const odeum::Interrupted&) {
-    return ended(interrupted_code, "interrupted; no file was written");
+    return ended(interrupted_code, "interrupted before all files were written");
   } catch (const std::bad_alloc&) {
     return ended(solver_failed, "out of memory");
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "odeum/advise/why_answer.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
@@ -20,20 +21,6 @@ namespace {
 
 using scene::Scene, scene::SceneProblem, trajectories::SceneRun;
 using Lines = std::vector<std::string>;
-
-/// The options that make a request.
-std::string setting_words(const Request& request) {
-  const double end = request.stops.back();
-  const std::vector<double>& absolutes = request.tolerance.absolutes();
-  std::string words;
-  if (request.mode == Mode::fixed)
-    words = fmt::format("--step {}", end / static_cast<double>(request.steps));
-  else if (absolutes.empty())
-    words = fmt::format("--tol {}", request.tolerance.relative);
-  else
-    words = fmt::format("--rtol {} --atol {}", request.tolerance.relative, absolutes.front());
-  return words + fmt::format(" --until {}", end);
-}
 
 Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   const scene::Structure& s = problem.structure();
@@ -213,6 +200,14 @@ void set_frame_interval(Scene& scene, const RunOptions& options, const RunSettin
         settings.until.value_or(*scene.duration) / static_cast<double>(options.frames - 1);
 }
 
+/// The command that says why a run failed.
+void print_why(const Scene& scene, const SceneRun& run, const RunOptions& options) {
+  Case whole;
+  whole.stops = {*scene.duration};
+  print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
+        run.entrant->info.id(), advise::setting_of(run.request, whole));
+}
+
 int run_read(const scene::ReadScene& read, const SceneSource& source,
              const std::string& source_text, const RunOptions& options) {
   Scene scene = read.scene;
@@ -252,9 +247,7 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
     const std::string excess = ok ? trajectories::excess_of_energy(scene, one.outcome) : "";
     const Lines result = describe_result(*entrant, one.request, one.outcome, seconds, excess);
     print(text_of(result));
-    if (!ok)
-      print("more       odeum why {}{} --solver {} {}\n", shell_word(options.what), options.more,
-            entrant->info.id(), setting_words(one.request));
+    if (!ok) print_why(scene, one, options);
     any_ok = any_ok || (ok && excess.empty() && one.outcome.contacts.passed == 0);
     if (!folder) continue;
     Lines facts = model;

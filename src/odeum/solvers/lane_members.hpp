@@ -7,6 +7,7 @@
 #include "odeum/control/lane_walk.hpp"
 #include "odeum/problem/shared.hpp"
 #include "odeum/solvers/lane_run.hpp"
+#include "odeum/solvers/solver.hpp"
 
 /// How an own method runs in lanes. The unit that compiles the method compiles this, too.
 namespace odeum {

@@ -2,13 +2,10 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <string_view>
 #include <vector>
 
 #include "odeum/core/lane_view.hpp"
-#include "odeum/core/outcome.hpp"
 #include "odeum/problem/ode_view.hpp"
-#include "odeum/solvers/solver.hpp"
 
 namespace odeum {
 
@@ -27,12 +24,5 @@ struct LaneMembers {
   std::size_t count;
   std::function<bool(std::size_t member)> place;
 };
-
-/// Whether an own method has a run in lanes at all.
-bool runs_in_lanes(std::string_view method);
-/// That of an own method; null where it is not run in lanes in this mode, or needs what the problem
-/// does not offer. An explicit method gives a member the bits and the counts that it has alone; a
-/// Rosenbrock method its tolerance.
-LaneRun find_lane_run(std::string_view method, Mode mode, const LaneFamily& family);
 
 }  // namespace odeum

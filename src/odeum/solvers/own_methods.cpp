@@ -24,9 +24,11 @@ const std::vector<Solver>& own_methods() {
   return all;
 }
 
-const Solver& own_solver(std::string_view method) {
-  return *std::ranges::find(own_methods(), method,
-                            [](const Solver& own) -> std::string_view { return own.info.method; });
+const Solver* find_own_solver(std::string_view method) {
+  const auto at = std::ranges::find(
+      own_methods(), method, [](const Solver& own) -> std::string_view { return own.info.method; });
+  return at == own_methods().end() ? nullptr : &*at;
 }
+const Solver& own_solver(std::string_view method) { return *find_own_solver(method); }
 
 }  // namespace odeum

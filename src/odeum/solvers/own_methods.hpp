@@ -12,6 +12,8 @@ namespace odeum {
 /// changed is compiled there and nowhere else.
 const std::vector<Solver>& own_methods();
 
+/// The one of that name; null: there is none.
+const Solver* find_own_solver(std::string_view method);
 /// The one of that name, which there has to be.
 const Solver& own_solver(std::string_view method);
 

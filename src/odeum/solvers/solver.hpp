@@ -98,8 +98,9 @@ struct Solver {
   /// Puts it on a problem: fills `unfit`, or `solve` and what else it can do there. The entrant
   /// comes with the solver's info, which may be completed from the problem.
   std::function<void(const ErasedContest&, Entrant&)> enroll;
-  /// An own method's run of many members in vector lanes: null where it has none, or none in this
-  /// mode, or where it needs what the problem does not offer.
+  /// An own method's run of many members in vector lanes; no function where it has none, and null
+  /// where it has none in this mode or needs what the problem does not offer. An explicit method
+  /// gives a member the bits and the counts that it has alone; a Rosenbrock method its tolerance.
   LaneRun (*lanes)(Mode mode, const LaneFamily& family) = nullptr;
 };
 

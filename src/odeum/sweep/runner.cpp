@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "odeum/judge/errors.hpp"
+#include "odeum/solvers/own_methods.hpp"
 
 namespace odeum::sweep {
 namespace {
@@ -46,9 +47,10 @@ void Runner::use_lanes() {
   if (!text || !solver.starts_with(own) || plan_.request.stops.size() != 1) return;
   // What the solver does not fit at all is told by member.
   const Entrant* const entrant = family_->entrants.find(plan_.solver);
-  if (!entrant || !entrant->solve || !runs_in_lanes(solver.substr(own.size()))) return;
+  const Solver* const method = find_own_solver(solver.substr(own.size()));
+  if (!entrant || !entrant->solve || !method || !method->lanes) return;
   lanes_ = text->in_lanes();
-  lane_run_ = find_lane_run(solver.substr(own.size()), plan_.request.mode, lanes_->problem);
+  lane_run_ = method->lanes(plan_.request.mode, lanes_->problem);
 }
 
 std::vector<Outcome> Runner::run_in_lanes(std::uint64_t first, std::uint64_t last) {

@@ -134,23 +134,22 @@ class Search {
 /// both have less than the error, down to a step from stop to stop.
 double promised_ns(const TimedCase& stage, const TimedSolver& solver, double error) {
   double least = infinity, bound = 0;
-  const PrecisionRow* coarse = nullptr;
-  bool beyond = true;  // the two at hand are the coarsest
+  const PrecisionRow *coarsest = nullptr, *coarse = nullptr;
   for (const TimedRun& trial : solver.trials) {
     const PrecisionRow& fine = trial.row;
     if (!fine.timed()) continue;
     if (fine.error <= error) least = std::min(least, fine.wall_ns_min);
-    if (!coarse && solver.mode == Mode::fixed)
+    if (!coarsest) coarsest = &fine;
+    if (coarsest == &fine && solver.mode == Mode::fixed)
       bound = fine.wall_ns_min * static_cast<double>(stage.c.settings.steps_multiple) /
               static_cast<double>(trial.request.steps);
-    if (coarse && (coarse->error > error || beyond) && fine.error < error && fine.error > 0 &&
-        fine.error < coarse->error) {
+    if (coarse && (coarse->error > error || coarse == coarsest) && fine.error < error &&
+        fine.error > 0 && fine.error < coarse->error) {
       const double part = std::log(coarse->error / error) / std::log(coarse->error / fine.error);
       const double log_ns =
           (1 - part) * std::log(coarse->wall_ns_min) + part * std::log(fine.wall_ns_min);
       least = std::min(least, std::max(bound, std::exp(log_ns)));
     }
-    beyond = !coarse;
     coarse = &fine;
   }
   return least;
