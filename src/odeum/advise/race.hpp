@@ -79,8 +79,7 @@ struct Candidate {
   double slope() const;
   /// Claimed order, at least 1; 4 where a step control has none, 2 at fixed steps.
   double order() const;
-  /// It solves linear problems by their closed form, and is no method that steps.
-  bool closed_form() const;
+  bool closed_form() const { return entrant->info.closed_form(); }
 };
 
 /// Wall time of the trial's runs with the bare right-hand side, mean of the cases; infinite where

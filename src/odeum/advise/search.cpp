@@ -41,8 +41,6 @@ double Candidate::order() const {
   return std::max(1.0, entrant->info.order);
 }
 
-bool Candidate::closed_form() const { return entrant->info.id() == "odeum/exponential_propagator"; }
-
 double Search::in_range(const Candidate& candidate, double fineness) const {
   if (candidate.mode == Mode::adaptive)
     return std::clamp(fineness, 1 / loosest_tolerance, 1 / finest_tolerance);

@@ -46,8 +46,6 @@ CaseFacts facts_of(const Case& c) {
 
 }  // namespace
 
-bool is_closed_form(const SolverInfo& solver) { return solver.family == "exponential"; }
-
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries,
                unsigned jobs) {
   Facts facts{.cases = std::vector<CaseFacts>(cases.size()), .solvers = {}, .libraries = libraries};
@@ -93,7 +91,7 @@ ordered_json json_of(const SolverInfo& solver) {
           {"adaptive", solver.adaptive},
           {"controller", plain(solver.controller)},
           {"needs", plain(solver.needs)},
-          {"closed_form", is_closed_form(solver)},
+          {"closed_form", solver.closed_form()},
           {"source", plain(solver.source)}};
 }
 

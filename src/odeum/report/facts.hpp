@@ -34,10 +34,6 @@ struct Facts {
   std::vector<LibraryInfo> libraries;
 };
 
-/// Whether a solver evaluates a closed form of the solution, exact at any step: it stands beside
-/// methods, and no ratio of times compares it with one.
-bool is_closed_form(const SolverInfo& solver);
-
 Facts describe(const std::vector<const Case*>& cases, const std::vector<LibraryInfo>& libraries,
                unsigned jobs = 1);
 

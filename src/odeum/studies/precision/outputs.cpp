@@ -61,7 +61,7 @@ std::vector<OutputRow> measure_outputs(const TimedCase& stage, const Options& op
   set_tolerance(request, stage.c, 1e-6);
   std::vector<const Entrant*> entrants;
   for (const Entrant& entrant : stage.c.entrants)
-    if (entrant.unfit.empty() && entrant.info.adaptive && !report::is_closed_form(entrant.info) &&
+    if (entrant.unfit.empty() && entrant.info.adaptive && !entrant.info.closed_form() &&
         any_glob_matches(options.solvers, entrant.info.id()))
       entrants.push_back(&entrant);
   const judge::Judge judge(stage.c, request.stops);

@@ -94,7 +94,7 @@ std::vector<PrecisionRow> measure_case(const TimedCase& stage, const Options& op
 /// The rows of methods, without those of closed forms.
 std::vector<PrecisionRow> methods_of(const Case& c, std::vector<PrecisionRow> rows) {
   std::erase_if(rows, [&](const PrecisionRow& row) {
-    return report::is_closed_form(find_solver(c.entrants, row.library + "/" + row.solver).info);
+    return find_solver(c.entrants, row.library + "/" + row.solver).info.closed_form();
   });
   return rows;
 }

@@ -8,7 +8,6 @@
 
 #include "odeum/core/numbers.hpp"
 #include "odeum/core/parallel.hpp"
-#include "odeum/report/facts.hpp"
 #include "odeum/studies/precision/timing.hpp"
 
 namespace odeum::study {
@@ -158,7 +157,7 @@ double promised_ns(const TimedCase& stage, const TimedSolver& solver, double err
 /// A closed form is compared with no method.
 bool competes(const TimedSolver& solver, const std::string& library) {
   const SolverInfo& info = solver.entrant->info;
-  return info.library == library && !report::is_closed_form(info);
+  return info.library == library && !info.closed_form();
 }
 
 /// The least time of a run of a library that reaches an error.
