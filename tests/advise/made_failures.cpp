@@ -70,12 +70,13 @@ const std::vector<MadeFailure>& made_failures() {
        .solver = "odeum/dormand_prince54",
        .relative = 1e-9,
        .causes = {accuracy}},
+      // Besides, errors of 1e-9 grow e^18-fold.
       {.name = "lorenz",
        .text = "states: {x: 1, y: 1, z: 20}\n"
                "equations: {x: 10*(y - x), y: x*(28 - z) - y, z: x*y - 8/3*z}\ntime: {end: 20}\n",
        .solver = "gsl/rkf45",
        .relative = 1e-9,
-       .causes = {accuracy}},
+       .causes = {accuracy, astray}},
       {.name = "chirp_bdf",
        .text = "states: {x: 0}\nequations: {x: cos(t^2)*t}\ntime: {end: 20}\n",
        .solver = "cvode/bdf",
@@ -110,6 +111,40 @@ const std::vector<MadeFailure>& made_failures() {
        .solver = "odeum/radau_iia5",
        .relative = 1e-9,
        .causes = {kink},
+       .also = {accuracy}},
+      {.name = "pulses",
+       .text = "states: {x: 0}\nequations: {x: 'if(sin(60*t) > 0, 30, -30) - x'}\n"
+               "time: {end: 4}\n",
+       .solver = "odeum/dormand_prince54",
+       .causes = {kink},
+       .also = {accuracy}},
+      // It stays at a jump, to which both sides lead.
+      {.name = "thermostat",
+       .text = "states: {T: 15}\nequations: {T: '-0.1*(T - 5) + if(T < 20, 2.5, 0)'}\n"
+               "time: {end: 20}\n",
+       .solver = "odeum/radau_iia5",
+       .relative = 1e-4,
+       .causes = {sliding},
+       .also = {accuracy}},
+      {.name = "friction_that_holds",
+       .text = "states: {q: 0, v: 1}\nequations: {q: v, v: 0.2 - q - 3*sign(v)}\ntime: {end: 3}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-5,
+       .causes = {sliding},
+       .also = {accuracy}},
+      // Errors of steps grow a thousandfold.
+      {.name = "arenstorf",
+       .text = "parameters: {m: 0.012277471}\n"
+               "states: {x: 0.994, y: 0, u: 0, v: -2.001585106379082}\n"
+               "equations:\n  x: u\n  y: v\n"
+               "  u: x + 2*v - (1 - m)*(x + m)/((x + m)^2 + y^2)^1.5 - "
+               "m*(x - 1 + m)/((x - 1 + m)^2 + y^2)^1.5\n"
+               "  v: y - 2*u - (1 - m)*y/((x + m)^2 + y^2)^1.5 - m*y/((x - 1 + m)^2 + y^2)^1.5\n"
+               "time: {end: 17.06521656}\n",
+       .solver = "odeum/dormand_prince54",
+       .relative = 1e-3,
+       .absolute = {1e-3},
+       .causes = {astray},
        .also = {accuracy}},
       // The solution ends.
       {.name = "square",

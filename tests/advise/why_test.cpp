@@ -51,7 +51,7 @@ TEST(Why, SaysTheCausesOfMadeFailures) {
   }
   EXPECT_GE(tests::made_failures().size(), 40U);
   EXPECT_GE(composed, tests::made_failures().size() / 3);
-  EXPECT_GE(right, 36U) << faults;
+  EXPECT_GE(10 * right, 9 * tests::made_failures().size()) << faults;
 }
 
 /// What it says as a user runs it, and what its command gives.
@@ -77,6 +77,30 @@ TEST(Why, ItsCommandMakesTheBetterRun) {
   int count = 0;
   ASSERT_EQ(std::sscanf(steps.substr(steps.find(',')).c_str(), ", %d steps", &count), 1) << steps;
   EXPECT_LT(count, why["steps"].get<int>() / 50);
+}
+
+// Roessler's band: errors grow slowly, and at t = 50 a run to a tolerance of 1e-3 is still within a
+// tenth of the solution; a run that swings between two states of the other is not off.
+TEST(Why, ARunThatEndedFarOffIsToldWhereItLeftAndWhichToleranceHolds) {
+  const tests::TemporaryFolder root;
+  const std::string file = (root.path() / "band.yaml").string();
+  tests::write_text(file,
+                    "states: {x: 1, y: 1, z: 0}\n"
+                    "equations: {x: -y - z, y: x + 0.2*y, z: 0.2 + z*(x - 5.7)}\n"
+                    "time: {end: 100}\n");
+  const Result result =
+      shell("odeum why " + file + " --solver dormand_prince54 --tol 1e-3 --format json");
+  ASSERT_EQ(result.code, 0) << result.output;
+  const auto why = nlohmann::json::parse(result.output);
+  EXPECT_EQ(why["causes"][0]["cause"], "astray") << why;
+  EXPECT_GT(why["causes"][0]["from"], 50) << why;
+  EXPECT_NE(std::string(why["command"]).find("--solver odeum/dormand_prince54 --tol 1e-0"),
+            std::string::npos)
+      << why;
+  bool near = false;
+  for (const auto& other : why["others"])
+    if (other["solver"] == "odeum/dormand_prince54") near = other["difference"] <= 0.02;
+  EXPECT_TRUE(near) << why;
 }
 
 TEST(Why, EndsARunThatFailed) {

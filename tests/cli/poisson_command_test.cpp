@@ -186,6 +186,7 @@ TEST(ConvergeCommand, MeasuresOrdersInTheMeshSize) {
   EXPECT_EQ(result.output.find("poisson_disc"), std::string::npos);
   EXPECT_NE(shell("odeum list cases").output.find("poisson_l_shape "), std::string::npos);
   expect_refused("drift --case \"poisson_l*\" --out " + out, "odeum converge measure");
+  expect_refused("run poisson_disc --solver rk4 --step 0.1", "odeum converge measure");
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void find_binding(Inquiry& q, Sample& s) {
 }
 
 std::optional<Cause> cause_of(const Inquiry& q, const Sample& s) {
+  if (q.found(Cause::sliding) && s.at.t + 2 * s.at.h >= q.kinks.front().t) return Cause::sliding;
   for (const Kink& kink : q.kinks)
     if (std::abs(kink.t - s.at.t) <= std::max(2 * s.at.h, q.kink_reach)) return Cause::kink;
   // Where no looser run got to, at the very edge.

@@ -111,8 +111,7 @@ void look_at_fixed_step(Inquiry& q) {
     if (s.used > 1) s.cause = Cause::stability;
   if (!q.samples.empty()) make_segments(q);
   const double off = q.difference(q.run), size = blown_up(q);
-  constexpr double shows = 0.02;
-  if (!(off > shows)) return;
+  if (!(off > far_off)) return;
   look_at_energy(q, step, off);
   if (!(size < 3) && steps_inside_help(q)) look_at_edge(q);
   if (q.run.outcome.status == Status::newton_failed)

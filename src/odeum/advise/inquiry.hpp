@@ -12,6 +12,9 @@
 /// The parts of why(): each measures, and adds what it found.
 namespace odeum::advise {
 
+/// Of the solution's size: no answer, whatever it cost.
+inline constexpr double far_off = 0.02;
+
 /// What is known of a run at one of its states.
 struct Sample {
   Moment at;
@@ -93,7 +96,8 @@ void look_at_tolerances(Inquiry& q);
 void look_at_end(Inquiry& q, const Run& run);
 /// Where the steps of a run that fails lie beyond the edge along a solution that is trusted.
 void look_at_edge(Inquiry& q);
-/// Where a run that fails had left the solution that others follow to the end.
+/// Where a run that fails, or ends far off, had left the solution that others follow to the end,
+/// and runs to tighter tolerances, of which one ends near it.
 void look_for_leaving(Inquiry& q);
 /// Instability, energy and coarseness of a fixed step, by a solution that is trusted.
 void look_at_fixed_step(Inquiry& q);

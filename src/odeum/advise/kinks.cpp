@@ -74,6 +74,61 @@ double usual_step(const Run& run) {
   return nan;
 }
 
+/// A few steps on along the slope.
+Moment ahead_of(const Case& c, const Moment& from, double by) {
+  Moment ahead = from;
+  const std::vector<double> f = slope(c, from.t, from.y);
+  for (std::size_t i = 0; i < f.size(); ++i) ahead.y[i] += by * f[i];
+  ahead.t += by;
+  return ahead;
+}
+
+/// A jump less than `by` ahead that a path which has crossed it comes back to.
+std::optional<Kink> jump_that_holds(const Case& c, const Moment& from, double by) {
+  const auto jump = kink_between(c, from, ahead_of(c, from, by));
+  if (!jump || !jump->jump) return {};
+  const Moment past = ahead_of(c, from, jump->t - from.t + 0.05 * by);
+  const auto again = kink_between(c, past, ahead_of(c, past, 0.5 * by));
+  return again && again->jump ? jump : std::nullopt;
+}
+
+/// Where a solution stays at a jump, nearly all states of a run have it a few steps ahead, from one
+/// on that has it within its next step. Those jumps; empty: it does not stay.
+std::vector<Kink> jumps_it_stays_at(const Inquiry& q) {
+  constexpr double few = 10, next = 0.5, nearly_all = 0.9;
+  constexpr std::size_t least_states = 20, least_steps = 100;
+  const std::vector<Moment>& moments = q.run.moments;
+  std::vector<Kink> jumps;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < moments.size() && q.left() > 0.5 * q.seconds; ++k) {
+    const Moment& from = moments[k];
+    const double step = q.run.step_at(from.t);
+    if (!(few * step > 1e5 * epsilon * std::abs(from.t))) continue;
+    const auto jump = jump_that_holds(q.c, from, few * step);
+    if (!jump || (jumps.empty() && jump->t - from.t > next * step)) continue;
+    if (jumps.empty()) first = k;
+    jumps.push_back(*jump);
+  }
+  const std::size_t since = moments.size() - first;
+  const bool stays = since >= least_states &&
+                     moments.back().step - moments[first].step >= least_steps &&
+                     static_cast<double>(jumps.size()) >= nearly_all * static_cast<double>(since);
+  return stays ? jumps : std::vector<Kink>();
+}
+
+bool look_for_sliding(Inquiry& q) {
+  q.kinks = jumps_it_stays_at(q);
+  if (q.kinks.empty()) return false;
+  const Kink& first = q.kinks.front();
+  const std::vector<double>& times = q.run.trace.times;
+  const auto since = std::ranges::count_if(times, [&](double t) { return t >= first.t; });
+  q.add(Cause::sliding, static_cast<double>(since) / static_cast<double>(times.size()), first.t,
+        fmt::format("the solution stays where {}'s right-hand side jumps, from t = {:.6g} on, and "
+                    "the steps cross the jump again and again",
+                    q.names[first.component], first.t));
+  return true;
+}
+
 /// The evaluations around kinks beyond those that the same time takes elsewhere, and the kink with
 /// most of them.
 std::pair<double, const Kink*> excess_of(const Run& run, const std::vector<Kink>& kinks,
@@ -142,6 +197,7 @@ std::optional<Kink> kink_between(const Case& c, const Moment& from, const Moment
 void look_for_kinks(Inquiry& q) {
   const Run& run = q.run;
   const double end = run.ends.back();
+  if (look_for_sliding(q)) return;
   const bool ends = q.found(Cause::pole) || q.found(Cause::growth) || q.found(Cause::singular);
   const auto near_end = [&](double t) {
     return std::abs(end - t) < 1e-6 * std::max(1.0, std::abs(t));
@@ -156,10 +212,7 @@ void look_for_kinks(Inquiry& q) {
   const double wide = q.kink_reach = usual_step(run);
   if (!run.ok() && !ends) {
     // The run may have stopped short of one.
-    Moment ahead = run.moments.back();
-    const std::vector<double> f = slope(q.c, ahead.t, ahead.y);
-    for (std::size_t i = 0; i < f.size(); ++i) ahead.y[i] += wide * f[i];
-    ahead.t += wide;
+    const Moment ahead = ahead_of(q.c, run.moments.back(), wide);
     if (const auto kink = kink_between(q.c, run.moments.back(), ahead)) q.kinks.push_back(*kink);
   }
   // Those that no error test sees, as the last digit of a function, are none.

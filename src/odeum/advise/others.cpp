@@ -19,8 +19,6 @@ constexpr std::array comparisons = {"odeum/dormand_prince853", "odeum/rodas4", "
 /// The order in which one is taken for the truth, by its order and damping.
 constexpr std::array by_trust = {"odeum/radau_iia5", "odeum/rodas4", "odeum/dormand_prince853",
                                  "odeum/tsitouras54"};
-/// Of the solution's size: no answer, whatever it cost.
-constexpr double far_off = 0.02;
 /// For a fixed step, where no tolerance was asked for.
 constexpr double usual_tolerance = 1e-6;
 

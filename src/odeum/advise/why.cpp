@@ -12,9 +12,10 @@
 
 namespace odeum::advise {
 const char* name_of(Cause cause) {
-  constexpr std::array names{"accuracy", "stability",  "kink",           "pole",     "growth",
-                             "singular", "domain",     "wrong_jacobian", "rounding", "absolute",
-                             "energy",   "too_coarse", "astray",         "newton",   "unfit"};
+  constexpr std::array names{"accuracy",       "stability", "kink",     "sliding",
+                             "pole",           "growth",    "singular", "domain",
+                             "wrong_jacobian", "rounding",  "absolute", "energy",
+                             "too_coarse",     "astray",    "newton",   "unfit"};
   return names[static_cast<std::size_t>(cause)];
 }
 
@@ -66,6 +67,7 @@ void look_at_steps(Inquiry& q) {
           fmt::format(
               "the equations of a step are not solved at t = {:.6g}, down to a step of {:.2g}",
               q.run.ends.back(), q.run.step_at(q.run.ends.back())));
+  if (q.run.ok() && q.sure && !explained && q.difference(q.run) > far_off) look_for_leaving(q);
   if (q.run.ok() || q.run.outcome.status == Status::over_budget || !q.trusted || explained) return;
   // Its own states may have been far from the solution already.
   q.samples.clear();

@@ -15,6 +15,7 @@ enum class Cause {
   accuracy,        ///< the error test: a looser tolerance gives longer steps
   stability,       ///< a step at or beyond the edge of the stability region
   kink,            ///< the right-hand side is not smooth somewhere
+  sliding,         ///< the solution stays where the right-hand side jumps
   pole,            ///< the solution grows beyond all bounds at a finite time
   growth,          ///< the solution itself grows beyond the largest number
   singular,        ///< its slope grows beyond all bounds, and it does not

@@ -51,25 +51,32 @@ std::string table_of(const Why& why) {
   return table.text();
 }
 
+/// Another run's solver, or its tolerance where that alone is another one.
+std::string said(const Other& other, const Why& why) {
+  if (other.solver != why.solver || other.request.mode == Mode::fixed) return other.solver;
+  return fmt::format("the same to a tolerance of {:g}", other.request.tolerance.relative);
+}
+
 /// What the better run does better.
 std::string compared(const Why& why) {
   if (!why.better) return why.advice.empty() ? "" : "; " + why.advice;
   const Other& other = why.others[*why.better];
+  const std::string name = said(other, why);
   const Counters &ours = why.outcome.counters, &theirs = other.counters;
   if (other.request.stops.back() < why.request.stops.back())
-    return fmt::format("; up to t = {:.6g} {} takes {} steps", other.request.stops.back(),
-                       other.solver, theirs.steps);
+    return fmt::format("; up to t = {:.6g} {} takes {} steps", other.request.stops.back(), name,
+                       theirs.steps);
   if (why.outcome.status != Status::ok)
     return fmt::format("; it takes {} steps to t = {:.4g}, where {} takes {} to the end",
-                       ours.steps, why.reached, other.solver, theirs.steps);
+                       ours.steps, why.reached, name, theirs.steps);
   const bool nearer = other.difference < 0.5 * why.difference && why.difference > 1e-3;
   if (theirs.steps >= ours.steps && nearer)
     return fmt::format("; it ends {:.2g} of the solution's size away, {} {:.1g} in {} steps",
-                       why.difference, other.solver, other.difference, theirs.steps);
+                       why.difference, name, other.difference, theirs.steps);
   std::string text =
       theirs.steps < ours.steps
-          ? fmt::format("; {} steps where {} takes {}", ours.steps, other.solver, theirs.steps)
-          : fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, other.solver,
+          ? fmt::format("; {} steps where {} takes {}", ours.steps, name, theirs.steps)
+          : fmt::format("; {} evaluations where {} takes {}", ours.rhs_evaluations, name,
                         theirs.rhs_evaluations);
   if (nearer)
     text += fmt::format(" and ends {:.1g} of the solution's size away, not {:.2g}",

@@ -16,6 +16,7 @@
 #include "odeum/input/near_words.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
+#include "odeum/studies/elements/problems.hpp"
 
 namespace odeum::cli {
 namespace {
@@ -103,8 +104,17 @@ void check_solver_globs(const std::vector<std::string>& globs) {
   check_globs("solver", globs, solver_ids());
 }
 
+void refuse_in_space(const std::string& problems) {
+  throw UsageError(
+      "'{}' names problems in space alone, which have no steps in time; odeum elements and odeum "
+      "converge measure their orders in the mesh size",
+      problems);
+}
+
 const Case& find_case(const std::string& id) {
   if (knows_case(id)) return known_case(id);
+  if (std::ranges::count(study::model_problems(), id, &study::ModelProblem::id) > 0)
+    refuse_in_space(id);
   std::vector<std::string> names = known_ids();
   for (const auto& scene : cases::all_scenes()) names.emplace_back(scene.name);
   throw UsageError("unknown case '{}'{}", id, did_you_mean(id, names));

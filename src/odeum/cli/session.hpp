@@ -65,6 +65,8 @@ void check_solver_globs(const std::vector<std::string>& globs);
 /// library is Odeum's own. Throws UsageError.
 const Case& find_case(const std::string& id);
 const Entrant& find_entrant(const Entrants& entrants, const std::string& on, const std::string& id);
+/// Throws UsageError: problems of the study `elements` where one with a time is asked for.
+[[noreturn]] void refuse_in_space(const std::string& problems);
 /// "; did you mean X?", or "one of X, Y" where several begin with the word; nothing where no
 /// candidate is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);

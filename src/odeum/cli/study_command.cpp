@@ -112,11 +112,7 @@ bool run_elements(const study::Study& study, study::Options& options, ProblemOpt
   std::vector<std::string> problems = take_elements(options.cases);
   for (std::string& word : take_elements(words.words)) problems.push_back(std::move(word));
   if (problems.empty()) return false;
-  if (study.declaration().name != "converge")
-    throw UsageError(
-        "'{}' names problems in space alone, which have no steps in time; odeum elements and odeum "
-        "converge measure their orders in the mesh size",
-        problems.front());
+  if (study.declaration().name != "converge") refuse_in_space(problems.front());
   for (const auto& other : study::make_studies())
     if (other->declaration().name == "elements")
       run_study(*other, {.own = {{"problems", fmt::format("{}", fmt::join(problems, " "))}}},
