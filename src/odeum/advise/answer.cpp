@@ -75,8 +75,9 @@ std::string text_of_rest(const Advice& advice) {
   each_dropped(advice, [&](const Candidate& candidate) {
     const bool within = advice.run_ns > 0;
     const char* left = within ? "far behind within the time" : "too slow before they had the error";
-    dropped[candidate.dropped.empty() ? reason_of(candidate, within) : left].push_back(
-        name_of(candidate));
+    // Of those that came so far each has its reason.
+    const bool own = candidate.dropped.empty() || candidate.found;
+    dropped[own ? reason_of(candidate, within) : left].push_back(name_of(candidate));
   });
   std::string text;
   for (const auto& [reason, ids] : dropped)

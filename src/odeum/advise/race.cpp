@@ -10,6 +10,7 @@
 
 #include "odeum/advise/no_answer.hpp"
 #include "odeum/advise/search.hpp"
+#include "odeum/advise/winner.hpp"
 #include "odeum/core/glob.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
@@ -252,17 +253,10 @@ Advice advise(const std::vector<const Case*>& cases, const Wishes& asked) {
     advice.failure = nobody(advice);
     return advice;
   }
-  // The command's run has no stop but the end, and other steps: it must have about the error too.
-  for (const std::size_t k : order) {
-    const Trial& found = *advice.candidates[k].found;
-    Trial repeated = search.run_to_end(advice.candidates[k], found.fineness, found.worst());
-    const bool keeps = wishes.time_ns > 0 || repeated.reaches(2 * wishes.error);
-    if (keeps || k == order.front()) {
-      advice.winner = k;
-      advice.repeated = std::move(repeated);
-    }
-    if (keeps) break;
-  }
+  choose_winner(advice, order, [&](std::size_t k) {
+    const Candidate& candidate = advice.candidates[k];
+    return search.run_to_end(candidate, candidate.found->fineness, candidate.found->worst());
+  });
   const Candidate& winner = advice.candidates[advice.winner];
   const double fineness = winner.found->fineness;
   const auto multiple = static_cast<double>(frames > 0 ? frames : c.settings.steps_multiple);
