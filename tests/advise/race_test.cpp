@@ -90,7 +90,7 @@ std::pair<std::size_t, std::vector<std::string>> winner_of(const std::vector<Tri
 // Stops can help a run past a place by chance: alone it ends elsewhere, or takes a thousand times
 // the steps.
 TEST(Winner, IsTheFirstWhoseCommandMakesTheRunThatWasTimed) {
-  const std::string off = "its run with no stop but the end has a larger error",
+  const std::string off = "its run with no stop but the end fails or has over twice the error",
                     dear = "its run with no stop but the end takes over ten times the evaluations";
   using Reasons = std::vector<std::string>;
   EXPECT_EQ(winner_of({trial(1.9e-4, 900), trial(1e-4, 100)}),

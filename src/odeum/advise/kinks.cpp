@@ -96,16 +96,25 @@ std::optional<Kink> jump_that_holds(const Case& c, const Moment& from, double by
 /// on that has it within its next step. Those jumps; empty: it does not stay.
 std::vector<Kink> jumps_it_stays_at(const Inquiry& q) {
   constexpr double few = 10, next = 0.5, nearly_all = 0.9;
-  constexpr std::size_t least_states = 20, least_steps = 100;
+  constexpr std::size_t least_states = 20, least_steps = 100, looks = 10;
   const std::vector<Moment>& moments = q.run.moments;
+  const auto jump_ahead = [&](const Moment& from) -> std::optional<Kink> {
+    const double by = few * q.run.step_at(from.t);
+    if (!(by > 1e5 * epsilon * std::abs(from.t))) return {};
+    return jump_that_holds(q.c, from, by);
+  };
+  // A run that stays at none shows it at a few states of its second half.
+  if (moments.size() < least_states) return {};
+  std::size_t seen = 0;
+  for (std::size_t k = 0; k < looks; ++k)
+    seen += jump_ahead(moments[moments.size() - 1 - k * moments.size() / (2 * looks)]).has_value();
+  if (2 * seen < looks) return {};
   std::vector<Kink> jumps;
   std::size_t first = 0;
   for (std::size_t k = 0; k < moments.size() && q.left() > 0.5 * q.seconds; ++k) {
     const Moment& from = moments[k];
-    const double step = q.run.step_at(from.t);
-    if (!(few * step > 1e5 * epsilon * std::abs(from.t))) continue;
-    const auto jump = jump_that_holds(q.c, from, few * step);
-    if (!jump || (jumps.empty() && jump->t - from.t > next * step)) continue;
+    const auto jump = jump_ahead(from);
+    if (!jump || (jumps.empty() && jump->t - from.t > next * q.run.step_at(from.t))) continue;
     if (jumps.empty()) first = k;
     jumps.push_back(*jump);
   }
@@ -123,7 +132,7 @@ bool look_for_sliding(Inquiry& q) {
   const std::vector<double>& times = q.run.trace.times;
   const auto since = std::ranges::count_if(times, [&](double t) { return t >= first.t; });
   q.add(Cause::sliding, static_cast<double>(since) / static_cast<double>(times.size()), first.t,
-        fmt::format("the solution stays where {}'s right-hand side jumps, from t = {:.6g} on, and "
+        fmt::format("the solution stays where {}'s right-hand side jumps, from t = {:.3g} on, and "
                     "the steps cross the jump again and again",
                     q.names[first.component], first.t));
   return true;

@@ -53,8 +53,11 @@ std::string table_of(const Why& why) {
 
 /// Another run's solver, or its tolerance where that alone is another one.
 std::string said(const Other& other, const Why& why) {
-  if (other.solver != why.solver || other.request.mode == Mode::fixed) return other.solver;
-  return fmt::format("the same to a tolerance of {:g}", other.request.tolerance.relative);
+  const double tolerance = other.request.tolerance.relative;
+  return other.solver == why.solver && other.request.mode == Mode::adaptive &&
+                 tolerance != why.request.tolerance.relative
+             ? fmt::format("the same to a tolerance of {:g}", tolerance)
+             : other.solver;
 }
 
 /// What the better run does better.

@@ -8,9 +8,10 @@ namespace odeum::advise {
 namespace {
 
 /// Why a command's run is not what was timed; empty: it is.
-const char* not_kept(const Trial& repeated, const Trial& found, double error) {
+const char* not_kept(const Trial& repeated, const Trial& found, double twice_the_error) {
   constexpr std::uint64_t dearer = 10;
-  if (!repeated.reaches(error)) return "its run with no stop but the end has a larger error";
+  if (!repeated.reaches(twice_the_error))
+    return "its run with no stop but the end fails or has over twice the error";
   return repeated.counters.work > dearer * found.counters.work
              ? "its run with no stop but the end takes over ten times the evaluations"
              : "";
