@@ -88,8 +88,9 @@ TEST(Why, ARunThatEndedFarOffIsToldWhereItLeftAndWhichToleranceHolds) {
                     "states: {x: 1, y: 1, z: 0}\n"
                     "equations: {x: -y - z, y: x + 0.2*y, z: 0.2 + z*(x - 5.7)}\n"
                     "time: {end: 100}\n");
-  const Result result =
-      shell("odeum why " + file + " --solver dormand_prince54 --tol 1e-3 --format json");
+  const std::string out = (root.path() / "out").string();
+  const Result result = shell("odeum why " + file +
+                              " --solver dormand_prince54 --tol 1e-3 --format json --out " + out);
   ASSERT_EQ(result.code, 0) << result.output;
   const auto why = nlohmann::json::parse(result.output);
   EXPECT_EQ(why["causes"][0]["cause"], "astray") << why;
@@ -101,6 +102,10 @@ TEST(Why, ARunThatEndedFarOffIsToldWhereItLeftAndWhichToleranceHolds) {
   for (const auto& other : why["others"])
     if (other["solver"] == "odeum/dormand_prince54") near = other["difference"] <= 0.02;
   EXPECT_TRUE(near) << why;
+  // The page draws a curve for each name.
+  const std::string trajectory = shell("cat " + out + "/trajectory.csv").output;
+  EXPECT_NE(trajectory.find(",dormand_prince54,"), std::string::npos);
+  EXPECT_NE(trajectory.find(",dormand_prince54 --tol 1e-0"), std::string::npos);
 }
 
 TEST(Why, EndsARunThatFailed) {

@@ -74,8 +74,9 @@ std::string compared(const Why& why) {
                        ours.steps, why.reached, name, theirs.steps);
   const bool nearer = other.difference < 0.5 * why.difference && why.difference > 1e-3;
   if (theirs.steps >= ours.steps && nearer)
-    return fmt::format("; it ends {:.2g} of the solution's size away, {} {:.1g} in {} steps",
-                       why.difference, name, other.difference, theirs.steps);
+    return fmt::format(
+        "; it ends {:.2g} of the solution's size away, and {} ends {:.1g} away in {} steps",
+        why.difference, name, other.difference, theirs.steps);
   std::string text =
       theirs.steps < ours.steps
           ? fmt::format("; {} steps where {} takes {}", ours.steps, name, theirs.steps)

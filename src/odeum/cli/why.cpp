@@ -14,26 +14,33 @@ struct WhyOptions {
   ProblemOptions problems;
 };
 
-/// The run and the better one with their states over time, for the page.
-std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& why) {
+/// The run and the better one with their states over time, for the page, whose curves go by name:
+/// the same solver at another setting is `same`, with that in its name.
+std::vector<trajectories::CaseRun> shown_runs(const Case& c, const advise::Why& why,
+                                              Entrant& same) {
   constexpr std::uint64_t most_steps_shown = 20'000;
   std::vector<trajectories::CaseRun> runs;
-  const auto show = [&](const std::string& solver, Request request, const Counters& counters) {
+  const auto show = [&](const Entrant& entrant, Request request, const Counters& counters) {
     ask_for_output(request, {}, c.t0, c.y0.size());
     request.record_steps = counters.steps < most_steps_shown;
     // As far as it was looked at, and for a step aside at each output.
     request.budget.evaluations = 2 * counters.work + 100'000;
-    trajectories::CaseRun run{c.entrants.find(solver), request, {}};
+    trajectories::CaseRun run{&entrant, request, {}};
     run.outcome = run.entrant->solve(request);
     run.outcome.counters = counters;  // without what the outputs cost
     runs.push_back(std::move(run));
   };
   Request request = why.request;
   if (why.outcome.status == Status::over_budget) request.stops = {why.reached};
-  show(why.solver, request, why.outcome.counters);
-  if (why.better && why.others[*why.better].request.stops == why.request.stops)
-    show(why.others[*why.better].solver, why.others[*why.better].request,
-         why.others[*why.better].counters);
+  const Entrant& entrant = *c.entrants.find(why.solver);
+  show(entrant, request, why.outcome.counters);
+  if (!why.better) return runs;
+  const advise::Other& other = why.others[*why.better];
+  if (other.request.stops != why.request.stops) return runs;
+  same = entrant;
+  same.info.method += " " + advise::setting_of(other.request, c);
+  show(other.solver == why.solver ? same : *c.entrants.find(other.solver), other.request,
+       other.counters);
   return runs;
 }
 
@@ -52,7 +59,8 @@ void write_files(const std::string& out, const Case& c, const advise::Why& why,
   if (const std::string next = advise::command_of(why, c, asked); !next.empty())
     texts.facts.emplace_back("Next", next);
   folder.write("why.csv", texts.bounds.csv());
-  remark_on_page(trajectories::write_case_page(folder, c, shown_runs(c, why), texts));
+  Entrant same;
+  remark_on_page(trajectories::write_case_page(folder, c, shown_runs(c, why, same), texts));
 }
 
 int why_on(const WhyOptions& options, const CLI::App& command) {
