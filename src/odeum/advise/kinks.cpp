@@ -74,7 +74,7 @@ double usual_step(const Run& run) {
   return nan;
 }
 
-/// A few steps on along the slope.
+/// The state a time `by` later, along the slope.
 Moment ahead_of(const Case& c, const Moment& from, double by) {
   Moment ahead = from;
   const std::vector<double> f = slope(c, from.t, from.y);
