@@ -1,11 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -DBUILD=<build folder> -DFOLDER=<folder> -DDOCS=<where documents go> -P CheckInstall.cmake
 # Installs into a fresh folder and runs the installed program in another, without the
-# checkout: a case, a built-in scene, an installed tableau.
+# checkout: a case, a built-in scene, an installed tableau. No program and no library searches the current
+# folder or a relative one for libraries: the file libz.so.1 there is no library, and who loads it fails.
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER}/elsewhere)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${FOLDER}/prefix
                 OUTPUT_QUIET ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+find_program(READELF readelf REQUIRED)
+file(GLOB peers ${FOLDER}/prefix/lib/odeum/peers/*.so)
+foreach(file IN ITEMS ${BUILD}/odeum ${FOLDER}/prefix/bin/odeum ${peers})
+  execute_process(COMMAND ${READELF} -d ${file} OUTPUT_VARIABLE sections COMMAND_ERROR_IS_FATAL ANY)
+  if(sections MATCHES "\\((RPATH|RUNPATH)\\)[^[]*\\[([^]]*)\\]")
+    set(path "${CMAKE_MATCH_2}")
+    if(NOT ":${path}" MATCHES "^(:\\$ORIGIN/[^:]+)+$")
+      message(FATAL_ERROR "${file} searches for libraries in \"${path}\"; only $ORIGIN/... is expected")
+    endif()
+  endif()
+endforeach()
+file(WRITE ${FOLDER}/elsewhere/libz.so.1 "no library")
+execute_process(COMMAND ${EMULATOR} ${BUILD}/odeum --version WORKING_DIRECTORY ${FOLDER}/elsewhere
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 # Runs the program; its output has to hold the pattern.
 function(expect pattern)
   execute_process(COMMAND ${EMULATOR} ${FOLDER}/prefix/bin/odeum ${ARGN} WORKING_DIRECTORY ${FOLDER}/elsewhere

@@ -32,11 +32,11 @@ if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
   install(FILES ${odeum_words}/man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME odeum.1)
 endif()
 if(ODEUM_NATIVE)
-  install(DIRECTORY ${odeum_peers}/ DESTINATION ${CMAKE_INSTALL_LIBDIR}/odeum/peers OPTIONAL
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/${odeum_peers}/ DESTINATION ${odeum_peers} OPTIONAL
           FILES_MATCHING PATTERN "lib*.so*" PATTERN "cmake" EXCLUDE)
   if("sundials" IN_LIST ODEUM_ADAPTERS_BUILT)
     install(CODE "
-      if(NOT EXISTS \"${odeum_peers}\")
+      if(NOT EXISTS \"${PROJECT_SOURCE_DIR}/build/${odeum_peers}\")
         message(WARNING \"SUNDIALS is the system's, as odeum doctor shows; scripts/sundials builds it with optimisation\")
       endif()")
   endif()
