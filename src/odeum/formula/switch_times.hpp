@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <set>
+#include <vector>
+
+#include "odeum/formula/problem.hpp"
+
+namespace odeum::formula {
+
+/// The times at which a text itself says that its right-hand side has a kink or a jump: where a
+/// comparison, or an abs, sign, min or max, of expressions of the time and of constants alone
+/// changes, as `if(t > 5, ...)` does at 5 and `max(sin(t), 0)` at each multiple of pi.
+struct SwitchTimes {
+  /// Ascending, after t0 and before the end. From each on, the sign of a condition is another one:
+  /// the state at that time is the last before the switch, and its slope is not defined.
+  std::vector<long double> times;
+  /// The nodes of the problem's graph of which all switches up to the end are among the times, and
+  /// which depend on no state.
+  std::set<Id> nodes;
+};
+
+/// For the values that the problem's parameters have. A condition with more switches than can be
+/// separated, as one with infinitely many, is left out. `end`: after t0.
+SwitchTimes switch_times(const Problem& problem, long double end);
+
+}  // namespace odeum::formula
