@@ -2,6 +2,8 @@
 // odeum plan, shard, merge and status as a user runs them.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "support/program.hpp"
@@ -65,6 +67,33 @@ TEST_F(Plan, OfASweepMergesToTheBytesOfOneRun) {
 
   write("decay.yaml", std::string(decay) + "# another content\n");
   expect_code(2, "merge run --out merged", "has changed since the plan");
+}
+
+// A folder of a name that can be foretold could be prepared by another user, with code in it.
+TEST_F(Plan, AShardWorksInANewFolderAndLeavesNone) {
+  write("decay.yaml", decay);
+  expect_code(0,
+              "plan sweep decay.yaml --over k=0.1..3:4 --solver rk4 --step 0.1 --check 0 "
+              "--shards 2 --out run");
+  const std::string plan = text("run/plan.json");
+  const std::size_t begin = plan.find("\"id\": \"") + 7;
+  const std::string id = plan.substr(begin, plan.find('"', begin) - begin);
+  const std::filesystem::path temporary = folder_.path() / "tmp",
+                              prepared =
+                                  temporary / fmt::format("odeum-{}-{}/odeum", ::geteuid(), id);
+  std::filesystem::create_directories(prepared);
+  const auto shard = [&](const std::string& k) {
+    const Result result =
+        shell("cd " + folder_.path().string() + " && TMPDIR=$PWD/tmp odeum shard run " + k);
+    EXPECT_EQ(result.code, 0) << result.output;
+    EXPECT_TRUE(std::filesystem::is_empty(prepared));
+    std::filesystem::directory_iterator entries(temporary);
+    EXPECT_EQ(std::distance(entries, {}), 1) << "only the prepared folder stays";
+  };
+  shard("0");
+  write("run/plan.json", std::string(plan).replace(begin, id.size(), "../../x"));
+  shard("1");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "x"));
 }
 
 TEST_F(Plan, OfAStudyMergesToTheBytesOfOneRun) {

@@ -151,6 +151,30 @@ TEST_F(Cache, AFolderOfAnotherOwnerIsNotUsed) {
   EXPECT_TRUE(fs::is_empty(cache()));
 }
 
+// Who owns a folder above can put another one in its place between a check and its use.
+TEST_F(Cache, AFolderThatAnotherCouldReplaceIsNotUsed) {
+  ASSERT_EQ(::chmod(folder_.path().c_str(), 0777), 0);
+  run();
+  EXPECT_TRUE(fs::is_empty(cache()));
+  ASSERT_EQ(::chmod(folder_.path().c_str(), 01777), 0);
+  run();
+  EXPECT_FALSE(fs::is_empty(cache())) << "in a folder with the sticky bit nobody else can";
+}
+
+TEST_F(Cache, AFolderBelowThatOfAnotherOwnerIsNotUsed) {
+  constexpr uid_t nobody = 65534;
+  if (::chown(folder_.path().c_str(), nobody, static_cast<gid_t>(-1)) != 0)
+    GTEST_SKIP() << "only root gives a folder away";
+  run();
+  EXPECT_TRUE(fs::is_empty(cache()));
+  const tests::Result doctor =
+      tests::shell("XDG_CACHE_HOME='" + folder_.path().string() + "' odeum doctor");
+  EXPECT_NE(doctor.output.find("cache      none: " + folder_.path().string() +
+                               " belongs to another user"),
+            std::string::npos)
+      << doctor.output;
+}
+
 TEST_F(Cache, ACompilerThatDoesNotEndIsEnded) {
   script("sleep 30 & sleep 30\n");
   const auto start = std::chrono::steady_clock::now();

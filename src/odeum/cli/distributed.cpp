@@ -31,22 +31,25 @@ void keep_code_in(const std::filesystem::path& run) {
   ::setenv(cache_variable, (std::filesystem::absolute(run) / "code").c_str(), 1);
 }
 
-void take_code_of(const std::filesystem::path& run, const std::string& id) {
+ShardCache::ShardCache(const std::filesystem::path& run) {
   namespace fs = std::filesystem;
   std::error_code failed;
-  const fs::path own =
-      fs::temp_directory_path(failed) / fmt::format("odeum-{}-{}", ::geteuid(), id);
-  if (failed) return;
-  ::setenv(cache_variable, own.c_str(), 1);
-  const fs::path folder = formula::cache_folder();
-  if (folder.empty()) return;
-  // What another process has copied in part has another hash than its text says, and is not used.
-  for (const auto& entry : fs::directory_iterator(fs::absolute(run) / "code/odeum", failed)) {
+  std::string name = (fs::temp_directory_path(failed) / "odeum-shard-XXXXXX").string();
+  if (failed || !::mkdtemp(name.data())) return;
+  folder_ = name;
+  ::setenv(cache_variable, folder_.c_str(), 1);
+  const fs::path own = formula::cache_folder(), planned = fs::canonical(run / "code/odeum", failed);
+  if (own.empty() || failed || !formula::why_not_private(planned).empty()) return;
+  for (const auto& entry : fs::directory_iterator(planned, failed)) {
     std::error_code there;
     if (entry.is_regular_file(there))
-      fs::copy_file(entry.path(), folder / entry.path().filename(), fs::copy_options::skip_existing,
-                    there);
+      fs::copy_file(entry.path(), own / entry.path().filename(), there);
   }
+}
+
+ShardCache::~ShardCache() {
+  std::error_code ignored;
+  if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
 }
 
 void sync(const std::filesystem::path& path) {

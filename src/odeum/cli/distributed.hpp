@@ -30,10 +30,22 @@ Part& part();
 std::filesystem::path shard_folder(const std::filesystem::path& run, std::uint64_t shard,
                                    bool done);
 
-/// What a plan compiles and computes of its texts is kept in its folder. A shard works with a copy
-/// on a disk of its own machine, in $TMPDIR.
+/// What a plan compiles and computes of its texts is kept in its folder.
 void keep_code_in(const std::filesystem::path& run);
-void take_code_of(const std::filesystem::path& run, const std::string& id);
+
+/// A shard's copy of that on a disk of its own machine, in $TMPDIR: a new folder, which nobody
+/// can have prepared and which goes with this object. Code in a plan's folder that others could
+/// have written is not taken; the shard then compiles its own.
+class ShardCache {
+ public:
+  explicit ShardCache(const std::filesystem::path& run);
+  ~ShardCache();
+  ShardCache(const ShardCache&) = delete;
+  ShardCache& operator=(const ShardCache&) = delete;
+
+ private:
+  std::string folder_;
+};
 
 /// Has the system write a file or a folder to the disk. Throws FileError.
 void sync(const std::filesystem::path& path);

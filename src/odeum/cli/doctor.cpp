@@ -4,6 +4,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
+#include "odeum/formula/cache.hpp"
 #include "odeum/solvers/loaded.hpp"
 #include "odeum/solvers/runtime_library.hpp"
 
@@ -23,6 +24,9 @@ void add_doctor(CLI::App& app) {
     const std::string fmi = fmi_support();
     text += fmt::format("{:<10} {}\n", "fmi",
                         fmi.empty() ? "not built in; configure with -DODEUM_WITH_FMI=ON" : fmi);
+    const formula::CacheFolder cache = formula::find_cache_folder();
+    text +=
+        fmt::format("cache      {}\n", cache.path.empty() ? "none: " + cache.problem : cache.path);
     std::size_t solvers = all_solvers().size();
     text += fmt::format("cases      {}\nsolvers    {}\n", known_ids().size(), solvers);
     print(text);

@@ -83,7 +83,9 @@ int make_plan(const PlanOptions& options, const std::vector<std::string>& words,
   here.role = Role::plan;
   here.share.plan = std::make_shared<study::PlannedTasks>();
   const record::OutputFolder folder(options.run);
-  if (fs::exists(folder.path() / "plan.json") && !fs::is_empty(folder.path() / "shards"))
+  const fs::path shards_of_it = folder.path() / "shards";
+  if (fs::exists(folder.path() / "plan.json") && fs::exists(shards_of_it) &&
+      !fs::is_empty(shards_of_it))
     throw UsageError("--out {}: has shards of a plan already; expected a new folder", options.run);
   seconds_of_tasks();  // the user's, and not the plan's
   keep_code_in(folder.path());
@@ -143,7 +145,7 @@ int run_shard(const PlanOptions& options, const Again& again) {
     remark("shard {} {}; it is run again", options.shard, fault);
     fs::remove_all(done);
   }
-  take_code_of(here.run, plan.id);
+  const ShardCache cache(here.run);
   const auto start = std::chrono::steady_clock::now();
   const record::OutputFolder folder(doing);
   fs::create_directories(doing / "results");

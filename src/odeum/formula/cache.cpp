@@ -2,6 +2,8 @@
 #include "odeum/formula/cache.hpp"
 
 #include <fmt/format.h>
+#include <grp.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -58,7 +60,47 @@ std::string sealed(const std::string& name, const std::string& text) {
   return text + content_key(name + '\n' + text) + '\n';
 }
 
+/// The group to which nobody but this user belongs: the one of their name that many systems give
+/// to each user. Nothing where there is none.
+std::optional<gid_t> own_group() {
+  const passwd* const user = ::getpwuid(::geteuid());
+  if (!user) return std::nullopt;
+  const std::string name = user->pw_name;
+  const gid_t id = user->pw_gid;
+  const group* const members = ::getgrgid(id);
+  if (!members || name != members->gr_name) return std::nullopt;
+  for (char** each = members->gr_mem; *each; ++each)
+    if (name != *each) return std::nullopt;
+  return id;
+}
+
+/// Whether another user may put entries into a folder, or in place of its own.
+bool others_write(const struct stat& status) {
+  static const std::optional<gid_t> own = own_group();  // once: the look-up is not thread-safe
+  return (status.st_mode & S_IWOTH) != 0 ||
+         ((status.st_mode & S_IWGRP) != 0 && own != status.st_gid);
+}
+
 }  // namespace
+
+std::string why_not_private(const fs::path& folder) {
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+    return folder.string() + " is no folder";
+  if (status.st_uid != ::geteuid()) return folder.string() + " belongs to another user";
+  if (others_write(status)) return "others may write in " + folder.string();
+  for (fs::path above = folder.parent_path();; above = above.parent_path()) {
+    if (::lstat(above.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+      return above.string() + " is no folder";
+    if (status.st_uid != ::geteuid() && status.st_uid != 0)
+      return above.string() + " belongs to another user, who could replace " + folder.string();
+    // In a folder with the sticky bit, as /tmp, entries are replaced by their owners alone.
+    if (others_write(status) && (status.st_mode & S_ISVTX) == 0)
+      return fmt::format("others may write in {} and could replace {}", above.string(),
+                         folder.string());
+    if (above == above.root_path()) return "";
+  }
+}
 
 std::string content_key(const std::string& text) {
   std::uint64_t a = 0xcbf29ce484222325U, b = 0x84222325cbf29ce4U;  // FNV-1a, twice
@@ -74,22 +116,23 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-std::string cache_folder() {
+CacheFolder find_cache_folder() {
   fs::path base = environment("XDG_CACHE_HOME");
   if (base.empty() && !environment("HOME").empty()) base = environment("HOME") + "/.cache";
-  if (!base.is_absolute()) return "";
-  const fs::path folder = base / "odeum";
+  if (!base.is_absolute()) return {"", "neither $XDG_CACHE_HOME nor $HOME is an absolute path"};
   std::error_code failed;
   fs::create_directories(base, failed);
+  // Links are resolved once: what is checked is what is used.
+  const fs::path real = fs::canonical(base, failed);
+  if (failed) return {"", fmt::format("{}: {}", base.string(), failed.message())};
+  const fs::path folder = real / "odeum";
   ::mkdir(folder.c_str(), 0700);
-  struct stat status {};
-  // Code is loaded from here: no other user may have put it there.
-  if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
-      status.st_uid != ::geteuid() || (status.st_mode & 022U) != 0)
-    return "";
-  if ((status.st_mode & 077U) != 0 && ::chmod(folder.c_str(), 0700) != 0) return "";
-  return folder.string();
+  if (std::string why = why_not_private(folder); !why.empty()) return {"", std::move(why)};
+  if (::chmod(folder.c_str(), 0700) != 0) return {"", folder.string() + " cannot be closed"};
+  return {folder.string(), ""};
 }
+
+std::string cache_folder() { return find_cache_folder().path; }
 
 std::string unfinished_in(const fs::path& folder) {
   return (folder / fmt::format("{}{}-{}-XXXXXX", unfinished, host(), ::getpid())).string();

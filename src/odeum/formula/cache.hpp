@@ -6,9 +6,19 @@
 
 namespace odeum::formula {
 
+/// Why code that lies in a folder (a canonical path) could be that of another user: the folder
+/// is not this user's, or others may write in it, or could put another folder in its place. Empty:
+/// it could not.
+std::string why_not_private(const std::filesystem::path& folder);
+
 /// The folder in which the program keeps what it computed: $XDG_CACHE_HOME/odeum, else
-/// $HOME/.cache/odeum, made for its owner alone. Empty where there is none that can be used: not
-/// one of another user, nor one in which others may write.
+/// $HOME/.cache/odeum, made for its owner alone. Code is loaded from there, so that `path` is empty
+/// where the folder is not private; `problem` then says why.
+struct CacheFolder {
+  std::string path, problem;
+};
+CacheFolder find_cache_folder();
+/// Its path alone.
 std::string cache_folder();
 /// A variable of the environment; empty where there is none of that name.
 std::string environment(const char* name);
