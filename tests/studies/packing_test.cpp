@@ -41,6 +41,12 @@ TEST(Packing, TimedTasksHaveShardsOfTheirOwnBehindTheOthers) {
   EXPECT_EQ(pack(tasks_of({1, 1}, 0), 1).first_alone, 0U);
 }
 
+TEST(Packing, OneShardHasTimedTasksAndTheOthers) {
+  const Packing packing = pack(tasks_of({1, 2, 6}, 2), 1);
+  EXPECT_EQ(packing.seconds, std::vector<double>{9});
+  EXPECT_EQ(packing.first_alone, 0U);
+}
+
 // Earlier runs are believed, a sample is timed, and the rest is as long as the nearest of these.
 TEST(PlannedTasks, TakeWhatIsKnownOrNearest) {
   PlannedTasks tasks;

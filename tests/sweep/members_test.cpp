@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/sweep/members.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace odeum::sweep::members_test {
@@ -48,6 +50,17 @@ TEST(SweepMembers, DrawsFollowFromTheirNumberAndTheSeed) {
   EXPECT_EQ(members.values(123)[3], 1);
   EXPECT_EQ(members.values(20'123)[3], 2);
   EXPECT_EQ(members.values(123)[0], members.values(20'123)[0]);
+}
+
+// The key of a draw held sixteen axes: the 17th of a draw had the value of the first of the next.
+TEST(SweepMembers, NoAxisRepeatsAnother) {
+  std::vector<Axis> axes;
+  for (int k = 0; k < 40; ++k) axes.push_back(axis_of(fmt::format("k{}~uniform(0,1)", k)));
+  const Members members(axes, 1000, 3);
+  std::set<double> seen;
+  for (std::uint64_t member = 0; member < 1000; ++member)
+    for (const double value : members.values(member)) seen.insert(value);
+  EXPECT_EQ(seen.size(), 40'000U);
 }
 
 TEST(SweepMembers, ATableIsReadWithItsLines) {

@@ -10,6 +10,7 @@
 #include "odeum/cli/session.hpp"
 #include "odeum/core/build_info.hpp"
 #include "odeum/core/parallel.hpp"
+#include "odeum/core/standard_streams.hpp"
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -87,10 +88,10 @@ int run(const std::vector<std::string>& words) {
     return app.exit(help) == 0 ? success : usage;
   } catch (const CLI::ParseError& error) {
     const bool unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    fmt::print(stderr, "odeum: {}{}\n", error.what(), unknown ? hint_of(app) : "");
+    odeum::tell(fmt::format("odeum: {}{}\n", error.what(), unknown ? hint_of(app) : ""));
     const CLI::App* at = &app;
     if (!app.get_subcommands().empty()) at = app.get_subcommands().front();
-    fmt::print(stderr, "see {} --help\n", at == &app ? "odeum" : "odeum " + at->get_name());
+    odeum::tell(fmt::format("see {} --help\n", at == &app ? "odeum" : "odeum " + at->get_name()));
     return usage;
   }
   if (app.get_subcommands().empty()) print(introduction);
@@ -98,13 +99,14 @@ int run(const std::vector<std::string>& words) {
 }
 
 int ended(ExitCode code, const std::string& why) {
-  fmt::print(stderr, "odeum: {}\n", why);
+  odeum::tell(fmt::format("odeum: {}\n", why));
   return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  odeum::open_standard_streams();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::signal(SIGPIPE, SIG_IGN);

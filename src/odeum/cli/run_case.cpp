@@ -13,6 +13,7 @@
 #include "odeum/cli/run.hpp"
 #include "odeum/cli/run_rows.hpp"
 #include "odeum/core/interrupt.hpp"
+#include "odeum/core/standard_streams.hpp"
 #include "odeum/input/yaml_tree.hpp"
 #include "odeum/record/csv.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -215,7 +216,7 @@ int run_solvers(Case c, const Assignments& sets, RunOptions options, bool from_f
   for (const std::string& solver : options.solvers) runs.push_back(prepare(c, solver, options));
   // Beside rows, what people read goes where remarks go.
   const auto say = [&](const std::string& text) {
-    options.format == "json" ? fmt::print(stderr, "{}", text) : print(text);
+    options.format == "json" ? tell(text) : print(text);
   };
   for (const auto& [name, value] : sets) say(fmt::format("set     {} = {}\n", name, value));
   say(fmt::format("case    {}: {}\n", c.id, c.equation));
@@ -266,7 +267,7 @@ int run_problem(const RunOptions& options) {
   for (const auto& [name, fact] : c.facts)
     text += fmt::format("{:<9}  {}\n", name, report::plain(fact));
   for (const std::string& line : describe_fits(c.entrants, options.verbose)) text += line + "\n";
-  rows ? fmt::print(stderr, "{}", text) : print(text);
+  rows ? tell(text) : print(text);
   const bool asked = has_setting(options.settings) || !options.out.empty();
   if (options.solvers.empty() && !asked) return success;
   return run_solvers(c, {}, options, true, first);

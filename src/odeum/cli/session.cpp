@@ -13,6 +13,7 @@
 #include "odeum/cases/catalogue.hpp"
 #include "odeum/cases/scene_case.hpp"
 #include "odeum/core/glob.hpp"
+#include "odeum/core/standard_streams.hpp"
 #include "odeum/input/near_words.hpp"
 #include "odeum/record/output_folder.hpp"
 #include "odeum/solvers/runtime_library.hpp"
@@ -88,7 +89,7 @@ void print(const std::string& text) {
       fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
 }
 
-void remark(const std::string& text) { fmt::print(stderr, "{}\n", text); }
+void remark(const std::string& text) { tell(text + "\n"); }
 
 void remark_on_page(bool written) {
   if (written) return;
@@ -137,10 +138,12 @@ const Entrant& find_entrant(const Entrants& entrants, const std::string& on,
 
 unsigned StudyOptions::jobs_or_cores() const {
   if (jobs) return jobs;
-  // What a task of Slurm was given, where it is not bound to it.
+  const unsigned here = std::max(1U, std::thread::hardware_concurrency());
+  // The cores that a task of Slurm was given, where it is not bound to them.
   if (const char* const given = std::getenv("SLURM_CPUS_PER_TASK"))
-    if (const int cores = std::atoi(given); cores > 0) return static_cast<unsigned>(cores);
-  return std::max(1U, std::thread::hardware_concurrency());
+    if (const int cores = std::atoi(given); cores > 0)
+      return std::min(here, static_cast<unsigned>(cores));
+  return here;
 }
 
 void add_study_options(CLI::App& command, StudyOptions& options) {

@@ -60,6 +60,11 @@ Packing pack(const PlannedTasks& foreseen, double shards) {
   std::vector<std::size_t> beside, alone;
   for (std::size_t task = 0; task < foreseen.seconds.size(); ++task)
     (foreseen.alone[task] ? alone : beside).push_back(task);
+  // One shard has all, alone on its machine.
+  if (shards < 2 && !alone.empty()) {
+    alone.insert(alone.end(), beside.begin(), beside.end());
+    beside.clear();
+  }
   Packing packing;
   packing.shares.resize(foreseen.seconds.size());
   const double of_alone = length_of(foreseen, alone), of_beside = length_of(foreseen, beside),

@@ -79,13 +79,17 @@ bool read_distribution(const std::string& text, Axis& axis) {
   return name == "normal";
 }
 
-// The output of SplitMix64 (Steele, Lea, Flood 2014) for a key, in (0, 1).
-double uniform(std::uint64_t key) {
+// The output of SplitMix64 (Steele, Lea, Flood 2014) for a key.
+std::uint64_t mixed(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15U;
   key = (key ^ key >> 30U) * 0xbf58476d1ce4e5b9U;
   key = (key ^ key >> 27U) * 0x94d049bb133111ebU;
-  key ^= key >> 31U;
-  return (static_cast<double>(key >> 11U) + 0.5) * 0x1p-53;
+  return key ^ key >> 31U;
+}
+
+// In (0, 1).
+double uniform(std::uint64_t key) {
+  return (static_cast<double>(mixed(key) >> 11U) + 0.5) * 0x1p-53;
 }
 
 }  // namespace
@@ -195,7 +199,8 @@ std::vector<double> Members::values(std::uint64_t member) const {
       values[k] = axis.values[rest % axis.values.size()];
       rest /= axis.values.size();
     } else {
-      const std::uint64_t key = ((seed_ * 0x100000001b3U + draw) << 5U) + 2 * k;
+      // The draw is mixed before the axis is added: no two of (seed, draw, axis) share a key.
+      const std::uint64_t key = mixed(mixed(seed_) + draw) + 2 * k;
       values[k] = axis.drawn(uniform(key), uniform(key + 1));
     }
   }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Commands whose standard output or standard error is closed, full, or read by nobody.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace odeum::standard_streams_test {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::Result;
+using tests::shell;
+
+/// A quick run of each command, in a folder of its own.
+constexpr const char* commands[] = {
+    "list solvers",
+    "doctor",
+    "--help",
+    "no_such_command",
+    "run free_fall --solver rk4 --step 0.1",
+    "run hanging_cloth --until 0.05 --out out",
+    "run no_such_case --solver rk4 --step 0.1",
+    "converge free_fall --solver rk4 --solver heun --quick --out out",
+    "stability free_fall --solver heun --out out",
+    "drift kepler_e06 --solver rk4 --quick --out out",
+    "precision dahlquist_real --solver rk4 --seconds 0.05 --out out",
+    "advise dahlquist_real --error 1e-3 --solver odeum/rk4 --seconds 1",
+    "why dahlquist_real --solver rk4 --step 0.1 --seconds 1",
+    "sweep lotka_volterra --over a=1,1.5 --solver rk4 --step 0.1 --out out",
+    "plan converge free_fall --solver rk4 --quick --shards 1 --out plan",
+    "verify no_such_file.yaml",
+    "completion bash",
+};
+
+class StandardStreams : public testing::TestWithParam<const char*> {
+ protected:
+  /// The exit code of the command with these redirections, the last word of what is printed.
+  int code(const std::string& redirections) const {
+    const Result result =
+        shell("cd '" + folder_.path().string() + "' && rm -rf out plan && { (odeum " + GetParam() +
+              " " + redirections + "); echo \"code $?\"; }");
+    const std::size_t at = result.output.rfind("code ");
+    return at == std::string::npos ? -1 : std::stoi(result.output.substr(at + 5));
+  }
+  void expect_no_output_in_files() const {
+    for (const char* name : {"out/.lock", "plan/.lock"})
+      if (fs::exists(folder_.path() / name))
+        EXPECT_LT(fs::file_size(folder_.path() / name), 200U) << name << " has what was printed";
+  }
+  tests::TemporaryFolder folder_;
+};
+
+TEST_P(StandardStreams, AnErrorThatNobodyReadsEndsNoCommand) {
+  const int right = code("2>/dev/null");
+  EXPECT_LT(right, 5);
+  EXPECT_EQ(code("2>/dev/full"), right);
+  EXPECT_EQ(code("2>&-"), right);
+  expect_no_output_in_files();
+}
+
+TEST_P(StandardStreams, AClosedOutputIsAnErrorOfWriting) {
+  constexpr int file_failed = 4;
+  const int right = code("2>/dev/null");
+  const bool prints = shell("cd '" + folder_.path().string() + "' && rm -rf out plan; odeum " +
+                            GetParam() + " 2>/dev/null")
+                          .output.size() > 0;
+  for (const char* closed : {">&-", ">&- 2>&-", "<&- >&- 2>&-"})
+    EXPECT_EQ(code(closed), prints ? file_failed : right) << closed;
+  expect_no_output_in_files();
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, StandardStreams, testing::ValuesIn(commands));
+
+}  // namespace
+}  // namespace odeum::standard_streams_test
