@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "odeum/core/shell_word.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -52,13 +53,15 @@ TEST(Picture, IsAPngFile) {
 
 TEST(Film, OfAScenesRunIsWrittenWithTheLineOfFfmpeg) {
   const tests::TemporaryFolder folder;
-  const std::string out = (folder.path() / "out").string();
+  // A name that a shell and the pattern of ffmpeg would read otherwise.
+  const std::string out = (folder.path() / "it's 5%").string();
   const tests::Result result = tests::shell(
       "odeum run spring_explicit_euler --solver explicit_euler --step 0.05 --until 1 --no-truth "
       "--frames 3 --out " +
-      out);
+      shell_word(out));
   EXPECT_EQ(result.code, 0) << result.output;
-  EXPECT_NE(result.output.find("ffmpeg -framerate 2 -i '" + out + "/film/%04d.png'"),
+  EXPECT_NE(result.output.find("ffmpeg -framerate 2 -i " + shell_word(out + "%/film/%04d.png") +
+                               " -pix_fmt yuv420p " + shell_word(out + "/film.mp4")),
             std::string::npos)
       << result.output;
   for (const char* name : {"0001", "0002", "0003"})

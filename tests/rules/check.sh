@@ -7,7 +7,7 @@ set -eu
 at=$(mktemp -d)
 trap 'rm -rf "$at"' EXIT
 mkdir -p "$at/scripts" "$at/build/asan/tests" "$at/bin"
-cp "$1/scripts/check" "$at/scripts/check"
+cp "$1/scripts/check" "$1/scripts/usage" "$at/scripts/"
 fake() { printf '#!/bin/sh\n%s\n' "$2" >"$1" && chmod +x "$1"; }
 fails() {
   if output=$("$@" 2>&1); then echo "$*: passed: $output" && exit 1; fi

@@ -85,17 +85,6 @@ std::map<std::string, double> library_options(const RunOptions& options, const S
   return values;
 }
 
-std::string shell_word(const std::string& word) {
-  const bool plain = std::ranges::all_of(word, [](unsigned char c) {
-    return std::isalnum(c) ||
-           std::string_view("_./=+-,:@%").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command) {
   std::string words;
   for (const std::string& set : sets) words += " --set " + shell_word(set);

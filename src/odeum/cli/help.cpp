@@ -13,19 +13,21 @@
 namespace odeum::cli {
 namespace {
 
+constexpr std::size_t explanations = 30;  // CLI11's column
+
 std::size_t width_of_terminal() {
-  constexpr std::size_t least = 40;
+  constexpr std::size_t least = 40, otherwise = 100;
   winsize size{};
-  std::size_t width = 0;
-  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) width = size.ws_col;
-  if (const char* const columns = std::getenv("COLUMNS"); width == 0 && columns)
+  std::size_t width = otherwise;
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    width = size.ws_col;
+  else if (const char* const columns = std::getenv("COLUMNS"))
     width = std::strtoul(columns, nullptr, 10);
   return width == 0 ? 0 : std::max(width, least);
 }
 
 /// A line that begins with two spaces goes on below the explanations.
 std::string wrapped_line(std::string line, std::size_t width) {
-  constexpr std::size_t explanations = 30;  // CLI11's column
   const std::size_t indent = !line.starts_with("  ") ? 0 : std::min(explanations, width / 2);
   std::string text;
   while (line.size() > width) {
@@ -53,6 +55,15 @@ std::string WrappedHelp::make_help(const CLI::App* app, std::string name,
   std::string out;
   for (std::string line; std::getline(lines, line);) out += wrapped_line(line, width);
   return out;
+}
+
+std::string WrappedHelp::make_option(const CLI::Option* option, bool is_positional) const {
+  std::string text = "  " + make_option_name(option, is_positional) + make_option_opts(option);
+  const std::string explanation = make_option_desc(option);
+  if (explanation.empty()) return text + '\n';
+  if (text.size() + 2 > explanations) text += "\n";
+  const std::size_t filled = text.ends_with('\n') ? 0 : text.size();
+  return text + std::string(explanations - filled, ' ') + explanation + '\n';
 }
 
 std::string hint_of(const CLI::App& app) {

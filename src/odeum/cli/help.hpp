@@ -5,12 +5,14 @@
 
 namespace odeum::cli {
 
-/// CLI11's help in lines of the terminal's width where words allow it, of $COLUMNS where there is
-/// no terminal, else as long as they are.
+/// CLI11's help in lines of the terminal's width where words allow it; where there is no terminal,
+/// of $COLUMNS, or of 100 columns. COLUMNS=0 has lines as long as they are.
 class WrappedHelp : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override;
+  /// A name that reaches into the explanations has its own on the next line.
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
 };
 
 /// For arguments that the command (a subcommand of `app`, or itself) does not know: the nearest of

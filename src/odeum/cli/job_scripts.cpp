@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "odeum/cli/problems.hpp"
+#include "odeum/core/shell_word.hpp"
 
 namespace odeum::cli {
 namespace {

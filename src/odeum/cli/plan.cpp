@@ -62,7 +62,7 @@ void print_plan(const PlanOptions& options, const study::PlannedTasks& foreseen,
   if (shards < options.shards)
     print("note    fewer than {} shards, since a task is not split\n", options.shards);
   print(
-      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P {2} -I K odeum shard {0} K\n"
+      "slurm   sh {0}/submit.sh\nhere    seq 0 {1} | xargs -P {2} -n 1 odeum shard {0}\n"
       "then    odeum merge {0} --out DIR\n",
       shell_word(options.run), shards - 1, packing.first_alone < shards ? 1 : 2);
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/core/shell_word.hpp"
 #include "odeum/report/facts.hpp"
 #include "odeum/solvers/case.hpp"
 
@@ -71,8 +72,6 @@ Case case_of(const std::string& what, const ProblemOptions& options, const SpanC
 std::string struct_of(const std::string& what, const ProblemOptions& options, const Case& c,
                       const SolverInfo& solver);
 
-/// As one word of a shell.
-std::string shell_word(const std::string& word);
 /// The words that say `sets`, the chosen case and the plug-ins of `command`, each after a space.
 std::string words_of(const std::vector<std::string>& sets, const CLI::App& command);
 

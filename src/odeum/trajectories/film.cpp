@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "odeum/core/shell_word.hpp"
 #include "odeum/trajectories/raster.hpp"
 
 namespace odeum::trajectories {
@@ -206,11 +207,11 @@ std::string write_film(const record::OutputFolder& folder, const scene::Scene& s
                  picture_of(view, scene, run.frames[frames[k]]));
   const double duration = run.frames[frames.back()].t - run.frames[frames.front()].t;
   const double rate = duration > 0 ? static_cast<double>(frames.size() - 1) / duration : 25;
-  std::string path = (folder.path() / in).string();
+  std::string path = (folder.path() / in).string(), pattern;
   if (path.ends_with('/')) path.pop_back();
-  return fmt::format(
-      "ffmpeg -framerate {:.6g} -i '{}/film/%04d.png' -pix_fmt yuv420p '{}/film.mp4'", rate, path,
-      path);
+  for (const char c : path) pattern += c == '%' ? "%%" : std::string(1, c);
+  return fmt::format("ffmpeg -framerate {:.6g} -i {} -pix_fmt yuv420p {}", rate,
+                     shell_word(pattern + "/film/%04d.png"), shell_word(path + "/film.mp4"));
 }
 
 }  // namespace odeum::trajectories
