@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Computes the right ends of the texts by SciPy, and writes them into texts/ends.csv. No solver of Odeum enters.
+
+tests/outside/ends.py [NAME...]    default: the texts that ends.csv does not have
+
+Columns: two_runs_differ_by is the absolute distance of two runs, by the same method at two tolerances; a method of
+another family is to agree with them to 1e-6 of the state's largest value. largest: of the state along the run.
+amplification: the largest of what the fundamental matrix makes of an error between any of 13 times and the end, in units
+of `largest` (row sums), by finite differences of runs. Needs SciPy and PyYAML."""
+import csv, math, pathlib, sys, time
+import numpy as np
+from scipy.integrate import solve_ivp
+from model import Model
+
+folder = pathlib.Path(__file__).resolve().parent / "texts"
+table = folder / "ends.csv"
+columns = ["problem", "end", "component", "value", "two_runs_differ_by", "largest", "amplification"]
+PARTS = 12
+
+
+class Many(Exception):
+    """More evaluations than a method is given."""
+
+
+def switches(model):
+    """Times within the span at which a condition of the time alone changes: sides without states, sampled and bisected."""
+    span = model.end - model.start
+    constant, first = [], model.sides(model.start, model.y0)
+    other = [y + 1e-3 * (1 + abs(y)) for y in model.y0]
+    for k in range(len(first)):
+        try:
+            alone = all(model.sides(model.start + f * span, model.y0)[k] == model.sides(model.start + f * span, other)[k]
+                        for f in (0, 0.37, 0.91))
+        except (ValueError, ZeroDivisionError, OverflowError):
+            alone = False
+        if alone:
+            constant.append(k)
+    found = set()
+    # A side t - c, which a sample may pass by twice.
+    for k in constant:
+        side = lambda t: model.sides(t, model.y0)[k]
+        slope = side(model.end) - side(model.start)
+        if slope and abs(side(model.start + span / 3) - side(model.start) - slope / 3) < 1e-12 * abs(slope):
+            at = model.start - side(model.start) * span / slope
+            found.add(float(f"{at:.14g}"))
+    if constant:
+        grid = [model.start + span * i / 20000 for i in range(20001)]
+        values = [model.sides(t, model.y0) for t in grid]
+        for k in constant:
+            for i in range(20000):
+                if (values[i][k] > 0) != (values[i + 1][k] > 0):
+                    low, high, up = grid[i], grid[i + 1], values[i + 1][k] > 0
+                    for _ in range(80):
+                        middle = (low + high) / 2
+                        if (model.sides(middle, model.y0)[k] > 0) == up:
+                            high = middle
+                        else:
+                            low = middle
+                    if not any(abs(each - high) < 1e-11 * span for each in found):
+                        found.add(high)
+    return sorted(each for each in found if model.start < each < model.end)
+
+
+def guarded(model, most):
+    count = [0]
+
+    def rhs(t, y):
+        count[0] += 1
+        if count[0] > most:
+            raise Many
+        try:
+            return model.rhs(t, y.tolist())
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return [math.nan] * len(y)
+    return rhs
+
+
+def run(model, method, rtol, atol, begin, end, y, breaks, most=10**9):
+    """The end, and the largest of each state along the steps."""
+    y, largest = np.array(y, float), np.abs(np.array(y, float))
+    times = [begin, *[each for each in breaks if begin < each < end], end]
+    rhs = guarded(model, most)
+    for low, high in zip(times, times[1:]):
+        model.clock[:] = [math.nextafter(low, math.inf), math.nextafter(high, -math.inf)]
+        if method == "LSODA" and high - low < 1e-10 * abs(low):
+            method = "Radau"
+        got = solve_ivp(rhs, (low, high), y, method=method, rtol=rtol, atol=atol)
+        if not got.success:
+            raise RuntimeError(f"{method}: {got.message} at t = {got.t[-1]}")
+        y, largest = got.y[:, -1], np.maximum(largest, np.abs(got.y).max(axis=1))
+    model.clock[:] = [-math.inf, math.inf]
+    return y, largest
+
+
+def end_of(model, breaks):
+    span = (model.start, model.end, model.y0, breaks)
+    # Sizes first, of states as small as a trace too.
+    size = np.full(len(model.y0), 1e-6 * max(map(abs, model.y0)) or 1e-6)
+    for _ in range(2):
+        try:
+            largest = run(model, "LSODA", 1e-7, 1e-9 * size, *span, most=10**5)[1]
+        except (Many, RuntimeError):
+            largest = run(model, "Radau", 1e-7, 1e-9 * size, *span)[1]
+        size = np.where(largest > 0, largest, 1)
+    try:
+        method, tolerances = "DOP853", (2.5e-14, 1e-12)
+        best, largest = run(model, method, tolerances[0], 1e-2 * tolerances[0] * size, *span, most=3 * 10**5)
+    except (Many, RuntimeError):
+        method, tolerances = "Radau", (1e-11, 1e-10)
+        best, largest = run(model, method, tolerances[0], 1e-2 * tolerances[0] * size, *span)
+    again, _ = run(model, method, tolerances[1], 1e-2 * tolerances[1] * size, *span)
+    other, _ = run(model, "Radau" if method == "DOP853" else "LSODA", 1e-9, 1e-11 * size, *span)
+    apart = np.max(np.abs(other - best) / size)
+    return best, np.abs(best - again), largest, method, apart
+
+
+def amplification_of(model, breaks, largest):
+    """Of the fundamental matrices between PARTS + 1 times, by differences; all in units of the largest."""
+    size = np.where(largest > 0, largest, 1)
+    n, y = len(size), np.array(model.y0, float)
+    times = [model.start + (model.end - model.start) * k / PARTS for k in range(PARTS + 1)]
+    parts = []
+    for low, high in zip(times, times[1:]):
+        solve = lambda start: run(model, "LSODA", 1e-10, 1e-13 * size, low, high, start, breaks)[0]
+        base, part = solve(y), np.empty((n, n))
+        for j in range(n):
+            shifted = y.copy()
+            shifted[j] += 1e-6 * size[j]
+            part[:, j] = (solve(shifted) - base) / (1e-6 * size)
+        parts.append(part)
+        y = base
+    matrix, most = np.eye(n), 1.0
+    for part in reversed(parts):
+        matrix = matrix @ part
+        most = max(most, np.abs(matrix).sum(axis=1).max())
+    return most
+
+
+def rows_of(name):
+    begin, model = time.process_time(), Model(folder / f"{name}.yaml")
+    breaks = switches(model)
+    best, differ, largest, method, apart = end_of(model, breaks)
+    most = amplification_of(model, breaks, largest)
+    print(f"{name}: {method}, {len(breaks)} switches, two runs differ by {max(differ):.1e}, another family by "
+          f"{apart:.1e} of the largest, amplification {most:.2g}, {time.process_time() - begin:.1f} s", flush=True)
+    if apart > 1e-6 * max(1, most):
+        print(f"{name}: NOT CERTAIN: a method of another family ends elsewhere", flush=True)
+    return [[name, repr(model.end), i + 1, repr(float(best[i])), repr(float(differ[i])), f"{largest[i]:.6g}", f"{most:.3g}"]
+            for i in range(len(best))]
+
+
+def main():
+    rows = {}
+    if table.exists():
+        with open(table, encoding="utf-8") as file:
+            for row in csv.reader(file):
+                if row[0] != "problem":
+                    rows.setdefault(row[0], []).append(row)
+    names = sys.argv[1:] or sorted({path.stem for path in folder.glob("*.yaml")} - set(rows))
+    for name in names:
+        try:
+            rows[name] = rows_of(name)
+        except Exception as error:  # of one text; the others go on
+            print(f"{name}: FAILED: {type(error).__name__}: {error}", flush=True)
+            continue
+        with open(table, "w", encoding="utf-8", newline="") as file:
+            out = csv.writer(file, lineterminator="\n")
+            out.writerow(columns)
+            for each in sorted(rows):
+                out.writerows(rows[each])
+
+
+main()
