@@ -3,26 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "advise/answers.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace odeum::advise_test {
 namespace {
 
+using advise_tests::number_after;
 using tests::Result;
 using tests::shell;
-
-/// The number after a word at the start of a line.
-double number_after(const std::string& text, const std::string& word) {
-  double value = -1;
-  const std::size_t at = text.find("\n" + word);
-  if (at != std::string::npos) std::sscanf(text.c_str() + at + 1 + word.size(), "%lf", &value);
-  return value;
-}
 
 /// The advice keeps to the error, and its command gives the error and the counts that it says.
 void expect_true(const std::string& arguments, double asked) {
@@ -39,6 +32,7 @@ void expect_true(const std::string& arguments, double asked) {
   const std::string command = advice["command"];
   const Result run = shell(command);
   EXPECT_EQ(run.code, 0) << command << "\n" << run.output;
+  EXPECT_LE(number_after(run.output, "error "), asked) << command << "\n" << run.output;
   EXPECT_EQ(number_after(run.output, "cost "), advice["command_evaluations"]) << run.output;
   // `odeum run` prints six digits.
   const double error = advice["command_error"];
@@ -187,12 +181,13 @@ TEST(Advise, SaysWhereNobodyReachesTheError) {
 
 TEST(Advise, RefusesWhatIsNoQuestion) {
   for (const std::string arguments :
-       {"kepler_e06 --error 1e-3 --time 1ms", "kepler_e06 --error 1e-3 --frame 1/60",
-        "kepler_e06 --time 1xs", "kepler_e06 --time -1ms", "kepler_e06 --time 1ms --frame 1/0",
-        "kepler_e06 --error 0", "kepler_e06 --error nan", "kepler_e06",
-        "kepler_e06 --error 1e-3 --horizon 10", "kepler_e06 --error 1e-3 --energy 1e-3 --horizon 1",
-        "vdp_mu1 --error 1e-3 --energy 1e-3", "kepler_e06 --time 1ms --energy 1e-3",
-        "lorenz_kehlet_logg --error 1e-3 --vary q=1..2",
+       {"kepler_e06 --error 1e-3 --time 1ms", "kepler_e06 --frame 1/60",
+        "kepler_e06 --error 1e-3 --until -1", "kepler_e06 --error 1e-3 --solver no_such_method",
+        "kepler_e06 --error 1e-3 --frame 1e-9", "kepler_e06 --time 1xs", "kepler_e06 --time -1ms",
+        "kepler_e06 --time 1ms --frame 1/0", "kepler_e06 --error 0", "kepler_e06 --error nan",
+        "kepler_e06", "kepler_e06 --error 1e-3 --horizon 10",
+        "kepler_e06 --error 1e-3 --energy 1e-3 --horizon 1", "vdp_mu1 --error 1e-3 --energy 1e-3",
+        "kepler_e06 --time 1ms --energy 1e-3", "lorenz_kehlet_logg --error 1e-3 --vary q=1..2",
         "lotka_volterra --error 1e-3 --vary alpha=2..1", "kepler_e06 --error 1e-3 --library nobody",
         "kepler_e06 --error 1e-3 --solver bullet/*"})
     EXPECT_EQ(shell("odeum advise " + arguments).code, 2) << arguments;

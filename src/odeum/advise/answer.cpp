@@ -16,15 +16,17 @@
 namespace odeum::advise {
 namespace {
 
-std::string text_of_twice(const Advice& advice) {
-  if (!advice.twice) return {};
-  const Trial& twice = *advice.twice;
-  const char* what =
-      winner_of(advice).mode == Mode::fixed ? "a step twice as long" : "ten times the tolerance";
-  if (twice.status != Status::ok)
-    return fmt::format("coarser   {}: the run ends {}\n", what, to_string(twice.status));
-  return fmt::format("coarser   {}: error {:.3g}, {} steps\n", what, twice.state_error(),
-                     twice.counters.steps);
+std::string text_of_coarser(const Advice& advice) {
+  if (!advice.coarser) return {};
+  const Trial &coarser = *advice.coarser, &found = *winner_of(advice).found;
+  const std::string what =
+      winner_of(advice).mode == Mode::fixed
+          ? fmt::format("a step {:.3g} times as long", found.fineness / coarser.fineness)
+          : fmt::format("{:.3g} times the tolerance", found.fineness / coarser.fineness);
+  if (coarser.status != Status::ok)
+    return fmt::format("coarser   {}: the run ends {}\n", what, to_string(coarser.status));
+  return fmt::format("coarser   {}: error {:.3g}, {} steps\n", what, coarser.state_error(),
+                     coarser.counters().steps);
 }
 
 std::string text_of_runners(const Advice& advice, const Case& c) {
@@ -40,12 +42,19 @@ std::string text_of_runners(const Advice& advice, const Case& c) {
                 : fmt::format("{:.2f} times the time, error {:.2g}", ns / least, error);
     text += fmt::format(" ({})\n", why);
   }
-  for (const std::size_t k : advice.timed)
-    if (const Candidate& candidate = advice.candidates[k]; candidate.closed_form())
-      text += fmt::format(
-          "apart     {} evaluates the closed form of this linear problem and is no method that "
-          "steps: {}\n",
-          candidate.entrant->info.id(), text_of_ns(candidate.times.min()));
+  std::map<std::string, double> closed;  // by solver, the faster of its modes
+  for (const std::size_t k : advice.timed) {
+    const Candidate& candidate = advice.candidates[k];
+    if (!candidate.closed_form()) continue;
+    const double ns = candidate.times.min();
+    const auto known = closed.try_emplace(candidate.entrant->info.id(), ns).first;
+    known->second = std::min(known->second, ns);
+  }
+  for (const auto& [id, ns] : closed)
+    text += fmt::format(
+        "apart     {} evaluates the closed form of this linear problem and is no method that "
+        "steps: {}\n",
+        id, text_of_ns(ns));
   return text;
 }
 
@@ -58,33 +67,37 @@ std::string sureness(const Advice& advice) {
   return text;
 }
 
-/// Names of a few, numbers by library of many.
-std::string text_of_many(const std::vector<std::string>& ids) {
-  constexpr std::size_t few = 4;
-  if (ids.size() <= few) return fmt::format("{}", fmt::join(ids, ", "));
-  std::map<std::string, int> by_library;
-  for (const std::string& id : ids) ++by_library[id.substr(0, id.find('/'))];
+/// Solvers by reason in one line, the largest groups first; a few solvers by their names.
+std::string text_of_groups(const char* head,
+                           const std::map<std::string, std::vector<std::string>>& groups) {
+  constexpr std::size_t most_groups = 4, few = 2;
+  std::vector<const std::pair<const std::string, std::vector<std::string>>*> order;
+  std::size_t count = 0;
+  for (const auto& group : groups) {
+    order.push_back(&group);
+    count += group.second.size();
+  }
+  if (order.empty()) return {};
+  std::ranges::stable_sort(order, std::ranges::greater(),
+                           [](const auto* group) { return group->second.size(); });
   std::vector<std::string> texts;
-  for (const auto& [library, count] : by_library)
-    texts.push_back(fmt::format("{} of {}", count, library));
-  return fmt::format("{}", fmt::join(texts, ", "));
+  for (std::size_t k = 0; k < order.size() && k < most_groups; ++k) {
+    const auto& [reason, ids] = *order[k];
+    texts.push_back(fmt::format("{} {}", ids.size(), reason));
+    if (ids.size() <= few) texts.back() += fmt::format(" ({})", fmt::join(ids, ", "));
+  }
+  if (order.size() > most_groups)
+    texts.push_back(fmt::format("{} more reasons", order.size() - most_groups));
+  return fmt::format("{}{}: {} (--format json names each)\n", head, count, fmt::join(texts, "; "));
 }
 
 std::string text_of_rest(const Advice& advice) {
   std::map<std::string, std::vector<std::string>> dropped;
   each_dropped(advice, [&](const Candidate& candidate) {
-    const bool within = advice.run_ns > 0;
-    const char* left = within ? "far behind within the time" : "too slow before they had the error";
-    // Of those that came so far each has its reason.
-    const bool own = candidate.dropped.empty() || candidate.found;
-    dropped[own ? reason_of(candidate, within) : left].push_back(name_of(candidate));
+    const Dropped reason = reason_of(candidate, advice.run_ns > 0);
+    dropped[reason.group.empty() ? reason.why : reason.group].push_back(name_of(candidate));
   });
-  std::string text;
-  for (const auto& [reason, ids] : dropped)
-    text += fmt::format("dropped   {}: {}\n", reason, text_of_many(ids));
-  for (const auto& [reason, ids] : advice.not_tried)
-    text += fmt::format("not tried {}: {}\n", reason, text_of_many(ids));
-  return text.empty() ? text : text + "          (--format json names each of them)\n";
+  return text_of_groups("dropped   ", dropped) + text_of_groups("not tried ", advice.not_tried);
 }
 
 /// Times of a library that was compiled without optimisation are none of its methods.
@@ -124,28 +137,37 @@ std::string text_of_wishes(const Advice& advice, const Asked& asked) {
                             ? fmt::format(", in 16 looks up to t = {:g}", advice.wishes.horizon)
                             : " at the stops");
   if (asked.points.empty()) return text;
-  const auto slower = [](const Part& a, const Part& b) { return a.ns < b.ns; };
-  const auto slow = std::ranges::max_element(found.parts, slower),
-             fast = std::ranges::min_element(found.parts, slower);
+  // Counts of the same run are the same each time.
+  const auto work = [](const Part& part) { return part.counters.rhs_evaluations; };
+  const auto [least, most] = std::ranges::minmax_element(found.parts, {}, work);
   const auto point = [&](auto part) {
-    return asked.points[static_cast<std::size_t>(part - found.parts.begin())];
+    return fmt::format(
+        "{}", fmt::join(asked.points[static_cast<std::size_t>(part - found.parts.begin())], " "));
   };
-  return text + fmt::format(
-                    "box       {} points of it; the error is largest at {}; a run takes {} at {} "
-                    "and {} at {}\n",
-                    asked.points.size(), asked.points[found.worst()], text_of_ns(fast->ns),
-                    point(fast), text_of_ns(slow->ns), point(slow));
+  text += fmt::format("box       {} points of it; the error is largest at {}; ",
+                      asked.points.size(), fmt::join(asked.points[found.worst()], " "));
+  return text + (work(*least) == work(*most)
+                     ? fmt::format("a run takes {} evaluations at each\n", work(*least))
+                     : fmt::format("a run takes {} evaluations at {} and {} at {}\n", work(*least),
+                                   point(least), work(*most), point(most)));
 }
 
-/// What `odeum run` says, where that is not what the race measured.
-std::string difference(const Advice& advice, const Case& c) {
-  const Trial &run = advice.repeated, &found = *winner_of(advice).found;
-  if (c.stops.size() == 1) return {};
-  return fmt::format(
-      "the command has no stop but the end: error there {:.6g} and {} evaluations, against {:.6g} "
-      "at {} stops and {}",
-      run.error, run.counters.rhs_evaluations, found.state_error(), c.stops.size(),
-      found.counters.rhs_evaluations);
+/// What `odeum run` says, where that is not the error of the answer.
+std::string text_of_run(const Advice& advice, const Case& c, const Asked& asked) {
+  const Part& part = winner_of(advice).found->parts[winner_of(advice).found->worst()];
+  std::string text = fmt::format("run       {}\n", command_of(advice, c, asked));
+  if (advice.on_stops)
+    return text + "          its steps end on the stops, without which it misses the error\n";
+  if (part.end_error < part.error)
+    text += fmt::format("          error at its end: {:.6g}\n", part.end_error);
+  return text;
+}
+
+/// The time up to which there is an answer, where that is not the whole.
+std::string text_of_part(const Case& c) {
+  const std::optional<double> until = known_part(c);
+  return until ? fmt::format("no answer beyond t = {:g} of {:g}; up to there: ", *until, c.end())
+               : "";
 }
 
 }  // namespace
@@ -155,25 +177,27 @@ std::string text_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
   const Trial& found = *winner.found;
   std::string text = fmt::format(
-      "{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n", name_of(winner),
-      setting_of(found.request(), c.t0), found.state_error(), advice.floor,
+      "{}{} {:.4g}: error {:.3g} (+- {:.1g}), {}, in {} ({} median of {}){}\n", text_of_part(c),
+      name_of(winner), setting_of(found.request(), c.t0), found.state_error(), advice.floor,
       c.scale.empty() ? "absolute" : "in the units of the scale", text_of_ns(winner.times.min()),
       text_of_ns(winner.times.median()), winner.times.ns.size(), sureness(advice));
   if (advice.frames > 0)
-    text += fmt::format("frame     {:g} steps of it a frame, {} of the {} given\n",
-                        static_cast<double>(found.request().steps) / advice.frames,
-                        text_of_ns(winner.times.min() / advice.frames),
-                        text_of_ns(advice.wishes.time_ns));
+    text +=
+        fmt::format("frame     {:g} steps of it a frame, {}{}\n",
+                    static_cast<double>(found.request().steps) / advice.frames,
+                    text_of_ns(winner.times.min() / advice.frames),
+                    advice.run_ns > 0
+                        ? fmt::format(" of the {} given", text_of_ns(advice.wishes.time_ns))
+                        : fmt::format("; the error is the largest at {:g} frames", advice.frames));
   text += text_of_absolutes(found, c);
   text += text_of_wishes(advice, asked);
-  if (c.end() > c.stops.back()) text += fmt::format("truth     {}\n", words_of_truth(c));
-  text += fmt::format("run       {}\n", command_of(advice, c, asked));
-  if (const std::string other = difference(advice, c); !other.empty())
-    text += fmt::format("          {}\n", other);
+  if (known_part(c)) text += fmt::format("truth     {}\n", words_of_truth(c));
+  text += text_of_run(advice, c, asked);
   text += fmt::format("cost      {} evaluations, {} steps, {} rejected\nlimit     {}\n",
-                      found.counters.rhs_evaluations, found.counters.steps,
-                      found.counters.rejected_steps, limit_of(advice));
-  return text + text_of_twice(advice) + text_of_runners(advice, c) + text_of_rest(advice) +
+                      found.counters().rhs_evaluations, found.counters().steps,
+                      found.counters().rejected_steps, advice.limit);
+  if (!advice.growth.empty()) text += fmt::format("growth    {}\n", advice.growth);
+  return text + text_of_coarser(advice) + text_of_runners(advice, c) + text_of_rest(advice) +
          text_of_builds(advice);
 }
 

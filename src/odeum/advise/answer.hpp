@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "odeum/advise/race.hpp"
 #include "odeum/record/output_folder.hpp"
@@ -13,11 +15,15 @@ namespace odeum::advise {
 struct Asked {
   std::string problem;
   std::string more;  ///< the words of --set and --plugin, each after a space
-  /// By case the parameters that vary, as `k=2 d=1`; empty: there is one case.
-  std::vector<std::string> points = {};
+  /// By case the parameters that vary, each as `k=2`; empty: there is one case.
+  std::vector<std::vector<std::string>> points = {};
+  std::optional<double> until = {};  ///< where the run ends, if not at the problem's end
 };
 
-/// Lines; the first names solver, setting, error and time.
+/// Whether there is an answer for all of the time that was asked for.
+bool is_whole(const Advice& advice, const Case& c);
+
+/// Lines; the first names solver, setting, error and time, and says what was not answered.
 std::string text_of(const Advice& advice, const Case& c, const Asked& asked);
 
 /// With the keys `solver`, `setting_kind`, `setting`, `absolute`, `error`, `error_low`,

@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "odeum/advise/answer_parts.hpp"
 
 namespace odeum::advise {
+
+namespace {
+
+nlohmann::ordered_json box_of(const Trial& found, const Asked& asked) {
+  nlohmann::ordered_json box;
+  for (std::size_t k = 0; k < asked.points.size(); ++k)
+    box.push_back({{"parameters", fmt::format("{}", fmt::join(asked.points[k], " "))},
+                   {"error", found.parts[k].error},
+                   {"time_ns", found.parts[k].ns}});
+  return box;
+}
+
+}  // namespace
 
 nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked& asked) {
   using Json = nlohmann::ordered_json;
@@ -27,10 +43,7 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
   json["error_low"] = std::max(0.0, found.state_error() - advice.floor);
   json["error_high"] = found.state_error() + advice.floor;
   if (advice.wishes.energy > 0) json["energy_error"] = found.energy_error();
-  for (std::size_t k = 0; k < asked.points.size(); ++k)
-    json["box"].push_back({{"parameters", asked.points[k]},
-                           {"error", found.parts[k].error},
-                           {"time_ns", found.parts[k].ns}});
+  if (!asked.points.empty()) json["box"] = box_of(found, asked);
   json["time_ns"] = json["time_low"] = winner.times.min();
   json["time_high"] = winner.times.median();
   if (advice.run_ns > 0) json["time_asked"] = advice.wishes.time_ns;
@@ -38,7 +51,9 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
     json["steps_per_frame"] = static_cast<double>(found.request().steps) / advice.frames;
     json["frame_ns"] = winner.times.min() / advice.frames;
   }
-  json["limited_by"] = limit_of(advice);
+  json["limited_by"] = advice.limit;
+  if (!advice.growth.empty()) json["growth"] = advice.growth;
+  if (known_part(c)) json["known_until"] = *known_part(c);
   json["runners_up"] = Json::array();
   for (const auto& [other, why] : runners_up(advice))
     json["runners_up"].push_back({{"solver", other->entrant->info.id()},
@@ -49,15 +64,16 @@ nlohmann::ordered_json json_of(const Advice& advice, const Case& c, const Asked&
                                   {"why", why}});
   json["not_tried"] = not_tried;
   json["command"] = command_of(advice, c, asked);
-  json["command_error"] = advice.repeated.error;
-  json["command_evaluations"] = advice.repeated.counters.rhs_evaluations;
-  json["evaluations"] = found.counters.rhs_evaluations;
+  const Part& worst = found.parts[found.worst()];
+  json["command_error"] = advice.on_stops ? worst.error : worst.end_error;
+  json["command_evaluations"] = worst.counters.rhs_evaluations;
+  json["evaluations"] = found.counters().rhs_evaluations;
   json["same_within_noise"] = same_within_noise(advice);
   json["dropped"] = Json::array();
   each_dropped(advice, [&](const Candidate& candidate) {
     json["dropped"].push_back({{"solver", candidate.entrant->info.id()},
                                {"setting_kind", setting_kind(candidate.mode)},
-                               {"reason", reason_of(candidate, advice.run_ns > 0)}});
+                               {"reason", reason_of(candidate, advice.run_ns > 0).why}});
   });
   json["cut_short"] = advice.cut;
   json["disturbed"] = advice.disturbed;

@@ -21,13 +21,16 @@ std::string name_of(const Candidate& candidate) {
 
 std::string command_of(const Advice& advice, const Case& c, const Asked& asked) {
   const Candidate& winner = winner_of(advice);
+  std::string words = asked.more;
   // Of a box, at the parameters of the largest error.
-  std::string sets;
   if (!asked.points.empty())
-    for (const char letter : ' ' + asked.points[winner.found->worst()])
-      sets += letter == ' ' ? " --set " : std::string(1, letter);
-  return fmt::format("odeum run {}{}{} --solver {} {}", asked.problem, asked.more, sets,
-                     name_of(winner), setting_of(winner.found->request(), c.t0));
+    for (const std::string& set : asked.points[winner.found->worst()]) words += " --set " + set;
+  if (advice.on_stops)
+    words += " --stops " + std::string(c.timed_stops() == c.stops ? "speed" : "orders");
+  else if (asked.until)
+    words += fmt::format(" --until {}", *asked.until);
+  return fmt::format("odeum run {}{} --solver {} {}", asked.problem, words, name_of(winner),
+                     setting_of(winner.found->request(), c.t0));
 }
 
 std::vector<std::string> same_within_noise(const Advice& advice) {
@@ -40,23 +43,6 @@ std::vector<std::string> same_within_noise(const Advice& advice) {
     if (k != advice.winner && !other.closed_form() && same) ids.push_back(name_of(other));
   }
   return ids;
-}
-
-std::string limit_of(const Advice& advice) {
-  if (!advice.twice) return "unknown: half as many steps do not end on the stops";
-  const Candidate& winner = winner_of(advice);
-  const Trial &found = *winner.found, &twice = *advice.twice;
-  if (winner.mode == Mode::fixed) {
-    // Four times what the order explains.
-    const double explained = 4 * std::pow(2, winner.slope()) * found.error;
-    return twice.status == Status::ok && twice.error <= explained ? "accuracy" : "stability";
-  }
-  if (twice.status != Status::ok) return "stability";
-  const auto all = [](const Trial& trial) {
-    return static_cast<double>(trial.counters.steps + trial.counters.rejected_steps);
-  };
-  // A pair of order 20 would save a tenth of its steps.
-  return all(twice) > 0.9 * all(found) ? "stability" : "accuracy";
 }
 
 std::vector<RunnerUp> runners_up(const Advice& advice) {
@@ -80,19 +66,31 @@ std::vector<RunnerUp> runners_up(const Advice& advice) {
   return found;
 }
 
-std::string reason_of(const Candidate& candidate, bool within) {
+Dropped reason_of(const Candidate& candidate, bool within) {
   if (!candidate.dropped.empty()) return candidate.dropped;
-  if (candidate.trials.empty()) return "the seconds were over";
+  if (candidate.trials.empty()) return {"the seconds were over"};
   if (candidate.found)
-    return within ? "a larger error in its counted runs" : "slower in its counted runs";
+    return {within ? "a larger error in its counted runs" : "slower in its counted runs",
+            within ? "a larger error in their counted runs" : "slower in their counted runs"};
   const Trial& last = candidate.trials.back();
-  if (within && last.ns > 0 && last.status == Status::ok) return "slower than the time given";
-  if (within && last.status == Status::over_budget) return "slower than ten times the time given";
+  if (within && last.ns > 0 && last.status == Status::ok) return {"slower than the time given"};
+  if (within && last.status == Status::over_budget) return {"slower than ten times the time given"};
   if (last.status == Status::over_budget)
-    return "its last run was stopped after ten times the best run's time, or its share of the "
-           "seconds";
-  return last.status == Status::ok ? fmt::format("its error stayed at {:.2g}", last.error)
-                                   : fmt::format("its last run ended {}", to_string(last.status));
+    return {
+        "its last run was stopped after ten times the best run's time, or its share of the "
+        "seconds",
+        "stopped for time"};
+  if (last.status != Status::ok)
+    return {fmt::format("its last run ended {}", to_string(last.status)), "no run ended well"};
+  return {fmt::format("its error stayed at {:.2g}", last.error), "without the error asked for"};
+}
+
+std::optional<double> known_part(const Case& c) {
+  return c.end() > c.stops.back() ? std::optional(c.stops.back()) : std::nullopt;
+}
+
+bool is_whole(const Advice& advice, const Case& c) {
+  return advice.failure.empty() && !known_part(c);
 }
 
 }  // namespace odeum::advise

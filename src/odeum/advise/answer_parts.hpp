@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,8 @@ std::string command_of(const Advice& advice, const Case& c, const Asked& asked);
 /// Others that the times do not tell from the winner; within a time, others of about its error.
 std::vector<std::string> same_within_noise(const Advice& advice);
 
-/// What a run with twice the step says of a fixed step, one with ten times the tolerance of a
-/// step control.
-std::string limit_of(const Advice& advice);
+/// Where the answer holds for a part of the time that was asked for: until when.
+std::optional<double> known_part(const Case& c);
 
 struct RunnerUp {
   const Candidate* candidate;
@@ -35,7 +35,7 @@ struct RunnerUp {
 std::vector<RunnerUp> runners_up(const Advice& advice);
 
 /// Why each of those that take no part any more was left.
-std::string reason_of(const Candidate& candidate, bool within);
+Dropped reason_of(const Candidate& candidate, bool within);
 
 template <class Visit>
 void each_dropped(const Advice& advice, const Visit& visit) {

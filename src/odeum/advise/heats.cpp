@@ -20,7 +20,7 @@ constexpr std::size_t most_solves = 10;
 constexpr double half_a_decade = 0.5;
 /// A run of this time is dear: not every candidate has its turn, and the answer may take longer, up
 /// to thirty of the runs that are foreseen to be the best.
-constexpr double dear_ns = 2e6, dear_seconds = 60, dear_runs = 30, most_seconds = 600;
+constexpr double dear_ns = 2e6, dear_seconds = 20, dear_runs = 30, most_seconds = 600;
 /// A candidate foreseen to cost so many times the least is left where its library has an answer.
 constexpr double far_behind = 4;
 /// Seconds, of a time in nanoseconds.
@@ -38,7 +38,15 @@ Kind kind_of(const Candidate& candidate) {
 using Fingerprint = std::tuple<std::string, Mode, double, double, std::uint64_t>;
 Fingerprint fingerprint_of(const Candidate& candidate, const Trial& trial) {
   return {candidate.entrant->info.library, candidate.mode, trial.fineness, trial.error,
-          trial.counters.rhs_evaluations};
+          trial.counters().rhs_evaluations};
+}
+
+Dropped like_stopped(const std::string& other) {
+  return {fmt::format("not tried: {} was stopped", other),
+          "not tried, since one of their kind was stopped"};
+}
+Dropped twin_of(const std::string& other) {
+  return {fmt::format("its steps are those of {}", other), "the steps of another one"};
 }
 
 /// Candidates by what was foreseen of them, the least first.
@@ -99,8 +107,9 @@ Trial Search::heat(Candidate& candidate) {
     if (trial.status == Status::ok && !std::isnan(trial.error)) foresee(candidate, trial);
     if (trial.status == Status::ok) break;
     if (trial.status == Status::over_budget) {
-      candidate.dropped = fmt::format("a run to t = {:g} was stopped after {:.2g} s",
-                                      c_.stops.front(), trial.request().budget.seconds);
+      candidate.dropped = {fmt::format("a run to t = {:g} was stopped after {:.2g} s", first_,
+                                       trial.request().budget.seconds),
+                           "a run to the first stop took too long"};
       break;
     }
     // An unstable step; a tolerance that was too loose.
@@ -121,7 +130,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     const std::string id = candidate.entrant->info.id();
     candidate.foreseen = infinity;
     if (const auto other = stopped.find(kind_of(candidate)); other != stopped.end()) {
-      candidate.dropped = fmt::format("not tried: {} was stopped", other->second);
+      candidate.dropped = like_stopped(other->second);
       return infinity;
     }
     const Trial trial = heat(candidate);
@@ -137,7 +146,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     constexpr double shortest = 2e-3;
     cap_seconds_ = std::min(cap_seconds_, std::max(shortest, ten_times * trial.ns));
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
-    if (!alone) candidate.dropped = fmt::format("its steps are those of {}", twin->second);
+    if (!alone) candidate.dropped = twin_of(twin->second);
     least = std::min(least, candidate.foreseen);
     return whole_ns(candidate, trial);
   };
@@ -148,7 +157,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
       for (Candidate& other : candidates) {
         other.foreseen = nan;
         other.starts_at = 0;
-        other.dropped.clear();
+        other.dropped = {};
       }
       return false;
     }
@@ -179,7 +188,7 @@ void Search::each_worth(std::vector<Candidate>& candidates,
     if (!candidate->dropped.empty()) continue;
     if (late(wishes_.time_ns > 0 ? 0.6 : 0.75)) break;
     if (!std::isfinite(candidate->foreseen)) {
-      candidate->dropped = fmt::format("no run to t = {:g} ended well", c_.stops.front());
+      candidate->dropped = {fmt::format("no run to t = {:g} ended well", first_)};
       continue;
     }
     // One of each library, and then those that may be the best.
@@ -188,8 +197,9 @@ void Search::each_worth(std::vector<Candidate>& candidates,
     const bool has_answer = seconds > share * seconds_;
     const double times = candidate->foreseen / best_cost();
     if (has_answer && times > near) {
-      candidate->dropped =
-          fmt::format("a run to t = {:g} foresees {:.2g} times the best", c_.stops.front(), times);
+      candidate->dropped = {
+          fmt::format("a run to t = {:g} foresees {:.2g} times the best", first_, times),
+          "far behind by a run to the first stop"};
       continue;
     }
     patience_ = has_answer ? few_times : many_times;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,13 +12,26 @@ namespace odeum::advise {
 void check_wishes(const Case& c, const Wishes& wishes) {
   if (wishes.energy == 0) return;
   if (!c.energy) throw std::invalid_argument("the problem has no energy");
+  const double before = c.energy(c.y0.data());
+  std::vector<double> state(c.y0.size());
+  double size = std::abs(before);
+  for (const double stop : c.stops)
+    if (c.truth.at && c.truth.at(stop, state.data()))
+      size = std::max(size, std::abs(c.energy(state.data())));
+  // Errors of the energy are relative to its size, which must be more than rounding: here beside
+  // what a small change of the state makes of it.
+  constexpr double change = 1e-3, rounding = 1e-9;
+  std::vector<double> moved = c.y0;
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += change * (c.scale_of(i) + moved[i]);
+  const double least = rounding * std::abs(c.energy(moved.data()) - before);
+  if (!(size > least) || (wishes.horizon > 0 && !(std::abs(before) > least)))
+    throw std::invalid_argument(
+        "the energy is 0 at the start, so that no error can be relative to it");
   if (wishes.horizon == 0) return;
   if (!(wishes.horizon >= c.stops.back()))
     throw std::invalid_argument(
         fmt::format("a horizon of {:g} ends before the run, which goes to {:g}", wishes.horizon,
                     c.stops.back()));
-  std::vector<double> state(c.y0.size());
-  const double before = c.energy(c.y0.data());
   if (c.truth.at && c.truth.at(c.stops.back(), state.data()) &&
       !(std::abs(c.energy(state.data()) / before - 1) <= 0.1 * wishes.energy))
     throw std::invalid_argument("the energy is not conserved, so that no horizon can be given");

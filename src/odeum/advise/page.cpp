@@ -30,7 +30,7 @@ std::vector<RaceRow> rows_of(const Advice& advice, const Case& c) {
       rows.push_back(
           {has_time ? candidate.times.columns() : study::WallTimes(), info.library, info.method,
            to_string(trial.status), setting_kind(candidate.mode), setting_of(trial.request(), c.t0),
-           trial.status == Status::ok ? trial.state_error() : nan, trial.ns, trial.counters});
+           trial.status == Status::ok ? trial.state_error() : nan, trial.ns, trial.counters()});
     }
   };
   for (const std::size_t k : advice.timed) add(advice.candidates[k], true);

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "odeum/advise/limit.hpp"
 #include "odeum/advise/no_answer.hpp"
 #include "odeum/advise/search.hpp"
 #include "odeum/advise/winner.hpp"
@@ -194,7 +195,7 @@ void race_within(Advice& advice, Search& search, const Wishes& wishes) {
   }
   std::erase_if(advice.timed, [&](std::size_t k) {
     const bool slow = !(advice.candidates[k].times.min() <= wishes.time_ns);
-    if (slow) advice.candidates[k].dropped = "it takes longer at its coarsest good setting";
+    if (slow) advice.candidates[k].dropped = {"it takes longer at its coarsest good setting"};
     return slow;
   });
   std::ranges::stable_sort(advice.timed, {},
@@ -216,6 +217,25 @@ std::uint64_t frames_of(const Case& c, double frame) {
   return std::abs(count - std::round(count)) < 1e-9 * count
              ? static_cast<std::uint64_t>(std::llround(count))
              : 0;
+}
+
+/// The time of the command's own run, and what else is measured of it.
+void look_at_winner(Advice& advice, Search& search, const std::vector<const Case*>& cases) {
+  Candidate& winner = advice.candidates[advice.winner];
+  if (winner.mode == Mode::adaptive && !advice.on_stops) {
+    const std::size_t rounds = winner.times.ns.size();
+    winner.times = {};
+    for (std::size_t k = 0; k < rounds && (k < 2 || !search.late(0.95)); ++k)
+      winner.times.ns.push_back(bare_ns(winner, *winner.found));
+  }
+  const double fineness = winner.found->fineness, coarser = search.coarser_than(winner, fineness);
+  if (coarser < fineness)
+    advice.coarser = advice.on_stops || winner.mode == Mode::fixed
+                         ? search.run(winner, coarser)
+                         : search.command_run(winner, coarser);
+  const Case& c = *cases[winner.found->worst()];
+  advice.limit = limit_of(advice, c);
+  if (!search.dear()) advice.growth = growth_of(advice, c);
 }
 
 }  // namespace
@@ -253,17 +273,9 @@ Advice advise(const std::vector<const Case*>& cases, const Wishes& asked) {
     advice.failure = nobody(advice);
     return advice;
   }
-  choose_winner(advice, order, [&](std::size_t k) {
-    const Candidate& candidate = advice.candidates[k];
-    return search.run_to_end(candidate, candidate.found->fineness, candidate.found->worst());
-  });
-  const Candidate& winner = advice.candidates[advice.winner];
-  const double fineness = winner.found->fineness;
-  const auto multiple = static_cast<double>(frames > 0 ? frames : c.settings.steps_multiple);
-  if (winner.mode == Mode::adaptive)
-    advice.twice = search.run(winner, fineness / 10);
-  else if (std::fmod(fineness, 2 * multiple) == 0)
-    advice.twice = search.run(winner, fineness / 2);
+  choose_winner(advice, order,
+                [&](std::size_t k) { return search.as_command(advice.candidates[k]); });
+  if (advice.failure.empty()) look_at_winner(advice, search, cases);
   return advice;
 }
 

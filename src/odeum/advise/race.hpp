@@ -23,23 +23,27 @@ struct Wishes {
   double energy = 0;
   /// With that: the time up to which the energy keeps to it, which the problem conserves.
   double horizon = 0;
-  /// With a time, which then is that of a frame: fixed steps that divide it; 0: no frames.
+  /// Length of a frame: fixed steps divide it, and `time_ns` is the time allowed for one frame.
+  /// With an error, the cases' stops are the ends of the frames. 0: no frames.
   double frame = 0;
   double seconds = 0;  ///< for the answer; 0: 20, and where a run takes over 2 ms
-                       ///< that of 30 of the best runs foreseen, from 60 to 600
-  /// From when on they count: before the truth was computed, of which they contain the time, but
-  /// for half of them at most.
+                       ///< that of 30 of the best runs foreseen, up to 600
+  /// When the seconds begin to count. The time for the truth is included, up to half of them.
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::vector<std::string> libraries;  ///< empty: all
   std::vector<std::string> solvers;    ///< globs on library/method; empty: all
+  /// Whether a command may end its steps on the stops, where its run misses the error without.
+  bool may_stop = false;
 };
 
 /// The run of a trial on one of the cases.
 struct Part {
   Request request;
-  double error = nan;   ///< the largest at the stops
-  double energy = nan;  ///< the same of the energy, where it is asked for
+  double error = nan;      ///< the largest at the stops
+  double end_error = nan;  ///< that at the end, where the run has no other stop
+  double energy = nan;     ///< the same of the energy, where it is asked for
   double ns = 0;
+  Counters counters = {};
 };
 
 /// A run that was made, on each case.
@@ -53,7 +57,9 @@ struct Trial {
   /// a run failed.
   double error = nan;
   double ns = 0;  ///< processor time under the guard, less what the guard takes; mean of the cases
-  Counters counters;  ///< of the first case
+
+  /// Of the first case.
+  const Counters& counters() const { return parts.front().counters; }
 
   /// That of the states alone.
   double state_error() const;
@@ -63,17 +69,24 @@ struct Trial {
   bool reaches(double asked) const { return status == Status::ok && error <= asked; }
 };
 
+/// Why a candidate is not searched further.
+struct Dropped {
+  std::string why = {};    ///< empty: it is
+  std::string group = {};  ///< the same of several candidates; empty: `why` holds for each of them
+  bool empty() const { return why.empty(); }
+};
+
 /// A solver in one mode.
 struct Candidate {
   const Entrant* entrant;
   Mode mode;
-  std::vector<const Entrant*> on = {};  ///< the same solver on each case, the first of them that
+  std::vector<const Entrant*> on = {};  ///< the same solver, enrolled on each case
   std::vector<Trial> trials = {};       ///< in the order of their runs
   std::optional<Trial> found = {};      ///< the coarsest that reaches the error
   double foreseen = nan;                ///< cost of what is asked, from a run to the first stop
   double starts_at = 0;                 ///< fineness of the first run to the end; 0: not foreseen
-  std::string dropped = {};  ///< why it is not searched further; empty: it is not dropped
-  study::Times times = {};   ///< of `found`, with the bare right-hand side
+  Dropped dropped = {};
+  study::Times times = {};  ///< of `found`, with the bare right-hand side
 
   /// By how much the error falls where the fineness grows tenfold, in powers of ten.
   double slope() const;
@@ -95,11 +108,12 @@ struct Advice {
   std::vector<Candidate> candidates;
   std::size_t winner = 0;          ///< in `candidates`
   std::vector<std::size_t> timed;  ///< the same, by least time, or by least error within the time
-  /// The winner's run with no stop but the end, as `odeum run` makes it, on the case of the largest
-  /// error.
-  Trial repeated;
-  std::optional<Trial>
-      twice;  ///< the winner with the step twice as long, or ten times the tolerance
+  /// The winner's command has no stop but the end, and `found` is the run that it makes; or its
+  /// steps end on the stops, since it misses the error without them.
+  bool on_stops = false;
+  std::optional<Trial> coarser;  ///< the winner with fewer steps, or ten times the tolerance
+  std::string limit;             ///< see limit_of() in limit.hpp
+  std::string growth;            ///< see growth_of() in limit.hpp; empty: nothing is to be said
   std::map<std::string, std::vector<std::string>> not_tried;  ///< solvers by reason
   bool cut = false;        ///< the seconds were over before the race was
   bool disturbed = false;  ///< other programs ran, or the processor's speed changed

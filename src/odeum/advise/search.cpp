@@ -48,6 +48,10 @@ double Search::in_range(const Candidate& candidate, double fineness) const {
   return multiple * std::ceil(std::clamp(fineness, 1.0, most_steps) / multiple * (1 - 1e-12));
 }
 
+double Search::coarser_than(const Candidate& candidate, double fineness) const {
+  return in_range(candidate, fineness / (candidate.mode == Mode::adaptive ? 10 : 2));
+}
+
 double Search::first(const Candidate& candidate) const {
   if (candidate.starts_at > 0) return candidate.starts_at;
   if (candidate.mode == Mode::adaptive)
@@ -62,9 +66,10 @@ void Search::take(Candidate& candidate, double fineness) {
     best_ns_ = std::min(best_ns_, trial.ns);
   if (bracket_of(candidate, wishes_.error).reaches || !std::isfinite(best_ns_)) return;
   if (trial.status == Status::ok && trial.ns > slow_factor * best_ns_ + slow_ns)
-    candidate.dropped =
+    candidate.dropped = {
         fmt::format("it took {:.2g} times the time of the best run so far to an error of {:.2g}",
-                    trial.ns / best_ns_, trial.error);
+                    trial.ns / best_ns_, trial.error),
+        "too slow before they had the error"};
 }
 
 /// A finer setting than that of a trial which misses the error: `expected` times as fine, or

@@ -34,10 +34,12 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
                            : c_.settings.steps_multiple),
       seconds_(wishes.seconds > 0 ? wishes.seconds : 20),
       before_(seconds_since(wishes.start)) {
+  // One frame would foresee little.
+  first_ = c_.stops[frames > 0 ? (c_.stops.size() - 1) / 4 : 0];
   for (const Case* c : cases)
     stages_.push_back({c,
                        {*c, c->stops},
-                       {*c, {c->stops.front()}},
+                       {*c, {first_}},
                        {*c, {c->stops.back()}},
                        c->energy ? c->energy(c->y0.data()) : nan});
 }
@@ -54,7 +56,7 @@ double Search::crowding() const {
 }
 
 double Search::part_of(To to) const {
-  return to == To::first ? (c_.stops.front() - c_.t0) / (c_.stops.back() - c_.t0) : 1;
+  return to == To::first ? (first_ - c_.t0) / (c_.stops.back() - c_.t0) : 1;
 }
 
 Request Search::request_for(const Stage& stage, const Candidate& candidate, double fineness,
@@ -62,9 +64,10 @@ Request Search::request_for(const Stage& stage, const Candidate& candidate, doub
   const Case& c = *stage.c;
   Request request;
   request.mode = candidate.mode;
-  request.stops = to == To::all     ? c.stops
-                  : to == To::first ? std::vector<double>{c.stops.front()}
-                                    : std::vector<double>{c.stops.back()};
+  request.stops = to == To::first ? std::vector<double>{first_}
+                  : to == To::end ? std::vector<double>{c.stops.back()}
+                                  : c.stops;
+  request.over_stops = to == To::inside;
   if (candidate.mode == Mode::adaptive)
     set_tolerance(request, c, 1 / fineness);
   else
@@ -76,6 +79,9 @@ Request Search::request_for(const Stage& stage, const Candidate& candidate, doub
   request.budget.seconds = std::isfinite(best_ns_)
                                ? crowding() * std::max(2e-3, patience_ * 1e-9 * best_ns_)
                                : std::min(remains, crowding() * cap_seconds_);
+  // The time of one that was found is about known, also where the seconds are over.
+  if (candidate.found)
+    request.budget.seconds = std::max(request.budget.seconds, 0.05 + 4e-9 * candidate.found->ns);
   return request;
 }
 
@@ -100,16 +106,16 @@ double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
   double drift = 0;
   for (int k = 0; k < looks; ++k) {
     const double* y = outcome.states.data() + static_cast<std::size_t>(k) * c.y0.size();
-    drift = std::max(drift, std::abs(c.energy(y) / stage.first_energy - 1));
+    const double each = std::abs(c.energy(y) / stage.first_energy - 1);
+    if (!(each <= drift)) drift = each;
   }
   return drift;
 }
 
-Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to,
-                      Trial& trial) const {
+Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to) const {
   const double start = solve_seconds();
   const Outcome outcome = entrant.solve(part.request);
-  if (trial.parts.empty()) trial.counters = outcome.counters;
+  part.counters = outcome.counters;
   part.ns = std::max(1.0, 1e9 * (solve_seconds() - start) -
                               4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
   if (outcome.status != Status::ok) return outcome.status;
@@ -125,39 +131,66 @@ Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To
   return outcome.status;
 }
 
+/// The largest error of the parts, or of their energies in proportion to what is asked of these.
+void Search::take_errors(Trial& trial) const {
+  trial.error = 0;
+  for (const Part& part : trial.parts) {
+    if (!(part.error <= trial.error)) trial.error = part.error;
+    const double by_energy = part.energy * wishes_.error / wishes_.energy;
+    if (wishes_.energy > 0 && !(by_energy <= trial.error)) trial.error = by_energy;
+  }
+}
+
 Trial Search::run(const Candidate& candidate, double fineness, To to) const {
   if (interrupted) throw Interrupted();
   Trial trial;
   trial.fineness = fineness;
-  double error = 0;
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
+  for (std::size_t k = 0; k < stages_.size() && trial.status == Status::ok; ++k) {
     Part part{request_for(stages_[k], candidate, fineness, to)};
-    trial.status = run_on(stages_[k], *candidate.on[k], part, to, trial);
+    trial.status = run_on(stages_[k], *candidate.on[k], part, to);
     trial.ns += part.ns;
     trial.parts.push_back(std::move(part));
-    if (trial.status != Status::ok) break;
-    const Part& made = trial.parts.back();
-    if (!(made.error <= error)) error = made.error;
-    const double by_energy = made.energy * wishes_.error / wishes_.energy;
-    if (wishes_.energy > 0 && !(by_energy <= error)) error = by_energy;
   }
   trial.ns /= static_cast<double>(trial.parts.size());
-  if (trial.status == Status::ok) trial.error = error;
+  if (trial.status == Status::ok) take_errors(trial);
   return trial;
 }
 
-Trial Search::run_to_end(const Candidate& candidate, double fineness, std::size_t which) const {
-  Trial trial;
-  trial.fineness = fineness;
-  Part part{request_for(stages_[which], candidate, fineness, To::end)};
-  // Its time is about known, also where the seconds are over.
-  double& seconds = part.request.budget.seconds;
-  if (candidate.found) seconds = std::max(seconds, 0.05 + 4e-9 * candidate.found->ns);
-  trial.status = run_on(stages_[which], *candidate.on[which], part, To::end, trial);
-  trial.ns = part.ns;
-  if (trial.status == Status::ok) trial.error = part.error;
-  trial.parts.push_back(std::move(part));
-  return trial;
+Trial Search::command_run(const Candidate& candidate, double fineness) const {
+  Trial made = run(candidate, fineness, To::end);
+  if (made.status != Status::ok) return made;
+  // Output may end a peer's steps, so that its states inside are those of a run apart.
+  const Trial inside = run(candidate, fineness, To::inside);
+  made.status = inside.status;
+  for (std::size_t k = 0; k < made.parts.size() && made.status == Status::ok; ++k) {
+    Part& part = made.parts[k];
+    part.end_error = part.error;
+    if (!(inside.parts[k].error <= part.error)) part.error = inside.parts[k].error;
+    if (!(inside.parts[k].energy <= part.energy)) part.energy = inside.parts[k].energy;
+  }
+  made.error = nan;
+  if (made.status == Status::ok) take_errors(made);
+  return made;
+}
+
+Trial Search::as_command(const Candidate& candidate) const {
+  Trial made = command_run(candidate, candidate.found->fineness);
+  if (wishes_.time_ns > 0 || candidate.mode == Mode::fixed) return made;
+  constexpr int most_tries = 3;
+  constexpr double hopeless = 30;
+  constexpr std::uint64_t dearer = 2;
+  for (int k = 0; k < most_tries && made.status == Status::ok && !made.reaches(wishes_.error);
+       ++k) {
+    const double off = made.error / wishes_.error;
+    if (!(off < hopeless) || late(0.95)) break;
+    const double finer = in_range(
+        candidate, made.fineness * std::max(1.2, std::pow(1.2 * off, 1 / candidate.slope())));
+    if (finer == made.fineness) break;
+    Trial next = command_run(candidate, finer);
+    if (next.counters().work > dearer * candidate.found->counters().work) break;
+    made = std::move(next);
+  }
+  return made;
 }
 
 }  // namespace odeum::advise

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -8,11 +7,15 @@
 
 namespace odeum::advise {
 
-/// The first in an order whose command, which has no stop but the end and other steps, makes a run
-/// as good as what was timed; else the first whose command has the error, else the first of all.
-/// Those before it are dropped, and leave `advice.timed`. `repeat(k)` makes the command's run of
-/// candidate k.
+/// The run of a candidate, by its index, as its command makes it with no stop but the end.
+using AsCommand = std::function<Trial(std::size_t)>;
+
+/// Chooses the first candidate of `order` (the best first) whose command keeps what was asked: with
+/// no stop but the end, or where the wishes allow it with steps that end on the stops, as it was
+/// timed. One that needs no stops is preferred where it takes at most a quarter longer. The winner
+/// comes first in `advice.timed`, its `found` is its command's run, and those before it are dropped
+/// with their reason. Without one there is a failure.
 void choose_winner(Advice& advice, const std::vector<std::size_t>& order,
-                   const std::function<Trial(std::size_t)>& repeat);
+                   const AsCommand& as_command);
 
 }  // namespace odeum::advise

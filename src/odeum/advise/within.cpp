@@ -83,7 +83,8 @@ void Search::search_within(Candidate& candidate) {
     if (fineness == 0) break;
     take_within(candidate, fineness);
     if (const double foreseen = foreseen_error(candidate); foreseen > hopeless * least_error_)
-      candidate.dropped = fmt::format("its error would be {:.2g} within the time", foreseen);
+      candidate.dropped = {fmt::format("its error would be {:.2g} within the time", foreseen),
+                           "far behind within the time"};
   }
 }
 

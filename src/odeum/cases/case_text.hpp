@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "odeum/cases/span.hpp"
 #include "odeum/formula/case_section.hpp"
 #include "odeum/formula/problem.hpp"
 #include "odeum/problem/ode_view.hpp"
@@ -17,6 +18,7 @@ namespace odeum::cases {
 struct TextSource {
   std::string file, text, id;
   formula::Overrides set;
+  Span span = {};
 };
 
 /// One case of a problem file while it is read: its keys, the problem with the case's parameters,

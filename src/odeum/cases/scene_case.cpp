@@ -85,8 +85,10 @@ std::uint64_t budget_of(const scene::SceneProblem& problem, std::uint64_t usual)
   return std::min(usual, static_cast<std::uint64_t>(std::max(evaluations, 2000.0)));
 }
 
-Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene) {
-  const auto problem = whole_problem(scene, *scene.duration, file);
+Case make_scene(const std::string& file, const std::string& text, const scene::Scene& scene,
+                const Span& span) {
+  const auto problem =
+      whole_problem(scene, std::isnan(span.until) ? *scene.duration : span.until, file);
   const scene::Structure& structure = problem->structure();
   Case c;
   c.equation = "m q'' = the sum of the scene's forces";
@@ -103,6 +105,7 @@ Case make_scene(const std::string& file, const std::string& text, const scene::S
   for (std::size_t i = 0; i < 3 * structure.particles; ++i)
     if (problem->bodies().free(i / 3)) c.measured.push_back(i);
   for (const int quarter : {1, 2, 3, 4}) c.stops.push_back(*scene.duration * quarter / 4);
+  c.stops = stops_of(span, 0, c.stops);
   // Particles without a force have no energy of gravity.
   if (problem->lives().empty())
     c.energy = [problem](const double* y) { return problem->energy(y); };
@@ -189,13 +192,14 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
   return truth_from(*reference, times, {}, what);
 }
 
-Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene) {
+Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene,
+                          const Span& span) {
   std::string title = scene.name.empty() ? id : scene.name;
   return {.id = std::move(id),
           .title = std::move(title),
           .tags = {},
-          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene)] {
-            return make_scene(file, text, scene);
+          .make = [file = std::move(file), text = std::move(text), scene = std::move(scene), span] {
+            return make_scene(file, text, scene, span);
           }};
 }
 

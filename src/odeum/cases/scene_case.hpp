@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "odeum/cases/catalogue.hpp"
+#include "odeum/cases/span.hpp"
 #include "odeum/cases/text_truth.hpp"
 #include "odeum/scene/problem/scene_problem.hpp"
 #include "odeum/scene/read/reader.hpp"
@@ -31,10 +32,11 @@ TextTruth scene_truth(const std::shared_ptr<const scene::SceneProblem>& problem,
                       const std::vector<double>& times, const std::string& content,
                       const std::string& what);
 
-/// A scene as a case, with its duration as the horizon, errors at four times of it in metres, the
-/// positions of free particles measured. `text` is that of its file, by which its truth is kept.
-/// Making the case throws InputError, see whole_problem.
-Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene);
+/// A scene as a case, with its duration as the horizon and errors at four times of it, where `span`
+/// does not say otherwise; in metres, the positions of free particles measured. `text` is that of
+/// its file, by which its truth is kept. Making the case throws InputError, see whole_problem.
+Statement scene_statement(std::string id, std::string file, std::string text, scene::Scene scene,
+                          const Span& span = {});
 
 /// The largest extent of the free and fixed particles' positions in a state, in m.
 double extent_of(const double* y, std::size_t particles);

@@ -11,13 +11,16 @@
 namespace odeum::cases {
 
 std::uint64_t steps_multiple(double t0, const std::vector<double>& stops) {
-  for (std::uint64_t steps = 1; steps <= 1000; ++steps) {
-    const bool fits = std::ranges::all_of(stops, [&](double stop) {
+  const auto fits = [&](std::uint64_t steps) {
+    return std::ranges::all_of(stops, [&](double stop) {
       const double at = (stop - t0) / (stops.back() - t0) * static_cast<double>(steps);
       return std::abs(at - std::round(at)) < 1e-9 && std::round(at) >= 1;
     });
-    if (fits) return steps;
-  }
+  };
+  // Equal distances may be more than that.
+  if (fits(stops.size())) return stops.size();
+  for (std::uint64_t steps = 1; steps <= 1000; ++steps)
+    if (fits(steps)) return steps;
   return 0;
 }
 

@@ -7,7 +7,8 @@
 
 namespace odeum::cases {
 
-/// The smallest number of equal steps, up to 1000, that has every stop on a step; 0: more.
+/// The smallest number of equal steps that has every stop on a step, up to 1000 unless the stops
+/// are equally far apart; 0: there is none.
 std::uint64_t steps_multiple(double t0, const std::vector<double>& stops);
 
 /// The most steps of an explicit method that are tried, and those above which implicit ones are.

@@ -79,7 +79,7 @@ class TextCase : CaseText {
   }
 
   void read_numbers() {
-    case_.stops = stops();
+    case_.stops = stops_of(source_.span, case_.t0, stops());
     add_stops();
     if (problem_.tolerance.relative > 0) case_.tolerance = problem_.tolerance;
     const std::vector<double> units = has("thresholds") ? thresholds() : problem_.scale;
@@ -91,6 +91,7 @@ class TextCase : CaseText {
     take_number("coarsest_steps", settings.coarsest_steps);
     take_number("finest_steps", settings.finest_steps);
     take_number("evaluation_budget", settings.evaluation_budget);
+    if (source_.span.given()) return;
     settings.timed_stops = numbers("timed_stops");
     take_number("timed_floor", settings.timed_floor);
   }
@@ -98,7 +99,8 @@ class TextCase : CaseText {
   /// The problem's truth is to be known at the stops of the case and of timed studies.
   void add_stops() {
     std::vector<double>& stops = problem_.stops = case_.stops;
-    for (const double timed : numbers("timed_stops")) stops.push_back(timed);
+    if (!source_.span.given())
+      for (const double timed : numbers("timed_stops")) stops.push_back(timed);
     std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   }
@@ -229,7 +231,7 @@ class TextCase : CaseText {
   void choose_settings() {
     for (const char* key : {"no_fixed_steps", "steps_multiple", "coarsest_steps", "finest_steps",
                             "evaluation_budget"})
-      if (has(key)) return;
+      if (has(key) && !source_.span.given()) return;
     choose_steps(case_, analysis_->structure.smooth, !truth_.stops.empty());
   }
 
@@ -269,8 +271,9 @@ std::vector<Statement> statements_of(const File& file, TextSource source) {
 }  // namespace
 
 std::vector<Statement> text_statements(const std::string& file, const std::string& text,
-                                       const std::string& id, const formula::Overrides& set) {
-  return statements_of(user_file(file, text), {file, text, id, set});
+                                       const std::string& id, const formula::Overrides& set,
+                                       const Span& span) {
+  return statements_of(user_file(file, text), {file, text, id, set, span});
 }
 
 std::optional<Case> case_before_truth(const TextSource& source) {

@@ -27,11 +27,12 @@ TextSource source_of(const BuiltInText& text, const std::string& id,
 /// The cases that a problem file states: those below its `cases`, or one of the name `id`. Each has
 /// its closed form, its reference, or a computed one for truth (kept in the cache folder by
 /// content), and the steps of studies that the file gives, or that trial runs find. Its equations
-/// are compiled when it is made, unless a built-in text has the same. `set` replaces parameters.
-/// Throws InputError for a mistake in what is said of cases; make() does for one in the problem,
-/// and std::length_error where the problem is too large.
+/// are compiled when it is made, unless a built-in text has the same. `set` replaces parameters,
+/// `span` the end and the stops. Throws InputError for a mistake in what is said of cases; make()
+/// does for one in the problem, and std::length_error where the problem is too large.
 std::vector<Statement> text_statements(const std::string& file, const std::string& text,
-                                       const std::string& id, const formula::Overrides& set = {});
+                                       const std::string& id, const formula::Overrides& set = {},
+                                       const Span& span = {});
 std::vector<Statement> text_statements(const BuiltInText& text);
 
 /// A case's truth in words, and whether it is proved (see proof_of() in text_truth.hpp), which a

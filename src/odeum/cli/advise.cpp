@@ -11,6 +11,7 @@
 #include "odeum/advise/answer.hpp"
 #include "odeum/cli/run.hpp"
 #include "odeum/input/yaml_tree.hpp"
+#include "odeum/studies/convergence/settings.hpp"
 #include "odeum/truth/computed_truth.hpp"
 #include "odeum/truth/system.hpp"
 
@@ -21,6 +22,7 @@ struct AdviseOptions {
   std::string what, format = "text", time, frame, out;
   bool code = false;
   std::vector<std::string> vary;
+  std::optional<double> until;
   advise::Wishes wishes;
   ProblemOptions problems;
 };
@@ -28,7 +30,6 @@ struct AdviseOptions {
 void read_times(AdviseOptions& options) {
   const bool error = options.wishes.error != 0, time = !options.time.empty();
   if (error == time) throw UsageError("advise needs --error or --time, and not both");
-  if (!options.frame.empty() && !time) throw UsageError("--frame: a frame needs --time");
   if (error) require_positive("--error", options.wishes.error);
   if (options.wishes.energy != 0) {
     if (!error) throw UsageError("--energy: an energy needs --error");
@@ -42,13 +43,26 @@ void read_times(AdviseOptions& options) {
     options.wishes.time_ns = number_of(
         "--time", options.time, {{"", 1e9}, {"s", 1e9}, {"ms", 1e6}, {"us", 1e3}, {"ns", 1}});
   if (!options.frame.empty()) options.wishes.frame = number_of("--frame", options.frame, {{"", 1}});
+  // The error is to hold at each frame.
+  if (error) options.problems.span.frame = options.wishes.frame;
+  if (options.until) options.problems.span.until = *options.until;
+}
+
+Case given_case(const AdviseOptions& options) {
+  const cases::Span& span = options.problems.span;
+  try {
+    return case_of(options.what, options.problems,
+                   [&](double t0, double end) { cases::stops_of(span, t0, {end}); });
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
 }
 
 /// The cases of a box: its middle, then its corners, of more than three parameters eight of them in
 /// which each one and each pair take both ends equally often.
 struct Box {
   std::vector<Case> cases;
-  std::vector<std::string> points;
+  std::vector<std::vector<std::string>> points;  ///< by case the values of --set
   std::vector<const Case*> pointers() const {
     std::vector<const Case*> all;
     for (const Case& c : cases) all.push_back(&c);
@@ -81,9 +95,7 @@ Range range_of(const std::string& text) {
   return range;
 }
 
-Box box_of(const Case& c, const std::vector<std::string>& texts) {
-  std::vector<Range> ranges;
-  for (const std::string& text : texts) ranges.push_back(range_of(text));
+Box box_of(const Case& c, const std::vector<Range>& ranges) {
   constexpr std::size_t most = 7, full = 3;
   if (ranges.size() > most) throw UsageError("--vary takes {} parameters at most", most);
   // Columns of a Hadamard matrix of eight rows.
@@ -99,10 +111,20 @@ Box box_of(const Case& c, const std::vector<std::string>& texts) {
                                               : odd    ? 1
                                                        : -1)));
     }
-    box.points.push_back(fmt::format("{}", fmt::join(sets, " ")));
     box.cases.push_back(with_sets(c, sets));
+    box.points.push_back(std::move(sets));
   }
   return box;
+}
+
+/// The values of --set without those of parameters that vary.
+std::vector<std::string> fixed_sets(std::vector<std::string> sets,
+                                    const std::vector<Range>& ranges) {
+  std::erase_if(sets, [&](const std::string& set) {
+    return std::ranges::any_of(
+        ranges, [&](const Range& range) { return set.starts_with(range.name + "="); });
+  });
+  return sets;
 }
 
 std::string commented(const std::string& lines) {
@@ -110,6 +132,12 @@ std::string commented(const std::string& lines) {
   std::string text;
   for (std::string line; std::getline(stream, line);) text += "// " + line + "\n";
   return text;
+}
+
+/// Whether `odeum run --stops` has the stops of the case.
+bool may_stop(const AdviseOptions& options, const Case& c) {
+  return !options.code && !options.problems.span.given() &&
+         (c.timed_stops() == c.stops || study::convergence_stops(c) == c.stops);
 }
 
 int advise_on(AdviseOptions& options, const CLI::App& command) {
@@ -130,18 +158,22 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
       options.wishes.start +
       std::chrono::milliseconds(std::llround(
           1e3 * (options.wishes.seconds > 0 ? share * options.wishes.seconds : usual))));
-  const Case given = case_of(options.what, options.problems);
+  std::vector<Range> ranges;
+  for (const std::string& text : options.vary) ranges.push_back(range_of(text));
+  const Case given = given_case(options);
   Box box;
-  if (options.vary.empty())
+  if (ranges.empty())
     box.cases.push_back(given);
   else
-    box = box_of(given, options.vary);
+    box = box_of(given, ranges);
   for (Case& each : box.cases) truth::know_truth(each, each.stops);
   const Case& c = box.cases.front();
-  advise::Asked asked{shell_word(options.what), words_of(options.problems.sets, command),
-                      box.points};
+  advise::Asked asked{shell_word(options.what),
+                      words_of(fixed_sets(options.problems.sets, ranges), command), box.points,
+                      options.until};
   // The truth is known up to there.
-  if (c.end() > c.stops.back()) asked.more += fmt::format(" --until {}", c.stops.back());
+  if (c.end() > c.stops.back()) asked.until = c.stops.back();
+  options.wishes.may_stop = may_stop(options, c);
   advise::Advice advice;
   try {
     advice = advise::advise(box.pointers(), options.wishes);
@@ -151,13 +183,14 @@ int advise_on(AdviseOptions& options, const CLI::App& command) {
   const std::string text = advise::text_of(advice, c, asked);
   if (options.code && advice.failure.empty()) {
     const Entrant& winner = *advice.candidates[advice.winner].entrant;
+    const Request& winner_request = advice.candidates[advice.winner].found->request();
     print(commented(text) + code_of(c, struct_of(options.what, options.problems, c, winner.info),
-                                    winner, advice.repeated.request()));
+                                    winner, winner_request));
   } else {
     print(options.format == "json" ? advise::json_of(advice, c, asked).dump(2) + "\n" : text);
   }
   if (folder) remark_on_page(advise::write_page(*folder, advice, c, asked));
-  return advice.failure.empty() ? success : check_failed;
+  return advise::is_whole(advice, c) ? success : check_failed;
 }
 
 }  // namespace
@@ -177,7 +210,9 @@ void add_advise(CLI::App& app, int& result) {
   add_option(*command, "--time T", options->time,
              "the processor time of a run, as 5ms: the least error within it");
   add_option(*command, "--frame DT", options->frame,
-             "with --time, which is then that of a frame: fixed steps that divide it, as 1/60");
+             "fixed steps that divide it, as 1/60: with --time, which is then that of a frame, or "
+             "with --error at each frame");
+  add_option(*command, "--until T", options->until, "end time; default: the horizon");
   add_option(*command, "--energy E", options->wishes.energy,
              "with --error: the largest error of the energy, relative to its size");
   add_option(*command, "--horizon T", options->wishes.horizon,
@@ -190,10 +225,13 @@ void add_advise(CLI::App& app, int& result) {
              "only solvers of these: cvode,gsl")
       ->delimiter(',')
       ->allow_extra_args(false);
-  add_option(*command, "--solver GLOB...", options->wishes.solvers, "solvers, with * and ?");
-  add_option(*command, "--seconds S", options->wishes.seconds,
-             "for the answer, the truth included; default: 20, and 60 where a run takes over 2 ms, "
-             "up to 600 for thirty of the best runs");
+  add_option(*command, "--solver GLOB...", options->wishes.solvers,
+             "solvers, as library/method with * and ? (a method alone: Odeum's own)")
+      ->transform(with_library);
+  add_option(
+      *command, "--seconds S", options->wishes.seconds,
+      "for the answer, the truth included; default: 20, and up to 600 for thirty of the best "
+      "runs where one takes over 2 ms");
   add_option(*command, "--format FORMAT", options->format, "text or json; default: text")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_flag("--code", options->code,

@@ -88,12 +88,12 @@ const Case& load_fmu(const std::string& path, const std::vector<std::string>& se
   }
 }
 
-Cases load_text(const std::string& path, const std::vector<std::string>& sets,
-                const Choice& choose) {
+Cases load_text(const std::string& path, const std::vector<std::string>& sets, const Choice& choose,
+                const cases::Span& span = {}) {
   try {
     const std::string text = formula::problem_text(path);
     std::vector<Statement> statements =
-        cases::text_statements(path, text, stem_of(path), overrides_of(sets));
+        cases::text_statements(path, text, stem_of(path), overrides_of(sets), span);
     if (choose) choose(text, statements);
     Cases given;
     for (Statement& statement : statements) {
@@ -200,15 +200,17 @@ const Case& load_problem(const std::string& path, const ProblemOptions& options,
     require_no_choice(path, options.chosen);
     return load_fmu(path, options.sets, check);
   }
-  return *load_text(path, options.sets,
-                    [&](const std::string& text, std::vector<Statement>& statements) {
-                      keep_chosen(path, options.chosen, statements);
-                      if (!check) return;
-                      const auto [t0, end] = cases::CaseText({path, text, statements.front().id,
-                                                              overrides_of(options.sets)})
-                                                 .span();
-                      check(t0, end);
-                    })
+  return *load_text(
+              path, options.sets,
+              [&](const std::string& text, std::vector<Statement>& statements) {
+                keep_chosen(path, options.chosen, statements);
+                if (!check) return;
+                const auto [t0, end] =
+                    cases::CaseText({path, text, statements.front().id, overrides_of(options.sets)})
+                        .span();
+                check(t0, end);
+              },
+              options.span)
               .front();
 }
 
@@ -223,7 +225,8 @@ std::optional<Case> load_before_truth(const std::string& path, const ProblemOpti
   }
 }
 
-const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets) {
+const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets,
+                       const cases::Span& span) {
   if (!sets.empty()) throw UsageError("--set: a scene has no parameters; change its file");
   const scene::ReadOptions options{.need_solver = false};
   const std::string text = source.read(options.most_bytes);
@@ -231,14 +234,17 @@ const Case& load_scene(const SceneSource& source, const std::vector<std::string>
   for (const std::string& warning : read.warnings) remark(warning + " (warning)");
   mark() += " " + formula::content_key(text);
   return add_user_case(cases::scene_statement(unused_id(stem_of(source.file), "_scene"),
-                                              source.file, text, std::move(read.scene)));
+                                              source.file, text, std::move(read.scene), span));
 }
 
 Case case_of(const std::string& what, const ProblemOptions& options, const SpanCheck& check) {
-  if (is_problem_file(what)) return load_problem(what, options, check);
-  require_no_choice(what, options.chosen);
-  if (const auto scene = find_scene(what)) return load_scene(*scene, options.sets);
-  return with_sets(find_case(what), options.sets);
+  if (is_problem_file(what) && !is_fmu(what)) return load_problem(what, options, check);
+  if (!is_fmu(what)) require_no_choice(what, options.chosen);
+  if (const auto scene = is_fmu(what) ? std::nullopt : find_scene(what))
+    return load_scene(*scene, options.sets, options.span);
+  const Case c =
+      is_fmu(what) ? load_problem(what, options, check) : with_sets(find_case(what), options.sets);
+  return options.span.given() ? cases::with_span(c, options.span) : c;
 }
 
 std::vector<std::string> load_problems(const ProblemOptions& options,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "odeum/cases/span.hpp"
 #include "odeum/core/shell_word.hpp"
 #include "odeum/report/facts.hpp"
 #include "odeum/solvers/case.hpp"
@@ -17,6 +18,7 @@ struct ProblemOptions {
   std::vector<std::string> words;  ///< cases and files
   std::vector<std::string> sets;   ///< name=value
   std::string chosen;              ///< the case of a file with several; empty: none was named
+  cases::Span span = {};           ///< of case_of() and load_problem()
 };
 /// Adds `--set`, and the problems themselves, or where `words` is false `--case`, which chooses a
 /// case of the file that a command takes.
@@ -57,7 +59,8 @@ std::optional<Case> load_before_truth(const std::string& path, const ProblemOpti
 
 /// Makes the case of a scene. Throws UsageError for a text that is wrong, and for `sets`, since a
 /// scene has no parameters.
-const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets);
+const Case& load_scene(const SceneSource& source, const std::vector<std::string>& sets,
+                       const cases::Span& span = {});
 
 /// Throws UsageError where a case was chosen of what is no problem file.
 void require_no_choice(const std::string& what, const std::string& chosen);

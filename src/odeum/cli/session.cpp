@@ -53,13 +53,6 @@ void check_globs(const char* what, const std::vector<std::string>& globs,
     throw UsageError("no {} is left by '{}'", what, fmt::join(globs, " "));
 }
 
-// A name without a library and without * or ? is that of an own solver, as in odeum run.
-std::string with_library(const std::string& glob) {
-  const std::size_t name = glob.starts_with('!') ? 1 : 0;
-  if (glob.size() == name || glob.find_first_of("/*?") != std::string::npos) return glob;
-  return glob.substr(0, name) + "odeum/" + glob.substr(name);
-}
-
 }  // namespace
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
@@ -103,6 +96,17 @@ void check_case_globs(const std::vector<std::string>& globs) {
 }
 void check_solver_globs(const std::vector<std::string>& globs) {
   check_globs("solver", globs, solver_ids());
+}
+
+std::string with_library(const std::string& glob) {
+  const std::size_t name = glob.starts_with('!') ? 1 : 0;
+  const std::string pattern = glob.substr(name);
+  const auto matches = [&](const std::string& id) { return glob_matches(pattern, id); };
+  if (pattern.empty() || pattern.find('/') != std::string::npos ||
+      (pattern.find_first_of("*?") != std::string::npos &&
+       std::ranges::any_of(solver_ids(), matches)))
+    return glob;
+  return glob.substr(0, name) + "odeum/" + pattern;
 }
 
 void refuse_in_space(const std::string& problems) {

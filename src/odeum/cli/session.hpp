@@ -60,6 +60,9 @@ void remark(fmt::format_string<First, More...> format, First&& first, More&&... 
 /// library that is not in this build with the option that builds it.
 void check_case_globs(const std::vector<std::string>& globs);
 void check_solver_globs(const std::vector<std::string>& globs);
+/// A glob on solvers; a name without a library is that of an own solver, as in `odeum run`, and so
+/// is a glob that matches no id as it is written.
+std::string with_library(const std::string& glob);
 
 /// The case (the solver among those on a case or a scene) of that name. A solver id without a
 /// library is Odeum's own. Throws UsageError.

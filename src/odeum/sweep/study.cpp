@@ -98,9 +98,9 @@ MemberRow advice_for(Case& c, const StudyWishes& wishes) {
   }
   const advise::Candidate& winner = advice.candidates[advice.winner];
   row.solver = row.answer = winner.entrant->info.id();
-  row.detail = advise::setting_of(advice.repeated.request(), c);
+  row.detail = advise::setting_of(winner.found->request(), c);
   row.values = {winner.times.min(), winner.found->error};
-  row.evaluations = winner.found->counters.rhs_evaluations;
+  row.evaluations = winner.found->counters().rhs_evaluations;
   return row;
 }
 
