@@ -4,12 +4,74 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
+
+#include "odeum/formula/interval.hpp"
 
 namespace odeum::formula {
 namespace {
 
 constexpr std::size_t largest_series = 2000;  // nodes: a coefficient array each, on the stack
+
+/// Whether a derivative of an operation may not be finite where its value is: also of a quotient,
+/// if it stands in a function that has a limit.
+bool is_steep(const Graph& graph, Id id) {
+  const Node& node = graph[id];
+  switch (node.op) {
+    case Op::divide:
+      return !graph.is_constant(node.of[1]);
+    case Op::asin:
+    case Op::acos:
+    case Op::log:
+    case Op::log10:
+    case Op::sqrt:
+    case Op::power:
+    case Op::atan2:
+    case Op::hypot:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The nodes that are differentiated: not those that a power with a half exponent is made of.
+std::vector<bool> differentiated(const Graph& graph, const std::vector<Id>& roots) {
+  std::vector<bool> is(graph.size(), false);
+  for (const Id root : roots) is[root] = true;
+  for (Id id = static_cast<Id>(graph.size()); id-- > 0;) {
+    if (!is[id]) continue;
+    if (const Id base = graph.half_power(id).first; base != no_node) {
+      is[base] = true;
+      continue;
+    }
+    for (const Id argument : graph[id].of)
+      if (argument != no_node) is[argument] = true;
+  }
+  return is;
+}
+
+/// Whether the argument of a root, or of a power below 1, passes through 0 somewhere: a sum of
+/// squares does not.
+bool has_infinite_slopes(const Graph& graph, const Problem& problem) {
+  Enclosure enclosure(graph, problem.equations);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Intervals everything;
+  everything.fill({-infinite, infinite});
+  const auto& values =
+      enclosure(everything, std::vector<Intervals>(problem.states.size(), everything));
+  const std::vector<Id> ids = graph.needed(problem.equations);  // those of the steps
+  const std::vector<bool> counts = differentiated(graph, problem.equations);
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    const Enclosure::Step& step = enclosure.steps()[k];
+    if (!counts[ids[k]] || (step.op != Op::sqrt && step.op != Op::power)) continue;
+    const Interval exponent = step.op == Op::power ? values[step.b][0] : Interval{0.5, 0.5};
+    if (exponent.low > 0 && exponent.high < 1 &&
+        values[step.a][0].low < -std::numeric_limits<double>::min())
+      return true;
+  }
+  return false;
+}
 
 void find_second_order(const Problem& problem, const Analysis& analysis, Structure& s) {
   if (s.states % 2 != 0) return;
@@ -54,8 +116,11 @@ Analysis analyse(Problem& problem) {
   Graph& graph = problem.graph;
   s.states = problem.states.size();
   const auto n = static_cast<std::uint32_t>(s.states);
-  for (const Id id : graph.needed(problem.equations))
+  for (const Id id : graph.needed(problem.equations)) {
     if (has_kinks(graph[id].op)) s.smooth = false;
+    s.steep = s.steep || is_steep(graph, id);
+  }
+  s.infinite_slopes = s.steep && has_infinite_slopes(graph, problem);
   analysis.jacobian = gradients(graph, problem.equations, n);
   analysis.time_derivative.assign(n, graph.constant(0));
   std::vector<Id> varying;  // entries of the Jacobian
@@ -118,6 +183,10 @@ std::vector<std::string> describe(const Structure& s) {
                   (s.is_sparse()
                        ? ": implicit methods solve with the factors of a band or of its entries"
                        : ""));
+  if (s.infinite_slopes)
+    lines.emplace_back(
+        "a root or a power below 1: its derivative is infinite at 0, where the Jacobian is taken "
+        "by differences inside of the domain");
   if (s.with_implicit_part > 0)
     lines.push_back(
         fmt::format("split for additive methods: {} of {} equations have an implicit part",

@@ -14,6 +14,8 @@ struct Structure {
   std::size_t states = 0, entries = 0;  ///< entries: of the Jacobian that are not zero by form
   std::size_t lower = 0, upper = 0;     ///< its bandwidths
   bool autonomous = true, linear = true, smooth = true;
+  bool steep = false;            ///< an operation may have a derivative that is infinite, or none
+  bool infinite_slopes = false;  ///< a root, or a power below 1, of what may become 0
   bool second_order = false, velocity_dependent = false;
   /// The equations would be of second order if the states stood in another order.
   bool second_order_in_other_order = false;

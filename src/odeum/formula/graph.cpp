@@ -149,6 +149,7 @@ Id Graph::simplified_power(Id a, Id b) {
   if (half) {
     const Id root = make(Op::sqrt, a);
     result = result == no_node ? root : make(Op::multiply, result, root);
+    if (whole > 0 && !is_constant(result)) half_powers_[result] = {a, size};
   }
   return exponent > 0 ? result : make(Op::divide, constant(1), result);
 }

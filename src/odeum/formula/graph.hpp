@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "odeum/formula/operations.hpp"
@@ -55,9 +56,14 @@ class Graph {
   bool is(Id id, long double value) const { return is_number(id) && nodes_[id].value == value; }
   /// In their order: one needs only what stands before it.
   const std::vector<Definition>& definitions() const { return definitions_; }
-  /// The derivative of a node by its argument number `argument`, the others held; no_node where it
-  /// is zero or does not exist (of a condition).
+  /// The derivative of a node by its argument number `argument`, the others held, by the table of
+  /// operations.cpp; no_node where it has none.
   Id partial(Id node, std::size_t argument);
+  /// The base and the exponent of a power with a half exponent above 1; no_node: it is none.
+  std::pair<Id, long double> half_power(Id node) const {
+    const auto found = half_powers_.find(node);
+    return found == half_powers_.end() ? std::pair{no_node, 0.0L} : found->second;
+  }
   /// The nodes on which some roots depend, themselves among them, in ascending order.
   std::vector<Id> needed(const std::vector<Id>& roots) const;
 
@@ -84,6 +90,7 @@ class Graph {
   std::size_t terms_ = 0;
   std::vector<Definition> definitions_;
   std::unordered_map<Key, Id, Hash> known_;
+  std::unordered_map<Id, std::pair<Id, long double>> half_powers_;
 };
 
 /// The derivatives of some roots by each state and by the time: for each root its nonzero entries,

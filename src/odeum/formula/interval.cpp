@@ -30,7 +30,11 @@ Interval magnitude(const Interval& a) {
   return {has_zero(a) ? 0 : std::min(low, high), std::max(low, high)};
 }
 
+bool is_zero(const Interval& a) { return a.low == 0 && a.high == 0; }
+
 Interval product(const Interval& a, const Interval& b) {
+  // Of a branch that is not taken, or a factor that is absent.
+  if (is_zero(a) || is_zero(b)) return {0, 0};
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
   // 0 * infinity is NaN, which min and max would drop.
   if (!std::isfinite(p + q + r + s)) return whole;
@@ -156,11 +160,15 @@ Interval enclose(Op op, const Interval& a, const Interval& b, const Interval& c)
     case Op::exp:
     case Op::sign:
       return rising(a, f);
+    case Op::floor:
+      return {std::floor(a.low), std::floor(a.high)};
+    case Op::side:
+      return {a.low < 0 ? -1.0 : 1.0, a.high < 0 ? -1.0 : 1.0};
     case Op::abs:
       return magnitude(a);
-    case Op::choose:
+    case Op::choose:  // a condition is 0 or 1
       if (!has_zero(a)) return b;
-      return a.width() == 0 ? c : hull(b, c);
+      return a.high < 0.5 ? c : hull(b, c);
     default:
       return of_two(op, a, b);
   }

@@ -18,7 +18,8 @@ static inline V all(double x) { return x - (V){0}; }
   V r; for (int i = 0; i < N; ++i) r[i] = value; return r; }
 #define FUNCTION(name) EACH(name, (V a), __builtin_##name(a[i]))
 #define OF_TWO(name) EACH(name, (V a, V b), __builtin_##name(a[i], b[i]))
-FUNCTION(sqrt) FUNCTION(fabs)
+FUNCTION(sqrt) FUNCTION(fabs) FUNCTION(floor)
+EACH(side, (V a), __builtin_copysign(1.0, a[i]))
 EACH(sign, (V a), (a[i] > 0) - (a[i] < 0) + 0 * a[i])
 )";
 

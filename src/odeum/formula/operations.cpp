@@ -35,6 +35,10 @@ constexpr Operation function(const char* name, Partials partials, F value) {
   return row(name, nullptr, partials, value);
 }
 template <class F>
+constexpr Operation jumps(const char* name, const char* c, F value) {
+  return row(name, c, {}, value, with_kinks);
+}
+template <class F>
 constexpr Operation signs(const char* c, Partials partials, F value) {
   return row(nullptr, c, partials, value);
 }
@@ -55,13 +59,15 @@ constexpr Operation table[] = {
     function("log", {"1/a"}, [](auto a) { return std::log(a); }),
     function("log10", {"1/(log(10)*a)"}, [](auto a) { return std::log10(a); }),
     function("sqrt", {"0.5/w"}, [](auto a) { return std::sqrt(a); }),
-    row(
-        "abs", "{3}fabs{4}({0})", {"sign(a)"}, [](auto a) { return std::abs(a); }, with_kinks),
+    jumps("floor", nullptr, [](auto a) { return std::floor(a); }),
+    // derivative.cpp has the derivatives of abs, min, max and if, and a power's by its base for all
+    // but series, whose rule has to lead back to w.
+    jumps("abs", "{3}fabs{4}({0})", [](auto a) { return std::abs(a); }),
+    jumps(nullptr, "{3}copysign{4}(1.0, {0})",
+          [](auto a) { return std::copysign(decltype(a)(1), a); }),
     // NaN of NaN.
-    row(
-        "sign", "({0} > 0) - ({0} < 0) + 0 * {0}", {},
-        [](auto a) { return static_cast<int>(a > 0) - static_cast<int>(a < 0) + 0 * a; },
-        with_kinks),
+    jumps("sign", "({0} > 0) - ({0} < 0) + 0 * {0}",
+          [](auto a) { return static_cast<int>(a > 0) - static_cast<int>(a < 0) + 0 * a; }),
     signs("{0} + {1}", {"1", "1"}, [](auto a, auto b) { return a + b; }),
     signs("{0} - {1}", {"1", "-1"}, [](auto a, auto b) { return a - b; }),
     signs("{0} * {1}", {"b", "a"}, [](auto a, auto b) { return a * b; }),
@@ -74,16 +80,9 @@ constexpr Operation table[] = {
     function("atan2", {"b/(a^2 + b^2)", "-(a/(a^2 + b^2))"},
              [](auto a, auto b) { return std::atan2(a, b); }),
     function("hypot", {"a/w", "b/w"}, [](auto a, auto b) { return std::hypot(a, b); }),
-    row(
-        "min", "{1} < {0} ? {1} : {0}", {"if(b < a, 0, 1)", "if(b < a, 1, 0)"},
-        [](auto a, auto b) { return b < a ? b : a; }, with_kinks),
-    row(
-        "max", "{0} < {1} ? {1} : {0}", {"if(a < b, 0, 1)", "if(a < b, 1, 0)"},
-        [](auto a, auto b) { return a < b ? b : a; }, with_kinks),
-    // Graph::partial has the derivatives by b and c, which depend on a.
-    row(
-        "if", "{0} != 0 ? {1} : {2}", {}, [](auto a, auto b, auto c) { return a != 0 ? b : c; },
-        with_kinks)};
+    jumps("min", "{1} < {0} ? {1} : {0}", [](auto a, auto b) { return b < a ? b : a; }),
+    jumps("max", "{0} < {1} ? {1} : {0}", [](auto a, auto b) { return a < b ? b : a; }),
+    jumps("if", "{0} != 0 ? {1} : {2}", [](auto a, auto b, auto c) { return a != 0 ? b : c; })};
 static_assert(std::size(table) + leaves == static_cast<std::size_t>(Op::choose) + 1);
 
 }  // namespace

@@ -25,7 +25,10 @@ enum class Op : std::uint8_t {
   log,
   log10,
   sqrt,
+  floor,
   abs,
+  side,  ///< 1 of a number from 0 on, -1 of one below: the derivative of abs, at 0 that to the
+         ///< right
   sign,
   add,
   subtract,

@@ -56,14 +56,16 @@ void print_coefficient(Printer& out, const SeriesPlan& plan, const SeriesPlan::S
         return out.line("    s{0}[k] = 2 * {1}[0] * {1}[k] + square({1}, k);", id, array(step.a));
       return out.line("    s{}[k] = sum({}, {}, 0, k);", id, array(step.a), array(step.b));
     case Op::sqrt:
-      return out.line("    s{0}[k] = ({1}[k] - square(s{0}, k)) / (2 * s{0}[0]);", id,
-                      array(step.a));
+      return out.line("    s{0}[k] = root({1}, s{0}, k);", id, array(step.a));
     case Op::divide:
       if (is_constant(step.b))
         return out.line("    s{}[k] = {}[k] / {};", id, array(step.a), constant(step.b));
       return out.line("    s{0}[k] = ({1} - sum({2}, s{0}, 1, k)) / {2}[0];", id,
                       is_constant(step.a) ? "0" : array(step.a) + "[k]", array(step.b));
     default: {
+      if (SeriesPlan::has_power_rule(step))
+        return out.line("    s{0}[k] = power({1}, s{0}, {2}, k);", id, array(step.a),
+                        constant(step.b));
       std::string sums;
       for (const SeriesPlan::Part& part : step.parts)
         sums += fmt::format(
@@ -99,7 +101,15 @@ void print_series(Printer& out, const std::string& head, const Problem& problem,
       "  double s = 0;\n  for (int j = 1; 2 * j < k; ++j) s += a[j] * a[k - j];\n"
       "  return 2 * s + (k % 2 == 0 ? a[k / 2] * a[k / 2] : 0);\n}\n"
       "static inline double slopes(const double* a, const double* b, int k) {\n"
-      "  double s = 0;\n  for (int j = 1; j <= k; ++j) s += j * a[j] * b[k - j];\n  return s;\n}\n";
+      "  double s = 0;\n  for (int j = 1; j <= k; ++j) s += j * a[j] * b[k - j];\n  return s;\n}\n"
+      "static inline double root(const double* a, const double* w, int k) {\n"
+      "  const double rest = a[k] - square(w, k);\n"
+      "  return w[0] == 0 && rest == 0 ? 0 : rest / (2 * w[0]);\n}\n"
+      "static inline double power(const double* a, const double* w, double b, int k) {\n"
+      "  int first = 0;\n  while (first <= k && a[first] == 0) ++first;\n"
+      "  if (first > 0 && w[0] == 0 && (first > k || k < b)) return 0;\n  double s = 0;\n"
+      "  for (int j = 1; j <= k; ++j) s += (b * j - (k - j)) * a[j] * w[k - j];\n"
+      "  return s / (k * a[0]);\n}\n";
   out.line("{}\n  (void)t; (void)y;", head);
   for (const auto& step : plan.steps)
     if (step.op != Op::constant) out.line("  double s{}[64];", step.id);

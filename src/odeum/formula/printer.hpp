@@ -66,7 +66,8 @@ class Printer {
   static std::string operation(Op op, const std::string& a, const std::string& b,
                                const std::string& c, const Type& type) {
     const Operation& meaning = meaning_of(op);
-    if (type.lanes && op == Op::sign) return fmt::format("lanes_sign({})", a);
+    if (type.lanes && (op == Op::sign || op == Op::side))
+      return fmt::format("lanes_{}({})", op == Op::sign ? "sign" : "side", a);
     const std::string call = fmt::format("{{3}}{}{{4}}({{0}}{})", meaning.name ? meaning.name : "",
                                          meaning.arguments > 1 ? ", {1}" : "");
     return fmt::format(fmt::runtime(meaning.c ? meaning.c : call), a, b, c, type.before,

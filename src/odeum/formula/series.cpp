@@ -10,7 +10,9 @@
 namespace odeum::formula {
 namespace {
 
-bool is_elementary(Op op) {
+bool is_elementary(const Graph& graph, const Node& node) {
+  const Op op = node.op;
+  if (op == Op::power) return graph.is_constant(node.of[1]);
   return arity(op) == 0 || op == Op::add || op == Op::subtract || op == Op::negate ||
          op == Op::multiply || op == Op::divide || op == Op::sqrt;
 }
@@ -26,7 +28,7 @@ SeriesPlan make_series_plan(Graph& graph, const std::vector<Id>& equations) {
     grows = false;
     for (const Id id : graph.needed(roots)) {
       const Node node = graph[id];
-      if (is_elementary(node.op) || partials.contains(id)) continue;
+      if (is_elementary(graph, node) || partials.contains(id)) continue;
       std::array<Id, 2> of{no_node, no_node};
       for (std::size_t k = 0; k < arity(node.op); ++k) {
         if (graph.is_constant(node.of[k])) continue;

@@ -22,6 +22,11 @@ struct SeriesPlan {
   };
   std::vector<Step> steps;
   std::vector<std::uint32_t> roots;
+
+  /// A power with a constant exponent has a rule of its own, which knows the base 0.
+  static bool has_power_rule(const Step& step) {
+    return step.op == Op::power && step.parts.empty();
+  }
 };
 
 /// The plan for some equations without kinks.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "odeum/formula/series.hpp"
@@ -23,6 +24,29 @@ Real inner_square(const Real* a, std::size_t k) {
   Real half(0);
   for (std::size_t j = 1; 2 * j < k; ++j) half += a[j] * a[k - j];
   return 2 * half + (k % 2 == 0 ? a[k / 2] * a[k / 2] : Real(0));
+}
+
+/// Coefficient k of w = sqrt(a): w^2 = a. That of zero is zero.
+template <class Real>
+Real root_coefficient(const Real* a, const Real* w, std::size_t k) {
+  const Real rest = a[k] - inner_square(w, k);
+  if constexpr (std::is_floating_point_v<Real>)
+    if (w[0] == 0 && rest == 0) return 0;
+  return rest / (2 * w[0]);
+}
+
+/// Coefficient k of w = a^b: a w' = b w a'. Where a is 0, those below k = b are zero, and all of
+/// them where a is 0 throughout.
+template <class Real>
+Real power_coefficient(const Real* a, const Real* w, const Real& b, std::size_t k) {
+  if constexpr (std::is_floating_point_v<Real>)
+    if (const Real* const first = std::find_if(a, a + k + 1, [](Real each) { return each != 0; });
+        w[0] == 0 && first != a && (first == a + k + 1 || static_cast<Real>(k) < b))
+      return 0;
+  Real sum(0);
+  for (std::size_t j = 1; j <= k; ++j)
+    sum += (b * static_cast<Real>(j) - static_cast<Real>(k - j)) * a[j] * w[k - j];
+  return sum / (static_cast<Real>(k) * a[0]);
 }
 
 template <class Real>
@@ -95,10 +119,14 @@ void Series<Real>::advance(std::size_t k, std::size_t width) {
         w[k] = plan_.steps[step.b].op == Op::constant ? a[k] / b[0]
                                                       : (a[k] - convolution(b, w, 1, k)) / b[0];
         break;
-      case Op::sqrt:  // w^2 = a
-        w[k] = (a[k] - inner_square(w, k)) / (2 * w[0]);
+      case Op::sqrt:
+        w[k] = root_coefficient(a, w, k);
         break;
       default: {
+        if (SeriesPlan::has_power_rule(step)) {
+          w[k] = power_coefficient(a, w, b[0], k);
+          break;
+        }
         Real sum(0);
         for (const SeriesPlan::Part& part : step.parts) {
           const Real* const u = v_.data() + part.argument * width;

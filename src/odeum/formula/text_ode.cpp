@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "odeum/formula/exact.hpp"
+#include "odeum/formula/finite_entries.hpp"
 
 namespace odeum::formula {
 namespace {
@@ -66,15 +67,7 @@ TextOde::TextOde(Problem problem, Code code)
     use(*library_);
   else
     interpret();
-  if (s.is_sparse()) {
-    view_.sparsity = &sparsity_;
-    view_.jacobian_entries = entries_;
-  }
-  if (!view_.jacobian)
-    view_.jacobian = [](const void* p, double t, const double* y, double* j) {
-      const auto& self = of(p);
-      fill_dense(self.sparsity_, self.entries(t, y).data(), j);
-    };
+  offer_derivatives();
   view_.jacobian_times = [](const void* p, double t, const double* y, const double* x,
                             double* product) {
     const auto& self = of(p);
@@ -88,27 +81,41 @@ TextOde::TextOde(Problem problem, Code code)
     };
 }
 
+/// Where all operations have finite derivatives, the functions are those that compute.
+void TextOde::offer_derivatives() {
+  const bool steep = analysis_.structure.steep;
+  const auto offered = [steep](Function<double> raw, Function<double> mended) {
+    return steep && raw ? mended : raw;
+  };
+  if (analysis_.structure.is_sparse()) {
+    view_.sparsity = &sparsity_;
+    view_.jacobian_entries = offered(raw_.entries, call<&TextOde::fill_entries>);
+  }
+  view_.jacobian = steep || !raw_.jacobian ? call<&TextOde::fill_jacobian> : raw_.jacobian;
+  view_.implicit_jacobian = offered(raw_.implicit_jacobian, call<&TextOde::fill_implicit_jacobian>);
+  view_.time_derivative = offered(raw_.time_derivative, call<&TextOde::fill_time_derivative>);
+}
+
 void TextOde::use(const Library& library) {
   view_.rhs = library.function<decltype(view_.rhs)>("rhs");
-  view_.jacobian = library.function<decltype(view_.jacobian)>("jacobian");
-  entries_ = library.function<decltype(entries_)>("jacobian_entries");
-  view_.time_derivative = library.function<decltype(view_.time_derivative)>("time_derivative");
+  raw_ = {.jacobian = library.function<Function<double>>("jacobian"),
+          .entries = library.function<Function<double>>("jacobian_entries"),
+          .implicit_jacobian = library.function<Function<double>>("implicit_jacobian"),
+          .time_derivative = library.function<Function<double>>("time_derivative"),
+          .extended_rhs = library.function<Function<long double>>("rhs_extended"),
+          .extended_entries = library.function<Function<long double>>("entries_extended")};
   view_.acceleration = library.function<decltype(view_.acceleration)>("acceleration");
   view_.taylor = library.function<decltype(view_.taylor)>("taylor");
   view_.explicit_part = library.function<decltype(view_.explicit_part)>("explicit_part");
   view_.implicit_part = library.function<decltype(view_.implicit_part)>("implicit_part");
-  view_.implicit_jacobian =
-      library.function<decltype(view_.implicit_jacobian)>("implicit_jacobian");
-  extended_rhs_ = library.function<Extended>("rhs_extended");
-  extended_entries_ = library.function<Extended>("entries_extended");
 }
 
 void TextOde::interpret() {
   interpreted_ = std::make_shared<const Interpreted>(problem_, analysis_);
   view_.rhs = interpreted<&Interpreted::rhs>;
-  entries_ = interpreted<&Interpreted::entries>;
+  raw_.entries = interpreted<&Interpreted::entries>;
   if (!analysis_.time_derivative.empty())
-    view_.time_derivative = interpreted<&Interpreted::time_derivative>;
+    raw_.time_derivative = interpreted<&Interpreted::time_derivative>;
   if (!problem_.implicit_part.empty()) {
     view_.explicit_part = interpreted<&Interpreted::explicit_part>;
     view_.implicit_part = interpreted<&Interpreted::implicit_part>;
@@ -127,8 +134,8 @@ void TextOde::interpret() {
       const auto& self = of(p);
       Series<double>(self.problem_.graph, *self.analysis_.series, self.size())(t, y, order, c);
     };
-  extended_rhs_ = interpreted<&Interpreted::extended_rhs>;
-  extended_entries_ = interpreted<&Interpreted::extended_entries>;
+  raw_.extended_rhs = interpreted<&Interpreted::extended_rhs>;
+  raw_.extended_entries = interpreted<&Interpreted::extended_entries>;
 }
 
 bool TextOde::set_parameters(const std::map<std::string, long double>& values) {
@@ -152,8 +159,45 @@ void TextOde::jacobian_extended(long double t, const long double* y, long double
 
 std::vector<double> TextOde::entries(double t, const double* y) const {
   std::vector<double> values(sparsity_.entries());
-  entries_(&handle_, t, y, values.data());
+  fill_entries(t, y, values.data());
   return values;
+}
+
+void TextOde::fill_entries(double t, const double* y, double* values) const {
+  raw_.entries(&handle_, t, y, values);
+  if (analysis_.structure.steep && !all_finite(values, sparsity_.entries()))
+    FiniteEntries<double>(sparsity_, &handle_, view_.rhs, raw_.entries).mend(t, y, values);
+}
+
+void TextOde::entries_extended(long double t, const long double* y, long double* values) const {
+  raw_.extended_entries(&handle_, t, y, values);
+  if (analysis_.structure.steep && !all_finite(values, sparsity_.entries()))
+    FiniteEntries<long double>(sparsity_, &handle_, raw_.extended_rhs, raw_.extended_entries)
+        .mend(t, y, values);
+}
+
+void TextOde::fill_jacobian(double t, const double* y, double* j) const {
+  if (raw_.jacobian) {
+    raw_.jacobian(&handle_, t, y, j);
+    if (all_finite(j, size() * size())) return;
+  }
+  fill_dense(sparsity_, entries(t, y).data(), j);
+}
+
+void TextOde::fill_implicit_jacobian(double t, const double* y, double* j) const {
+  const std::size_t n = size();
+  raw_.implicit_jacobian(&handle_, t, y, j);
+  if (all_finite(j, n * n)) return;
+  FiniteEntries<double>(banded_sparsity(n, n, n), &handle_, view_.implicit_part,
+                        raw_.implicit_jacobian)
+      .mend(t, y, j);
+}
+
+void TextOde::fill_time_derivative(double t, const double* y, double* dfdt) const {
+  raw_.time_derivative(&handle_, t, y, dfdt);
+  if (all_finite(dfdt, size())) return;
+  const double span = problem_.stops.back() - static_cast<double>(problem_.t0);
+  mend_time_derivative([&](double at, double* f) { rhs(at, y, f); }, t, span, size(), dfdt);
 }
 
 }  // namespace odeum::formula

@@ -23,7 +23,8 @@ std::string print_c(const Problem& problem, const Analysis& analysis);
 std::shared_ptr<const ImplicitForm> implicit_form(const Problem& problem);
 
 /// A problem that was read from text, with all that was found in it, as compiled code; interpreted
-/// where there is no compiler.
+/// where there is no compiler. Its derivatives are finite wherever the equations are, see
+/// formula/finite_entries.hpp; the evaluations that this takes at single points are not counted.
 class TextOde {
  public:
   static constexpr std::size_t dimension = dynamic;
@@ -39,12 +40,10 @@ class TextOde {
 
   /// In extended precision.
   void rhs_extended(long double t, const long double* y, long double* f) const {
-    extended_rhs_(&handle_, t, y, f);
+    raw_.extended_rhs(&handle_, t, y, f);
   }
   /// The values of sparsity().
-  void entries_extended(long double t, const long double* y, long double* values) const {
-    extended_entries_(&handle_, t, y, values);
-  }
+  void entries_extended(long double t, const long double* y, long double* values) const;
   /// Dense, row-major.
   void jacobian_extended(long double t, const long double* y, long double* j) const;
   /// Which entries of the Jacobian are not zero by form.
@@ -62,10 +61,26 @@ class TextOde {
   const std::string& how() const { return how_; }  ///< how it runs, in a sentence
 
  private:
-  using Extended = void (*)(const void*, long double, const long double*, long double*);
+  template <class Real>
+  using Function = void (*)(const void*, Real, const Real*, Real*);
+  /// As they are computed, with what is not finite.
+  struct Raw {
+    Function<double> jacobian = nullptr, entries = nullptr, implicit_jacobian = nullptr,
+                     time_derivative = nullptr;
+    Function<long double> extended_rhs = nullptr, extended_entries = nullptr;
+  };
   void use(const Library& library);
   void interpret();
+  void offer_derivatives();
   std::vector<double> entries(double t, const double* y) const;
+  void fill_entries(double t, const double* y, double* values) const;
+  void fill_jacobian(double t, const double* y, double* j) const;
+  void fill_implicit_jacobian(double t, const double* y, double* j) const;
+  void fill_time_derivative(double t, const double* y, double* dfdt) const;
+  template <auto member>
+  static void call(const void* handle, double t, const double* y, double* out) {
+    (of(handle).*member)(t, y, out);
+  }
 
   /// What the functions of the view get: C code reads the constants alone.
   struct Handle {
@@ -86,8 +101,7 @@ class TextOde {
   static void interpreted(const void* handle, Real t, const Real* y, Real* out);
   std::shared_ptr<const Interpreted> interpreted_;
   OdeView view_;
-  decltype(OdeView::jacobian_entries) entries_ = nullptr;
-  Extended extended_rhs_ = nullptr, extended_entries_ = nullptr;
+  Raw raw_;
 
  public:
   TextOde(const TextOde&) = delete;

@@ -14,7 +14,8 @@ namespace odeum::methods {
 
 /// Taylor's method: the series of the solution, from the recurrence that the problem offers. Order
 /// 12 at a fixed step. Adaptive runs take the order of least work for the tolerance, and h = 1/e^2
-/// of the radius of convergence estimated from the last two coefficients (Jorba and Zou).
+/// of the radius of convergence estimated from the last two coefficients (Jorba and Zou). Where the
+/// solution has no series, as that of y' = 1 + y^2.5 at y = 0, a step is one of Heun's method.
 struct taylor {
   static constexpr int fixed_order = 12;
   static constexpr MethodInfo info{
@@ -47,20 +48,87 @@ struct taylor {
     }
   }
 
+  static bool has_series(const std::vector<double>& c) {
+    double finite = 0;
+    for (const double x : c) finite += x * 0;
+    return finite == 0;
+  }
+
+  /// Steps where there is no series.
+  template <class P>
+  class Heun {
+   public:
+    explicit Heun(const P& problem)
+        : problem_(problem), slope_(make_state(problem)), end_slope_(slope_), end_(slope_) {}
+
+    /// At (t, y); false where f is not finite.
+    bool begin(double t, const State<P>& y) { return is_finite(t, y, slope_); }
+    bool is_inside(double t, const State<P>& y) { return is_finite(t, y, end_); }
+    /// The state at t + h in `result`.
+    void step(double t, double h, const State<P>& y, State<P>& result) {
+      for (std::size_t i = 0; i < y.size(); ++i) end_[i] = y[i] + h * slope_[i];
+      problem_.rhs(t + h, end_.data(), end_slope_.data());
+      for (std::size_t i = 0; i < y.size(); ++i)
+        result[i] = y[i] + h / 2 * (slope_[i] + end_slope_[i]);
+    }
+    /// The length of the step from (t, y) whose error is at the tolerance, estimated as that of
+    /// Euler's method; NaN where f is not finite.
+    double longest_step(double t, const State<P>& y, const State<P>& weights, double tolerance) {
+      if (!begin(t, y)) return std::numeric_limits<double>::quiet_NaN();
+      double size = 1, speed = 0;
+      for (std::size_t i = 0; i < y.size(); ++i) {
+        size = std::max(size, std::abs(y[i]) * weights[i]);
+        speed = std::max(speed, std::abs(slope_[i]) * weights[i]);
+      }
+      constexpr double shortest = std::numeric_limits<double>::min();
+      double h = speed > 0 ? size / speed : 1;
+      for (; h > shortest; h /= 4) {
+        step(t, h, y, end_);
+        double error = 0;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+          const double change = h / 2 * std::abs(end_slope_[i] - slope_[i]) * weights[i];
+          error = change <= error ? error : change;  // NaN stays
+        }
+        if (error <= tolerance * size) break;
+      }
+      return h;
+    }
+    /// Inside the step made last.
+    void between(const StepMade<State<P>>& made, double time, State<P>& y) const {
+      const double d = time - made.t;
+      for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = made.before[i] + d * (slope_[i] + d / (2 * made.h) * (end_slope_[i] - slope_[i]));
+    }
+
+   private:
+    bool is_finite(double t, const State<P>& y, State<P>& f) {
+      problem_.rhs(t, y.data(), f.data());
+      return std::all_of(f.begin(), f.end(), [](double each) { return std::isfinite(each); });
+    }
+    const P& problem_;
+    State<P> slope_, end_slope_, end_;
+  };
+
   template <class P>
   class Stepper {
    public:
     explicit Stepper(const P& problem)
-        : problem_(problem), c_((fixed_order + 1) * size_of(problem)) {}
+        : problem_(problem), heun_(problem), c_((fixed_order + 1) * size_of(problem)) {}
 
     Status step(double t, double h, State<P>& y) {
       problem_.taylor(t, y.data(), fixed_order, c_.data());
-      sum(c_, fixed_order, h, y);
+      if (has_series(c_)) {
+        sum(c_, fixed_order, h, y);
+      } else {
+        heun_.begin(t, y);
+        heun_.step(t, h, y, y);
+      }
       return Status::ok;
     }
 
    private:
     const P& problem_;
+    Heun<P> heun_;
     std::vector<double> c_;
   };
 
@@ -91,29 +159,44 @@ struct taylor {
           order_(std::clamp(static_cast<int>(std::ceil(1 - std::log(tolerance.relative) / 2)), 3,
                             highest_taylor_order)),
           c_((static_cast<std::size_t>(order_) + 1) * size_of(problem)),
+          tolerance_(tolerance.relative),
+          heun_(problem),
           weights_(make_state(problem)) {
       for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = 1 / tolerance.threshold(i);
     }
 
     double longest_step(double t, const State<P>& y) {
       problem_.taylor(t, y.data(), order_, c_.data());
-      double finite = 0;  // NaN where a coefficient is not finite
-      for (const double x : c_) finite += x * 0;
-      return safe_step(c_, order_, weights_) + finite;
+      by_series_ = has_series(c_);
+      return part_ * (by_series_ ? safe_step(c_, order_, weights_)
+                                 : heun_.longest_step(t, y, weights_, tolerance_));
     }
-    Decision operator()(double, double h, const State<P>&, State<P>& y_new) const {
-      sum(c_, order_, h, y_new);
-      return {true, h};
+    Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
+      by_series_ ? sum(c_, order_, h, y_new) : heun_.step(t, h, y, y_new);
+      const bool inside = !changes_sign(y, y_new) || heun_.is_inside(t + h, y_new);
+      part_ = inside ? 1 : part_ / 4;
+      return {inside, h};
     }
     Status between(const StepMade<State<P>>& step, double time, State<P>& y) const {
-      sum(c_, order_, time - step.t, y);
+      by_series_ ? sum(c_, order_, time - step.t, y) : heun_.between(step, time, y);
       return Status::ok;
     }
 
    private:
+    /// Equations may end at 0 (sqrt), which a state of less than the tolerance can pass.
+    static bool changes_sign(const State<P>& y, const State<P>& y_new) {
+      for (std::size_t i = 0; i < y.size(); ++i)
+        if (y_new[i] * y[i] < 0 || (y[i] == 0 && y_new[i] < 0)) return true;
+      return false;
+    }
+
     const P& problem_;
     int order_;
     std::vector<double> c_;
+    bool by_series_ = true;  ///< the step to come, and the one made last
+    double part_ = 1;  ///< of the longest step, after steps beyond the domain of the equations
+    double tolerance_;
+    Heun<P> heun_;
     State<P> weights_;
   };
 
