@@ -43,6 +43,20 @@ TEST(RunOutputs, ChangeNoCountAndNoEnd) {
   EXPECT_EQ(shell(run + " --out " + folder.path().string() + rows).output, alone);
 }
 
+// Of an explicit method's run on a stiff problem the table had 10^7 rows, and took 10 GB to make.
+TEST(RunOutputs, OfManyStepsTheTableHasTheShortestAndTheLongestOfGroups) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "stiff.yaml",
+             "states: {x: 0}\nequations: {x: -1e5*(x - cos(t))}\ntime: {end: 2}\n");
+  const Result run = shell("cd '" + folder.path().string() +
+                           "' && odeum run stiff.yaml --solver dormand_prince54 --tol 1e-3 "
+                           "--no-truth --out out && wc -l <out/steps.csv");
+  const int lines = std::stoi(run.output.substr(run.output.rfind('\n', run.output.size() - 2)));
+  // Stable steps are at most 3.3/1e5: there are at least 60,000.
+  EXPECT_GT(lines, 20'000) << run.output;
+  EXPECT_LE(lines, 40'001) << run.output;
+}
+
 // A run that ends ok with an error of hundreds of times the solution's size had exit code 0.
 TEST(RunCode, IsThatOfAFailureWhereEachRunHasDiverged) {
   // Explicit Euler grows by a third in each of 20 steps; RK4 is stable there.

@@ -158,10 +158,18 @@ record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs) {
   record::Records table{{"case", "library", "solver", "time", "step"}};
   for (const CaseRun& run : runs) {
     const SolverInfo& info = run.entrant->info;
-    double before = c.t0;
-    for (const double t : run.outcome.step_ends) {
-      table.rows.push_back({c.id, info.library, info.method, t, t - before});
-      before = t;
+    std::vector<double> ends{c.t0};
+    ends.insert(ends.end(), run.outcome.step_ends.begin(), run.outcome.step_ends.end());
+    if (ends.size() == 1) continue;
+    const std::size_t in_group = 1 + (ends.size() - 2) / most_groups_of_steps;
+    for (std::size_t first = 1; first < ends.size(); first += in_group) {
+      std::size_t shortest = first, longest = first;
+      for (std::size_t k = first; k < std::min(first + in_group, ends.size()); ++k) {
+        if (ends[k] - ends[k - 1] < ends[shortest] - ends[shortest - 1]) shortest = k;
+        if (ends[k] - ends[k - 1] > ends[longest] - ends[longest - 1]) longest = k;
+      }
+      for (const std::size_t k : std::set{shortest, longest})
+        table.rows.push_back({c.id, info.library, info.method, ends[k], ends[k] - ends[k - 1]});
     }
   }
   return table;

@@ -45,6 +45,9 @@ record::Records case_trajectory(const Case& c, const std::vector<CaseRun>& runs,
 /// The end of each run: case, library, solver, status, time, component, value, exact, error, name.
 record::Records case_solution(const Case& c, const std::vector<CaseRun>& runs);
 /// The accepted steps of adaptive runs, where they are recorded: case, library, solver, time, step.
+/// Of a run with more steps than this they are taken in as many groups of neighbours, and the table
+/// has the shortest and the longest of each: a stiff run of an explicit method has 10^7.
+inline constexpr std::size_t most_groups_of_steps = 20'000;
 record::Records case_steps(const Case& c, const std::vector<CaseRun>& runs);
 
 /// The scheme's own closed form at the outputs of each run that has one: case, library, solver,
