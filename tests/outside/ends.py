@@ -85,7 +85,7 @@ def guarded(model, most):
     return rhs
 
 
-def run(model, method, rtol, size, begin, end, y, breaks, most=10**9):
+def run(model, method, rtol, size, begin, end, y, breaks, most=3 * 10**5):
     """The end, and the largest of each state along the steps; the absolute tolerances are 1e-2 rtol times `size`. No step is
     longer than a fortieth, so that no day or pulse is stepped over."""
     y, largest = np.array(y, float), np.abs(np.array(y, float))
@@ -111,7 +111,7 @@ def run(model, method, rtol, size, begin, end, y, breaks, most=10**9):
 def robust(model, rtol, *rest):
     try:
         return run(model, "LSODA", rtol, *rest)
-    except RuntimeError:
+    except (Many, RuntimeError):
         return run(model, "Radau", rtol, *rest)
 
 
@@ -125,16 +125,22 @@ def end_of(model, breaks, least):
         size = np.where(largest > 0, largest, 1)
     # What is stiff shows at a coarse tolerance.
     for method, fine, coarse, most in [("DOP853", 2.5e-14, 1e-12, 5 * 10**5), ("Radau", 1e-11, 1e-10, 2 * 10**5),
-                                       ("LSODA", 1e-12, 1e-11, 10**9)]:
+                                       ("LSODA", 1e-12, 1e-11, 3 * 10**6)]:
         try:
             if method == "DOP853":
                 run(model, method, 1e-6, least * size, *span, most=2 * 10**4)
             best, largest = run(model, method, fine, least * size, *span, most=most)
-            again, _ = run(model, method, coarse, least * size, *span)
+            again, _ = run(model, method, coarse, least * size, *span, most=most)
             break
         except (Many, RuntimeError):
             pass
-    other, _ = run(model, "LSODA" if method == "Radau" else "Radau", 1e-8, least * size, *span)
+    for another in ["LSODA", "BDF"] if method == "Radau" else ["Radau"]:
+        try:
+            other, _ = run(model, another, 1e-8, least * size, *span)
+            break
+        except RuntimeError:
+            if another != "LSODA":
+                raise
     apart = np.max(np.abs(other - best) / size)
     return best, np.abs(best - again), largest, method, apart
 
@@ -166,16 +172,20 @@ def amplification_of(model, breaks, largest, least):
 def rows_of(name):
     begin, model = time.process_time(), Model(folder / f"{name}.yaml")
     breaks = switches(model)
+    got = None
     for least in (1, 1e-20):
         try:
-            best, differ, largest, method, apart = end_of(model, breaks, least)
-            most = amplification_of(model, breaks, largest, least)
-        except RuntimeError:
-            if least < 1:
-                raise
+            found = end_of(model, breaks, least)
+            found = (*found, amplification_of(model, breaks, found[2], least))
+        except (Many, RuntimeError) as error:
+            if least < 1 and not got:
+                raise error
             continue
-        if apart < 1e-6 * max(1, most) and max(differ / np.where(largest > 0, largest, 1)) < 1e-7:
+        apart = lambda each: max(each[4], max(each[1] / np.where(each[2] > 0, each[2], 1)))
+        got = found if not got or apart(found) < apart(got) else got
+        if apart(got) < 1e-7:
             break
+    best, differ, largest, method, apart, most = got
     print(f"{name}: {method}, {len(breaks)} switches, two runs differ by {max(differ):.1e}, another family by "
           f"{apart:.1e} of the largest, amplification {most:.2g}, {time.process_time() - begin:.1f} s", flush=True, file=said)
     if apart > 1e-6 * max(1, most):

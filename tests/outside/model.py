@@ -146,7 +146,7 @@ class Model:
 
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
-            text = yaml.safe_load(file)
+            text = yaml.load(file, yaml.BaseLoader)  # all as written: NO is a species
         self.conditions, self.ranges, self.beyond, self.clock = [], {}, {}, [-math.inf, math.inf]
         self.known = dict(FUNCTIONS, power=power)
         for name, value in (text.get("parameters") or {}).items():
