@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <sstream>
 
 #include "odeum/cli/help.hpp"
 #include "odeum/cli/session.hpp"
@@ -85,7 +86,10 @@ int run(const std::vector<std::string>& words) {
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back
   } catch (const CLI::Success& help) {                                  // --help, --version
-    return app.exit(help) == 0 ? success : usage;
+    std::ostringstream text;
+    const bool right = app.exit(help, text, text) == 0;
+    print(text.str());
+    return right ? success : usage;
   } catch (const CLI::ParseError& error) {
     const bool unknown = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
     odeum::tell(fmt::format("odeum: {}{}\n", error.what(), unknown ? hint_of(app) : ""));
