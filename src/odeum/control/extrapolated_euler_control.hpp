@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/slope_range.hpp"
 #include "odeum/kernel/components.hpp"
 #include "odeum/kernel/extrapolated_euler.hpp"
 #include "odeum/kernel/inner_nodes.hpp"
@@ -20,7 +21,10 @@ template <Ode P>
 class ExtrapolatedEulerControl {
  public:
   ExtrapolatedEulerControl(const P& problem, const Tolerance& tolerance)
-      : table_(problem), scale_(make_state(problem)), error_scale_(tolerance, scale_) {
+      : problem_(problem),
+        table_(problem),
+        scale_(make_state(problem)),
+        error_scale_(tolerance, scale_) {
     target_ = std::clamp(static_cast<std::size_t>(1.5 - 0.6 * std::log10(tolerance.relative)),
                          std::size_t{2}, last - 1);
     // In units of one evaluation with its solve; a factorisation counts as two.
@@ -38,6 +42,7 @@ class ExtrapolatedEulerControl {
     }
     each_component(y, [&](std::size_t n) { scale_[n] = 1 / error_scale_(n, std::abs(y[n])); });
     used_ = 0;
+    begin_trial(problem_);
     double error = 0, before = 0;
     for (std::size_t j = 0; j <= std::min(target_ + 1, last); ++j) {
       double contraction = 0;
@@ -58,6 +63,7 @@ class ExtrapolatedEulerControl {
       if (j == target_ && error > 2 * (n + 1)) break;
     }
     y_new = table_.column(used_);
+    if (error <= 1 && !has_ends(problem_, t, h, y, y_new, error_scale_, table_)) return unusable(h);
     return error <= 1 ? accept(h) : reject(h);
   }
 
@@ -132,6 +138,7 @@ class ExtrapolatedEulerControl {
     return std::sqrt(sum / static_cast<double>(a.size()));
   }
 
+  const P& problem_;
   ExtrapolatedEulerTable<P> table_;
   State<P> scale_;
   ErrorScale<State<P>> error_scale_;

@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "odeum/control/adaptive.hpp"
+#include "odeum/control/slope_range.hpp"
 #include "odeum/control/step_control.hpp"
+#include "odeum/control/unseen_ends.hpp"
 #include "odeum/kernel/components.hpp"
 #include "odeum/kernel/dense_output.hpp"
 
@@ -33,10 +35,13 @@ class EmbeddedPair {
 
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     copy_components(y, y_new);
+    begin_trial(problem_);
     const Status status = stepper_.step(t, h, y_new, error_);
-    Decision decision = decide(control_, h,
-                               status == Status::ok ? scaled_error_square(error_, y, y_new, scale_)
-                                                    : std::numeric_limits<double>::infinity());
+    double square = status == Status::ok ? scaled_error_square(error_, y, y_new, scale_)
+                                         : std::numeric_limits<double>::infinity();
+    if (square <= 1 && !has_ends(problem_, t, h, y, y_new, scale_, stepper_))
+      square = std::numeric_limits<double>::infinity();
+    Decision decision = decide(control_, h, square);
     if constexpr (requires { Stepper::keeps_factors; })
       decision = without_small_growth(decision, h);
     if constexpr (requires { stepper_.advance(); })
@@ -85,6 +90,7 @@ class EmbeddedPair {
 ///
 /// The upper bound is a scaled difference of one. Doubling h multiplies the difference by about
 /// 2^(p+1), so the lower bound is half of 2^-(p+1): a doubled step still lands below the upper one.
+/// A step whose ends no stage sees is looked at there too (UnseenEnds).
 template <class Stepper, Ode P>
 class StepDoubling {
  public:
@@ -92,6 +98,7 @@ class StepDoubling {
       : problem_(problem),
         stepper_(problem),
         whole_(make_state(problem)),
+        ends_(problem, tolerance),
         scale_(tolerance, whole_),
         lower_(std::ldexp(0.5, -(order + 1))) {
     if constexpr (requires { stepper_.will_be_retried(); }) stepper_.will_be_retried();
@@ -100,12 +107,18 @@ class StepDoubling {
   Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
     whole_ = y;
     y_new = y;
-    const bool made = step(stepper_, t, h, whole_) && step(stepper_, t, h / 2, y_new) &&
-                      step(stepper_, t + h / 2, h / 2, y_new);
+    begin_trial(problem_);
+    bool made = step(stepper_, t, h, whole_) && step(stepper_, t, h / 2, y_new);
+    if (made) {
+      ends_.remember_first_half(stepper_);
+      made = step(stepper_, t + h / 2, h / 2, y_new);
+    }
     each_component(y, [&](std::size_t i) { whole_[i] -= y_new[i]; });
     const double difference = scaled_error_norm(whole_, y, y_new, scale_);
     if (!made || !std::isfinite(difference)) return {false, h / 4};
-    if (difference > 1) return {false, h / 2};
+    if (difference > 1 || !ends_.agree(stepper_, t, h, y, y_new) ||
+        !has_ends(problem_, t, h, y, y_new, scale_, stepper_))
+      return {false, h / 2};
     return {true, difference < lower_ ? 2 * h : h};
   }
 
@@ -126,6 +139,7 @@ class StepDoubling {
   const P& problem_;
   Stepper stepper_;
   State<P> whole_;
+  UnseenEnds<Stepper, P> ends_;
   ErrorScale<State<P>> scale_;
   double lower_;
 };

@@ -2,6 +2,9 @@
 #pragma once
 #include <algorithm>
 #include <concepts>
+#include <memory>
+#include <type_traits>
+#include <utility>
 
 #include "odeum/control/fixed_step.hpp"
 #include "odeum/control/one_step.hpp"
@@ -38,27 +41,79 @@ inline constexpr bool has_trial_steps = OwnTrialSteps<M> ||
                                         (!ChoosesItsOwnSteps<M> &&
                                          (M::info.order_embedded != 0 || M::info.one_step));
 
-/// The trial steps of an adaptive run of method M from t0 to `end`: its own, those of an embedded
-/// pair, else step doubling.
+/// Whether steps of M to a tolerance leave out an end of each, see SlopeRange: unless the method
+/// says so, where it is stepped by step doubling.
+template <class M>
+constexpr bool leaves_out_ends() {
+  if constexpr (requires { M::leaves_out_ends; }) return M::leaves_out_ends;
+  return !ChoosesItsOwnSteps<M> && M::info.order_embedded == 0;
+}
+
+namespace detail {
+/// The trial steps of M: its own, those of an embedded pair, else step doubling.
+template <class M, Ode P>
+auto trial_steps_alone(const P& problem, double t0, const State<P>& y0, double end,
+                       const Tolerance& tolerance) {
+  if constexpr (OwnTrialSteps<M>) {
+    return M::trial_steps(problem, t0, y0, end, tolerance);
+  } else {
+    using Stepper = typename M::template Stepper<P>;
+    constexpr bool pair = M::info.order_embedded != 0;
+    constexpr int order = pair ? std::min(M::info.order, M::info.order_embedded) : M::info.order;
+    using Trial =
+        std::conditional_t<pair,
+                           EmbeddedPair<Stepper, typename ControlFor<M::info.control>::type, P, M>,
+                           StepDoubling<Stepper, P>>;
+    return TrialSteps<Trial>{initial_step(problem, t0, y0, end, order, tolerance),
+                             {problem, tolerance, order}};
+  }
+}
+
+/// Those on a problem whose slopes are watched, which they refer to.
+template <class M, Ode P>
+class TrialInRange {
+ public:
+  TrialInRange(const P& problem, double t0, const State<P>& y0, double end,
+               const Tolerance& tolerance)
+      : held_(std::make_unique<Held>(problem, t0, y0, end, tolerance)) {}
+
+  double first_step() const { return held_->steps.first_step; }
+  Decision operator()(double t, double h, const State<P>& y, State<P>& y_new) {
+    return held_->steps.trial(t, h, y, y_new);
+  }
+  Status between(const StepMade<State<P>>& step, double t, State<P>& y) {
+    return held_->steps.trial.between(step, t, y);
+  }
+
+ private:
+  using Watched = InRange<P>;
+  struct Held {
+    Held(const P& problem, double t0, const State<P>& y0, double end, const Tolerance& tolerance)
+        : range(problem),
+          watched(problem, range),
+          steps(trial_steps_alone<M>(watched, t0, y0, end, tolerance)) {}
+    SlopeRange<P> range;
+    Watched watched;
+    decltype(trial_steps_alone<M>(std::declval<const Watched&>(), 0.0,
+                                  std::declval<const State<P>&>(), 0.0,
+                                  std::declval<const Tolerance&>())) steps;
+  };
+  std::unique_ptr<Held> held_;
+};
+}  // namespace detail
+
+/// The trial steps of an adaptive run of method M from t0 to `end`.
 template <class M, Ode P>
 auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
                     const Tolerance& tolerance) {
-  using Stepper = typename M::template Stepper<P>;
-  if constexpr (M::info.order_embedded != 0) {
-    using Trial = EmbeddedPair<Stepper, typename ControlFor<M::info.control>::type, P, M>;
-    constexpr int order = std::min(M::info.order, M::info.order_embedded);
-    return TrialSteps<Trial>{initial_step(problem, t0, y0, end, order, tolerance),
-                             {problem, tolerance, order}};
+  if constexpr (leaves_out_ends<M>()) {
+    using Trial = detail::TrialInRange<M, P>;
+    Trial trial(problem, t0, y0, end, tolerance);
+    const double first_step = trial.first_step();
+    return TrialSteps<Trial>{first_step, std::move(trial)};
   } else {
-    constexpr int order = M::info.order;
-    return TrialSteps<StepDoubling<Stepper, P>>{
-        initial_step(problem, t0, y0, end, order, tolerance), {problem, tolerance, order}};
+    return detail::trial_steps_alone<M>(problem, t0, y0, end, tolerance);
   }
-}
-template <OwnTrialSteps M, Ode P>
-auto trial_steps_of(const P& problem, double t0, const State<P>& y0, double end,
-                    const Tolerance& tolerance) {
-  return M::trial_steps(problem, t0, y0, end, tolerance);
 }
 
 /// The run of method M that a request asks for.

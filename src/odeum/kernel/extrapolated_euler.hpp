@@ -29,6 +29,8 @@ class ExtrapolatedEulerTable {
   }
 
   void linearise(double t, const State<P>& y) { system_.linearise(t, y); }
+  /// Overwrites x by what the steps of the last row make of a change of h f by x.
+  void damp(State<P>& x) { system_.solve(x.data()); }
 
   /// Adds row j (from 0); the table then holds T_{j,1}, ..., T_{j,j+1}. False: the matrix is
   /// singular or not finite. `contraction` of the first row: how the corrections of a Newton

@@ -17,6 +17,13 @@ namespace odeum {
 template <const auto& T, Ode P>
 class FullyImplicitRungeKutta {
  public:
+  static constexpr std::size_t stages = T.stages;
+  static constexpr int order = T.order;
+  static constexpr auto nodes = StageSystem<T, P>::nodes;
+  /// See UnseenEnds.
+  static constexpr bool leaves_out_ends =
+      nodes[0] > order_rounding || nodes[stages - 1] < 1 - order_rounding;
+
   explicit FullyImplicitRungeKutta(const P& problem) : system_(problem) {}
 
   Status step(double t, double h, State<P>& y) {
@@ -49,6 +56,9 @@ class FullyImplicitRungeKutta {
     finish(y);
     return Status::ok;
   }
+  /// f at the stages of the last step, and the filter of StageSystem with its matrix.
+  const std::array<State<P>, T.stages>& slopes() const { return system_.slopes(); }
+  void damp(State<P>& x) { system_.damp(x); }
 
  private:
   /// The last stage is the new state.
@@ -102,6 +112,7 @@ static_assert(dense_dimension_limit == 128, "as `needs` says");
 /// Base of a fully implicit method.
 template <const auto& T>
 struct FullyImplicitMethod : ForFewUnknowns, TableauMethod<T> {
+  static constexpr bool leaves_out_ends = false;  ///< UnseenEnds looks at them
   template <class P>
   using Stepper = FullyImplicitRungeKutta<T, P>;
   static constexpr MethodInfo described(MethodInfo info) {

@@ -95,6 +95,7 @@ struct ForSeparable {
 
 /// Fits y' = f_E(t, y) + f_I(t, y), where the problem says which is which.
 struct ForSplit {
+  static constexpr bool leaves_out_ends = false;  ///< not looked at: it evaluates parts of f
   static constexpr std::string_view needs =
       "a right-hand side that is split into an explicit and an implicit part";
   template <class P>

@@ -112,13 +112,9 @@ class RadauStepper {
         return std::sqrt(sum / static_cast<double>(stages * y.size()));
       });
     };
-    if (!jacobian_.solve(
-            h, [&] { system_.linearise(t, y); }, [&](double by) { return system_.factorise(by); },
-            attempt)) {
-      newton_.forget_remainder();
-      return false;
-    }
-    return true;
+    return jacobian_.solve(
+        h, [&] { system_.linearise(t, y); }, [&](double by) { return system_.factorise(by); },
+        attempt);
   }
 
   /// error_ <- (I - gamma0 h J)^-1 (gamma0 h f + sum e_i z_i), and its norm.
@@ -139,10 +135,8 @@ class RadauStepper {
   StageSystem<T, P> system_;
   State<P> f0_, error_, argument_, inverse_scale_, moved_f_;
   CollocationGuess<stages, P> guess_;
-  // As in RADAU5.
-  SimplifiedNewton<NewtonSettings{
-      .divergent = 0.99, .foresees = true, .smooth = true, .remembers = true}>
-      newton_;
+  // As in RADAU5, but for the remainder that it takes over from the step before.
+  SimplifiedNewton<NewtonSettings{.divergent = 0.99, .foresees = true, .smooth = true}> newton_;
   KeptJacobian jacobian_;
   bool moved_ = true, first_ = true, rejected_ = false;
 };

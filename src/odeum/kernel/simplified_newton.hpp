@@ -19,9 +19,9 @@ struct NewtonSettings {
   double slow_kept = never, slow_fresh = never;
   bool foresees = false;  ///< fail once the iterations left cannot suffice at this contraction
   bool smooth = false;    ///< the contraction is the geometric mean of the last two
-  /// The remainder while no contraction is known, and its upper bound.
-  double first_remainder = 1, most_remainder = never;
-  bool remembers = false;  ///< begin with the last solve's remainder to the power of 0.8
+  /// The remainder while no contraction is known. One that an earlier solve measured is no bound:
+  /// across a contact f is another function.
+  double first_remainder = 1;
 };
 
 enum class NewtonVerdict { done, go_on, slow, diverges, unsolvable };
@@ -65,17 +65,13 @@ class SimplifiedNewton {
   void begin() {
     renewed();
     fresh_ = false;
-    if (s.remembers)
-      remainder_ = quick_power(std::max(remainder_, std::numeric_limits<double>::epsilon()), 0.8);
   }
   /// To be called after each renewal of the Jacobian within a solve.
   void renewed() {
     fresh_ = true;
     corrections_ = 0;
     contraction_ = 0;
-    if (!s.remembers) forget_remainder();
   }
-  void forget_remainder() { remainder_ = s.first_remainder; }
   void measure_in(double unit) { unit_ = unit; }
 
   int iterations() const { return iterations_; }       ///< of the last solve
@@ -86,7 +82,7 @@ class SimplifiedNewton {
     contraction_ = std::isfinite(size) ? 0 : NewtonSettings::never;
     if (contraction_ > 0) return Verdict::diverges;
     const bool known = corrections_ > 0;
-    double remainder = remainder_;
+    double remainder = s.first_remainder;
     if (known) {
       const double ratio = size / last_;
       contraction_ = s.smooth && corrections_ > 1 ? std::sqrt(ratio * last_ratio_) : ratio;
@@ -94,10 +90,9 @@ class SimplifiedNewton {
       remainder = contraction_ < 1 ? contraction_ / (1 - contraction_) : NewtonSettings::never;
     }
     if (tolerance_ == 0 ? at_rounding(size / unit_, contraction_, known, weight_)
-                        : size == 0 || std::min(remainder, s.most_remainder) * size <= tolerance_)
-      return remainder_ = remainder, Verdict::done;
+                        : size == 0 || remainder * size <= tolerance_)
+      return Verdict::done;
     if (contraction_ >= s.divergent) return Verdict::diverges;
-    remainder_ = remainder;
     const int left = most_ - 1 - iterations_;
     if (known && s.foresees && left >= 0 &&
         remainder * size * power(contraction_, left) > tolerance_)
@@ -106,8 +101,7 @@ class SimplifiedNewton {
   }
 
   int most_;
-  double tolerance_, weight_, unit_ = 1, remainder_ = s.first_remainder, last_ = 0, last_ratio_ = 0,
-                              contraction_ = 0;
+  double tolerance_, weight_, unit_ = 1, last_ = 0, last_ratio_ = 0, contraction_ = 0;
   int iterations_ = 0, corrections_ = 0;  ///< of the last solve, since the last renewal
   bool fresh_ = false;                    ///< the Jacobian is of this solve
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // long: dense and sparse systems of the same stages
 #pragma once
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <memory>
@@ -100,6 +101,19 @@ class StageSystem {
     }
   }
 
+  /// Overwrites x by (I - h J / mu)^-1 x, mu the real eigenvalue of the inverse of A, or by the
+  /// real part of that with the first complex one: what a stage makes of a change of h f by x.
+  void damp(State<P>& x) {
+    if constexpr (has_real) {
+      solve_real(x);
+    } else {
+      std::ranges::fill(sum_im_, 0);
+      if (is_sparse())
+        sparse_->solve(0, x.data(), sum_im_.data());
+      else
+        complex_[0].solve(x.data(), sum_im_.data());
+    }
+  }
   /// Overwrites x by (I - gamma0 h J)^-1 x, gamma0 the real eigenvalue of A.
   void solve_real(State<P>& x) {
     if (is_sparse())
@@ -109,6 +123,8 @@ class StageSystem {
   }
 
   std::array<State<P>, stages> z;
+  /// f at the stages that the last correction moved.
+  const std::array<State<P>, stages>& slopes() const { return f_; }
 
   static constexpr std::array<double, stages> nodes = [] {
     std::array<double, stages> c{};

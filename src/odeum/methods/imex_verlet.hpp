@@ -15,6 +15,7 @@ namespace odeum::methods {
 /// Stiff damping does not limit the step; the elastic forces do as they limit velocity Verlet. One
 /// evaluation of a and one step of the damping a step; without damping it is velocity Verlet.
 struct imex_verlet {
+  static constexpr bool leaves_out_ends = false;  ///< not looked at: it evaluates parts of f
   static constexpr MethodInfo info{
       .id = "imex_verlet",
       .family = "splitting",

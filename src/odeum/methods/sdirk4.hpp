@@ -19,6 +19,7 @@ inline constexpr Tableau<5> sdirk4_tableau{
 static_assert(proven<sdirk4_tableau>());
 
 struct sdirk4 : ForAnyProblem, DiagonallyImplicitMethod<sdirk4_tableau> {
+  static constexpr bool leaves_out_ends = true;
   static constexpr MethodInfo info =
       described({.id = "sdirk4",
                  .control = Control::predictive,

@@ -10,6 +10,7 @@ namespace odeum::methods {
 /// runs choose column and step.
 struct seulex : ForAnyProblem {
   static constexpr std::size_t fixed_column = 5;
+  static constexpr bool leaves_out_ends = true;
   static constexpr MethodInfo info{
       .id = "seulex",
       .family = "extrapolation",
