@@ -226,6 +226,7 @@ void look_for_leaving(Inquiry& q) {
       moments.push_back(&at);
       request.stops.push_back(at.t);
     }
+  if (moments.empty()) return;  // it has not left its start
   const Outcome known = q.make(q.c, q.trusted->solver, request, 0, 0.2).outcome;
   constexpr double left = 0.1;  // of the size of a component
   const std::size_t n = q.c.y0.size();

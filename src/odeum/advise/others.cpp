@@ -191,7 +191,7 @@ void try_settings(Inquiry& q) {
       request = q.run.request;
       request.record_steps = false;
       request.stops = {t0 + 0.99 * (std::min(finding.from, end) - t0)};
-      q.also(q.why.solver, request, 0.3);
+      if (request.stops.front() > t0) q.also(q.why.solver, request, 0.3);
       break;
     }
 }

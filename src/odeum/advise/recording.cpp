@@ -127,8 +127,8 @@ Recording::Recording(const Case& c, double t0, const std::vector<double>& y0)
         log->trace.first_bad.y.assign(y, y + inner->dimension);
     };
   }
-  entrants_ = cases::enroll(
-      {view, log_, t0, std::make_shared<const std::vector<double>>(y0), contest.scene, implicit});
+  entrants_ = cases::enroll({view, log_, t0, std::make_shared<const std::vector<double>>(y0),
+                             contest.scene, implicit, contest.switches});
 }
 
 std::pair<double, double> Run::around(double t) const {

@@ -14,6 +14,7 @@
 #include "odeum/cases/study_steps.hpp"
 #include "odeum/cases/text_facts.hpp"
 #include "odeum/cases/text_family.hpp"
+#include "odeum/cases/text_switches.hpp"
 #include "odeum/cases/text_truth.hpp"
 
 namespace odeum::cases {
@@ -125,6 +126,8 @@ class TextCase : CaseText {
       add_invariants(problem_, case_);
       case_.entrants = enroll(case_.problem);
     }
+    case_.problem.switches = switches_of(problem_);
+    if (case_.problem.switches) case_.entrants = enroll(case_.problem);
     const formula::Structure& s = analysis_->structure;
     case_.tags = {s.linear ? "linear" : "nonlinear",
                   s.autonomous ? "autonomous" : "non_autonomous"};

@@ -26,6 +26,19 @@ std::string kinetic_energies(const formula::Problem& p, const TextTruth& truth) 
   return text;
 }
 
+/// Empty where the equations name no times.
+std::string switches_in_words(const Case& c) {
+  if (!c.problem.switches) return {};
+  const std::vector<Switch> all = c.problem.switches(c.t0, c.end());
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
+    text += fmt::format("{}{:.9g}", k == 0 ? "" : ", ", all[k].t);
+  if (text.empty()) return {};
+  return fmt::format("at t = {}{}, where steps to a tolerance end", text,
+                     all.size() > most ? fmt::format(", ... ({} times)", all.size()) : "");
+}
+
 }  // namespace
 
 Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
@@ -45,6 +58,8 @@ Facts text_facts(const formula::Problem& p, const formula::Analysis& analysis,
     facts.emplace_back("found", line);
   if (c.has_tag("stiff"))
     facts.emplace_back("found", "stiff: explicit methods need many more steps");
+  if (const std::string switches = switches_in_words(c); !switches.empty())
+    facts.emplace_back("switches", switches);
   if (p.kinetic_energy != formula::no_node) {
     facts.emplace_back("mass", p.mass_text);
     facts.emplace_back("kinetic", kinetic_energies(p, truth));

@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "odeum/cases/set_problem.hpp"
+#include "odeum/cases/text_switches.hpp"
 #include "odeum/formula/exact.hpp"
 #include "odeum/formula/lane_code.hpp"
+#include "odeum/formula/switch_times.hpp"
 
 namespace odeum::cases {
 namespace {
@@ -29,7 +31,8 @@ class TextFamily : CaseText {
         usual_stops_(stops()),
         usual_(problem_.parameters),
         y0_(std::make_shared<std::vector<double>>(problem_.states.size())),
-        ode_(std::make_shared<formula::TextOde>(with_names())) {
+        ode_(std::make_shared<formula::TextOde>(with_names())),
+        has_switches_(formula::has_timed_switches(ode_->problem())) {
     for (const formula::Invariant& invariant : ode_->problem().invariants)
       if (!energy_ && invariant.is_energy())
         energy_.emplace(ode_->problem().graph, std::vector<formula::Id>{invariant.value});
@@ -47,10 +50,7 @@ class TextFamily : CaseText {
   /// Whether the problem with these values is that which the text makes of them.
   bool agrees(const std::vector<double>& values) {
     if (!place(values)) return false;
-    formula::Overrides all = values_;
-    for (const std::string& name : offered_)
-      all[name] = fmt::format("{:.21g}", problem_.parameters.at(name));
-    const Problem read = formula::read_problem(source_.file, source_.text, all);
+    const Problem read = as_text();
     problem_.stops = read.stops;
     const std::size_t n = y0_->size();
     if (read.states.size() != n || read.t0 != problem_.t0 || stops() != usual_stops_) return false;
@@ -68,6 +68,11 @@ class TextFamily : CaseText {
     return true;
   }
 
+  /// Up to `end`, of the problem with the values that were placed last.
+  std::vector<Switch> switches(double from, double end) const {
+    return from_time(switches_of(as_text(), end), from);
+  }
+
   LaneFamily in_lanes() {
     LaneFamily family{.lanes = formula::compile_lanes(*ode_),
                       .alone = offered(ode_->view(), offers()),
@@ -80,10 +85,12 @@ class TextFamily : CaseText {
 
   static Family make(const std::shared_ptr<TextFamily>& self) {
     const OdeView view = offered(self->ode_->view(), self->offers());
+    ErasedContest contest{view, self, static_cast<double>(self->problem_.t0), self->y0_, nullptr};
+    if (self->has_switches_)
+      contest.switches = [self](double from, double end) { return self->switches(from, end); };
     Family family;
     family.y0 = self->y0_;
-    family.entrants =
-        enroll({view, self, static_cast<double>(self->problem_.t0), self->y0_, nullptr});
+    family.entrants = enroll(contest);
     family.place = [self](const std::vector<double>& values) { self->place(values); };
     if (self->energy_)
       family.energy = [self](const double* y) {
@@ -95,11 +102,20 @@ class TextFamily : CaseText {
   }
 
  private:
+  /// What the text makes of the values that were placed last.
+  Problem as_text() const {
+    formula::Overrides all = values_;
+    for (const std::string& name : offered_)
+      all[name] = fmt::format("{:.21g}", problem_.parameters.at(name));
+    return formula::read_problem(source_.file, source_.text, all);
+  }
+
   std::vector<double> usual_stops_;
   std::map<std::string, long double> usual_;
   std::shared_ptr<std::vector<double>> y0_;
   std::shared_ptr<formula::TextOde> ode_;
   std::optional<formula::Evaluator<double>> energy_;
+  bool has_switches_;
 };
 
 /// The closed form for any values of the parameters.

@@ -128,7 +128,6 @@ Analysis analyse(Problem& problem) {
     std::vector<Entry>& entries = analysis.jacobian[row];
     if (!entries.empty() && entries.back().by == n) {
       analysis.time_derivative[row] = entries.back().value;
-      s.autonomous = false;
       entries.pop_back();
     }
     s.entries += entries.size();
@@ -142,6 +141,9 @@ Analysis analyse(Problem& problem) {
   // linear one may depend on t.
   s.linear = s.smooth && std::ranges::none_of(graph.needed(varying),
                                               [&](Id id) { return graph[id].op == Op::state; });
+  // A condition on t has no derivative.
+  s.autonomous = std::ranges::none_of(graph.needed(problem.equations),
+                                      [&](Id id) { return graph[id].op == Op::time; });
   if (s.autonomous) analysis.time_derivative.clear();
   find_implicit_part(problem, analysis);
   find_second_order(problem, analysis, s);

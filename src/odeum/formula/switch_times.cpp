@@ -150,6 +150,8 @@ std::vector<Id> timed_switches(const Problem& problem) {
 
 }  // namespace
 
+bool has_timed_switches(const Problem& problem) { return !timed_switches(problem).empty(); }
+
 SwitchTimes switch_times(const Problem& problem, long double end) {
   constexpr std::size_t most_times = 10'000;
   SwitchTimes result;

@@ -19,6 +19,9 @@ struct SwitchTimes {
   std::set<Id> nodes;
 };
 
+/// Whether there are such conditions; false where the time or the states are in none.
+bool has_timed_switches(const Problem& problem);
+
 /// For the values that the problem's parameters have. A condition with more switches than can be
 /// separated, as one with infinitely many, is left out. `end`: after t0.
 SwitchTimes switch_times(const Problem& problem, long double end);

@@ -11,6 +11,7 @@
 
 #include "odeum/core/guarded.hpp"
 #include "odeum/solvers/own_methods.hpp"
+#include "odeum/solvers/pieces.hpp"
 
 namespace odeum::judge {
 namespace {
@@ -60,9 +61,7 @@ Outcome run(std::string_view method, const Tolerance& tolerance, const Case& c, 
                     .sparsity = all.sparsity};
   }
   const Solver& own = own_solver(method);
-  Entrant entrant{.info = own.info, .unfit = {}, .solve = {}};
-  own.enroll(contest, entrant);
-  Outcome outcome = entrant.solve(request);
+  Outcome outcome = enrolled(own, contest).solve(request);
   if (times)
     for (double& t : *times) t += shift;
   return outcome;

@@ -5,6 +5,8 @@
 #include <mutex>
 #include <utility>
 
+#include "odeum/solvers/pieces.hpp"
+
 namespace odeum {
 namespace {
 
@@ -45,9 +47,7 @@ const Entrant& Entrants::operator[](std::size_t k) const {
   std::unique_ptr<Entrant>& entrant = shared_->made[k];
   if (!entrant) {
     const Solver& solver = (*shared_->solvers)[k];
-    entrant = std::make_unique<Entrant>();
-    entrant->info = solver.info;
-    solver.enroll(shared_->contest, *entrant);
+    entrant = std::make_unique<Entrant>(enrolled(solver, shared_->contest));
     if (shared_->finish) shared_->finish(*entrant);
     ++entrants_made;
   }

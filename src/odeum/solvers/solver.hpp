@@ -13,6 +13,7 @@
 #include "odeum/problem/concepts.hpp"
 #include "odeum/problem/extended_problem.hpp"
 #include "odeum/problem/implicit_form.hpp"
+#include "odeum/problem/piece.hpp"
 
 namespace odeum {
 
@@ -83,6 +84,8 @@ struct ErasedContest {
   std::shared_ptr<const scene::Scene> scene;
   /// The residuals that state the problem, where they are not solved for all rates; else null.
   std::shared_ptr<const ImplicitForm> implicit = nullptr;
+  /// Those in [from, to], ascending; empty: the problem names none.
+  std::function<std::vector<Switch>(double from, double to)> switches = {};
 };
 
 template <Ode P>

@@ -45,6 +45,8 @@ void Runner::use_lanes() {
   const std::string_view solver = plan_.solver;
   const auto* const text = plan_.base->family.target<cases::TextFamilies>();
   if (!text || !solver.starts_with(own) || plan_.request.stops.size() != 1) return;
+  // Members that step together do not end their steps at the switches of each.
+  if (plan_.request.mode == Mode::adaptive && plan_.base->problem.switches) return;
   // What the solver does not fit at all is told by member.
   const Entrant* const entrant = family_->entrants.find(plan_.solver);
   const Solver* const method = find_own_solver(solver.substr(own.size()));

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "odeum/formula/problem.hpp"
+#include "odeum/problem/piece.hpp"
+
+namespace odeum::cases {
+
+/// Of a problem up to `end`, with the sides on which conditions have settled.
+std::vector<Switch> switches_of(const formula::Problem& problem, double end);
+
+/// What ErasedContest::switches is of a problem; empty where no condition is one of the time alone.
+/// They are computed once for each end.
+std::function<std::vector<Switch>(double from, double to)> switches_of(
+    const formula::Problem& problem);
+
+/// Those after or at `from`.
+std::vector<Switch> from_time(std::vector<Switch> switches, double from);
+
+}  // namespace odeum::cases

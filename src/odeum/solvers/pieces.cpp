@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "odeum/solvers/pieces.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace odeum {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Entrant whole(const Solver& solver, const ErasedContest& contest) {
+  Entrant entrant;
+  entrant.info = solver.info;
+  solver.enroll(contest, entrant);
+  return entrant;
+}
+
+/// The contest between two switches. The form of an implicit problem has its times clamped too.
+ErasedContest contest_of(const ErasedContest& all, const std::shared_ptr<const Piece>& piece,
+                         double t0, const std::vector<double>& y0) {
+  ErasedContest contest = all;
+  contest.switches = {};
+  contest.view = piece->view();
+  contest.keep_alive = piece;
+  contest.t0 = t0;
+  contest.y0 = std::make_shared<const std::vector<double>>(y0);
+  if (!all.implicit) return contest;
+  auto form = std::make_shared<ImplicitForm>(*all.implicit);
+  form->residual = [piece, inner = all.implicit](double t, const double* y, const double* rates,
+                                                 double* r) {
+    inner->residual(piece->clamped(t), y, rates, r);
+  };
+  form->matrix = [piece, inner = all.implicit](double t, const double* y, const double* rates,
+                                               double alpha, double* j) {
+    inner->matrix(piece->clamped(t), y, rates, alpha, j);
+  };
+  contest.implicit = std::move(form);
+  return contest;
+}
+
+/// A run from switch to switch.
+class RunInPieces {
+ public:
+  RunInPieces(const Solver& solver, const ErasedContest& contest, const Request& request)
+      : solver_(solver),
+        contest_(contest),
+        request_(request),
+        begin_(Clock::now()),
+        t_(contest.t0),
+        y_(*contest.y0) {}
+
+  Outcome operator()(const std::vector<Switch>& switches) {
+    const double end = request_.stops.back();
+    double first = -Piece::unbounded;
+    for (const Switch& at : switches) {
+      if (!make(first, at.before, std::min(at.t, end))) return std::move(all_);
+      first = at.after;
+    }
+    make(first, Piece::unbounded, end);
+    return std::move(all_);
+  }
+
+ private:
+  /// The piece from t_ to `end`; false where it failed.
+  bool make(double first, double last, double end) {
+    if (!(end > t_)) return true;
+    const Entrant entrant = whole(
+        solver_,
+        contest_of(contest_, std::make_shared<const Piece>(contest_.view, first, last), t_, y_));
+    return take(entrant.solve ? entrant.solve(request_of(end)) : refused(entrant.unfit), end);
+  }
+  Request request_of(double end) const {
+    Request part = request_;
+    std::erase_if(part.stops, [&](double stop) { return stop <= t_ || stop > end; });
+    if (part.stops.empty() || part.stops.back() < end) part.stops.push_back(end);
+    part.budget.evaluations -= std::min(part.budget.evaluations, all_.counters.work);
+    part.budget.seconds -= std::chrono::duration<double>(Clock::now() - begin_).count();
+    return part;
+  }
+  bool take(Outcome part, double end) {
+    const std::size_t n = y_.size();
+    all_.counters += part.counters;
+    all_.step_ends.insert(all_.step_ends.end(), part.step_ends.begin(), part.step_ends.end());
+    if (all_.detail.empty() || part.status != Status::ok) all_.detail = std::move(part.detail);
+    all_.status = part.status;
+    if (std::isfinite(part.t)) all_.t = part.t;
+    const bool ok = part.status == Status::ok;
+    if (ok) y_.assign(part.states.end() - static_cast<std::ptrdiff_t>(n), part.states.end());
+    // The state at a switch that is no stop is none of the request's.
+    if (ok && !std::ranges::binary_search(request_.stops, end))
+      part.states.resize(part.states.size() - n);
+    all_.states.insert(all_.states.end(), part.states.begin(), part.states.end());
+    t_ = end;
+    return ok;
+  }
+
+  const Solver& solver_;
+  const ErasedContest& contest_;
+  const Request& request_;
+  Clock::time_point begin_;
+  double t_;
+  std::vector<double> y_;
+  Outcome all_;
+};
+
+}  // namespace
+
+Entrant enrolled(const Solver& solver, const ErasedContest& contest) {
+  Entrant entrant = whole(solver, contest);
+  if (!contest.switches || !entrant.solve) return entrant;
+  entrant.solve = [solver, contest, alone = std::move(entrant.solve)](const Request& request) {
+    if (request.mode == Mode::fixed || request.stops.empty()) return alone(request);
+    const std::vector<Switch> switches = contest.switches(contest.t0, request.stops.back());
+    if (switches.empty()) return alone(request);
+    return RunInPieces(solver, contest, request)(switches);
+  };
+  return entrant;
+}
+
+}  // namespace odeum

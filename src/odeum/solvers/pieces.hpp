@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include "odeum/solvers/solver.hpp"
+
+namespace odeum {
+
+/// The solver on the problem. A run to a tolerance is made in pieces between the switches of the
+/// contest, each begun anew from the end of the one before, as users of a library make it: a jump
+/// in t alone costs no method its order, and no run steps over a pulse that its equations name.
+/// Runs at a fixed step take t = t0 + i h as ever.
+Entrant enrolled(const Solver& solver, const ErasedContest& contest);
+
+}  // namespace odeum

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run that makes no step is asked about without a run of no length.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "odeum/advise/why.hpp"
+#include "odeum/cases/set_problem.hpp"
+
+namespace odeum::tests::failing_start_test {
+namespace {
+
+/// Finite at the start alone.
+struct NowhereElse {
+  static constexpr std::size_t dimension = 1;
+  void rhs(double t, const double*, double* f) const {
+    f[0] = t > 0 ? std::numeric_limits<double>::quiet_NaN() : 1;
+  }
+};
+
+TEST(FailingStart, IsExplained) {
+  Case c;
+  c.y0 = {1};
+  c.stops = {1};
+  c.truth.at = [](double, double*) { return false; };
+  cases::set_problem(c, NowhereElse{});
+  Request request;
+  request.mode = Mode::adaptive;
+  request.tolerance = Tolerance(1e-6, {1e-6});
+  request.stops = {1};
+  for (const char* solver : {"odeum/rodas4", "odeum/dormand_prince54", "odeum/radau_iia5"}) {
+    advise::Why why;
+    ASSERT_NO_THROW(why = advise::why(c, solver, request, 2)) << solver;
+    EXPECT_NE(why.outcome.status, Status::ok) << solver;
+    EXPECT_EQ(why.reached, 0) << solver;
+  }
+}
+
+}  // namespace
+}  // namespace odeum::tests::failing_start_test
