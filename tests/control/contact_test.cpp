@@ -79,7 +79,7 @@ TEST_P(Contacts, AreSeen) {
 INSTANTIATE_TEST_SUITE_P(, Contacts,
                          testing::Values("radau_iia3", "radau_iia5", "radau_iia9",
                                          "radau_iia_variable", "gauss4", "gauss6", "lobatto_iiic4",
-                                         "sdirk4", "rodas4", "rk4"),
+                                         "rodas4", "rk4"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
