@@ -165,11 +165,11 @@ bool Structure::is_sparse() const { return states > 16 && 4 * entries <= states 
 
 std::vector<std::string> describe(const Structure& s) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("{}, {}, {}", s.linear ? "linear" : "nonlinear",
-                              s.autonomous ? "autonomous" : "depends on t",
-                              s.smooth ? "smooth"
-                                       : "with kinks (if, abs, sign, min or max: no order above 2 "
-                                         "can be expected)"));
+  lines.push_back(fmt::format(
+      "{}, {}, {}", s.linear ? "linear" : "nonlinear", s.autonomous ? "autonomous" : "depends on t",
+      s.smooth ? "smooth"
+               : "with kinks (if, abs, sign, min, max or floor: no order above 2 "
+                 "can be expected)"));
   if (s.second_order)
     lines.emplace_back(s.velocity_dependent
                            ? "second order, q'' = a(t, q, v): the forces depend on velocities"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -42,20 +43,25 @@ std::string find_compiler() {
   return "";
 }
 
-std::vector<std::string> flags_for(const std::string& text) {
+/// The levels of optimisation that are tried, each where the one before takes too long.
+std::vector<std::string> levels_for(const std::string& text) {
+  if (text.size() > huge_text) return {"-O0"};
+  if (text.size() > large_text) return {"-O1", "-O0"};
+  return {"-O2", "-O1", "-O0"};
+}
+
+const std::vector<std::string>& flags() {
   // As Odeum itself is compiled, see CMakeLists.txt; the last three change no value.
-  return {text.size() > huge_text    ? "-O0"
-          : text.size() > large_text ? "-O1"
-                                     : "-O2",
-          "-march=native",
-          "-std=gnu11",
-          "-shared",
-          "-fPIC",
-          "-w",
-          "-fno-tree-slp-vectorize",
-          "-ffp-contract=fast",
-          "-fno-math-errno",
-          "-fno-trapping-math"};
+  static const std::vector<std::string> all{"-march=native",
+                                            "-std=gnu11",
+                                            "-shared",
+                                            "-fPIC",
+                                            "-w",
+                                            "-fno-tree-slp-vectorize",
+                                            "-ffp-contract=fast",
+                                            "-fno-math-errno",
+                                            "-fno-trapping-math"};
+  return all;
 }
 
 std::shared_ptr<const Library> load(const fs::path& path) {
@@ -96,10 +102,21 @@ Compiled build(const std::string& compiler, const std::string& text, const fs::p
     return {nullptr,
             "no folder to compile in: neither the cache nor the temporary folder can be "
             "written"};
-  std::vector<std::string> command{compiler};
-  for (std::string& flag : flags_for(text)) command.push_back(std::move(flag));
-  for (const char* word : {"-o", object.c_str(), source.c_str(), "-lm"}) command.emplace_back(word);
-  if (const std::string how = run_limited(command, log, compiler_seconds()); !how.empty()) {
+  const std::vector<std::string> levels = levels_for(text);
+  std::string how, at_level;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    std::vector<std::string> command{compiler, levels[k]};
+    command.insert(command.end(), flags().begin(), flags().end());
+    for (const char* word : {"-o", object.c_str(), source.c_str(), "-lm"})
+      command.emplace_back(word);
+    // The levels share the time: a lower one takes less.
+    const double seconds = compiler_seconds() / static_cast<double>(std::min(k + 2, levels.size()));
+    how = run_limited(command, log, seconds);
+    if (how.empty() || how == "failed") break;
+    at_level = fmt::format(" at {}, since {} {}", k + 1 < levels.size() ? levels[k + 1] : levels[k],
+                           levels[k], how);
+  }
+  if (!how.empty()) {
     std::ifstream file(log);
     std::string said;
     std::getline(file, said);
@@ -113,7 +130,7 @@ Compiled build(const std::string& compiler, const std::string& text, const fs::p
     if (const auto bytes = text_of_file(object)) keep_text(key + ".c", described(text, *bytes));
     fs::rename(object, cache / (key + ".so"), failed);
   }
-  return {std::move(library), "compiled by " + compiler};
+  return {std::move(library), "compiled by " + compiler + at_level};
 }
 
 }  // namespace
@@ -132,7 +149,8 @@ Compiled compile_c(const std::string& text) {
   std::error_code ignored;
   std::string identity = compiler + ' ' + cpu_model() + ' ' +
                          std::to_string(fs::file_size(fs::canonical(compiler, ignored), ignored));
-  for (const std::string& flag : flags_for(text)) identity += ' ' + flag;
+  for (const std::string& flag : flags()) identity += ' ' + flag;
+  identity += ' ' + levels_for(text).front();
   const std::string key = content_key(identity + '\n' + text);
   const fs::path object = cache / (key + ".so");
   const auto bytes = cache.empty() ? std::nullopt : text_of_file(object);

@@ -15,6 +15,13 @@ void Cursor::unexpected(char c) const {
   if (c == '\0') fail(at_, "ends too early; got the end, expected a number, a name or (");
   if (c == '<' || c == '>' || c == '=' || c == '!')
     fail(at_, "a comparison outside of a condition; got {}, expected it in if(condition, a, b)", c);
+  if (c == '?' || c == ':') fail(at_, "a choice; got {}, expected if(condition, a, b)", c);
+  if (c == '%') fail(at_, "not understood; got %, expected mod(a, b)");
+  const std::string_view rest = text_.substr(at_);
+  for (const std::string_view word : {"and", "or", "&", "|"})
+    if (rest.starts_with(word) &&
+        (rest.size() == word.size() || !continues_name(rest[word.size()]) || !begins_name(c)))
+      fail(at_, "{} outside of a condition; got it, expected it in if(condition, a, b)", word);
   if (continues_name(c) || c == '(')
     fail(at_, "no operator; got {}, expected + - * / or ^ before it (2*x, not 2x)",
          shown(text_.substr(at_, 12)));

@@ -22,17 +22,22 @@ namespace odeum::formula {
 namespace {
 
 constexpr rlim_t most_memory = rlim_t{2} << 30U;
+constexpr double wall_seconds = 8;  // for each of the processor
+constexpr int out_of_time = 124;    // what the watcher exits with
 
 /// In the new process: the program, with its output in the log.
-[[noreturn]] void become(char* const* arguments, const char* log) {
+[[noreturn]] void become(char* const* arguments, const char* log, double seconds) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   const int file = ::open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const rlimit memory{most_memory, most_memory};
+  const auto whole = static_cast<rlim_t>(std::ceil(seconds));
+  const rlimit processor{whole, whole};
   if (file < 0 || nothing < 0 || ::dup2(nothing, 0) < 0 || ::dup2(file, 1) < 0 ||
-      ::dup2(file, 2) < 0 || ::setrlimit(RLIMIT_AS, &memory) != 0)
+      ::dup2(file, 2) < 0 || ::setrlimit(RLIMIT_AS, &memory) != 0 ||
+      ::setrlimit(RLIMIT_CPU, &processor) != 0)
     ::_exit(127);
   ::execv(arguments[0], arguments);
   ::_exit(127);
@@ -53,14 +58,20 @@ constexpr rlim_t most_memory = rlim_t{2} << 30U;
   if (::getppid() != parent) ::_exit(127);
   const pid_t program = ::fork();
   if (program < 0) ::_exit(127);
-  if (program == 0) become(arguments, log);
+  if (program == 0) become(arguments, log, seconds);
   timespec left{};
-  left.tv_sec = static_cast<time_t>(seconds);
-  left.tv_nsec = static_cast<long>(1e9 * (seconds - std::floor(seconds)));
+  const double wall = wall_seconds * seconds;
+  left.tv_sec = static_cast<time_t>(wall);
+  left.tv_nsec = static_cast<long>(1e9 * (wall - std::floor(wall)));
   while (sigtimedwait(&awaited, nullptr, &left) == SIGCHLD) {
     int status = 0;
     if (::waitpid(program, &status, WNOHANG) != program) continue;
-    ::_exit(WIFEXITED(status) ? WEXITSTATUS(status) : 127);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) ::_exit(0);
+    rusage used{};
+    ::getrusage(RUSAGE_CHILDREN, &used);
+    const auto taken = static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+                       1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+    ::_exit(taken >= 0.95 * seconds ? out_of_time : 127);
   }
   ::kill(0, SIGKILL);
   ::_exit(127);
@@ -92,7 +103,9 @@ std::string run_limited(const std::vector<std::string>& command, const std::file
   ::kill(-watcher, SIGKILL);  // what the program left behind
   if (WIFSIGNALED(status))
     return fmt::format("did not end within {} s and was ended with all that it had started",
-                       seconds);
+                       wall_seconds * seconds);
+  if (WEXITSTATUS(status) == out_of_time)
+    return fmt::format("took more than {} s of the processor and was ended", seconds);
   return WEXITSTATUS(status) == 0 ? "" : "failed";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "odeum/formula/modes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace odeum::formula {
@@ -57,15 +59,19 @@ class Selection {
     if (!has_kinks(node.op) && node.op != Op::less && node.op != Op::less_equal &&
         node.op != Op::equal)
       return graph.make(node.op, a, b, c);
-    const bool one = node.op == Op::abs || node.op == Op::sign;
+    const bool one = node.op == Op::abs || node.op == Op::sign || node.op == Op::floor;
     if (graph.is_constant(a) && (one || graph.is_constant(b))) return graph.make(node.op, a, b, c);
     if (node.op == Op::equal) return graph.constant(0);  // at single times
     const Id condition = one ? a : graph.make(Op::subtract, b, a);
-    if (graph.is_constant(condition)) return by_sign(graph, node.op, a, b, graph[condition].value);
+    if (graph.is_constant(condition)) {
+      const long double value = graph[condition].value;
+      return by_sign(graph, node.op, a, b,
+                     static_cast<int>(value > 0) - static_cast<int>(value < 0));
+    }
     condition_[id] = condition;
     return by_sign(graph, node.op, a, b, sign_of(id));
   }
-  static Id by_sign(Graph& graph, Op op, Id a, Id b, long double sign) {
+  static Id by_sign(Graph& graph, Op op, Id a, Id b, int sign) {
     switch (op) {
       case Op::less:
         return graph.constant(sign > 0 ? 1 : 0);
@@ -77,6 +83,8 @@ class Selection {
         return sign >= 0 ? a : b;
       case Op::max:
         return sign >= 0 ? b : a;
+      case Op::floor:
+        return graph.constant((sign - 1) / 2);
       default:
         return graph.constant(sign > 0 ? 1 : sign < 0 ? -1 : 0);
     }
@@ -91,6 +99,22 @@ class Selection {
 };
 
 }  // namespace
+
+int Mode::sign(std::size_t k, long double value) const {
+  constexpr long double most = 1e9L;
+  if (floors[k]) return 2 * static_cast<int>(std::floor(std::clamp(value, -most, most))) + 1;
+  return static_cast<int>(value > 0) - static_cast<int>(value < 0);
+}
+
+Id Mode::held(std::size_t k) {
+  Graph& graph = problem.graph;
+  const int sign = signs.at(ids[k]);
+  const Id value = switches[k];
+  if (!floors[k]) return sign > 0 ? value : graph.make(Op::negate, value);
+  const int whole = (sign - 1) / 2;
+  return graph.make(Op::multiply, graph.make(Op::subtract, value, graph.constant(whole)),
+                    graph.make(Op::subtract, graph.constant(whole + 1), value));
+}
 
 Mode mode_of(const Problem& problem, const Signs& signs,
              const std::function<long double(long double)>& constant) {
@@ -107,6 +131,7 @@ Mode mode_of(const Problem& problem, const Signs& signs,
     mode.signs[id] = selection.sign_of(id);
     mode.ids.push_back(id);
     mode.switches.push_back(condition);
+    mode.floors.push_back(problem.graph[id].op == Op::floor);
   }
   return mode;
 }

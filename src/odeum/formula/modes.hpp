@@ -11,7 +11,8 @@
 namespace odeum::formula {
 
 /// By node of a comparison, abs, sign, min or max: the sign of what it depends on (b - a of a < b,
-/// min and max of a and b; else the argument). 0: it is zero, and stays so.
+/// min and max of a and b; else the argument). 0: it is zero, and stays so. By node of floor: 2 n +
+/// 1, if its argument lies between n and n + 1.
 using Signs = std::map<Id, int>;
 
 struct Mode {
@@ -19,6 +20,12 @@ struct Mode {
   Signs signs;               ///< of the nodes that matter in this mode; 0 where none was given
   std::vector<Id> ids;       ///< these nodes, in the order of `switches`
   std::vector<Id> switches;  ///< what they depend on, in the graph of `problem`
+  std::vector<bool> floors;  ///< whether node number k is one of floor
+
+  /// The entry of Signs of node number k where what it depends on has this value.
+  int sign(std::size_t k, long double value) const;
+  /// What is positive in this mode by node number k, and zero where it ends; the sign is not 0.
+  Id held(std::size_t k);
 };
 
 /// The equations with the alternatives that the signs select. `constant` replaces each constant.

@@ -9,7 +9,7 @@
 
 namespace odeum::formula {
 
-/// The functions of expressions, by name.
+/// The functions of expressions, by name; ceil and mod are made of floor.
 const std::map<std::string, Op, std::less<>>& functions();
 
 inline bool begins_name(char c) {
@@ -17,6 +17,9 @@ inline bool begins_name(char c) {
 }
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool continues_name(char c) { return begins_name(c) || is_digit(c); }
+
+/// How a function of other languages is written here; empty: it is not known.
+std::string_view known_as(std::string_view name);
 
 /// A name that a file may give: letters, digits and _, not the name of a function, of a constant or
 /// of t. Returns what is wrong with it; empty: nothing.

@@ -60,8 +60,9 @@ class Printer {
     const Node& node = graph_[id];
     if (node.op != Op::constant) return fmt::format("v{}", id);
     if (node.index == 0) return constant_text(node.value, type);
-    return numbered ? fmt::format("{}[{}]", owner, node.index - 1)
-                    : owner + graph_.definitions()[node.index - 1].name;
+    return numbered        ? fmt::format("{}[{}]", owner, node.index - 1)
+           : names.empty() ? owner + graph_.definitions()[node.index - 1].name
+                           : owner + names[node.index - 1];
   }
   static std::string operation(Op op, const std::string& a, const std::string& b,
                                const std::string& c, const Type& type) {
@@ -80,8 +81,9 @@ class Printer {
     };
     return operation(op, argument(0), argument(1), argument(2), type);
   }
-  std::string owner;      ///< what constants with a name are members of, with the sign of access
-  bool numbered = false;  ///< they are its elements, in the order of their definitions
+  std::string owner;  ///< what constants with a name are members of, with the sign of access
+  std::vector<std::string> names;  ///< those of the definitions in the text; empty: their own
+  bool numbered = false;           ///< they are its elements, in the order of their definitions
 
  private:
   const Graph& graph_;

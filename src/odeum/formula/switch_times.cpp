@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -20,6 +21,7 @@ bool is_switch(Op op) {
   switch (op) {
     case Op::less:
     case Op::less_equal:
+    case Op::floor:
     case Op::abs:
     case Op::sign:
     case Op::min:
@@ -133,6 +135,15 @@ class Zeros {
   std::size_t parts_ = 0;
 };
 
+/// What is zero at the jumps of a switch, and nowhere else.
+Id zero_at_switch(Graph& graph, const Node& node) {
+  if (node.op == Op::abs || node.op == Op::sign) return node.of[0];
+  if (node.op == Op::floor)  // whole numbers
+    return graph.make(
+        Op::sin, graph.make(Op::multiply, graph.constant(std::numbers::pi_v<Real>), node.of[0]));
+  return graph.make(Op::subtract, node.of[1], node.of[0]);
+}
+
 /// The switches that depend on no state, inner ones before outer ones.
 std::vector<Id> timed_switches(const Problem& problem) {
   const Graph& graph = problem.graph;
@@ -161,8 +172,7 @@ SwitchTimes switch_times(const Problem& problem, long double end) {
   std::vector<Real> all;  // with those at the start and at the end
   for (const Id id : nodes) {
     const Node node = graph[id];
-    const bool one = node.op == Op::abs || node.op == Op::sign;
-    const Id value = one ? node.of[0] : graph.make(Op::subtract, node.of[1], node.of[0]);
+    const Id value = zero_at_switch(graph, node);
     std::vector<Real> zeros;
     const bool constant = graph.is_constant(value);
     if (!constant && !Zeros(graph, value, all).find(problem.t0, end, zeros)) continue;

@@ -2,7 +2,9 @@
 #include "odeum/print/print_problem.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include "odeum/formula/printer.hpp"
 
@@ -20,6 +22,7 @@ class ProblemPrinter {
 
   std::string print(const std::string& name, const Offers& offers) {
     const Structure& s = analysis_.structure;
+    out_.names = member_names(name, problem_.graph);
     out_.line("struct {} {{", name);
     out_.line("  static constexpr std::size_t dimension = {};", s.states);
     print_members(offers);
@@ -61,12 +64,15 @@ class ProblemPrinter {
     for (std::size_t k = definitions.size(); k-- > 0;)
       if (needed.contains(definitions[k].id))
         needed.insert(definitions[k].of.begin(), definitions[k].of.end());
-    for (const Definition& each : definitions) {
-      const Node& node = problem_.graph[each.id];
+    for (std::size_t k = 0; k < definitions.size(); ++k) {
+      const Definition& each = definitions[k];
+      const std::string& name = out_.names[k];
       if (each.op == Op::constant)
-        out_.line("  double {} = {};", each.name, constant_text(node.value, in_double));
+        out_.line("  double {} = {};{}", name,
+                  constant_text(problem_.graph[each.id].value, in_double),
+                  name == each.name ? "" : "  // " + each.name);
       else if (needed.contains(each.id))
-        out_.line("  double {} = {};", each.name, out_.operation(each.op, each.of, in_double));
+        out_.line("  double {} = {};", name, out_.operation(each.op, each.of, in_double));
     }
   }
 
@@ -135,7 +141,56 @@ class ProblemPrinter {
   Printer out_;
 };
 
+// clang-format off
+constexpr std::string_view taken[] = {
+    // keywords
+    "alignas", "alignof", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case",
+    "catch", "char", "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return",
+    "co_yield", "compl", "concept", "const", "const_cast", "consteval", "constexpr", "constinit",
+    "continue", "decltype", "default", "delete", "do", "double", "dynamic_cast", "else", "enum",
+    "explicit", "export", "extern", "false", "float", "for", "friend", "goto", "inline", "int",
+    "long", "mutable", "namespace", "new", "noexcept", "not_eq", "nullptr", "operator", "or_eq",
+    "private", "protected", "public", "register", "reinterpret_cast", "requires", "return",
+    "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct", "switch",
+    "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename",
+    "typeof", "union", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while",
+    "xor", "xor_eq",
+    // macros of headers and of compilers
+    "assert", "BUFSIZ", "CHAR_BIT", "DOMAIN", "EDOM", "EOF", "ERANGE", "errno", "EXIT_FAILURE",
+    "EXIT_SUCCESS", "HUGE", "HUGE_VAL", "HUGE_VALF", "HUGE_VALL", "i386", "INFINITY", "INT_MAX",
+    "INT_MIN", "linux", "LONG_MAX", "LONG_MIN", "major", "minor", "NAN", "NULL", "offsetof",
+    "OVERFLOW", "PLOSS", "RAND_MAX", "SING", "stderr", "stdin", "stdout", "TLOSS", "UNDERFLOW",
+    "unix",
+    // the struct's own
+    "acceleration", "dimension", "energy", "explicit_part", "implicit_jacobian", "implicit_part",
+    "jacobian", "linear_matrix", "power", "rhs", "root", "slopes", "square", "std", "sum",
+    "taylor", "time_derivative", "velocity_dependent"};
+// clang-format on
+constexpr std::string_view taken_beginnings[] = {"FP_", "kept_", "M_", "MATH_", "SEEK_"};
+
+bool is_taken(const std::string& name, const std::string& of) {
+  return name == of || std::ranges::find(taken, name) != std::end(taken) ||
+         std::ranges::any_of(taken_beginnings,
+                             [&](std::string_view each) { return name.starts_with(each); });
+}
+
 }  // namespace
+
+std::vector<std::string> member_names(const std::string& of, const Graph& graph) {
+  std::set<std::string> used, printed;
+  for (const Definition& each : graph.definitions()) used.insert(each.name);
+  std::vector<std::string> names;
+  for (const Definition& each : graph.definitions()) {
+    std::string name = each.name;
+    // Names that begin with _ or have __ are the compiler's.
+    if (name.starts_with('_') || name.find("__") != std::string::npos || is_taken(name, of) ||
+        !printed.insert(name).second)
+      for (name = "p_" + name; used.contains(name);) name += '_';
+    used.insert(name);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
 
 std::string print_struct(const std::string& name, const Problem& problem, const Analysis& analysis,
                          const Offers& offers) {

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
+#include <vector>
 
 #include "odeum/formula/analysis.hpp"
 #include "odeum/formula/case_section.hpp"
 
 /// Prints problems as C++.
 namespace odeum::print {
+
+/// By definition of the graph its name as a member of a struct of that name: its own, but where
+/// C++, its library or the struct has another use for it.
+std::vector<std::string> member_names(const std::string& of, const formula::Graph& graph);
 
 /// A struct of the problem (problem/concepts.hpp), of that name, in plain C++17: parameters are its
 /// members, constants that follow from them are computed once. An invariant x is the function

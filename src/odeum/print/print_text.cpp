@@ -38,10 +38,13 @@ Printed print_text(const std::string& file, const std::string& text) {
                     problem.kinetic_energy != formula::no_node ? ", mass" : "", most_states));
   std::string names, fields, invariants;
   std::size_t count = 0;
-  for (const formula::Definition& each : problem.graph.definitions()) {
+  const auto& definitions = problem.graph.definitions();
+  const std::vector<std::string> members = member_names(type_name(stem), problem.graph);
+  for (std::size_t k = 0; k < definitions.size(); ++k) {
+    const formula::Definition& each = definitions[k];
     if (!problem.parameters.contains(each.name)) continue;
     names += fmt::format("{}\"{}\"", count ? ", " : "", each.name);
-    fields += fmt::format("{}.{} = values[{}]", count ? ", " : "", each.name, count);
+    fields += fmt::format("{}.{} = values[{}]", count ? ", " : "", members[k], count);
     ++count;
   }
   for (const formula::Invariant& invariant : problem.invariants)

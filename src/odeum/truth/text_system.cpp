@@ -112,7 +112,7 @@ class Modes {
       (*part.conditions)(t + after, next.data(), values.data());
       for (std::size_t k = 0; k < values.size(); ++k) {
         int& sign = signs[part.mode.ids[k]];
-        const int now = (values[k] > 0) - (values[k] < 0);
+        const int now = part.mode.sign(k, values[k]);
         settled = settled && now == part.mode.signs.at(part.mode.ids[k]);
         sign = now;
       }
@@ -148,8 +148,7 @@ class Modes {
       const formula::Evaluator<Real> conditions(mode.problem.graph, mode.switches);
       State values(mode.switches.size());
       conditions(t, y.data(), values.data());
-      for (std::size_t k = 0; k < values.size(); ++k)
-        signs[mode.ids[k]] = (values[k] > 0) - (values[k] < 0);
+      for (std::size_t k = 0; k < values.size(); ++k) signs[mode.ids[k]] = mode.sign(k, values[k]);
       if (signs.size() == known) return signs;
       known = signs.size();
     }
@@ -164,13 +163,10 @@ class Modes {
     if (added) {
       Part& part = at->second;
       for (std::size_t k = 0; k < mode.switches.size(); ++k) {
-        const int sign = mode.signs.at(mode.ids[k]);
-        const Id condition = mode.switches[k];
-        if (sign == 0)
-          part.zero.push_back(condition);
+        if (mode.signs.at(mode.ids[k]) == 0)
+          part.zero.push_back(mode.switches[k]);
         else
-          part.positive.push_back(
-              sign > 0 ? condition : mode.problem.graph.make(formula::Op::negate, condition));
+          part.positive.push_back(mode.held(k));
       }
       part.mode = mode;
       part.ode =
