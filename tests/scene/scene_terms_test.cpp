@@ -91,6 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         TermCase{"tension_only",
                  "springs: [{particle_ids: [0, 1], stiffness: 7, damping: 0.4, "
                  "rest_length: 0.9, tension_only: true}]\n"},
+        TermCase{"gravitation",
+                 "gravitational: [{particle_ids: [0, 1], G: 0.7}, {particle_ids: [3, 2], G: 2}]\n"},
         TermCase{"drag", "forces: [{drag: {coefficient: 0.7}}]\n"},
         TermCase{"quadratic_drag", "forces: [{quadratic_drag: {coefficient: 0.7}}]\n"},
         TermCase{"wind", "forces: [{wind: {velocity: [1, 2, 3], coefficient: 0.7}}]\n"},

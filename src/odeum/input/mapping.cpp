@@ -96,6 +96,22 @@ double Value::number(Sign sign) const {
   return value;
 }
 
+double Value::quotient(Sign sign) const {
+  const std::size_t slash = node_->text.find('/');
+  if (node_->kind != YamlNode::Kind::scalar || node_->quoted || slash == std::string::npos)
+    return number(sign);
+  YamlNode above = *node_, below = *node_;
+  const auto trimmed = [](std::string text) {
+    text.erase(0, text.find_first_not_of(' '));
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+  };
+  above.text = trimmed(node_->text.substr(0, slash));
+  below.text = trimmed(node_->text.substr(slash + 1));
+  return Value(*reading_, above, key_).number(sign) /
+         Value(*reading_, below, key_).number(Sign::positive);
+}
+
 std::uint64_t Value::whole(std::uint64_t least, std::uint64_t most) const {
   const std::string expected = fmt::format("a whole number from {} to {}", least, most);
   if (node_->kind != YamlNode::Kind::scalar || node_->quoted) fail("not a number", expected);

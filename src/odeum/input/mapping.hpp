@@ -45,6 +45,8 @@ class Value {
       : reading_(&reading), node_(&node), key_(std::move(key)) {}
 
   double number(Sign sign = Sign::any) const;
+  /// A number, or one divided by another: 1/480.
+  double quotient(Sign sign = Sign::any) const;
   std::uint64_t whole(std::uint64_t least, std::uint64_t most) const;
   bool boolean() const;
   std::string text() const;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "odeum/cases/scene_case.hpp"
@@ -37,6 +38,8 @@ double power_of_wind(const scene::Scene& scene) {
 
 bool dissipates(const scene::Scene& scene) {
   return !scene.forces.empty() ||
+         std::ranges::any_of(scene.particles,
+                             [](const scene::Particle& particle) { return particle.drag > 0; }) ||
          std::ranges::any_of(scene.springs,
                              [](const scene::Spring& spring) { return spring.damping > 0; }) ||
          std::ranges::any_of(
@@ -47,6 +50,20 @@ bool dissipates(const scene::Scene& scene) {
              }) ||
          std::ranges::any_of(scene.surfaces,
                              [](const scene::Surface& surface) { return surface.friction > 0; });
+}
+
+/// More than the energy that the rounding of positions makes: of springs, by as many units of the
+/// last place as a long run at rest adds up, and of the sum of what particles have in gravity.
+double energy_of_rounding(const scene::Scene& scene, const std::vector<scene::Particle>& all) {
+  constexpr double part = 256 * std::numeric_limits<double>::epsilon();
+  double sum = 0, stiffness = 0, farthest = 0;
+  for (const scene::Particle& particle : all) {
+    const double distance = norm(particle.position);
+    farthest = std::max(farthest, distance);
+    if (!particle.fixed) sum += part * particle.mass * norm(scene.gravity) * distance;
+  }
+  for (const scene::Spring& spring : scene.springs) stiffness += spring.stiffness;
+  return sum + stiffness * std::pow(part * farthest, 2);
 }
 
 /// What the free particles of a frame brought with them: those of the scene at its start, emitted
@@ -152,6 +169,7 @@ std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& 
   const Brought first = brought_by(scene, all, start);
   const double stretch = start.kinetic + start.potential - first.kinetic - first.gravity;
   const bool falls = dissipates(scene);
+  const double rounding = energy_of_rounding(scene, all);
   double kinetic = 0, fallen = 0, lowest = 0;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < run.frames.size(); ++k) {
@@ -166,7 +184,9 @@ std::string excess_of_energy(const scene::Scene& scene, const scene::RunResult& 
     }
     const scene::Frame& frame = run.frames[k];
     const Brought brought = brought_by(scene, all, frame);
-    const double allowed = kinetic + stretch + fallen, energy = frame.kinetic + frame.potential;
+    // The potential of attraction is negative.
+    const double allowed = kinetic + std::abs(stretch) + fallen + rounding,
+                 energy = frame.kinetic + frame.potential;
     const double most = brought.kinetic + brought.gravity + stretch +
                         power_of_wind(scene) * static_cast<double>(brought.free) * frame.t;
     const double gained = energy - most;

@@ -25,6 +25,7 @@ struct Particle {
   double mass = 1;  ///< kg; not used where fixed
   bool fixed = false;
   double radius = 0;  ///< m, for drawing and contact
+  double drag = 0;    ///< c in -c v on this particle, kg/s
 };
 
 /// See spring_law.hpp for the force.
@@ -35,6 +36,12 @@ struct Spring {
   double rest_length = 0;     ///< m
   bool tension_only = false;  ///< the elastic force acts only while stretched; damping always acts
   bool axial = false;         ///< damping of the relative velocity along the spring only
+};
+
+/// Attraction G m_a m_b / r^2 along the line between two particles.
+struct Gravitation {
+  std::size_t a = 0, b = 0;
+  double constant = 0;  ///< G, N m^2/kg^2; repulsion where it is negative
 };
 
 /// Particles that form a cloth: rows * columns of them from `first`, row-major. For drawing.
@@ -132,6 +139,7 @@ struct Scene {
   std::optional<SolverChoice> solver;
   std::vector<Particle> particles;
   std::vector<Spring> springs;
+  std::vector<Gravitation> gravitations;
   std::vector<ClothPatch> cloths;
   std::vector<UniformForce> forces;
   std::vector<Contact> contacts;

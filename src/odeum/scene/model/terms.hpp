@@ -88,6 +88,9 @@ class EdgeSprings final : public Term {
   std::vector<Spring> springs_;
 };
 
+/// Gravitation between pairs, and drag of particles that have one; null where a scene has none.
+std::unique_ptr<Term> make_gravitation(const Scene& scene);
+std::unique_ptr<Term> make_particle_drag(const Scene& scene);
 /// The terms of `forces` and of `contacts`.
 std::unique_ptr<Term> make_uniform_force(const UniformForce& force);
 std::unique_ptr<Term> make_contact(const Contact& contact);

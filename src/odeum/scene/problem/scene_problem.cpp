@@ -36,6 +36,10 @@ void require_sound(const Scene& scene) {
     if (s.a >= scene.size() || s.b >= scene.size() || s.a == s.b)
       throw std::invalid_argument(
           fmt::format("spring between particles {} and {} of {}", s.a, s.b, scene.size()));
+  for (const Gravitation& g : scene.gravitations)
+    if (g.a >= scene.size() || g.b >= scene.size() || g.a == g.b)
+      throw std::invalid_argument(
+          fmt::format("gravitation between particles {} and {} of {}", g.a, g.b, scene.size()));
 }
 
 /// Calls work(arrays, entries of each, array of the result) with vectors of the particles in the
@@ -97,6 +101,8 @@ SceneProblem::SceneProblem(const Scene& scene, std::vector<Lifetime> lives)
     grid_.emplace(scene, *found);
   if (auto axial = springs_of(scene, true); !axial.empty())
     terms_.push_back(std::make_unique<EdgeSprings>("springs_axial", std::move(axial)));
+  for (auto* const make : {make_gravitation, make_particle_drag})
+    if (auto term = make(scene)) terms_.push_back(std::move(term));
   for (const UniformForce& force : scene.forces) terms_.push_back(make_uniform_force(force));
   for (const Contact& contact : scene.contacts)
     if (any_radius || !std::holds_alternative<ParticleContact>(contact))  // points never touch

@@ -21,14 +21,22 @@ Vec3 read_gravity(const Value& value, char up) {
   return gravity;
 }
 
+/// Other names of solvers, in scene files of courses.
+std::string solver_known_as(const std::string& name) {
+  for (const char* const other : {"linearized_implicit", "linearised_implicit",
+                                  "linearized_implicit_euler", "implicit_euler_linearized"})
+    if (name == other) return "implicit_euler_linearised";
+  return name;
+}
+
 SolverChoice read_solver(const Value& value) {
-  const Mapping mapping(value, {"type", "timestep", "tolerance"});
+  const Mapping mapping(value, {"type", "timestep", "tolerance", "gravity"});
   SolverChoice choice;
   const Value type = mapping.at("type");
-  choice.type = type.text();
+  choice.type = solver_known_as(type.text());
   choice.where = fmt::format("{}:{}:{}: {}", context_of(value).file, type.place().line,
                              type.place().column, type.key());
-  mapping.with("timestep", [&](const Value& v) { choice.step = v.number(Sign::positive); });
+  mapping.with("timestep", [&](const Value& v) { choice.step = v.quotient(Sign::positive); });
   mapping.with("tolerance", [&](const Value& v) {
     if (v.node().kind != YamlNode::Kind::mapping)
       return void(choice.tolerance = v.number(Sign::positive));
@@ -69,10 +77,10 @@ void warn_of_duplicates(Context& context) {
 }
 
 void read_all(Context& context, const YamlNode& root) {
-  const Mapping mapping(
-      {context, root, ""},
-      {"name", "up", "gravity", "duration", "solver", "particles", "springs", "cloth", "forces",
-       "contacts", "surfaces", "emitters", "output", "plot", "allow_negative_damping"});
+  const Mapping mapping({context, root, ""},
+                        {"name", "up", "gravity", "duration", "solver", "particles", "springs",
+                         "gravitational", "cloth", "forces", "contacts", "surfaces", "emitters",
+                         "output", "plot", "allow_negative_damping"});
   Scene& scene = context.scene;
   mapping.with("name", [&](const Value& v) { scene.name = v.text(); });
   mapping.with("up", [&](const Value& v) {
@@ -83,6 +91,15 @@ void read_all(Context& context, const YamlNode& root) {
   scene.gravity = {};
   scene.gravity[static_cast<std::size_t>(scene.up - 'x')] = -9.81;
   mapping.with("gravity", [&](const Value& v) { scene.gravity = read_gravity(v, scene.up); });
+  // The same key below `solver`, where some courses have it.
+  mapping.with("solver", [&](const Value& solver) {
+    if (solver.node().kind != YamlNode::Kind::mapping || !solver.node().find("gravity")) return;
+    const Value gravity(context, *solver.node().find("gravity"), solver.path_of("gravity"));
+    if (mapping.has("gravity"))
+      gravity.fail("gravity given twice", "it here too",
+                   "one gravity, of the scene or of its solver");
+    scene.gravity = read_gravity(gravity, scene.up);
+  });
   scene.duration = mapping.number_or("duration", Sign::positive, default_duration);
   context.duration_given = mapping.has("duration");
   if (mapping.has("solver") || context.options.need_solver)
@@ -93,6 +110,7 @@ void read_all(Context& context, const YamlNode& root) {
   // The ids of springs may name the particles of cloths, which come after those listed.
   mapping.with("cloth", read_cloths);
   mapping.with("springs", read_springs);
+  mapping.with("gravitational", read_gravitational);
   mapping.with("forces", read_forces);
   mapping.with("contacts", read_contacts);
   mapping.with("surfaces", read_surfaces);
@@ -102,7 +120,8 @@ void read_all(Context& context, const YamlNode& root) {
         .fail("no particles", "none", "particles, a cloth or an emitter");
   mapping.with("output", [&](const Value& v) {
     const Mapping output(v, {"every"});
-    output.with("every", [&](const Value& e) { scene.frame_interval = e.number(Sign::positive); });
+    output.with("every",
+                [&](const Value& e) { scene.frame_interval = e.quotient(Sign::positive); });
   });
   mapping.with("plot", read_plot);
   warn_of_duplicates(context);
@@ -121,7 +140,8 @@ ReadScene read_scene(const std::string& file, const std::string& text, const Rea
   Context context(file, options);
   const auto root = parse_yaml(file, text, {.name = "scene"});
   read_all(context, *root);
-  return {std::move(context.scene), std::move(context.warnings), context.duration_given};
+  return {std::move(context.scene), std::move(context.warnings), context.duration_given,
+          context.damping_model_given};
 }
 
 }  // namespace odeum::scene

@@ -22,6 +22,7 @@ struct ReadScene {
   Scene scene;
   std::vector<std::string> warnings;  ///< `file:line:column: key: message`
   bool duration_given = true;         ///< false: the duration is the default
+  bool damping_model_given = true;    ///< false: some spring has the default
 };
 
 /// Reads a scene file; cases/scenes/README.md describes its format. Throws InputError for

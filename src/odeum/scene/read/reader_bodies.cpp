@@ -2,6 +2,7 @@
 // Bodies of a scene: particles and springs.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "odeum/scene/read/reader_fields.hpp"
@@ -37,26 +38,47 @@ void make_room(const Value& at, std::uint64_t more) {
             fmt::format("at most {} (--max-particles raises it)", most));
 }
 
-void add_spring(const Value& at, Spring spring, bool rest_length_given) {
-  Scene& scene = context_of(at).scene;
-  const Vec3 &a = scene.particles[spring.a].position, &b = scene.particles[spring.b].position;
+namespace {
+
+/// Two different particles of `particle_ids`, that `of` acts between.
+std::array<std::size_t, 2> pair_of(const Mapping& mapping, const char* of) {
+  const Value ids = mapping.at("particle_ids");
+  const auto ends = ids.list_of(2, "two particle ids [a, b]");
+  const std::array<std::size_t, 2> pair{particle_id(ends[0]), particle_id(ends[1])};
+  if (pair[0] == pair[1])
+    ids.fail(fmt::format("{} from a particle to itself", of),
+             fmt::format("[{}, {}]", pair[0], pair[1]), "two different ids");
+  return pair;
+}
+
+/// The distance of two particles; fails where they are at the same place or too far apart.
+double distance_of(const Value& at, const char* of, std::size_t first, std::size_t second) {
+  const Scene& scene = context_of(at).scene;
+  const Vec3 &a = scene.particles[first].position, &b = scene.particles[second].position;
   const double length = std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
   if (a == b)
-    at.fail(
-        "a spring between particles at the same place, which has no direction",
-        fmt::format("particles {} and {} at ({}, {}, {})", spring.a, spring.b, a[0], a[1], a[2]),
-        "a distance");
+    at.fail(fmt::format("{} between particles at the same place, which has no direction", of),
+            fmt::format("particles {} and {} at ({}, {}, {})", first, second, a[0], a[1], a[2]),
+            "a distance");
   if (!std::isfinite(length))
-    at.fail("particles too far apart for a spring", fmt::format("{}", length), "a finite length");
+    at.fail(fmt::format("particles too far apart for {}", of), fmt::format("{}", length),
+            "a finite length");
+  return length;
+}
+
+}  // namespace
+
+void add_spring(const Value& at, Spring spring, bool rest_length_given) {
+  const double length = distance_of(at, "a spring", spring.a, spring.b);
   if (!rest_length_given) spring.rest_length = length;
-  scene.springs.push_back(spring);
+  context_of(at).scene.springs.push_back(spring);
   context_of(at).spring_places.push_back(at.place());
 }
 
 void read_particles(const Value& list) {
   for (const Value& entry : list.list()) {
     make_room(entry, 1);
-    const Mapping mapping(entry, {"pos", "vel", "mass", "fixed", "radius"});
+    const Mapping mapping(entry, {"pos", "vel", "mass", "fixed", "radius", "drag"});
     Particle particle;
     particle.fixed = mapping.boolean_or("fixed", false);
     particle.position = mapping.at("pos").vector();
@@ -67,6 +89,7 @@ void read_particles(const Value& list) {
     else
       particle.mass = mapping.number_or("mass", Sign::not_negative, 1);
     particle.radius = mapping.number_or("radius", Sign::not_negative, 0);
+    particle.drag = mapping.number_or("drag", Sign::not_negative, 0);
     context_of(list).scene.particles.push_back(particle);
   }
 }
@@ -75,20 +98,25 @@ void read_springs(const Value& list) {
   for (const Value& entry : list.list()) {
     const Mapping mapping(entry, {"particle_ids", "stiffness", "damping", "damping_model",
                                   "rest_length", "tension_only"});
-    const Value ids = mapping.at("particle_ids");
-    const auto ends = ids.list_of(2, "two particle ids [a, b]");
     Spring spring;
-    spring.a = particle_id(ends[0]);
-    spring.b = particle_id(ends[1]);
-    if (spring.a == spring.b)
-      ids.fail("a spring from a particle to itself", fmt::format("[{}, {}]", spring.a, spring.b),
-               "two different ids");
+    const auto [a, b] = pair_of(mapping, "a spring");
+    spring.a = a;
+    spring.b = b;
     spring.stiffness = mapping.at("stiffness").number(Sign::not_negative);
     spring.damping = damping_of(mapping);
     spring.axial = is_axial(mapping);
     spring.rest_length = mapping.number_or("rest_length", Sign::not_negative, 0);
     spring.tension_only = mapping.boolean_or("tension_only", false);
     add_spring(entry, spring, mapping.has("rest_length"));
+  }
+}
+
+void read_gravitational(const Value& list) {
+  for (const Value& entry : list.list()) {
+    const Mapping mapping(entry, {"particle_ids", "G"});
+    const auto [a, b] = pair_of(mapping, "gravitation");
+    distance_of(entry, "gravitation", a, b);
+    context_of(list).scene.gravitations.push_back({a, b, mapping.at("G").number()});
   }
 }
 

@@ -15,7 +15,10 @@ double damping_of(const Mapping& mapping) {
 }
 
 bool is_axial(const Mapping& mapping) {
-  if (!mapping.has("damping_model")) return true;
+  if (!mapping.has("damping_model")) {
+    context_of(mapping.value()).damping_model_given = false;
+    return true;
+  }
   const Value value = mapping.at("damping_model");
   const std::string model = value.text();
   if (model != "axial" && model != "full")

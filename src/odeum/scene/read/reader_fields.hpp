@@ -31,16 +31,18 @@ struct Context : input::Reading {
   std::vector<Value> surfaces;       ///< where each surface of the scene stands
   bool allow_negative_damping = false;
   bool duration_given = true;
+  bool damping_model_given = true;
 };
 inline Context& context_of(const Value& value) { return static_cast<Context&>(value.reading()); }
 
 /// A damping: not negative, or a warning where the scene allows it.
 double damping_of(const Mapping& mapping);
-/// Whether the damping model is `axial`, the default, and not `full`.
+/// Whether the damping model is `axial`, the default, and not `full`; notes a damping without one.
 bool is_axial(const Mapping& mapping);
 
 void read_particles(const Value& list);
 void read_springs(const Value& list);
+void read_gravitational(const Value& list);
 void read_cloths(const Value& list);
 void read_forces(const Value& list);
 void read_contacts(const Value& list);
