@@ -141,6 +141,23 @@ TEST(TextSwitches, ASwitchMayMakeTheProblemStiff) {
   }
 }
 
+TEST(TextSwitches, AStopBesideASwitchIsTheSameTime) {
+  // 0.1 + 0.2 is the double after 0.3.
+  const TextContest text(
+      "states: {x: 1}\nequations: {x: \"if(t > 0.1 + 0.2, 1, -x)\"}\ntime: {end: 1}\n");
+  const double end = std::exp(-0.3) + 0.7;
+  for (const char* solver : {"odeum/rodas4", "odeum/radau_iia5", "cvode/bdf", "gsl/rkf45"}) {
+    const Entrants all = cases::enroll(text.contest);
+    const Entrant* const entrant = all.find(solver);
+    if (!entrant || !entrant->solve) continue;
+    const Outcome outcome = entrant->solve(to_a_tolerance(1e-8, {0.3, 1}));
+    ASSERT_EQ(outcome.status, Status::ok) << solver << ": " << outcome.detail;
+    ASSERT_EQ(outcome.states.size(), 2U) << solver;
+    EXPECT_NEAR(outcome.states[0], std::exp(-0.3), 1e-6) << solver;
+    EXPECT_NEAR(outcome.states[1], end, 1e-6) << solver;
+  }
+}
+
 TEST(TextSwitches, AFixedStepDoesNotMove) {
   const TextContest text(step_at_one);
   Request request;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace odeum {
@@ -53,17 +54,26 @@ class RunInPieces {
         y_(*contest.y0) {}
 
   Outcome operator()(const std::vector<Switch>& switches) {
-    const double end = request_.stops.back();
     double first = -Piece::unbounded;
     for (const Switch& at : switches) {
-      if (!make(first, at.before, std::min(at.t, end))) return std::move(all_);
+      if (!make(first, at.before, end_at(at.t))) return std::move(all_);
       first = at.after;
     }
-    make(first, Piece::unbounded, end);
+    make(first, Piece::unbounded, request_.stops.back());
     return std::move(all_);
   }
 
  private:
+  /// A stop that is the same time but for rounding: no library makes a step between the two.
+  double end_at(double t) const {
+    if (same(t, t_)) return t_;
+    const auto stop = std::ranges::find_if(request_.stops, [&](double s) { return same(s, t); });
+    return stop != request_.stops.end() ? *stop : std::min(t, request_.stops.back());
+  }
+  static bool same(double a, double b) {
+    constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+    return std::abs(a - b) <= roundings * std::max(std::abs(a), std::abs(b));
+  }
   /// The piece from t_ to `end`; false where it failed.
   bool make(double first, double last, double end) {
     if (!(end > t_)) return true;
