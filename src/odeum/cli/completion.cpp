@@ -200,7 +200,8 @@ std::string manual(const std::vector<Command>& commands) {
          ".SH ENVIRONMENT\n"
          ".TP\nXDG_CACHE_HOME\nthe folder in whose \\fIodeum\\fR results are kept; default: "
          "\\fI~/.cache\\fR\n"
-         ".TP\nODEUM_COMPILER_SECONDS\nthe seconds of the processor that the compiler of a text may take; default: 60\n"
+         ".TP\nODEUM_COMPILER_SECONDS\nthe seconds of the processor that the compiler of a text "
+         "may take; default: 60\n"
          ".TP\nODEUM_SILENCE_SECONDS\nhow long a plug-in or an FMU may work without evaluating a "
          "right-hand side or returning; default: 5\n";
 }

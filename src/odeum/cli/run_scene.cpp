@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <stdexcept>
@@ -44,25 +43,6 @@ Lines describe_model(const Scene& scene, const SceneProblem& problem) {
   if (s.closed_form)
     lines.emplace_back("exact      free particles under a constant force: odeum/closed_form");
   return lines;
-}
-
-/// Which damping the springs have, and whether the scene names it.
-std::string text_of_damping(const scene::ReadScene& read) {
-  const auto damped = [&](bool axial) {
-    return std::ranges::any_of(read.scene.springs, [axial](const scene::Spring& spring) {
-      return spring.damping != 0 && spring.axial == axial;
-    });
-  };
-  const bool axial = damped(true), full = damped(false);
-  if (!axial && !full) return {};
-  const char* const text = !full    ? "axial: of the relative velocity along a spring"
-                           : !axial ? "full: of the whole relative velocity"
-                                    : "axial of some springs, full of others";
-  return fmt::format("damping    {}{}", text,
-                     !axial || read.damping_model_given
-                         ? ""
-                         : "; the scene names no damping_model, and full damps the whole "
-                           "relative velocity");
 }
 
 /// The processor's time, by steps and by frames, and what a cost in evaluations does not tell.
@@ -250,7 +230,8 @@ int run_read(const scene::ReadScene& read, const SceneSource& source,
   if (!options.out.empty()) folder.emplace(options.out);
   Lines model = describe_model(scene, *whole);
   model.insert(model.begin(), "scene      " + scene.name);
-  if (const std::string damping = text_of_damping(read); !damping.empty()) model.push_back(damping);
+  if (const std::string damping = scene::describe_damping(read); !damping.empty())
+    model.push_back("damping    " + damping);
   if (!read.duration_given && !settings.until)
     model.push_back(fmt::format("duration   {} s: the scene gives none; --until sets another",
                                 scene::default_duration));

@@ -88,7 +88,8 @@ class EdgeSprings final : public Term {
   std::vector<Spring> springs_;
 };
 
-/// Gravitation between pairs, and drag of particles that have one; null where a scene has none.
+/// Gravitation between pairs, and drag of particles that have one; null where a scene has none. The
+/// first throws std::invalid_argument for an end that is no particle.
 std::unique_ptr<Term> make_gravitation(const Scene& scene);
 std::unique_ptr<Term> make_particle_drag(const Scene& scene);
 /// The terms of `forces` and of `contacts`.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Forces on pairs of particles and on particles that are listed one by one.
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "odeum/scene/model/spring_law.hpp"
 #include "odeum/scene/model/terms.hpp"
@@ -85,6 +89,10 @@ class ParticleDrag final : public Term {
 
 std::unique_ptr<Term> make_gravitation(const Scene& scene) {
   if (scene.gravitations.empty()) return nullptr;
+  for (const Gravitation& g : scene.gravitations)
+    if (g.a >= scene.size() || g.b >= scene.size() || g.a == g.b)
+      throw std::invalid_argument(
+          fmt::format("gravitation between particles {} and {} of {}", g.a, g.b, scene.size()));
   return std::make_unique<PairGravitation>(scene.gravitations);
 }
 

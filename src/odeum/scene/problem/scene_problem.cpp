@@ -36,10 +36,6 @@ void require_sound(const Scene& scene) {
     if (s.a >= scene.size() || s.b >= scene.size() || s.a == s.b)
       throw std::invalid_argument(
           fmt::format("spring between particles {} and {} of {}", s.a, s.b, scene.size()));
-  for (const Gravitation& g : scene.gravitations)
-    if (g.a >= scene.size() || g.b >= scene.size() || g.a == g.b)
-      throw std::invalid_argument(
-          fmt::format("gravitation between particles {} and {} of {}", g.a, g.b, scene.size()));
 }
 
 /// Calls work(arrays, entries of each, array of the result) with vectors of the particles in the

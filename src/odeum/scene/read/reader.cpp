@@ -130,6 +130,24 @@ void read_all(Context& context, const YamlNode& root) {
 
 }  // namespace
 
+std::string describe_damping(const ReadScene& read) {
+  const auto damped = [&](bool axial) {
+    return std::ranges::any_of(read.scene.springs, [axial](const Spring& spring) {
+      return spring.damping != 0 && spring.axial == axial;
+    });
+  };
+  const bool axial = damped(true), full = damped(false);
+  if (!axial && !full) return {};
+  if (!axial) return "full: of the whole relative velocity";
+  const std::string text = full ? "axial of some springs, full of others"
+                                : "axial: of the relative velocity along a spring";
+  return read.damping_model_given
+             ? text
+             : text +
+                   "; the scene names no damping_model, and full damps the whole relative "
+                   "velocity";
+}
+
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options) {
   return read_scene(path,
                     read_text_file(path, "scene", options.most_bytes, "--max-megabytes raises it"),

@@ -25,6 +25,9 @@ struct ReadScene {
   bool damping_model_given = true;    ///< false: some spring has the default
 };
 
+/// Which damping the springs have, and whether the scene names it; empty: none.
+std::string describe_damping(const ReadScene& read);
+
 /// Reads a scene file; cases/scenes/README.md describes its format. Throws InputError for
 /// everything that is wrong with the path, the text or the numbers.
 ReadScene read_scene_file(const std::string& path, const ReadOptions& options = {});
