@@ -62,15 +62,24 @@ std::vector<Candidate*> by_foresight(std::vector<Candidate>& candidates) {
 }  // namespace
 
 void Search::order_by_rank(std::vector<Candidate>& candidates) {
-  // Where each solve takes long, not all have their turn: first those of orders 4 to 8 with a
-  // controller. That orders them, and drops none.
+  // Where each solve takes long, not all have their turn: in each library and mode first those that
+  // need what the problem has, then orders 4 to 8. That orders them, and drops none.
   const auto rank = [](const Candidate& candidate) {
-    const double claimed = candidate.entrant->info.order;
-    const double apart = std::isnan(claimed) ? 4 : std::max({0.0, 4 - claimed, claimed - 8});
-    return apart + (candidate.mode == Mode::fixed ? 0.5 : 0);
+    const SolverInfo& info = candidate.entrant->info;
+    if (!info.needs.empty()) return 0.0;
+    return 1 + (std::isnan(info.order) ? 4 : std::max({0.0, 4 - info.order, info.order - 8}));
   };
   std::ranges::stable_sort(
       candidates, [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });
+  // The kinds of all libraries and modes take turns, so that none waits for the many of another.
+  std::map<Kind, double> turns;
+  std::map<std::pair<std::string, Mode>, double> kinds_of;
+  for (const Candidate& candidate : candidates) {
+    double& count = kinds_of[{candidate.entrant->info.library, candidate.mode}];
+    if (turns.emplace(kind_of(candidate), count).second) ++count;
+  }
+  std::ranges::stable_sort(
+      candidates, {}, [&](const Candidate& candidate) { return turns.at(kind_of(candidate)); });
 }
 
 /// What a run to the end takes, from one to the first stop. Where stops are decades apart, a run to
@@ -122,7 +131,7 @@ bool Search::heats(std::vector<Candidate>& candidates) {
   // In two rounds: the first of each kind, then the others of kinds that are near.
   std::map<Kind, std::vector<Candidate*>> kinds;
   for (Candidate& candidate : candidates) kinds[kind_of(candidate)].push_back(&candidate);
-  cap_seconds_ = 0.01 * seconds_;
+  cap_seconds_ = 0.02 * seconds_;
   double least = infinity;
   std::map<Kind, std::string> stopped;  // solvers
   std::map<Fingerprint, std::string> same;
@@ -143,8 +152,8 @@ bool Search::heats(std::vector<Candidate>& candidates) {
     }
     if (trial.status != Status::ok) return infinity;
     // A few that are slow must not take the turn of the others.
-    constexpr double shortest = 2e-3;
-    cap_seconds_ = std::min(cap_seconds_, std::max(shortest, ten_times * trial.ns));
+    constexpr double shortest = 2e-3, few_times = 4e-9;
+    cap_seconds_ = std::min(cap_seconds_, std::max(shortest, few_times * trial.ns));
     const auto [twin, alone] = same.emplace(fingerprint_of(candidate, trial), id);
     if (!alone) candidate.dropped = twin_of(twin->second);
     least = std::min(least, candidate.foreseen);
@@ -203,9 +212,9 @@ void Search::each_worth(std::vector<Candidate>& candidates,
       continue;
     }
     patience_ = has_answer ? few_times : many_times;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = clock_.spent();
     visit(*candidate);
-    seconds = candidate->found ? infinity : seconds + seconds_since(start);
+    seconds = candidate->found ? infinity : seconds + clock_.spent() - start;
   }
   patience_ = 10;
 }

@@ -120,33 +120,11 @@ void time_them(Advice& advice, Search& search, double seconds) {
       if (interrupted) throw Interrupted();
       Candidate& candidate = advice.candidates[k];
       // It ended well under the guard; without a time it can't be advised.
-      candidate.times.ns.push_back(bare_ns(candidate, *candidate.found));
+      candidate.times.ns.push_back(search.bare_ns(candidate, *candidate.found));
     }
   }
   advice.disturbed = study::disturbed(meter.end());
 }
-
-}  // namespace
-
-double bare_ns(const Candidate& candidate, const Trial& trial) {
-  double sum = 0;
-  for (std::size_t k = 0; k < trial.parts.size(); ++k) {
-    Request request = trial.parts[k].request;
-    request.budget.watched = false;
-    Status status = Status::ok;
-    const double before = solve_seconds();
-    const double wall = study::time_call([&] { status = candidate.on[k]->solve(request).status; },
-                                         trial.parts[k].ns);
-    // Other programs stretch the wall time of a long run.
-    constexpr double long_ns = 1e7, in_this_thread = 0.05;
-    const double own = 1e9 * (solve_seconds() - before);
-    sum += wall > long_ns && own > in_this_thread * wall ? std::min(own, wall) : wall;
-    if (status != Status::ok) return infinity;
-  }
-  return sum / static_cast<double>(trial.parts.size());
-}
-
-namespace {
 
 auto time_of(const Advice& advice) {
   return [&](std::size_t k) { return advice.candidates[k].times.min(); };
@@ -226,7 +204,7 @@ void look_at_winner(Advice& advice, Search& search, const std::vector<const Case
     const std::size_t rounds = winner.times.ns.size();
     winner.times = {};
     for (std::size_t k = 0; k < rounds && (k < 2 || !search.late(0.95)); ++k)
-      winner.times.ns.push_back(bare_ns(winner, *winner.found));
+      winner.times.ns.push_back(search.bare_ns(winner, *winner.found));
   }
   const double fineness = winner.found->fineness, coarser = search.coarser_than(winner, fineness);
   if (coarser < fineness)

@@ -2,11 +2,13 @@
 #pragma once
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "odeum/advise/clock.hpp"
 #include "odeum/judge/errors.hpp"
 #include "odeum/studies/stopwatch.hpp"
 
@@ -30,8 +32,10 @@ struct Wishes {
                        ///< that of 30 of the best runs foreseen, up to 600
   /// When the seconds begin to count. The time for the truth is included, up to half of them.
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::vector<std::string> libraries;  ///< empty: all
-  std::vector<std::string> solvers;    ///< globs on library/method; empty: all
+  double used_at_start = process_seconds();  ///< the processor's seconds at that time
+  std::function<double()> clock;             ///< of a test, see Clock; empty: the machine's
+  std::vector<std::string> libraries;        ///< empty: all
+  std::vector<std::string> solvers;          ///< globs on library/method; empty: all
   /// Whether a command may end its steps on the stops, where its run misses the error without.
   bool may_stop = false;
 };
@@ -94,10 +98,6 @@ struct Candidate {
   double order() const;
   bool closed_form() const { return entrant->info.closed_form(); }
 };
-
-/// Wall time of the trial's runs with the bare right-hand side, mean of the cases; infinite where
-/// one fails.
-double bare_ns(const Candidate& candidate, const Trial& trial);
 
 struct Advice {
   Wishes wishes;

@@ -8,10 +8,6 @@
 /// The setting of each candidate for the error asked.
 namespace odeum::advise {
 
-/// Processor time of this thread and of the runs in processes of their own, without what making
-/// these takes.
-double solve_seconds();
-
 /// The stops of a run: all of them, on which steps end or inside of steps, or one of them.
 enum class To { all, inside, first, end };
 
@@ -44,8 +40,9 @@ class Search {
   bool late(double share) const;
   /// Seconds for the race: what the truth has left of those asked for, half of them at least.
   double left() const;
-  /// Wall time over processor time since the race began, 1 to 10.
-  double crowding() const;
+  /// Wall time of the trial's runs with the bare right-hand side, mean of the cases; infinite where
+  /// one fails.
+  double bare_ns(const Candidate& candidate, const Trial& trial) const;
   double seconds() const { return seconds_; }
   /// Whether a run takes so long that not every candidate has its turn.
   bool dear() const { return dear_; }
@@ -105,8 +102,7 @@ class Search {
   double patience_ = 10;  ///< a run is stopped after so many times the best run's time
   double best_ns_ = infinity, cap_seconds_ = 0, least_error_ = infinity;
   double before_;  ///< seconds that the truth took
-  double start_thread_ = study::thread_seconds();
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock clock_;
 };
 
 }  // namespace odeum::advise

@@ -7,11 +7,8 @@
 #include "odeum/advise/search.hpp"
 #include "odeum/core/interrupt.hpp"
 #include "odeum/core/parallel.hpp"
-#include "odeum/isolated/isolated_times.hpp"
 
 namespace odeum::advise {
-
-double solve_seconds() { return study::thread_seconds() - 1e-9 * isolated_times.isolation_ns; }
 
 double Trial::state_error() const { return parts[worst()].error; }
 
@@ -33,7 +30,8 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
       multiple_(frames > 0 ? std::lcm(frames, c_.settings.steps_multiple)
                            : c_.settings.steps_multiple),
       seconds_(wishes.seconds > 0 ? wishes.seconds : 20),
-      before_(seconds_since(wishes.start)) {
+      before_(std::min(seconds_since(wishes.start), process_seconds() - wishes.used_at_start)),
+      clock_(wishes.clock) {
   // One frame would foresee little.
   first_ = c_.stops[frames > 0 ? (c_.stops.size() - 1) / 4 : 0];
   for (const Case* c : cases)
@@ -46,14 +44,7 @@ Search::Search(const std::vector<const Case*>& cases, const Wishes& wishes, std:
 
 double Search::left() const { return seconds_ - std::min(before_, 0.5 * seconds_); }
 
-bool Search::late(double share) const { return seconds_since(start_) > share * left(); }
-
-double Search::crowding() const {
-  constexpr double shortest = 0.1, most = 10;
-  const double wall = seconds_since(start_);
-  if (wall < shortest) return 1;
-  return std::clamp(wall / (study::thread_seconds() - start_thread_), 1.0, most);
-}
+bool Search::late(double share) const { return clock_.spent() > share * left(); }
 
 double Search::part_of(To to) const {
   return to == To::first ? (first_ - c_.t0) / (c_.stops.back() - c_.t0) : 1;
@@ -74,11 +65,11 @@ Request Search::request_for(const Stage& stage, const Candidate& candidate, doub
     request.steps =
         std::max(1ULL, static_cast<unsigned long long>(std::llround(fineness * part_of(to))));
   // A run that may be the answer has its time also where the seconds are over.
-  const double remains = std::max(0.01, left() - seconds_since(start_));
+  const double remains = std::max(0.01, left() - clock_.spent());
   // Budgets are of wall time, which other programs stretch.
   request.budget.seconds = std::isfinite(best_ns_)
-                               ? crowding() * std::max(2e-3, patience_ * 1e-9 * best_ns_)
-                               : std::min(remains, crowding() * cap_seconds_);
+                               ? clock_.crowding() * std::max(2e-3, patience_ * 1e-9 * best_ns_)
+                               : std::min(remains, clock_.crowding() * cap_seconds_);
   // The time of one that was found is about known, also where the seconds are over.
   if (candidate.found)
     request.budget.seconds = std::max(request.budget.seconds, 0.05 + 4e-9 * candidate.found->ns);
@@ -100,7 +91,7 @@ double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
     request.steps = static_cast<std::uint64_t>(
         looks * std::llround(longer / looks * static_cast<double>(request.steps)));
   request.budget.seconds =
-      std::min(longer * request.budget.seconds, std::max(0.01, seconds_ - seconds_since(start_)));
+      std::min(longer * request.budget.seconds, std::max(0.01, seconds_ - clock_.spent()));
   const Outcome outcome = entrant.solve(request);
   if (outcome.status != Status::ok) return infinity;
   double drift = 0;
@@ -113,10 +104,10 @@ double Search::drift_to_horizon(const Stage& stage, const Entrant& entrant,
 }
 
 Status Search::run_on(const Stage& stage, const Entrant& entrant, Part& part, To to) const {
-  const double start = solve_seconds();
+  const double start = clock_.used();
   const Outcome outcome = entrant.solve(part.request);
   part.counters = outcome.counters;
-  part.ns = std::max(1.0, 1e9 * (solve_seconds() - start) -
+  part.ns = std::max(1.0, 1e9 * (clock_.used() - start) -
                               4.0 * static_cast<double>(outcome.counters.rhs_evaluations));
   if (outcome.status != Status::ok) return outcome.status;
   part.error = 0;
@@ -154,6 +145,18 @@ Trial Search::run(const Candidate& candidate, double fineness, To to) const {
   trial.ns /= static_cast<double>(trial.parts.size());
   if (trial.status == Status::ok) take_errors(trial);
   return trial;
+}
+
+double Search::bare_ns(const Candidate& candidate, const Trial& trial) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < trial.parts.size(); ++k) {
+    Request request = trial.parts[k].request;
+    request.budget.watched = false;
+    Status status = Status::ok;
+    sum += clock_.of([&] { status = candidate.on[k]->solve(request).status; }, trial.parts[k].ns);
+    if (status != Status::ok) return infinity;
+  }
+  return sum / static_cast<double>(trial.parts.size());
 }
 
 Trial Search::command_run(const Candidate& candidate, double fineness) const {

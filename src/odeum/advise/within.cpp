@@ -91,7 +91,8 @@ void Search::search_within(Candidate& candidate) {
 void Search::all_within(std::vector<Candidate>& candidates) {
   order_by_rank(candidates);
   if (heats(candidates)) {
-    cap_seconds_ = std::max(2e-3, std::min(crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
+    cap_seconds_ =
+        std::max(2e-3, std::min(clock_.crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
     each_worth(candidates, [&](Candidate& candidate) {
       take_within(candidate, first(candidate));
       search_within(candidate);
@@ -116,7 +117,7 @@ void Search::all_within(std::vector<Candidate>& candidates) {
   // that failed there, which may be good at a finer one.
   std::ranges::sort(known);
   std::ranges::sort(failed);
-  cap_seconds_ = std::max(2e-3, std::min(crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
+  cap_seconds_ = std::max(2e-3, std::min(clock_.crowding() * 2e-9 * wishes_.time_ns, seconds_ / 4));
   for (std::size_t k = 0; k < std::max(known.size(), failed.size()) && !late(0.7); ++k) {
     for (const auto* list : {&known, &failed})
       if (k < list->size()) search_within(candidates[(*list)[k].second]);
